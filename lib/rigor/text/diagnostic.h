@@ -1,0 +1,65 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What rigor has to say about a file, as data.
+//
+// The library never prints: it appends to a `Diagnostics`, and `report` speaks. A diagnostic names
+// its rule, so that everything rigor can say has one page, one severity and one switch.
+//
+//   diagnostics.add({.rule = "joint-limit-inverted", .severity = Severity::kError,
+//                    .message = "lower (1) is above upper (-1)", .where = limit.lower.span});
+
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <rigor/text/edit.h>
+#include <rigor/text/span.h>
+
+namespace rigor {
+
+enum class Severity {
+  kError,    ///< a consumer rejects, crashes on or misreads the model
+  kWarning,  ///< probably not what was meant
+  kInfo,     ///< worth knowing
+};
+
+std::string_view to_string(Severity severity);
+
+/// A second place that explains the first: "first defined here".
+struct Label {
+  Span where;
+  std::string message;
+};
+
+struct Diagnostic {
+  std::string_view rule;      ///< kebab-case name; points into the registry, which is static data
+  std::string_view category;  ///< of the rule
+  Severity severity = Severity::kError;
+  std::string message;  ///< lower case, no full stop: the value, the limit, the unit
+  Span where;           ///< the bytes at fault; `nowhere()` when a whole file is (see `path`)
+  std::string path;     ///< of the file, when `where` has no source: a mesh, a missing file
+  std::string subject;  ///< the entity, for people who think in robots: "arm/joint elbow"
+  std::vector<Label> related;
+  std::string help;  ///< what to do, in the imperative; empty when the message says it all
+  std::vector<Fix> fixes;  ///< none or one; the first is the one to apply
+};
+
+/// Append-only. Rules and readers add, nobody removes.
+class Diagnostics {
+ public:
+  void add(Diagnostic diagnostic) { list_.push_back(std::move(diagnostic)); }
+
+  const std::vector<Diagnostic>& list() const { return list_; }
+  std::size_t count(Severity severity) const;
+
+  /// By place (source, then offset), then rule, so that output depends on nothing else.
+  void sort();
+
+ private:
+  std::vector<Diagnostic> list_;
+};
+
+}  // namespace rigor

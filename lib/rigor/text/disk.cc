@@ -1,0 +1,114 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/text/disk.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+#include <rigor/text/path.h>
+
+namespace rigor {
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string too_large(std::uint64_t max_bytes) {
+  return "is larger than " + std::to_string(max_bytes >> 20U) + " MiB";
+}
+
+bool same_but_case(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  return a != b && std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                              [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+}  // namespace
+
+ReadResult RealDisk::read(const std::string& path, std::uint64_t max_bytes) const {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) return {std::nullopt, "no such file"};
+  if (fs::is_directory(status)) return {std::nullopt, "is a folder"};
+  // A pipe or device has no size and may never end.
+  if (!fs::is_regular_file(status)) return {std::nullopt, "is not a regular file"};
+  const std::uintmax_t size = fs::file_size(path, error);
+  if (error) return {std::nullopt, error.message()};
+  if (size > max_bytes) return {std::nullopt, too_large(max_bytes)};
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) return {std::nullopt, "cannot be opened (permissions?)"};
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(size));
+  if (stream.bad()) return {std::nullopt, "cannot be read"};
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  return {std::move(bytes), {}};
+}
+
+PathKind RealDisk::kind(const std::string& path) const {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_regular_file(status)) return PathKind::kFile;
+  if (fs::is_directory(status)) return PathKind::kFolder;
+  return fs::exists(status) ? PathKind::kOther : PathKind::kMissing;
+}
+
+std::vector<std::string> RealDisk::list(const std::string& folder) const {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    names.push_back(it->path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+MemoryDisk::MemoryDisk(std::map<std::string, std::string> files) : files_(std::move(files)) {}
+
+void MemoryDisk::put(std::string path, std::string bytes) {
+  files_[std::move(path)] = std::move(bytes);
+}
+
+ReadResult MemoryDisk::read(const std::string& path, std::uint64_t max_bytes) const {
+  const auto found = files_.find(normalize_path(path));
+  if (found == files_.end()) {
+    return {std::nullopt, kind(path) == PathKind::kFolder ? "is a folder" : "no such file"};
+  }
+  if (found->second.size() > max_bytes) return {std::nullopt, too_large(max_bytes)};
+  return {found->second, {}};
+}
+
+PathKind MemoryDisk::kind(const std::string& path) const {
+  const std::string normal = normalize_path(path);
+  if (files_.contains(normal)) return PathKind::kFile;
+  if (normal == "." && !files_.empty()) return PathKind::kFolder;
+  const auto inside = files_.lower_bound(normal + "/");
+  const bool folder = inside != files_.end() && inside->first.starts_with(normal + "/");
+  return folder ? PathKind::kFolder : PathKind::kMissing;
+}
+
+std::vector<std::string> MemoryDisk::list(const std::string& folder) const {
+  const std::string normal = normalize_path(folder);
+  const std::string prefix = normal == "." ? "" : normal + "/";
+  std::vector<std::string> names;
+  for (auto it = files_.lower_bound(prefix); it != files_.end(); ++it) {
+    if (!it->first.starts_with(prefix)) break;
+    const std::string_view rest = std::string_view(it->first).substr(prefix.size());
+    names.emplace_back(rest.substr(0, rest.find('/')));
+  }
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+std::string other_case(const Disk& disk, const std::string& path) {
+  const std::string_view wanted = file_name(path);
+  for (const std::string& name : disk.list(std::string(parent_path(path)))) {
+    if (same_but_case(name, wanted)) return name;
+  }
+  return {};
+}
+
+}  // namespace rigor

@@ -1,0 +1,70 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The file system behind a seam, so that tests, editors and `validate -` need no real files.
+//
+//   RealDisk disk;
+//   ReadResult file = disk.read("robot.sdf", kMaxModelBytes);
+//   if (!file.bytes) complain(file.problem);
+//
+// Paths are UTF-8 with '/' between the parts.
+
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rigor {
+
+enum class PathKind { kMissing, kFile, kFolder, kOther };
+
+struct ReadResult {
+  std::optional<std::string> bytes;
+  std::string problem;  ///< why there are no bytes: "no such file", "is a folder", "over 64 MiB"
+};
+
+class Disk {
+ public:
+  virtual ~Disk() = default;
+
+  /// All bytes of a file, or why not. A file over `max_bytes` is refused without being read.
+  virtual ReadResult read(const std::string& path, std::uint64_t max_bytes) const = 0;
+
+  virtual PathKind kind(const std::string& path) const = 0;
+
+  /// Names (not paths) in a folder, sorted by bytes; empty when it is none.
+  virtual std::vector<std::string> list(const std::string& folder) const = 0;
+};
+
+class RealDisk final : public Disk {
+ public:
+  ReadResult read(const std::string& path, std::uint64_t max_bytes) const override;
+  PathKind kind(const std::string& path) const override;
+  std::vector<std::string> list(const std::string& folder) const override;
+};
+
+/// Files from a map of path to bytes; a folder is any proper prefix of a file's path.
+class MemoryDisk final : public Disk {
+ public:
+  MemoryDisk() = default;
+  explicit MemoryDisk(std::map<std::string, std::string> files);
+  void put(std::string path, std::string bytes);
+
+  ReadResult read(const std::string& path, std::uint64_t max_bytes) const override;
+  PathKind kind(const std::string& path) const override;
+  std::vector<std::string> list(const std::string& folder) const override;
+
+ private:
+  std::map<std::string, std::string> files_;
+};
+
+/// A name in the same folder that differs from `path`'s last part only by letter case; empty when
+/// there is none. On a file system that ignores case the asked-for spelling may open, yet fail on
+/// the next machine.
+std::string other_case(const Disk& disk, const std::string& path);
+
+}  // namespace rigor

@@ -1,0 +1,61 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/text/path.h>
+
+#include <vector>
+
+namespace rigor {
+
+std::string normalize_path(std::string_view path) {
+  const bool absolute = is_absolute(path);
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0; begin <= path.size();) {
+    const std::size_t slash = path.find('/', begin);
+    const std::size_t end = slash == std::string_view::npos ? path.size() : slash;
+    const std::string_view part = path.substr(begin, end - begin);
+    begin = end + 1;
+    if (part.empty() || part == ".") continue;
+    if (part == ".." && !parts.empty() && parts.back() != "..") {
+      parts.pop_back();
+    } else if (part != ".." || !absolute) {
+      parts.push_back(part);
+    }
+  }
+  std::string result = absolute ? "/" : "";
+  for (const std::string_view part : parts) {
+    if (!result.empty() && result.back() != '/') result += '/';
+    result += part;
+  }
+  return result.empty() ? "." : result;
+}
+
+std::string join_path(std::string_view folder, std::string_view path) {
+  if (is_absolute(path) || folder.empty()) return normalize_path(path);
+  return normalize_path(std::string(folder) + "/" + std::string(path));
+}
+
+std::string_view parent_path(std::string_view path) {
+  const std::size_t slash = path.rfind('/');
+  if (slash == std::string_view::npos) return ".";
+  return slash == 0 ? path.substr(0, 1) : path.substr(0, slash);
+}
+
+std::string_view file_name(std::string_view path) {
+  return path.substr(path.rfind('/') + 1);
+}
+
+std::string extension(std::string_view path) {
+  const std::string_view name = file_name(path);
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string_view::npos || dot == 0) return {};
+  std::string ending(name.substr(dot));
+  for (char& c : ending) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+  }
+  return ending;
+}
+
+bool is_absolute(std::string_view path) { return path.starts_with('/'); }
+
+}  // namespace rigor

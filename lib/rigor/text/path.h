@@ -1,0 +1,33 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Paths as text: UTF-8 with '/' between the parts, never looked up on a disk.
+//
+//   join_path("models/arm", "../meshes/a.stl");     // "models/meshes/a.stl"
+//   parent_path("models/arm/model.sdf");            // "models/arm"
+
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace rigor {
+
+/// Removes `.`, empty parts and, where a part stands before it, `..`. "" becomes ".".
+std::string normalize_path(std::string_view path);
+
+/// `path` seen from `folder`, normalized; `path` itself when it is absolute.
+std::string join_path(std::string_view folder, std::string_view path);
+
+/// All but the last part: "." for a bare name, "/" for a name in the root.
+std::string_view parent_path(std::string_view path);
+
+/// The last part.
+std::string_view file_name(std::string_view path);
+
+/// The last part's ending with its dot, in lower case: ".sdf"; empty when it has none.
+std::string extension(std::string_view path);
+
+bool is_absolute(std::string_view path);
+
+}  // namespace rigor
