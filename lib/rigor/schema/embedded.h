@@ -1,0 +1,18 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The schema files of this repository, as bytes in the program: the build writes the source file
+// that defines these functions from schemas/*.schema. The bytes live as long as the program, so
+// views into them never dangle.
+//
+//   auto parsed = Schema::parse(sdf_schema_text());
+#pragma once
+
+#include <string_view>
+
+namespace rigor::schema {
+
+std::string_view sdf_schema_text();
+std::string_view urdf_schema_text();
+
+}  // namespace rigor::schema

@@ -1,0 +1,68 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+#include <rigor/schema/suggest.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace rigor::schema {
+namespace {
+
+using Names = std::vector<std::string_view>;
+
+TEST(Suggest, DistanceCountsEdits) {
+  EXPECT_EQ(edit_distance("", "", 2), 0u);
+  EXPECT_EQ(edit_distance("link", "link", 2), 0u);
+  EXPECT_EQ(edit_distance("link", "Link", 2), 0u);   // case is not an edit
+  EXPECT_EQ(edit_distance("lnik", "link", 2), 1u);   // swapped
+  EXPECT_EQ(edit_distance("linkk", "link", 2), 1u);  // inserted
+  EXPECT_EQ(edit_distance("lin", "link", 2), 1u);    // removed
+  EXPECT_EQ(edit_distance("lint", "link", 2), 1u);   // replaced
+  EXPECT_EQ(edit_distance("ilkn", "link", 2), 2u);   // swapped twice
+  EXPECT_EQ(edit_distance("", "ab", 2), 2u);
+  EXPECT_EQ(edit_distance("kitten", "sitting", 5), 3u);
+}
+
+TEST(Suggest, DistanceStopsAtItsLimit) {
+  EXPECT_EQ(edit_distance("kitten", "sitting", 2), 3u);
+  EXPECT_EQ(edit_distance("abcdef", "uvwxyz", 2), 3u);
+  EXPECT_EQ(edit_distance("a", "abcdefghij", 2), 3u);
+  EXPECT_EQ(edit_distance("link", "joint", 0), 1u);
+}
+
+TEST(Suggest, NearestFirst) {
+  EXPECT_EQ(near("colision", {"visual", "collision", "pose"}), Names{"collision"});
+  EXPECT_EQ(near("inertal", {"inertia", "inertial"}), (Names{"inertial", "inertia"}));
+  EXPECT_EQ(near("axis3", {"axis", "axis2", "mimic"}), (Names{"axis", "axis2"}));
+}
+
+TEST(Suggest, OtherCaseComesBeforeAnEdit) {
+  EXPECT_EQ(near("axis", {"axis2", "Axis"}), (Names{"Axis", "axis2"}));
+  EXPECT_EQ(near("XYZ", {"xyz"}), Names{"xyz"});
+}
+
+TEST(Suggest, AtMostThreeEachOnce) {
+  EXPECT_EQ(near("cccccc", {"accccc", "bccccc", "bccccc", "cccccd", "ccccce"}),
+            (Names{"accccc", "bccccc", "cccccd"}));
+}
+
+TEST(Suggest, ShortNamesMustBeNearer) {
+  EXPECT_EQ(near("mu", {"kd", "kp", "mu2"}), Names{});
+  EXPECT_EQ(near("kd", {"KD"}), Names{"KD"});
+  EXPECT_EQ(near("pos", {"pose", "size"}), Names{"pose"});
+  EXPECT_EQ(near("pose", {"poes", "size"}), Names{"poes"});
+}
+
+TEST(Suggest, NothingNearIsNothing) {
+  EXPECT_EQ(near("banana", {"link", "joint"}), Names{});
+  EXPECT_EQ(near("", {"link"}), Names{});
+  EXPECT_EQ(near("link", {}), Names{});
+  const std::string long_name(100'000, 'x');
+  EXPECT_EQ(near(long_name, {long_name}), Names{});
+}
+
+}  // namespace
+}  // namespace rigor::schema
