@@ -1,0 +1,559 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Every frame is a node; each has one node above it in the pose graph and a pose in that one. Chains
+// are walked with a stack of our own, since a file decides how long they are.
+
+#include <rigor/model/frames.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include <rigor/model/names.h>
+#include <rigor/model/subject.h>
+
+namespace rigor::model {
+namespace {
+
+constexpr std::uint32_t kTop = 0;  // the frame of the world, or `__root__`
+constexpr std::uint32_t kBroken = std::numeric_limits<std::uint32_t>::max();
+
+/// Names that only the parser's own machinery may use, but for the two that authors may.
+bool is_reserved(std::string_view name) {
+  return name.size() > 4 && name.starts_with("__") && name.ends_with("__") && name != "__model__";
+}
+
+bool in_urdf(const Root& root, Id<Model> model) {
+  return model && root[model].format == Format::kUrdf;
+}
+
+}  // namespace
+
+class FrameSolver {
+ public:
+  FrameSolver(Frames& frames, const Root& root)
+      : frames_(frames), root_(root), names_(root) {
+    std::uint32_t next = kTop + 1;
+    const auto reserve = [&next](std::size_t count) {
+      const std::uint32_t first = next;
+      next += static_cast<std::uint32_t>(count);
+      return first;
+    };
+    models_ = reserve(root.models.size());
+    links_ = reserve(root.links.size());
+    joints_ = reserve(root.joints.size());
+    named_ = reserve(root.frames.size());
+    collisions_ = reserve(root.collisions.size());
+    visuals_ = reserve(root.visuals.size());
+    sensors_ = reserve(root.sensors.size());
+    lights_ = reserve(root.lights.size());
+    nodes_.resize(next);
+    nodes_[kTop].state = State::kDone;
+  }
+
+  void solve(const JointPositions& positions) {
+    find_canonical_links();
+    connect_models();
+    connect_links();
+    connect_joints();
+    connect_frames();
+    connect_parts();
+    place_models();
+    for (std::uint32_t node = kTop + 1; node < nodes_.size(); ++node) resolve(node);
+    find_ends();
+    resolve_axes();
+    store();
+    if (!positions.empty()) move(positions);
+  }
+
+ private:
+  enum class State : std::uint8_t { kOpen, kWalking, kDone, kFailed };
+
+  struct Node {
+    std::uint32_t up = kTop;
+    Pose X_up;  // this node in the one above
+    Pose X_top;
+    State state = State::kOpen;
+    Span reference;       // what names the node above, when something does
+  };
+
+  std::uint32_t node(Id<Model> id) const { return models_ + id.value; }
+  std::uint32_t node(Id<Link> id) const { return links_ + id.value; }
+  std::uint32_t node(Id<Joint> id) const { return joints_ + id.value; }
+  std::uint32_t node(Id<Frame> id) const { return named_ + id.value; }
+  std::uint32_t node(const Named& named) const {
+    return std::visit(
+        [this](const auto& id) -> std::uint32_t {
+          if constexpr (std::is_same_v<std::decay_t<decltype(id)>, std::monostate>) {
+            return kBroken;
+          } else {
+            return node(id);
+          }
+        },
+        named);
+  }
+  std::uint32_t scope_node(ScopeId scope) const { return scope.model ? node(scope.model) : kTop; }
+
+  template <class Entity>
+  void problem(FrameProblemKind kind, const Entity& entity, const Field<std::string>& reference,
+               ScopeId scope) {
+    frames_.problems_.push_back({kind, reference.span, reference.value, subject(root_, entity), {},
+                                 names_.in(scope), scope.model, scope.world});
+  }
+
+  /// The node that a `relative_to` means, `fallback` when it says nothing.
+  template <class Entity>
+  std::uint32_t find(const Entity& entity, const Field<std::string>& reference, ScopeId scope,
+                     std::uint32_t fallback) {
+    const std::string& name = reference.value;
+    if (name.empty()) return fallback;
+    if (name == "world" && !scope.model) return kTop;
+    const std::uint32_t found = node(names_.find(scope, name));
+    if (found != kBroken) return found;
+    problem(is_reserved(name) ? FrameProblemKind::kReservedReference
+                              : FrameProblemKind::kRelativeToMissing,
+            entity, reference, scope);
+    return kBroken;
+  }
+
+  void connect(std::uint32_t node, std::uint32_t up, const PoseField& pose) {
+    nodes_[node].up = up;
+    nodes_[node].X_up = pose.pose.value;
+    nodes_[node].reference = pose.relative_to.span;
+    if (up == kBroken) nodes_[node].state = State::kFailed;
+  }
+
+  void find_canonical_links() {
+    frames_.canonical_.resize(root_.models.size());
+    // Nested models come after the one they are in.
+    for (std::size_t i = root_.models.size(); i-- > 0;) {
+      const Model& model = root_.models[i];
+      const Id<Model> id{static_cast<std::uint32_t>(i)};
+      Id<Link>& canonical = frames_.canonical_[i];
+      if (!model.canonical_link.value.empty()) {
+        const Named named = names_.find({id, {}}, model.canonical_link.value);
+        if (const auto* link = std::get_if<Id<Link>>(&named)) {
+          canonical = *link;
+        } else {
+          problem(FrameProblemKind::kCanonicalLinkMissing, model, model.canonical_link, {id, {}});
+        }
+      } else if (!model.links.empty()) {
+        canonical = model.links.front();
+      } else if (!model.models.empty()) {
+        canonical = frames_.canonical_[model.models.front().value];
+      }
+    }
+  }
+
+  void connect_models() {
+    for (std::size_t i = 0; i < root_.models.size(); ++i) {
+      const Model& model = root_.models[i];
+      const ScopeId scope{model.parent, model.world};
+      connect(models_ + static_cast<std::uint32_t>(i),
+              find(model, model.pose.relative_to, scope, scope_node(scope)), model.pose);
+    }
+  }
+
+  void connect_links() {
+    for (std::size_t i = 0; i < root_.links.size(); ++i) {
+      const Link& link = root_.links[i];
+      const std::uint32_t self = links_ + static_cast<std::uint32_t>(i);
+      std::uint32_t up = node(link.model);
+      if (in_urdf(root_, link.model)) {
+        const Id<Joint> joint = names_.find_joint(link.model, link.pose.relative_to.value);
+        if (joint) up = node(joint);
+      } else {
+        up = find(link, link.pose.relative_to, {link.model, {}}, up);
+      }
+      connect(self, up, link.pose);
+    }
+  }
+
+  void connect_joints() {
+    for (std::size_t i = 0; i < root_.joints.size(); ++i) {
+      const Joint& joint = root_.joints[i];
+      const std::uint32_t self = joints_ + static_cast<std::uint32_t>(i);
+      const ScopeId scope{joint.model, joint.world};
+      std::uint32_t up = kBroken;
+      if (in_urdf(root_, joint.model)) {
+        const Id<Link> parent = names_.find_link(joint.model, joint.parent.value);
+        up = parent ? node(parent) : kBroken;
+      } else {
+        const std::uint32_t child = joint.child.value == "world" && !joint.model
+                                        ? kTop
+                                        : node(names_.find(scope, joint.child.value));
+        up = find(joint, joint.pose.relative_to, scope, child);
+      }
+      connect(self, up, joint.pose);
+    }
+  }
+
+  void connect_frames() {
+    for (std::size_t i = 0; i < root_.frames.size(); ++i) {
+      const Frame& frame = root_.frames[i];
+      const ScopeId scope{frame.model, frame.world};
+      std::uint32_t fallback = scope_node(scope);
+      const std::string& attached = frame.attached_to.value;
+      if (!attached.empty() && !(attached == "world" && !scope.model)) {
+        fallback = node(names_.find(scope, attached));
+        if (fallback == kBroken) {
+          problem(is_reserved(attached) ? FrameProblemKind::kReservedReference
+                                        : FrameProblemKind::kAttachedToMissing,
+                  frame, frame.attached_to, scope);
+        }
+      }
+      connect(named_ + static_cast<std::uint32_t>(i),
+              find(frame, frame.pose.relative_to, scope, fallback), frame.pose);
+    }
+  }
+
+  /// Collisions, visuals, sensors and lights: in a link's frame, unless they name one of its model.
+  void connect_parts() {
+    const auto connect_all = [this](const auto& parts, std::uint32_t first) {
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto& part = parts[i];
+        const std::uint32_t self = first + static_cast<std::uint32_t>(i);
+        if (!part.link) {  // a light of the world; a sensor of a joint comes below
+          nodes_[self].X_up = part.pose.pose.value;
+          continue;
+        }
+        const ScopeId scope{root_[part.link].model, {}};
+        connect(self, find(part, part.pose.relative_to, scope, node(part.link)), part.pose);
+      }
+    };
+    connect_all(root_.collisions, collisions_);
+    connect_all(root_.visuals, visuals_);
+    connect_all(root_.lights, lights_);
+    connect_all(root_.sensors, sensors_);
+    for (std::size_t i = 0; i < root_.sensors.size(); ++i) {
+      const Sensor& sensor = root_.sensors[i];
+      if (!sensor.joint) continue;
+      const Joint& joint = root_[sensor.joint];
+      connect(sensors_ + static_cast<std::uint32_t>(i),
+              find(sensor, sensor.pose.relative_to, {joint.model, joint.world}, node(sensor.joint)),
+              sensor.pose);
+    }
+  }
+
+  /// A model's pose places its placement frame F; what the graph needs is that of the model M:
+  /// X_PM = X_PF * inverse(X_MF). Inner models first, so that X_MF is settled.
+  void place_models() {
+    for (std::size_t i = root_.models.size(); i-- > 0;) {
+      const Model& model = root_.models[i];
+      if (model.placement_frame.value.empty()) continue;
+      const Id<Model> id{static_cast<std::uint32_t>(i)};
+      const std::uint32_t self = node(id);
+      const std::uint32_t frame = node(names_.find({id, {}}, model.placement_frame.value));
+      if (frame == kBroken) {
+        problem(FrameProblemKind::kPlacementFrameMissing, model, model.placement_frame, {id, {}});
+        nodes_[self].state = State::kFailed;
+        continue;
+      }
+      Pose X_MF;
+      std::size_t steps = 0;
+      std::uint32_t at = frame;
+      for (; at != self && at != kTop && at != kBroken && steps <= nodes_.size(); ++steps) {
+        X_MF = compose(nodes_[at].X_up, X_MF);
+        at = nodes_[at].up;
+      }
+      if (at == self) nodes_[self].X_up = compose(nodes_[self].X_up, inverse(X_MF));
+    }
+  }
+
+  /// Walks up to what is settled, then back down.
+  void resolve(std::uint32_t node) {
+    std::vector<std::uint32_t>& stack = stack_;
+    stack.clear();
+    std::uint32_t at = node;
+    while (nodes_[at].state == State::kOpen) {
+      nodes_[at].state = State::kWalking;
+      stack.push_back(at);
+      at = nodes_[at].up;
+    }
+    const bool cycle = nodes_[at].state == State::kWalking;
+    if (cycle) report_cycle(at);
+    const bool failed = cycle || nodes_[at].state == State::kFailed;
+    for (; !stack.empty(); stack.pop_back()) {
+      Node& current = nodes_[stack.back()];
+      current.state = failed ? State::kFailed : State::kDone;
+      if (!failed) current.X_top = compose(nodes_[current.up].X_top, current.X_up);
+    }
+  }
+
+  void report_cycle(std::uint32_t first) {
+    FrameProblem found;
+    found.kind = FrameProblemKind::kRelativeToCycle;
+    std::uint32_t at = first;
+    do {
+      found.members.push_back(name_of(at));
+      if (found.where.nowhere() && !nodes_[at].reference.nowhere()) {
+        found.where = nodes_[at].reference;
+        found.subject = subject_of(at);
+        found.name = name_of(nodes_[at].up);
+      }
+      at = nodes_[at].up;
+    } while (at != first);
+    found.members.push_back(name_of(first));
+    // A cycle made by `attached_to` alone is told as that.
+    if (found.where.nowhere()) {
+      found.kind = FrameProblemKind::kAttachedToCycle;
+      for (at = first; found.where.nowhere(); at = nodes_[at].up) {
+        if (is_frame(at)) {
+          found.where = root_.frames[at - named_].attached_to.span;
+          found.subject = subject_of(at);
+          found.name = name_of(nodes_[at].up);
+        }
+        if (nodes_[at].up == first) break;
+      }
+    }
+    // In a URDF the joints make the cycle: a rule of their own tells it.
+    if (!found.where.nowhere()) frames_.problems_.push_back(std::move(found));
+  }
+
+  bool is_frame(std::uint32_t node) const { return node >= named_ && node < collisions_; }
+
+  /// Calls `use` with the entity of a node that a name can mean.
+  template <class Use>
+  std::string with_entity(std::uint32_t node, Use use) const {
+    if (node >= models_ && node < links_) return use(root_.models[node - models_]);
+    if (node >= links_ && node < joints_) return use(root_.links[node - links_]);
+    if (node >= joints_ && node < named_) return use(root_.joints[node - joints_]);
+    if (is_frame(node)) return use(root_.frames[node - named_]);
+    return {};
+  }
+  std::string name_of(std::uint32_t node) const {
+    return with_entity(node, [](const auto& entity) { return entity.name.value; });
+  }
+  std::string subject_of(std::uint32_t node) const {
+    return with_entity(node, [this](const auto& entity) { return subject(root_, entity); });
+  }
+
+  /// The link that something moves with.
+  struct Body {
+    Id<Link> link;
+    bool world = false;
+    bool cycle = false;
+  };
+
+  Body body_of(ScopeId scope, std::string_view name) const {
+    std::size_t steps = 0;
+    while (true) {
+      if (name == "world" && (!scope.model || steps == 0)) return {{}, true, false};
+      if (++steps > root_.frames.size() + root_.joints.size() + 2) return {{}, false, true};
+      const Named named = names_.find(scope, name);
+      if (const auto* link = std::get_if<Id<Link>>(&named)) return {*link, false, false};
+      if (const auto* model = std::get_if<Id<Model>>(&named)) {
+        return {frames_.canonical_[model->value], false, false};
+      }
+      if (const auto* joint = std::get_if<Id<Joint>>(&named)) {
+        scope = {root_[*joint].model, root_[*joint].world};
+        name = root_[*joint].child.value;
+      } else if (const auto* frame = std::get_if<Id<Frame>>(&named)) {
+        scope = {root_[*frame].model, root_[*frame].world};
+        name = root_[*frame].attached_to.value;
+        if (name.empty() && !scope.model) return {{}, true, false};
+        if (name.empty()) name = "__model__";
+      } else {
+        return {};
+      }
+    }
+  }
+
+  void find_ends() {
+    frames_.ends_.resize(root_.joints.size());
+    for (std::size_t i = 0; i < root_.joints.size(); ++i) {
+      const Joint& joint = root_.joints[i];
+      const ScopeId scope{joint.model, joint.world};
+      Frames::Ends& ends = frames_.ends_[i];
+      ends.parent_is_world = joint.parent.value == "world" && !in_urdf(root_, joint.model);
+      if (!ends.parent_is_world) ends.parent = end(joint, joint.parent, scope, End::kParent);
+      ends.child = end(joint, joint.child, scope, End::kChild);
+      if (ends.parent && ends.parent == ends.child) {
+        problem(FrameProblemKind::kParentIsChild, joint, joint.child, scope);
+      }
+    }
+  }
+
+  enum class End { kParent, kChild };
+
+  Id<Link> end(const Joint& joint, const Field<std::string>& reference, ScopeId scope, End which) {
+    if (reference.value.empty()) return {};  // the schema's facts name what is not there
+    if (in_urdf(root_, joint.model)) {
+      const Id<Link> link = names_.find_link(joint.model, reference.value);
+      if (!link) problem(missing(which), joint, reference, scope);
+      return link;
+    }
+    if (which == End::kChild && reference.value == "world") {
+      problem(FrameProblemKind::kChildIsWorld, joint, reference, scope);
+      return {};
+    }
+    if (names_.find(scope, reference.value).index() == 0) {
+      problem(missing(which), joint, reference, scope);
+      return {};
+    }
+    return body_of(scope, reference.value).link;
+  }
+
+  static FrameProblemKind missing(End which) {
+    return which == End::kParent ? FrameProblemKind::kParentMissing
+                                 : FrameProblemKind::kChildMissing;
+  }
+
+  void resolve_axes() {
+    frames_.axes_.resize(root_.joints.size());
+    for (std::size_t i = 0; i < root_.joints.size(); ++i) {
+      const Joint& joint = root_.joints[i];
+      const ScopeId scope{joint.model, joint.world};
+      for (std::size_t k = 0; k < joint.axes.size() && k < 2; ++k) {
+        const Axis& axis = joint.axes[k];
+        std::uint32_t frame = joints_ + static_cast<std::uint32_t>(i);
+        if (!axis.expressed_in.value.empty()) {
+          frame = axis.expressed_in.value == "world" && !scope.model
+                      ? kTop
+                      : node(names_.find(scope, axis.expressed_in.value));
+        }
+        if (frame == kBroken) {
+          problem(FrameProblemKind::kExpressedInMissing, joint, axis.expressed_in, scope);
+          continue;
+        }
+        const double norm = length(axis.xyz.value);
+        if (nodes_[frame].state != State::kDone || norm == 0) continue;
+        frames_.axes_[i][k] =
+            (1 / norm) * rotate(nodes_[frame].X_top.rotation, axis.xyz.value);
+      }
+    }
+  }
+
+  void store() {
+    const auto copy = [this](Frames::Poses& poses, std::uint32_t first, std::size_t count) {
+      poses.resize(count);
+      for (std::size_t i = 0; i < count; ++i) {
+        const Node& from = nodes_[first + i];
+        if (from.state == State::kDone) poses[i] = from.X_top;
+      }
+    };
+    copy(frames_.models_, models_, root_.models.size());
+    copy(frames_.links_, links_, root_.links.size());
+    copy(frames_.joints_, joints_, root_.joints.size());
+    copy(frames_.frames_, named_, root_.frames.size());
+    copy(frames_.collisions_, collisions_, root_.collisions.size());
+    copy(frames_.visuals_, visuals_, root_.visuals.size());
+    copy(frames_.sensors_, sensors_, root_.sensors.size());
+    copy(frames_.lights_, lights_, root_.lights.size());
+  }
+
+  // ---- forward kinematics: a link is displaced by D (in the top frame) from its zero pose, and all
+  // that is fixed to it with it.
+
+  void move(const JointPositions& positions) {
+    std::vector<Id<Joint>> moved_by(root_.links.size());
+    for (std::size_t i = root_.joints.size(); i-- > 0;) {  // of two parents the first one drives
+      const Id<Link> child = frames_.ends_[i].child;
+      if (child) moved_by[child.value] = {static_cast<std::uint32_t>(i)};
+    }
+    std::vector<std::optional<Pose>> displaced(root_.links.size());
+    for (std::uint32_t i = 0; i < root_.links.size(); ++i) {
+      displacement({i}, moved_by, positions, displaced);
+    }
+    const auto displace = [](std::optional<Pose>& X, const std::optional<Pose>& D) {
+      if (X && D) X = compose(*D, *X);
+    };
+    for (std::size_t i = 0; i < root_.joints.size(); ++i) {
+      // A joint's frame is fixed to its child in SDF, to its parent in URDF.
+      const Frames::Ends& ends = frames_.ends_[i];
+      const Id<Link> carrier = in_urdf(root_, root_.joints[i].model) ? ends.parent : ends.child;
+      if (!carrier) continue;
+      displace(frames_.joints_[i], displaced[carrier.value]);
+      for (auto& axis : frames_.axes_[i]) {
+        if (axis && displaced[carrier.value]) {
+          axis = rotate(displaced[carrier.value]->rotation, *axis);
+        }
+      }
+    }
+    const auto displace_parts = [&](const auto& parts, Frames::Poses& poses) {
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (parts[i].link) displace(poses[i], displaced[parts[i].link.value]);
+      }
+    };
+    displace_parts(root_.collisions, frames_.collisions_);
+    displace_parts(root_.visuals, frames_.visuals_);
+    displace_parts(root_.sensors, frames_.sensors_);
+    displace_parts(root_.lights, frames_.lights_);
+    for (std::size_t i = 0; i < root_.frames.size(); ++i) {
+      const Frame& frame = root_.frames[i];
+      const Body body = body_of({frame.model, frame.world}, frame.name.value);
+      if (body.link) displace(frames_.frames_[i], displaced[body.link.value]);
+    }
+    for (std::size_t i = 0; i < root_.models.size(); ++i) {
+      const Id<Link> canonical = frames_.canonical_[i];
+      if (canonical) displace(frames_.models_[i], displaced[canonical.value]);
+    }
+    for (std::size_t i = 0; i < root_.links.size(); ++i) displace(frames_.links_[i], displaced[i]);
+  }
+
+  void displacement(Id<Link> link, const std::vector<Id<Joint>>& moved_by,
+                    const JointPositions& positions,
+                    std::vector<std::optional<Pose>>& displaced) const {
+    std::vector<Id<Link>> chain;  // from the link up to one that is known, or that nothing moves
+    Id<Link> at = link;
+    while (at && !displaced[at.value] && chain.size() <= root_.links.size()) {
+      chain.push_back(at);
+      const Id<Joint> joint = moved_by[at.value];
+      at = joint ? frames_.ends_[joint.value].parent : Id<Link>{};
+    }
+    if (chain.size() > root_.links.size()) return;  // a loop of joints has no tree to move along
+    for (; !chain.empty(); chain.pop_back()) {
+      const Id<Link> current = chain.back();
+      const Id<Joint> joint = moved_by[current.value];
+      Pose D;
+      if (joint) {
+        const Id<Link> parent = frames_.ends_[joint.value].parent;
+        if (parent && displaced[parent.value]) D = *displaced[parent.value];
+        D = compose(D, motion(joint, positions));
+      }
+      displaced[current.value] = D;
+    }
+  }
+
+  /// What a joint's positions do to its child, in the top frame.
+  Pose motion(Id<Joint> id, const JointPositions& positions) const {
+    const auto found = positions.find(scoped_name(root_, id));
+    if (found == positions.end()) return {};
+    Pose D;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto& axis = frames_.axes_[id.value][k];
+      const auto& X_TJ = frames_.joints_[id.value];
+      if (!axis || !X_TJ) continue;
+      const double q = found->second[k];
+      Pose step;
+      if (root_[id].type == JointType::kPrismatic) {
+        step.translation = q * *axis;
+      } else {
+        // Turning about an axis through the joint's origin o: x ↦ R (x - o) + o.
+        const Vector3 o = X_TJ->translation;
+        step.rotation = from_axis_angle(*axis, q);
+        step.translation = o - rotate(step.rotation, o);
+      }
+      D = compose(D, step);
+    }
+    return D;
+  }
+
+  Frames& frames_;
+  const Root& root_;
+  Names names_;
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> stack_;
+  std::uint32_t models_, links_, joints_, named_, collisions_, visuals_, sensors_, lights_;
+};
+
+Frames::Frames(const Root& root, const JointPositions& positions) {
+  FrameSolver(*this, root).solve(positions);
+}
+
+std::optional<Vector3> Frames::axis(Id<Joint> id, std::size_t index) const {
+  return axes_[id.value][index];
+}
+
+}  // namespace rigor::model
