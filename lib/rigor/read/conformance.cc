@@ -1,0 +1,235 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/read/conformance.h>
+
+#include <algorithm>
+#include <array>
+
+#include <rigor/schema/suggest.h>
+
+namespace rigor::read {
+namespace {
+
+using schema::Cardinality;
+using schema::Node;
+using schema::Type;
+using Kind = SchemaFactKind;
+
+bool is_foreign(std::string_view name) { return name.find(':') != std::string_view::npos; }
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1);
+}
+
+bool same_but_case(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+bool is_number(Type type) {
+  return type == Type::kDouble || type == Type::kFloat || type == Type::kInt ||
+         type == Type::kUint;
+}
+
+/// What depends on a sibling's or attribute's value rather than on the place alone.
+schema::RotationFormat rotation_format(xml::Element element) {
+  const auto format = element.attribute("rotation_format");
+  return format && trimmed(format->value()) == "quat_xyzw" ? schema::RotationFormat::kQuatXyzw
+                                                          : schema::RotationFormat::kEulerRpy;
+}
+
+class Walk {
+ public:
+  explicit Walk(std::vector<SchemaFact>& facts) : facts_(facts) {}
+
+  void element(xml::Element element, const Node& node) {
+    attributes(element, node);
+    if (node.open()) return;
+    children(element, node);
+    value(element, node);
+  }
+
+ private:
+  void add(SchemaFact fact) { facts_.push_back(std::move(fact)); }
+
+  void attributes(xml::Element element, const Node& node) {
+    for (const xml::Attribute attribute : element.attributes()) {
+      const std::string_view name = attribute.name();
+      if (is_foreign(name) || name == "xmlns") continue;
+      if (const auto known = node.attribute(name)) {
+        attribute_value(element, attribute, *known);
+      } else {
+        unknown_attribute(element, attribute, node);
+      }
+    }
+    for (const Node required : node.required_attributes()) {
+      if (!element.attribute(required.name())) {
+        add({.kind = Kind::kMissingAttribute, .where = element.tag_span(), .element = element,
+             .node = required, .parent = node});
+      }
+    }
+  }
+
+  void attribute_value(xml::Element element, xml::Attribute attribute, const Node& known) {
+    SchemaFact fact{.kind = Kind::kBadValue, .where = attribute.value_span(), .element = element,
+                    .attribute = attribute, .node = known, .text = attribute.value()};
+    if (known.deprecated_since()) {
+      SchemaFact old = fact;
+      old.kind = Kind::kDeprecated;
+      old.where = attribute.name_span();
+      add(old);
+    }
+    typed(fact, attribute.value(), known, attribute.verbatim(), schema::RotationFormat::kEulerRpy);
+  }
+
+  void unknown_attribute(xml::Element element, xml::Attribute attribute, const Node& node) {
+    const std::string_view name = attribute.name();
+    SchemaFact fact{.kind = Kind::kUnknownAttribute, .where = attribute.name_span(),
+                    .element = element, .attribute = attribute, .parent = node};
+    if (const auto other = node.attribute_in_other_version(name)) {
+      fact.kind = other->since() > node.version() ? Kind::kNewerThanVersion
+                                                  : Kind::kRemovedInVersion;
+      fact.node = other;
+    } else if (const auto child = node.child(name)) {
+      fact.kind = Kind::kElementAsAttribute;
+      fact.node = child;
+    } else {
+      for (const Node candidate : node.attributes()) {
+        if (!same_but_case(candidate.name(), name)) continue;
+        fact.kind = Kind::kWrongCase;
+        fact.node = candidate;
+      }
+    }
+    add(fact);
+  }
+
+  void children(xml::Element element, const Node& node) {
+    std::optional<xml::Element> previous;
+    for (const xml::Element child : element.children()) {
+      const std::string_view name = child.name();
+      if (is_foreign(name)) continue;
+      if (const auto known = node.child(name)) {
+        repeated(element, child, *known);
+        if (known->deprecated_since()) {
+          add({.kind = Kind::kDeprecated, .where = child.name_span(), .element = child,
+               .node = known, .parent = node});
+        }
+        this->element(child, *known);
+      } else {
+        unknown_element(child, node);
+      }
+    }
+    if (element.cut()) return;
+    for (const Node required : node.required_children()) {
+      if (!element.child(required.name())) {
+        add({.kind = Kind::kMissingElement, .where = element.tag_span(), .element = element,
+             .node = required, .parent = node});
+      }
+    }
+  }
+
+  /// Only the first of its name can be read where one is allowed; told once, at the second.
+  void repeated(xml::Element parent, xml::Element child, const Node& known) {
+    const Cardinality cardinality = known.cardinality();
+    if (cardinality == Cardinality::kMany || cardinality == Cardinality::kOneOrMore) return;
+    const xml::Element first = *parent.child(child.name());
+    if (first == child) return;
+    for (const xml::Element other : parent.children()) {
+      if (other == child) break;
+      if (other == first || other.name() != child.name()) continue;
+      return;
+    }
+    add({.kind = Kind::kRepeatedElement, .where = child.name_span(), .element = child,
+         .node = known, .related = first.name_span()});
+  }
+
+  void unknown_element(xml::Element child, const Node& node) {
+    const std::string_view name = child.name();
+    SchemaFact fact{.kind = Kind::kUnknownElement, .where = child.name_span(), .element = child,
+                    .parent = node};
+    if (const auto other = node.child_in_other_version(name)) {
+      fact.kind = other->since() > node.version() ? Kind::kNewerThanVersion
+                                                  : Kind::kRemovedInVersion;
+      fact.node = other;
+    } else if (const auto attribute = node.attribute(name)) {
+      fact.kind = Kind::kAttributeAsElement;
+      fact.node = attribute;
+    } else {
+      for (const Node candidate : node.children()) {
+        if (!same_but_case(candidate.name(), name)) continue;
+        fact.kind = Kind::kWrongCase;
+        fact.node = candidate;
+      }
+    }
+    add(fact);
+  }
+
+  void value(xml::Element element, const Node& node) {
+    const Span lost = element.lost_text();
+    const bool takes_text = node.type() != Type::kNone;
+    const std::string_view text = element.text();
+    if (!lost.nowhere()) {
+      add({.kind = Kind::kLostText, .where = lost, .element = element, .node = node});
+    } else if (!takes_text && !trimmed(text).empty()) {
+      add({.kind = Kind::kLostText, .where = element.text_span(), .element = element,
+           .node = node});
+    }
+    if (!takes_text) return;
+    // An element without a value takes its default; whether it may stands with the type.
+    SchemaFact fact{.kind = Kind::kBadValue, .where = element.text_span(), .element = element,
+                    .node = node, .text = text};
+    typed(fact, text, node, element.text_verbatim(), rotation_format(element));
+  }
+
+  void typed(SchemaFact& fact, std::string_view text, const Node& node, bool verbatim,
+             schema::RotationFormat format) {
+    const Type type = node.type();
+    if (type != Type::kString) {
+      if (const auto fault = schema::check(type, text, format)) {
+        if (verbatim) {
+          fact.where.end = fact.where.begin + static_cast<std::uint32_t>(fault->end);
+          fact.where.begin += static_cast<std::uint32_t>(fault->begin);
+        }
+        fact.value_fault = fault;
+        return add(fact);
+      }
+    }
+    const std::string_view value = trimmed(text);
+    // What the schema writes as its own default is never out of its own bounds or list.
+    if (!node.enumeration().empty() && !value.empty() && !node.enumeration().contains(value)) {
+      fact.kind = Kind::kNotInEnumeration;
+      return add(fact);
+    }
+    if (is_number(type) && (node.minimum() || node.maximum()) && outside(value, node)) {
+      fact.kind = Kind::kOutOfRange;
+      add(fact);
+    }
+  }
+
+  static bool outside(std::string_view value, const Node& node) {
+    const auto number = [](std::string_view text) {
+      const auto parsed = schema::parse_double(text);
+      const double* found = std::get_if<double>(&parsed);
+      return found != nullptr ? *found : 0.0;
+    };
+    const double given = number(value);
+    return (node.minimum() && given < number(*node.minimum())) ||
+           (node.maximum() && given > number(*node.maximum()));
+  }
+
+  std::vector<SchemaFact>& facts_;
+};
+
+}  // namespace
+
+std::vector<SchemaFact> check_conformance(const xml::Document& document, const schema::Node& root) {
+  std::vector<SchemaFact> facts;
+  if (const auto element = document.root()) Walk(facts).element(*element, root);
+  return facts;
+}
+
+}  // namespace rigor::read

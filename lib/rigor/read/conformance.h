@@ -1,0 +1,60 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Holds a document against its format's schema: one walk over the elements, facts where they differ.
+//
+// The facts say what is so; a rule turns each kind into words. Elements and attributes with a colon
+// in their names belong to somebody else, and what stands inside a `<plugin>` to the plugin: neither
+// is looked at.
+//
+//   std::vector<SchemaFact> facts = check_conformance(document, *schema.root("sdf", version));
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <rigor/schema/schema.h>
+#include <rigor/schema/value.h>
+#include <rigor/xml/document.h>
+
+namespace rigor::read {
+
+enum class SchemaFactKind : std::uint8_t {
+  kUnknownElement,
+  kUnknownAttribute,
+  kMisplacedElement,     ///< known to this version, but not here
+  kWrongCase,            ///< known here but for letter case; `node` is the right one
+  kNewerThanVersion,     ///< known here in a later version; `node` is that one
+  kRemovedInVersion,     ///< known here in an earlier version; `node` is that one
+  kAttributeAsElement,   ///< an attribute of the parent, written as a child; `node` is the attribute
+  kElementAsAttribute,   ///< a child of the element, written as an attribute; `node` is the child
+  kMissingAttribute,     ///< required; `node` is it
+  kMissingElement,       ///< required; `node` is it
+  kRepeatedElement,      ///< `related` is the first
+  kBadValue,             ///< of an element or attribute: see `value_fault`
+  kNotInEnumeration,
+  kOutOfRange,           ///< below or above the schema's bounds
+  kDeprecated,
+  kLostText,             ///< characters no consumer reads
+};
+
+struct SchemaFact {
+  SchemaFactKind kind;
+  Span where;             ///< the name, value or text at fault
+  xml::Element element;   ///< the element at fault, or the one that lacks something
+  std::optional<xml::Attribute> attribute;  ///< when the fact is about one
+  std::optional<schema::Node> node;         ///< what the schema says; see the kinds
+  std::optional<schema::Node> parent;       ///< the schema's node of the parent element
+  std::optional<schema::ValueFault> value_fault;
+  Span related;
+  std::string_view text;  ///< the value at fault, decoded
+};
+
+/// The facts in document order. Of an element that a fatal XML fault cut, nothing is said to be
+/// missing.
+std::vector<SchemaFact> check_conformance(const xml::Document& document, const schema::Node& root);
+
+}  // namespace rigor::read

@@ -1,0 +1,41 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a reader finds wrong beyond a file's schema, as data; a rule turns each kind into words.
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <rigor/text/span.h>
+
+namespace rigor::read {
+
+enum class FactKind : std::uint8_t {
+  kUnknownRoot,         ///< the root element is of no format rigor knows; `name` is it
+  kOldRoot,             ///< `<gazebo version="1.0">`
+  kVersionMissing,
+  kVersionUnknown,      ///< no such version was ever published; `name` is it
+  kVersionTooNew,       ///< newer than rigor knows
+  kUnfollowedInclude,   ///< `https://` and not in the cache: not looked at
+  kIncludeNotFound,     ///< `tried` has every place
+  kIncludeUnreadable,   ///< found, but it cannot be parsed, or holds nothing; `name` says why
+  kIncludeCycle,        ///< `tried` has the files of the cycle, the first again at the end
+  kIncludeTooDeep,
+  kConfigWithoutSdf,    ///< an included model folder whose model.config names no file
+  kMoreAtTopLevel,      ///< a second model, actor or light beside the first; `name` is it
+  kTooMuchIncluded,     ///< the includes bring more entities than rigor holds
+  kFileTooLarge,
+  kFileUnreadable,
+};
+
+struct Fact {
+  FactKind kind;
+  Span where;
+  std::string name;
+  std::vector<std::string> tried;
+};
+
+}  // namespace rigor::read

@@ -1,0 +1,81 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Finds the file that a URI names, and remembers every place it looked.
+//
+// `model://NAME/rest`, `package://NAME/rest`, `file://path`, a relative path: searched through, in
+// this order, the command line's `--model-path` and `--package`, the configuration's paths, the
+// file's own model folder and its neighbours, the nearest ancestor's `package.xml`, the environment
+// variables of Gazebo and ROS, `~/.gazebo/models`, and the Fuel cache. Nothing is ever downloaded.
+//
+//   Resolver resolver(disk, search_paths_from(environment));
+//   Resolution found = resolver.resolve("model://arm/meshes/a.stl", "worlds/lab.sdf");
+//   if (!found.path) for (const Tried& place : found.tried) say(place.path, place.origin);
+
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <rigor/text/disk.h>
+
+namespace rigor::read {
+
+/// A folder to search in, and who named it: "--model-path", "GZ_SIM_RESOURCE_PATH".
+struct SearchPath {
+  std::string folder;
+  std::string origin;
+};
+
+struct SearchPaths {
+  std::vector<SearchPath> given;              ///< from the command line, then the configuration
+  std::map<std::string, std::string> packages;  ///< `--package NAME=DIR`
+  std::vector<SearchPath> environment;        ///< model paths, in the order of the contract
+  std::vector<SearchPath> ros;                ///< folders of packages
+  std::string fuel_cache;                     ///< empty when there is none
+};
+
+/// The paths that the environment's variables name; `variable` gives a variable's value, empty when
+/// it is not set, as a wrapper of getenv does.
+SearchPaths search_paths_from(const std::function<std::string(const std::string&)>& variable);
+
+struct Tried {
+  std::string path;
+  std::string origin;  ///< who named the folder
+};
+
+struct Resolution {
+  std::optional<std::string> path;  ///< of the file or folder; nothing when it is not found
+  std::vector<Tried> tried;         ///< in order; the last is the hit, when there is one
+  bool remote = false;              ///< http(s): never fetched, and not in the cache
+  std::string scheme;               ///< "model", "package", "file", "https"; empty for a path
+  /// Set when nothing is found but a path that differs only in letter case exists.
+  std::string other_case;
+};
+
+class Resolver {
+ public:
+  Resolver(const Disk& disk, SearchPaths paths) : disk_(disk), paths_(std::move(paths)) {}
+
+  /// Where `uri`, standing in `file`, leads.
+  Resolution resolve(std::string_view uri, std::string_view file) const;
+
+  const Disk& disk() const { return disk_; }
+
+ private:
+  void try_path(std::string path, std::string_view origin, Resolution& result) const;
+  void resolve_model(std::string_view rest, std::string_view file, Resolution& result) const;
+  void resolve_package(std::string_view rest, std::string_view file, Resolution& result) const;
+  void resolve_remote(std::string_view uri, Resolution& result) const;
+  void find_other_case(Resolution& result) const;
+
+  const Disk& disk_;
+  SearchPaths paths_;
+};
+
+}  // namespace rigor::read

@@ -1,0 +1,319 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <utility>
+
+#include <rigor/read/merge.h>
+#include <rigor/read/rename.h>
+#include <rigor/read/sdf_reader.h>
+#include <rigor/read/urdf.h>
+#include <rigor/schema/value.h>
+
+namespace rigor::read {
+
+using model::Id;
+
+namespace {
+
+template <class T>
+Id<T> next(const std::vector<T>& list) {
+  return {static_cast<std::uint32_t>(list.size())};
+}
+
+/// A pose from its numbers: x y z and roll pitch yaw (radians, or degrees if so said), or x y z and
+/// a quaternion x y z w.
+model::Pose to_pose(const schema::PoseNumbers& pose, double angle_unit) {
+  const auto& n = pose.numbers;
+  const model::Vector3 translation{n[0], n[1], n[2]};
+  if (pose.count == 7) return {translation, model::normalized({n[6], n[3], n[4], n[5]})};
+  return {translation,
+          model::from_rpy(n[3] * angle_unit, n[4] * angle_unit, n[5] * angle_unit)};
+}
+
+constexpr double kDegree = 0.017453292519943295;  // π/180, as libsdformat converts
+
+}  // namespace
+
+model::PoseField SdfReader::read_pose(xml::Element parent) const {
+  model::PoseField field;
+  const bool attributes = version_ == 0;  // SDF 1.0: <origin pose="…"/>
+  const auto element = parent.child(attributes ? "origin" : "pose");
+  if (!element) return field;
+  field.site = site_of(*element);
+  // Consumers upgrade an old file in memory: `frame` becomes `relative_to`, and one that is there
+  // already stays, though its version did not know it.
+  field.relative_to = string_field(attribute_text(*element, "relative_to"));
+  if (version_ < 7 && !field.relative_to.written) {
+    field.relative_to = string_field(attribute_text(*element, "frame"));
+  }
+
+  std::optional<Text> text = Text{element->text(), element->text_span()};
+  if (attributes) text = attribute_text(*element, "pose");
+  if (!text) return field;
+  if (trimmed(text->text).empty()) {
+    field.pose.span = text->span;
+    field.pose.written = true;
+    return field;
+  }
+  const auto format = attribute_text(*element, "rotation_format");
+  const bool quaternion = format && trimmed(format->text) == "quat_xyzw";
+  const auto parsed = schema::parse_pose(text->text, quaternion
+                                                         ? schema::RotationFormat::kQuatXyzw
+                                                         : schema::RotationFormat::kEulerRpy);
+  const bool degrees = bool_field(attribute_text(*element, "degrees"), false).value;
+  if (const auto* numbers = std::get_if<schema::PoseNumbers>(&parsed)) {
+    field.pose = {to_pose(*numbers, degrees ? kDegree : 1), text->span, true};
+  }
+  return field;
+}
+
+bool SdfReader::too_many(Span where) {
+  const std::size_t count = root_.models.size() + root_.links.size() + root_.joints.size() +
+                            root_.collisions.size() + root_.visuals.size() + root_.frames.size();
+  if (count < kMaxEntities) return false;
+  const auto is_told = [](const Fact& fact) { return fact.kind == FactKind::kTooMuchIncluded; };
+  if (std::none_of(facts_.begin(), facts_.end(), is_told)) {
+    facts_.push_back({FactKind::kTooMuchIncluded, where, {}, {}});
+  }
+  return true;
+}
+
+void SdfReader::read_top(xml::Element sdf) {
+  bool first = true;
+  for (const xml::Element child : sdf.children()) {
+    const std::string_view name = child.name();
+    if (name == "world") {
+      read_world(child);
+    } else if (name == "model" || name == "actor" || name == "light") {
+      if (!first && version_ >= 8) {
+        facts_.push_back({FactKind::kMoreAtTopLevel, child.name_span(), std::string(name), {}});
+      }
+      first = false;
+      if (name == "model") read_model(child, {});
+      if (name == "actor") read_actor(child, {});
+      if (name == "light") read_light(child, {});
+    }
+  }
+}
+
+Id<model::Model> SdfReader::read_included(xml::Element sdf, Scope scope) {
+  if (const auto element = sdf.child("model")) return read_model(*element, scope);
+  if (const auto element = sdf.child("actor")) read_actor(*element, scope);
+  if (const auto element = sdf.child("light")) read_light(*element, {});
+  return {};
+}
+
+void SdfReader::read_world(xml::Element element) {
+  const Id<model::World> id = next(root_.worlds);
+  model::World world;
+  world.site = site_of(element);
+  world.name = string_field(attribute_text(element, "name"));
+  world.gravity = vector_field(child_text(element, "gravity"), {0, 0, -9.8});
+  root_.worlds.push_back(std::move(world));
+  const Scope scope{{}, id};
+  for (const xml::Element child : element.children()) {
+    if (too_many(child.name_span())) return;
+    const std::string_view name = child.name();
+    if (name == "model") {
+      read_model(child, scope);
+    } else if (name == "include") {
+      read_include(child, scope);
+    } else if (name == "frame") {
+      read_frame(child, scope);
+    } else if (name == "joint") {
+      read_joint(child, scope);
+    } else if (name == "light") {
+      read_light(child, {});
+    } else if (name == "actor") {
+      read_actor(child, scope);
+    } else if (name == "physics") {
+      read_physics(child, scope);
+    } else if (name == "plugin") {
+      read_plugin(child, {.world = id});
+    }
+  }
+}
+
+Id<model::Model> SdfReader::read_model(xml::Element element, Scope scope) {
+  const Id<model::Model> id = next(root_.models);
+  model::Model model;
+  model.site = site_of(element);
+  model.version = version_;
+  model.name = string_field(attribute_text(element, "name"));
+  model.parent = scope.model;
+  model.world = scope.world;
+  model.is_static = bool_field(child_text(element, "static"), false);
+  model.canonical_link = string_field(attribute_text(element, "canonical_link"));
+  model.placement_frame = string_field(attribute_text(element, "placement_frame"));
+  model.pose = read_pose(element);
+  root_.models.push_back(std::move(model));
+  if (scope.model) {
+    root_.models[scope.model.value].models.push_back(id);
+  } else if (scope.world) {
+    root_.worlds[scope.world.value].models.push_back(id);
+  }
+  read_model_parts(element, id);
+  return id;
+}
+
+void SdfReader::read_model_parts(xml::Element element, Id<model::Model> id) {
+  const Scope scope{id, root_[id].world};
+  for (const xml::Element child : element.children()) {
+    if (too_many(child.name_span())) return;
+    const std::string_view name = child.name();
+    if (name == "link") {
+      read_link(child, id);
+    } else if (name == "joint") {
+      read_joint(child, scope);
+    } else if (name == "frame") {
+      read_frame(child, scope);
+    } else if (name == "model") {
+      read_model(child, scope);
+    } else if (name == "include") {
+      read_include(child, scope);
+    } else if (name == "plugin") {
+      read_plugin(child, {.model = id});
+    }
+  }
+  if (version_ < 7) rename_siblings(root_, id);
+}
+
+void SdfReader::read_include(xml::Element element, Scope scope) {
+  model::Include include;
+  include.site = site_of(element);
+  include.uri = string_field(attribute_text(element, "filename"));  // SDF 1.0
+  if (const auto uri = child_text(element, "uri")) include.uri = string_field(uri);
+  include.name = string_field(child_text(element, "name"));
+  include.placement_frame = string_field(child_text(element, "placement_frame"));
+  include.is_static = bool_field(child_text(element, "static"), false);
+  include.merge = bool_field(attribute_text(element, "merge"), false);
+  include.pose = read_pose(element);
+  include.model = scope.model;
+  include.world = scope.world;
+  const auto index = static_cast<std::uint32_t>(root_.includes.size());
+  root_.includes.push_back(include);
+  include.followed = follow(element, include, scope);
+  root_.includes[index] = include;
+  if (!include.loaded) return;
+  override_model(include, index);
+  for (const xml::Element child : element.children()) {
+    if (child.name() == "plugin") read_plugin(child, {.model = include.loaded});
+  }
+  if (include.merge.value && scope.model) merge_into_parent(root_, include.loaded);
+}
+
+bool SdfReader::follow(xml::Element element, model::Include& include, Scope scope) {
+  if (include.uri.value.empty()) return false;
+  const Span where = include.uri.span;
+  const Resolution found = reader_.resolver.resolve(include.uri.value, files_.back());
+  if (!found.path) {
+    Fact fact{found.remote ? FactKind::kUnfollowedInclude : FactKind::kIncludeNotFound, where,
+              include.uri.value, {}};
+    for (const Tried& tried : found.tried) fact.tried.push_back(tried.path + " (" + tried.origin + ")");
+    facts_.push_back(std::move(fact));
+    return false;
+  }
+  const File* file = open_model(reader_, *found.path, where, facts_);
+  if (file == nullptr || !may_follow(include, file->path)) return false;
+
+  const xml::Element top = *file->document->root();
+  std::vector<std::string> files = files_;
+  files.push_back(file->path);
+  if (top.name() == "robot") {
+    include.loaded = read_urdf(root_, top, scope);
+    return true;
+  }
+  const auto version = schema::parse_version(
+      string_field(attribute_text(top, "version")).value);
+  const std::size_t first_fact = facts_.size();
+  SdfReader inner(reader_, root_, facts_, std::move(files),
+                  version ? version->minor : reader_.sdf.latest().minor);
+  include.loaded = inner.read_included(top, scope);
+  // What is wrong inside is told when that file is checked, but for a cycle, which may lie in no
+  // other file that anybody checks.
+  const auto inside = [&](const Fact& fact) {
+    return fact.kind != FactKind::kIncludeCycle && fact.kind != FactKind::kTooMuchIncluded;
+  };
+  facts_.erase(std::remove_if(facts_.begin() + static_cast<std::ptrdiff_t>(first_fact),
+                              facts_.end(), inside),
+               facts_.end());
+  for (std::size_t i = first_fact; i < facts_.size(); ++i) facts_[i].where = where;
+  (void)element;
+  return true;
+}
+
+bool SdfReader::may_follow(const model::Include& include, const std::string& path) {
+  const auto cycle = std::find(files_.begin(), files_.end(), path);
+  if (cycle != files_.end()) {
+    Fact fact{FactKind::kIncludeCycle, include.uri.span, path, {cycle, files_.end()}};
+    fact.tried.push_back(path);
+    facts_.push_back(std::move(fact));
+    return false;
+  }
+  if (files_.size() >= kMaxIncludeDepth) {
+    facts_.push_back({FactKind::kIncludeTooDeep, include.uri.span, include.uri.value, {}});
+    return false;
+  }
+  return true;
+}
+
+void SdfReader::override_model(const model::Include& include, std::uint32_t index) {
+  model::Model& model = root_.models[include.loaded.value];
+  model.include = index;
+  if (!include.name.value.empty()) model.name = include.name;
+  if (include.is_static.written) model.is_static = include.is_static;
+  if (!include.pose.site.span.nowhere()) model.pose = include.pose;
+  if (include.placement_frame.written) model.placement_frame = include.placement_frame;
+}
+
+void SdfReader::read_frame(xml::Element element, Scope scope) {
+  const Id<model::Frame> id = next(root_.frames);
+  model::Frame frame;
+  frame.site = site_of(element);
+  frame.name = string_field(attribute_text(element, "name"));
+  frame.model = scope.model;
+  frame.world = scope.world;
+  frame.attached_to = string_field(attribute_text(element, "attached_to"));
+  frame.pose = read_pose(element);
+  root_.frames.push_back(std::move(frame));
+  auto& siblings = scope.model ? root_.models[scope.model.value].frames
+                               : root_.worlds[scope.world.value].frames;
+  siblings.push_back(id);
+}
+
+void SdfReader::read_actor(xml::Element element, Scope scope) {
+  root_.actors.push_back(
+      {site_of(element), string_field(attribute_text(element, "name")), scope.world});
+}
+
+void SdfReader::read_physics(xml::Element element, Scope scope) {
+  model::Physics physics;
+  physics.site = site_of(element);
+  physics.name = string_field(attribute_text(element, "name"));
+  physics.type = string_field(attribute_text(element, "type"), "ode");
+  physics.is_default = bool_field(attribute_text(element, "default"), false);
+  physics.max_step_size = number_field(child_text(element, "max_step_size"), 0.001);
+  physics.real_time_factor = number_field(child_text(element, "real_time_factor"), 1);
+  physics.world = scope.world;
+  root_.physics.push_back(std::move(physics));
+}
+
+void SdfReader::read_light(xml::Element element, Id<model::Link> link) {
+  model::Light light;
+  light.site = site_of(element);
+  light.name = string_field(attribute_text(element, "name"));
+  light.type = string_field(attribute_text(element, "type"));
+  light.link = link;
+  light.pose = read_pose(element);
+  root_.lights.push_back(std::move(light));
+}
+
+void SdfReader::read_plugin(xml::Element element, model::Plugin plugin) {
+  plugin.site = site_of(element);
+  plugin.name = string_field(attribute_text(element, "name"));
+  plugin.filename = string_field(attribute_text(element, "filename"));
+  root_.plugins.push_back(std::move(plugin));
+}
+
+}  // namespace rigor::read

@@ -1,0 +1,131 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <utility>
+
+#include <rigor/read/sdf_reader.h>
+
+namespace rigor::read {
+
+using model::Id;
+
+void SdfReader::read_link(xml::Element element, Id<model::Model> parent) {
+  const Id<model::Link> id{static_cast<std::uint32_t>(root_.links.size())};
+  model::Link link;
+  link.site = site_of(element);
+  link.name = string_field(attribute_text(element, "name"));
+  link.model = parent;
+  link.pose = read_pose(element);
+  link.inertial = read_inertial(element);
+  link.kinematic = bool_field(child_text(element, "kinematic"), false);
+  link.gravity = bool_field(child_text(element, "gravity"), true);
+  root_.links.push_back(std::move(link));
+  root_.models[parent.value].links.push_back(id);
+  for (const xml::Element child : element.children()) {
+    const std::string_view name = child.name();
+    if (name == "collision") {
+      read_collision(child, id);
+    } else if (name == "visual") {
+      read_visual(child, id);
+    } else if (name == "sensor") {
+      model::Sensor sensor;
+      sensor.link = id;
+      read_sensor(child, std::move(sensor));
+    } else if (name == "light") {
+      read_light(child, id);
+    } else if (name == "plugin") {
+      read_plugin(child, {.link = id});
+    }
+  }
+}
+
+model::Inertial SdfReader::read_inertial(xml::Element link) const {
+  model::Inertial inertial;
+  for (auto* moment : {&inertial.mass, &inertial.ixx, &inertial.iyy, &inertial.izz}) {
+    moment->value = 1;  // what every SDF version defaults to, with or without <inertial>
+  }
+  inertial.density.value = 1000;
+  const auto element = link.child("inertial");
+  if (!element) return inertial;
+  inertial.site = site_of(*element);
+  inertial.written = true;
+  inertial.automatic = bool_field(attribute_text(*element, "auto"), false);
+  inertial.density = number_field(child_text(*element, "density"), 1000);
+  inertial.mass = number_field(child_text(*element, "mass"), 1);
+  inertial.pose = read_pose(*element);
+  const auto tensor = element->child("inertia");
+  if (!tensor) return inertial;
+  inertial.tensor_written = true;
+  inertial.tensor_site = site_of(*tensor);
+  inertial.ixx = number_field(child_text(*tensor, "ixx"), 1);
+  inertial.ixy = number_field(child_text(*tensor, "ixy"), 0);
+  inertial.ixz = number_field(child_text(*tensor, "ixz"), 0);
+  inertial.iyy = number_field(child_text(*tensor, "iyy"), 1);
+  inertial.iyz = number_field(child_text(*tensor, "iyz"), 0);
+  inertial.izz = number_field(child_text(*tensor, "izz"), 1);
+  return inertial;
+}
+
+namespace {
+
+model::Surface read_surface(xml::Element collision) {
+  model::Surface surface;
+  const auto descend = [](std::optional<xml::Element> from, std::string_view name) {
+    return from ? from->child(name) : std::nullopt;
+  };
+  const auto value = [](std::optional<xml::Element> from, std::string_view name, double fallback) {
+    return number_field(from ? child_text(*from, name) : std::nullopt, fallback);
+  };
+  const auto element = collision.child("surface");
+  const auto friction = descend(descend(element, "friction"), "ode");
+  surface.mu = value(friction, "mu", 1);
+  surface.mu2 = value(friction, "mu2", 1);
+  surface.slip1 = value(friction, "slip1", 0);
+  surface.slip2 = value(friction, "slip2", 0);
+  const auto contact = descend(descend(element, "contact"), "ode");
+  surface.kp = value(contact, "kp", 1e12);
+  surface.kd = value(contact, "kd", 1);
+  return surface;
+}
+
+model::Material read_material(xml::Element visual) {
+  model::Material material;
+  const auto element = visual.child("material");
+  if (!element) return material;
+  material.written = true;
+  material.site = site_of(*element);
+  if (const auto script = element->child("script")) {
+    material.name = string_field(child_text(*script, "name"));
+  }
+  material.defines_color = element->child("diffuse") || element->child("ambient");
+  return material;
+}
+
+}  // namespace
+
+void SdfReader::read_collision(xml::Element element, Id<model::Link> link) {
+  model::Collision collision;
+  collision.site = site_of(element);
+  collision.name = string_field(attribute_text(element, "name"));
+  collision.link = link;
+  collision.pose = read_pose(element);
+  collision.geometry = read_sdf_geometry(element);
+  collision.surface = read_surface(element);
+  root_.links[link.value].collisions.push_back(
+      {static_cast<std::uint32_t>(root_.collisions.size())});
+  root_.collisions.push_back(std::move(collision));
+}
+
+void SdfReader::read_visual(xml::Element element, Id<model::Link> link) {
+  model::Visual visual;
+  visual.site = site_of(element);
+  visual.name = string_field(attribute_text(element, "name"));
+  visual.link = link;
+  visual.pose = read_pose(element);
+  visual.geometry = read_sdf_geometry(element);
+  visual.material = read_material(element);
+  root_.links[link.value].visuals.push_back({static_cast<std::uint32_t>(root_.visuals.size())});
+  root_.visuals.push_back(std::move(visual));
+}
+
+}  // namespace rigor::read

@@ -1,0 +1,95 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Reads the elements of one SDF file into a `Root`; private to the room. `load.cc` starts it, and it
+// starts another of itself for every include.
+//
+// The file's own version decides what things mean; see "Versions" in docs/architecture.md. Entities
+// are appended in document order, so an id never changes.
+
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <rigor/model/model.h>
+#include <rigor/read/fact.h>
+#include <rigor/read/load.h>
+#include <rigor/read/values.h>
+#include <rigor/xml/document.h>
+
+namespace rigor::read {
+
+/// Includes may nest this deep; real ones go four levels.
+inline constexpr std::size_t kMaxIncludeDepth = 32;
+
+/// A root may hold this many entities, however cleverly includes multiply them.
+inline constexpr std::size_t kMaxEntities = 1'000'000;
+
+/// Where something is read into: a model, a world, or the top of a file.
+struct Scope {
+  model::Id<model::Model> model;
+  model::Id<model::World> world;
+};
+
+class SdfReader {
+ public:
+  /// `files` are the paths of the files that lead here, this one last.
+  SdfReader(const Reader& reader, model::Root& root, std::vector<Fact>& facts,
+            std::vector<std::string> files, int version)
+      : reader_(reader), root_(root), facts_(facts), files_(std::move(files)), version_(version) {}
+
+  /// Worlds, and the models, actors and lights at the top.
+  void read_top(xml::Element sdf);
+
+  /// The first model, actor or light of an included file, as libsdformat chooses.
+  model::Id<model::Model> read_included(xml::Element sdf, Scope scope);
+
+ private:
+  void read_world(xml::Element element);
+  model::Id<model::Model> read_model(xml::Element element, Scope scope);
+  void read_model_parts(xml::Element element, model::Id<model::Model> id);
+  void read_include(xml::Element element, Scope scope);
+  bool follow(xml::Element element, model::Include& include, Scope scope);
+  bool may_follow(const model::Include& include, const std::string& path);
+  void override_model(const model::Include& include, std::uint32_t index);
+  void read_frame(xml::Element element, Scope scope);
+  void read_actor(xml::Element element, Scope scope);
+  void read_physics(xml::Element element, Scope scope);
+  void read_light(xml::Element element, model::Id<model::Link> link);
+  void read_plugin(xml::Element element, model::Plugin plugin);
+
+  // sdf_link.cc
+  void read_link(xml::Element element, model::Id<model::Model> model);
+  model::Inertial read_inertial(xml::Element link) const;
+  void read_collision(xml::Element element, model::Id<model::Link> link);
+  void read_visual(xml::Element element, model::Id<model::Link> link);
+
+  // sdf_joint.cc
+  void read_joint(xml::Element element, Scope scope);
+  model::Axis read_axis(xml::Element element) const;
+
+  // sdf_sensor.cc
+  void read_sensor(xml::Element element, model::Sensor sensor);
+
+  model::PoseField read_pose(xml::Element parent) const;
+  bool too_many(Span where);
+
+  const Reader& reader_;
+  model::Root& root_;
+  std::vector<Fact>& facts_;
+  std::vector<std::string> files_;
+  int version_;
+};
+
+/// `<geometry>` of a collision or visual, in any version (geometry.cc).
+model::Geometry read_sdf_geometry(xml::Element parent);
+model::Geometry read_urdf_geometry(xml::Element parent);
+
+/// The file that including `path`, a file or a model's folder, means; facts say why there is none
+/// (load.cc).
+const File* open_model(const Reader& reader, const std::string& path, Span where,
+                       std::vector<Fact>& facts);
+
+}  // namespace rigor::read

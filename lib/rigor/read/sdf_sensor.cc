@@ -1,0 +1,66 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <utility>
+
+#include <rigor/read/sdf_reader.h>
+
+namespace rigor::read {
+namespace {
+
+model::Camera read_camera(xml::Element element) {
+  model::Camera camera;
+  camera.site = site_of(element);
+  camera.horizontal_fov = number_field(child_text(element, "horizontal_fov"), 1.047);
+  const auto clip = element.child("clip");
+  camera.near_clip = number_field(clip ? child_text(*clip, "near") : std::nullopt, 0.1);
+  camera.far_clip = number_field(clip ? child_text(*clip, "far") : std::nullopt, 100);
+  const auto image = element.child("image");
+  camera.width = number_field(image ? child_text(*image, "width") : std::nullopt, 320);
+  camera.height = number_field(image ? child_text(*image, "height") : std::nullopt, 240);
+  return camera;
+}
+
+model::Lidar read_lidar(xml::Element element) {
+  model::Lidar lidar;
+  lidar.site = site_of(element);
+  const auto range = element.child("range");
+  lidar.range_min = number_field(range ? child_text(*range, "min") : std::nullopt, 0);
+  lidar.range_max = number_field(range ? child_text(*range, "max") : std::nullopt, 0);
+  const auto scan = element.child("scan");
+  const auto horizontal = scan ? scan->child("horizontal") : std::nullopt;
+  const auto value = [&horizontal](std::string_view name, double fallback) {
+    return number_field(horizontal ? child_text(*horizontal, name) : std::nullopt, fallback);
+  };
+  lidar.samples = value("samples", 640);
+  lidar.angle_min = value("min_angle", 0);
+  lidar.angle_max = value("max_angle", 0);
+  return lidar;
+}
+
+}  // namespace
+
+void SdfReader::read_sensor(xml::Element element, model::Sensor sensor) {
+  const model::Id<model::Sensor> id{static_cast<std::uint32_t>(root_.sensors.size())};
+  sensor.site = site_of(element);
+  sensor.name = string_field(attribute_text(element, "name"));
+  sensor.type = string_field(attribute_text(element, "type"));
+  sensor.pose = read_pose(element);
+  sensor.update_rate = number_field(child_text(element, "update_rate"), 0);
+  sensor.topic = string_field(child_text(element, "topic"));
+  for (const xml::Element child : element.children()) {
+    const std::string_view name = child.name();
+    if (name == "camera") sensor.cameras.push_back(read_camera(child));
+    if (name == "ray" || name == "lidar") sensor.lidar = read_lidar(child);
+    if (name == "plugin") read_plugin(child, {.sensor = id});
+    if (name != "contact") continue;
+    for (const xml::Element part : child.children()) {
+      if (part.name() != "collision") continue;
+      sensor.contact_collisions.push_back(string_field(Text{part.text(), part.text_span()}));
+    }
+  }
+  if (sensor.link) root_.links[sensor.link.value].sensors.push_back(id);
+  root_.sensors.push_back(std::move(sensor));
+}
+
+}  // namespace rigor::read

@@ -1,0 +1,267 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/read/urdf.h>
+
+#include <array>
+#include <utility>
+
+#include <rigor/read/joint_type.h>
+#include <rigor/read/values.h>
+#include <rigor/schema/value.h>
+
+namespace rigor::read {
+namespace {
+
+using model::Id;
+
+template <class T>
+Id<T> next(const std::vector<T>& list) {
+  return {static_cast<std::uint32_t>(list.size())};
+}
+
+/// `<origin xyz="…" rpy="…"/>`, or from URDF 1.2 `quat_xyzw`.
+model::PoseField read_origin(xml::Element parent) {
+  model::PoseField field;
+  const auto origin = parent.child("origin");
+  if (!origin) return field;
+  field.site = site_of(*origin);
+  const auto xyz = vector_field(attribute_text(*origin, "xyz"), {});
+  const auto rpy = vector_field(attribute_text(*origin, "rpy"), {});
+  field.pose.value = {xyz.value, model::from_rpy(rpy.value.x, rpy.value.y, rpy.value.z)};
+  field.pose.span = origin->tag_span();
+  field.pose.written = true;
+  if (const auto quaternion = attribute_text(*origin, "quat_xyzw")) {
+    const auto parsed = schema::parse_pose("0 0 0 " + std::string(quaternion->text),
+                                           schema::RotationFormat::kQuatXyzw);
+    if (const auto* pose = std::get_if<schema::PoseNumbers>(&parsed)) {
+      const auto& n = pose->numbers;
+      field.pose.value.rotation = model::normalized({n[6], n[3], n[4], n[5]});
+    }
+  }
+  return field;
+}
+
+model::Inertial read_inertial(xml::Element link) {
+  model::Inertial inertial;
+  const auto element = link.child("inertial");
+  if (!element) return inertial;
+  inertial.site = site_of(*element);
+  inertial.written = true;
+  inertial.pose = read_origin(*element);
+  if (const auto mass = element->child("mass")) {
+    inertial.mass = number_field(attribute_text(*mass, "value"), 0);
+  }
+  const auto tensor = element->child("inertia");
+  if (!tensor) return inertial;
+  inertial.tensor_written = true;
+  inertial.tensor_site = site_of(*tensor);
+  inertial.ixx = number_field(attribute_text(*tensor, "ixx"), 0);
+  inertial.ixy = number_field(attribute_text(*tensor, "ixy"), 0);
+  inertial.ixz = number_field(attribute_text(*tensor, "ixz"), 0);
+  inertial.iyy = number_field(attribute_text(*tensor, "iyy"), 0);
+  inertial.iyz = number_field(attribute_text(*tensor, "iyz"), 0);
+  inertial.izz = number_field(attribute_text(*tensor, "izz"), 0);
+  return inertial;
+}
+
+model::Material read_material(xml::Element element) {
+  model::Material material;
+  material.written = true;
+  material.site = site_of(element);
+  material.name = string_field(attribute_text(element, "name"));
+  if (const auto texture = element.child("texture")) {
+    material.texture = string_field(attribute_text(*texture, "filename"));
+  }
+  material.defines_color = element.child("color") || element.child("texture");
+  return material;
+}
+
+model::Axis read_axis(xml::Element joint) {
+  model::Axis axis;
+  axis.site = site_of(joint);
+  axis.xyz.value = {1, 0, 0};
+  if (const auto element = joint.child("axis")) {
+    axis.site = site_of(*element);
+    axis.xyz = vector_field(attribute_text(*element, "xyz"), {1, 0, 0});
+  }
+  if (const auto limit = joint.child("limit")) {
+    axis.limit_site = site_of(*limit);
+    axis.limit_written = true;
+    axis.lower = number_field(attribute_text(*limit, "lower"), 0);
+    axis.upper = number_field(attribute_text(*limit, "upper"), 0);
+    axis.effort = number_field(attribute_text(*limit, "effort"), 0);
+    axis.velocity = number_field(attribute_text(*limit, "velocity"), 0);
+  }
+  if (const auto dynamics = joint.child("dynamics")) {
+    axis.damping = number_field(attribute_text(*dynamics, "damping"), 0);
+    axis.friction = number_field(attribute_text(*dynamics, "friction"), 0);
+  }
+  if (const auto element = joint.child("mimic")) {
+    model::Mimic mimic;
+    mimic.site = site_of(*element);
+    mimic.joint = string_field(attribute_text(*element, "joint"));
+    mimic.multiplier = number_field(attribute_text(*element, "multiplier"), 1);
+    mimic.offset = number_field(attribute_text(*element, "offset"), 0);
+    axis.mimic = std::move(mimic);
+  }
+  return axis;
+}
+
+class UrdfReader {
+ public:
+  UrdfReader(model::Root& root, Id<model::Model> model) : root_(root), model_(model) {}
+
+  void read(xml::Element robot) {
+    for (const xml::Element child : robot.children()) {
+      const std::string_view name = child.name();
+      if (name == "link") {
+        read_link(child);
+      } else if (name == "joint") {
+        read_joint(child);
+      } else if (name == "material") {
+        root_.materials.push_back({site_of(child), string_field(attribute_text(child, "name"))});
+      } else if (name == "gazebo") {
+        read_gazebo(child);
+      } else if (name == "transmission") {
+        read_controlled_joints(child, Controller::kTransmission);
+      } else if (name == "ros2_control") {
+        read_controlled_joints(child, Controller::kRos2Control);
+      }
+    }
+    place_links();
+  }
+
+ private:
+  enum class Controller { kTransmission, kRos2Control };
+
+  void read_link(xml::Element element) {
+    const Id<model::Link> id = next(root_.links);
+    model::Link link;
+    link.site = site_of(element);
+    link.name = string_field(attribute_text(element, "name"));
+    link.model = model_;
+    link.inertial = read_inertial(element);
+    link.gravity.value = true;
+    root_.links.push_back(std::move(link));
+    root_.models[model_.value].links.push_back(id);
+    for (const xml::Element child : element.children()) {
+      if (child.name() == "collision") read_collision(child, id);
+      if (child.name() == "visual") read_visual(child, id);
+    }
+  }
+
+  void read_collision(xml::Element element, Id<model::Link> link) {
+    model::Collision collision;
+    collision.site = site_of(element);
+    collision.name = string_field(attribute_text(element, "name"));
+    collision.link = link;
+    collision.pose = read_origin(element);
+    collision.geometry = read_urdf_geometry(element);
+    root_.links[link.value].collisions.push_back(next(root_.collisions));
+    root_.collisions.push_back(std::move(collision));
+  }
+
+  void read_visual(xml::Element element, Id<model::Link> link) {
+    model::Visual visual;
+    visual.site = site_of(element);
+    visual.name = string_field(attribute_text(element, "name"));
+    visual.link = link;
+    visual.pose = read_origin(element);
+    visual.geometry = read_urdf_geometry(element);
+    if (const auto material = element.child("material")) visual.material = read_material(*material);
+    root_.links[link.value].visuals.push_back(next(root_.visuals));
+    root_.visuals.push_back(std::move(visual));
+  }
+
+  void read_joint(xml::Element element) {
+    model::Joint joint;
+    joint.site = site_of(element);
+    joint.name = string_field(attribute_text(element, "name"));
+    joint.type_name = string_field(attribute_text(element, "type"));
+    joint.type = joint_type(joint.type_name.value);
+    joint.model = model_;
+    joint.world = root_[model_].world;
+    if (const auto parent = element.child("parent")) {
+      joint.parent = string_field(attribute_text(*parent, "link"));
+    }
+    if (const auto child = element.child("child")) {
+      joint.child = string_field(attribute_text(*child, "link"));
+    }
+    joint.pose = read_origin(element);
+    const bool has_axis = element.child("axis") || element.child("limit") ||
+                          element.child("mimic") || element.child("dynamics");
+    if (joint.type != model::JointType::kFixed || has_axis) {
+      joint.axes.push_back(read_axis(element));
+    }
+    if (const auto safety = element.child("safety_controller")) {
+      joint.safety = model::SafetyController{
+          site_of(*safety), number_field(attribute_text(*safety, "soft_lower_limit"), 0),
+          number_field(attribute_text(*safety, "soft_upper_limit"), 0)};
+    }
+    root_.models[model_.value].joints.push_back(next(root_.joints));
+    root_.joints.push_back(std::move(joint));
+  }
+
+  void read_gazebo(xml::Element element) {
+    const auto reference = string_field(attribute_text(element, "reference"));
+    root_.gazebo_blocks.push_back({site_of(element), reference});
+    for (const xml::Element child : element.children()) {
+      if (child.name() != "plugin") continue;
+      model::Plugin plugin;
+      plugin.site = site_of(child);
+      plugin.name = string_field(attribute_text(child, "name"));
+      plugin.filename = string_field(attribute_text(child, "filename"));
+      plugin.model = model_;
+      plugin.gazebo_reference = reference.value;
+      root_.plugins.push_back(std::move(plugin));
+    }
+  }
+
+  void read_controlled_joints(xml::Element element, Controller controller) {
+    for (const xml::Element child : element.children()) {
+      if (child.name() != "joint") continue;
+      root_.controlled_joints.push_back({site_of(child),
+                                         string_field(attribute_text(child, "name")),
+                                         controller == Controller::kRos2Control});
+    }
+  }
+
+  /// A link stands where the last joint says whose child it is, as urdfdom decides.
+  void place_links() {
+    const model::Model& robot = root_[model_];
+    for (const Id<model::Joint> id : robot.joints) {
+      const model::Joint& joint = root_[id];
+      for (const Id<model::Link> link : robot.links) {
+        if (root_[link].name.value != joint.child.value) continue;
+        root_.links[link.value].pose.relative_to.value = joint.name.value;
+        break;
+      }
+    }
+  }
+
+  model::Root& root_;
+  Id<model::Model> model_;
+};
+
+}  // namespace
+
+Id<model::Model> read_urdf(model::Root& root, xml::Element robot, Scope scope) {
+  const Id<model::Model> id = next(root.models);
+  model::Model model;
+  model.site = site_of(robot);
+  model.format = model::Format::kUrdf;
+  model.name = string_field(attribute_text(robot, "name"));
+  model.parent = scope.model;
+  model.world = scope.world;
+  root.models.push_back(std::move(model));
+  if (scope.model) {
+    root.models[scope.model.value].models.push_back(id);
+  } else if (scope.world) {
+    root.worlds[scope.world.value].models.push_back(id);
+  }
+  UrdfReader(root, id).read(robot);
+  return id;
+}
+
+}  // namespace rigor::read

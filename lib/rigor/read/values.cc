@@ -1,0 +1,66 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/read/values.h>
+
+#include <array>
+
+#include <rigor/schema/value.h>
+
+namespace rigor::read {
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kSpace = " \t\r\n";
+  const std::size_t begin = text.find_first_not_of(kSpace);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
+}
+
+model::Site site_of(xml::Element element) {
+  return {element.span(), element.tag_span(), element.name_span(), element.index()};
+}
+
+std::optional<Text> attribute_text(xml::Element element, std::string_view name) {
+  const auto attribute = element.attribute(name);
+  if (!attribute) return std::nullopt;
+  return Text{attribute->value(), attribute->value_span()};
+}
+
+std::optional<Text> child_text(xml::Element element, std::string_view name) {
+  if (const auto child = element.child(name)) return Text{child->text(), child->text_span()};
+  return attribute_text(element, name);
+}
+
+model::Field<std::string> string_field(const std::optional<Text>& text, std::string_view fallback) {
+  if (!text) return {std::string(fallback), {}, false};
+  return {std::string(trimmed(text->text)), text->span, true};
+}
+
+model::Field<double> number_field(const std::optional<Text>& text, double fallback) {
+  if (text) {
+    const auto parsed = schema::parse_double(text->text);
+    if (const double* value = std::get_if<double>(&parsed)) return {*value, text->span, true};
+  }
+  return {fallback, {}, false};
+}
+
+model::Field<bool> bool_field(const std::optional<Text>& text, bool fallback) {
+  if (text) {
+    const auto parsed = schema::parse_bool(text->text);
+    if (const bool* value = std::get_if<bool>(&parsed)) return {*value, text->span, true};
+  }
+  return {fallback, {}, false};
+}
+
+model::Field<model::Vector3> vector_field(const std::optional<Text>& text,
+                                          model::Vector3 fallback) {
+  if (text) {
+    const auto parsed = schema::parse_vector3(text->text);
+    if (const auto* value = std::get_if<std::array<double, 3>>(&parsed)) {
+      return {{(*value)[0], (*value)[1], (*value)[2]}, text->span, true};
+    }
+  }
+  return {fallback, {}, false};
+}
+
+}  // namespace rigor::read

@@ -1,0 +1,45 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Typed values of elements and attributes, as `Field`s. What cannot be parsed keeps its default and
+// counts as not written: the schema's facts name it.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <rigor/model/field.h>
+#include <rigor/model/model.h>
+#include <rigor/model/pose.h>
+#include <rigor/model/site.h>
+#include <rigor/xml/document.h>
+
+namespace rigor::read {
+
+/// The text of an element or attribute and where it stands.
+struct Text {
+  std::string_view text;
+  Span span;
+};
+
+/// Without the white space around it; the span still covers all.
+std::string_view trimmed(std::string_view text);
+
+model::Site site_of(xml::Element element);
+
+/// An attribute's value; nothing when there is none.
+std::optional<Text> attribute_text(xml::Element element, std::string_view name);
+
+/// A child's text; in SDF 1.0, where most values were attributes, that attribute's.
+std::optional<Text> child_text(xml::Element element, std::string_view name);
+
+model::Field<std::string> string_field(const std::optional<Text>& text,
+                                       std::string_view fallback = {});
+model::Field<double> number_field(const std::optional<Text>& text, double fallback);
+model::Field<bool> bool_field(const std::optional<Text>& text, bool fallback);
+model::Field<model::Vector3> vector_field(const std::optional<Text>& text,
+                                          model::Vector3 fallback);
+
+}  // namespace rigor::read

@@ -1,0 +1,36 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/read/workspace.h>
+
+#include <utility>
+
+namespace rigor::read {
+
+const File& Workspace::open(const std::string& path) {
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = files_.find(path);
+    if (found != files_.end()) return *found->second;
+  }
+  return keep(path, disk_.read(path, kMaxModelBytes));
+}
+
+const File& Workspace::put(const std::string& path, std::string bytes) {
+  return keep(path, {std::move(bytes), {}});
+}
+
+const File& Workspace::keep(const std::string& path, ReadResult read) {
+  auto file = std::make_unique<File>();
+  file->path = path;
+  file->problem = std::move(read.problem);
+  if (read.bytes) {
+    file->source = sources_.add(path, std::move(*read.bytes));
+    file->document = xml::parse(sources_.bytes(file->source), file->source);
+  }
+  // Two threads may have read the same file; the first to come here wins.
+  const std::lock_guard lock(mutex_);
+  return *files_.try_emplace(path, std::move(file)).first->second;
+}
+
+}  // namespace rigor::read

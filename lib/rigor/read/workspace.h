@@ -1,0 +1,58 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The files of a run: each is read and parsed once, however many others include it.
+//
+//   Workspace workspace(disk, sources);
+//   const File& file = workspace.open("robot.sdf");
+//   if (file.document) walk(*file.document);
+
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include <rigor/text/disk.h>
+#include <rigor/text/sources.h>
+#include <rigor/xml/document.h>
+
+namespace rigor::read {
+
+/// Model files over this size are refused unread: the largest known world has 3 MB, and what is
+/// read takes some twenty times its size in memory.
+inline constexpr std::uint64_t kMaxModelBytes = std::uint64_t{64} << 20U;
+
+struct File {
+  std::string path;
+  SourceId source = kNoSource;
+  std::optional<xml::Document> document;  ///< nothing when the file could not be read
+  std::string problem;                    ///< why not
+};
+
+class Workspace {
+ public:
+  Workspace(const Disk& disk, Sources& sources) : disk_(disk), sources_(sources) {}
+
+  /// The file at a path. The reference stays valid as long as the workspace. Safe across threads.
+  const File& open(const std::string& path);
+
+  /// Takes `bytes` as what the file at `path` holds.
+  const File& put(const std::string& path, std::string bytes);
+
+  Sources& sources() { return sources_; }
+  const Disk& disk() const { return disk_; }
+
+ private:
+  const File& keep(const std::string& path, ReadResult read);
+
+  const Disk& disk_;
+  Sources& sources_;
+  std::mutex mutex_;
+  std::map<std::string, std::unique_ptr<File>> files_;
+};
+
+}  // namespace rigor::read
