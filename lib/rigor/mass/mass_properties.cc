@@ -1,0 +1,116 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/mass/mass_properties.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Eigenvalues>
+
+namespace rigor::mass {
+namespace {
+
+using model::Vector3;
+
+Eigen::Matrix3d to_eigen(const Inertia& i) {
+  Eigen::Matrix3d matrix;
+  matrix << i.ixx, i.ixy, i.ixz, i.ixy, i.iyy, i.iyz, i.ixz, i.iyz, i.izz;
+  return matrix;
+}
+
+bool finite(const Inertia& i) { return to_eigen(i).allFinite(); }
+
+Verdict::Sign sign(double value, double tolerance) {
+  if (value > tolerance) return Verdict::Sign::kPositive;
+  return value < -tolerance ? Verdict::Sign::kNegative : Verdict::Sign::kZero;
+}
+
+/// The largest of three moments against the sum of the other two.
+Verdict::Triangle triangle(std::array<double, 3> moments, std::array<std::string_view, 3> names,
+                           double tolerance) {
+  const auto largest = std::max_element(moments.begin(), moments.end()) - moments.begin();
+  std::rotate(moments.begin() + largest, moments.begin() + largest + 1, moments.end());
+  std::rotate(names.begin() + largest, names.begin() + largest + 1, names.end());
+  const double sum = moments[0] + moments[1];
+  return {sum >= moments[2] - tolerance, names, sum, moments[2]};
+}
+
+}  // namespace
+
+Inertia operator+(const Inertia& a, const Inertia& b) {
+  return {a.ixx + b.ixx, a.ixy + b.ixy, a.ixz + b.ixz, a.iyy + b.iyy, a.iyz + b.iyz, a.izz + b.izz};
+}
+
+Inertia operator-(const Inertia& a, const Inertia& b) { return a + -1 * b; }
+
+Inertia operator*(double factor, const Inertia& i) {
+  return {factor * i.ixx, factor * i.ixy, factor * i.ixz,
+          factor * i.iyy, factor * i.iyz, factor * i.izz};
+}
+
+double trace(const Inertia& inertia) { return inertia.ixx + inertia.iyy + inertia.izz; }
+
+Inertia rotated(const model::Quaternion& R_AB, const Inertia& I_B) {
+  // An exact identity keeps the entries as they are written, to the last bit.
+  if (R_AB == model::Quaternion{}) return I_B;
+  const model::Matrix3 rows = model::to_matrix(R_AB);
+  Eigen::Matrix3d R;
+  R << rows[0][0], rows[0][1], rows[0][2], rows[1][0], rows[1][1], rows[1][2], rows[2][0],
+      rows[2][1], rows[2][2];
+  const Eigen::Matrix3d I_A = R * to_eigen(I_B) * R.transpose();
+  return {I_A(0, 0), I_A(0, 1), I_A(0, 2), I_A(1, 1), I_A(1, 2), I_A(2, 2)};
+}
+
+Inertia point_inertia(double mass, const Vector3& p) {
+  return {mass * (p.y * p.y + p.z * p.z), -mass * p.x * p.y, -mass * p.x * p.z,
+          mass * (p.x * p.x + p.z * p.z), -mass * p.y * p.z, mass * (p.x * p.x + p.y * p.y)};
+}
+
+std::array<double, 3> principal_moments(const Inertia& inertia) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  if (!finite(inertia)) return {kNan, kNan, kNan};
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(to_eigen(inertia),
+                                                              Eigen::EigenvaluesOnly);
+  const Eigen::Vector3d& moments = solver.eigenvalues();
+  return {moments[0], moments[1], moments[2]};
+}
+
+MassProperties transformed(const model::Pose& X_AB, const MassProperties& in_B) {
+  return {in_B.mass, model::transform(X_AB, in_B.com), rotated(X_AB.rotation, in_B.about_com)};
+}
+
+MassProperties add(const MassProperties& a, const MassProperties& b) {
+  const double mass = a.mass + b.mass;
+  if (mass == 0) return {0, {}, a.about_com + b.about_com};
+  const Vector3 com = (a.mass / mass) * a.com + (b.mass / mass) * b.com;
+  return {mass, com,
+          a.about_com + point_inertia(a.mass, a.com - com) + b.about_com +
+              point_inertia(b.mass, b.com - com)};
+}
+
+Inertia about_origin(const MassProperties& body) {
+  return body.about_com + point_inertia(body.mass, body.com);
+}
+
+Verdict judge(double mass, const Inertia& inertia) {
+  Verdict verdict;
+  verdict.mass_finite = std::isfinite(mass);
+  verdict.tensor_finite = finite(inertia);
+  if (verdict.mass_finite) verdict.mass_sign = sign(mass, 0);
+  if (!verdict.tensor_finite) return verdict;
+  verdict.principal = principal_moments(inertia);
+  const double smallest = verdict.principal[0];
+  const double largest = verdict.principal[2];
+  const double tolerance = kTolerance * std::max(std::abs(smallest), std::abs(largest));
+  verdict.smallest = sign(smallest, tolerance);
+  verdict.triangle =
+      triangle({inertia.ixx, inertia.iyy, inertia.izz}, {"ixx", "iyy", "izz"}, tolerance);
+  if (verdict.triangle.holds) {
+    verdict.triangle = triangle(verdict.principal, {"I1", "I2", "I3"}, tolerance);
+  }
+  return verdict;
+}
+
+}  // namespace rigor::mass

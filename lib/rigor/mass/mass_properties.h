@@ -1,0 +1,109 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How heavy a body is, and how its mass is spread: mass, centre of mass and inertia tensor, with the
+// algebra that moves and joins them and the verdict whether a rigid body can have them.
+//
+// Convention: the tensor's entries are those of the symmetric matrix, so ixy = -∫xy dm, as SDF, URDF
+// and MuJoCo write them. Some CAD programs export the products of inertia ∫xy dm instead.
+//
+//   MassProperties whole = add(left, transformed(X_LR, right));
+//   Verdict verdict = judge(whole);
+//   if (!verdict.triangle.holds) say(verdict.triangle.sum, verdict.triangle.largest);
+//
+// Formulas: D. T. Greenwood, "Principles of Dynamics", 2nd ed., 1988, ch. 7 (parallel axes, rotation
+// of axes, R I Rᵀ); P. C. Hughes, "Spacecraft Attitude Dynamics", 1986, §2.2 (moments of a body obey
+// the triangle inequalities).
+
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include <rigor/model/pose.h>
+
+namespace rigor::mass {
+
+/// kg·m²; matrix entries. About which point and along which axes is said where it is used.
+struct Inertia {
+  double ixx = 0;
+  double ixy = 0;
+  double ixz = 0;
+  double iyy = 0;
+  double iyz = 0;
+  double izz = 0;
+
+  bool operator==(const Inertia&) const = default;
+};
+
+Inertia operator+(const Inertia& a, const Inertia& b);
+Inertia operator-(const Inertia& a, const Inertia& b);
+Inertia operator*(double factor, const Inertia& inertia);
+double trace(const Inertia& inertia);
+
+/// R I Rᵀ: the tensor along the axes of A, from that along the axes of B, given R_AB.
+Inertia rotated(const model::Quaternion& R_AB, const Inertia& I_B);
+
+/// What a point mass (kg) at `p` (m) has about the origin: m (|p|² 1 - p pᵀ).
+Inertia point_inertia(double mass, const model::Vector3& p);
+
+/// Moments about the principal axes, ascending, kg·m²; NaN where an entry is not finite.
+std::array<double, 3> principal_moments(const Inertia& inertia);
+
+struct MassProperties {
+  double mass = 0;     ///< kg
+  model::Vector3 com;  ///< m, in the link frame
+  Inertia about_com;   ///< kg·m² about `com`, along the axes of the link frame
+
+  bool operator==(const MassProperties&) const = default;
+};
+
+/// The same body described in frame A, from its description in frame B.
+MassProperties transformed(const model::Pose& X_AB, const MassProperties& in_B);
+
+/// Two bodies, described in one frame, as one rigid body. Two bodies without mass are one at the
+/// origin.
+MassProperties add(const MassProperties& a, const MassProperties& b);
+
+/// The tensor about the origin of the frame instead of the centre of mass (parallel axes).
+Inertia about_origin(const MassProperties& body);
+
+/// Below this share of the largest moment, a negative moment or a violated inequality is taken for
+/// the rounding of the eigenvalue solver and of numbers written in full. It is no allowance for
+/// numbers rounded to few digits: libsdformat refuses those (its own share is ten machine epsilons,
+/// 2.2e-15), and says not which number is at fault.
+inline constexpr double kTolerance = 1e-13;
+
+/// Whether a rigid body can have a mass and tensor, with the numbers that say so.
+struct Verdict {
+  enum class Sign { kNegative, kZero, kPositive };
+
+  bool mass_finite = true;
+  bool tensor_finite = true;
+  Sign mass_sign = Sign::kPositive;
+
+  /// The rest means something only for a finite tensor.
+  std::array<double, 3> principal{};  ///< ascending, kg·m²
+  /// Of the smallest principal moment: zero is a rod or a point, negative is nothing at all.
+  Sign smallest = Sign::kPositive;
+
+  /// Two moments must sum up to the third at least. Spoken of in entries (ixx + iyy ≥ izz) where
+  /// these already break it, else in principal moments.
+  struct Triangle {
+    bool holds = true;
+    std::array<std::string_view, 3> names;  ///< of the two that are summed, and of the largest
+    double sum = 0;                         ///< kg·m²
+    double largest = 0;                     ///< kg·m²
+  } triangle;
+
+  /// Whether no consumer has a reason to refuse: zero mass and singular tensors included.
+  bool possible() const {
+    return mass_finite && tensor_finite && mass_sign != Sign::kNegative &&
+           smallest != Sign::kNegative && triangle.holds;
+  }
+};
+
+Verdict judge(double mass, const Inertia& inertia);
+inline Verdict judge(const MassProperties& body) { return judge(body.mass, body.about_com); }
+
+}  // namespace rigor::mass
