@@ -1,0 +1,107 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// `tools/dev bench`: how long `validate` takes for real files, as a ratio to bare tinyxml2's parse of
+// the same bytes in the same process. Files are held in memory and meshes are not opened; one thread.
+//
+//   rigor_bench [SET]     a folder of RIGOR_CORPUS, default gazebo_models
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <fmt/core.h>
+#include <tinyxml2.h>
+
+#include <rigor/environment.h>
+#include <rigor/rules/validate.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Repetitions of each side, in turn, so that a drift of the machine's speed meets both.
+constexpr int kRounds = 15;
+
+double seconds(const std::function<void()>& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + kRounds / 2, values.end());
+  return values[kRounds / 2];
+}
+
+void parse_bare(const std::map<std::string, std::string>& files,
+                const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    const std::string& bytes = files.at(path);
+    tinyxml2::XMLDocument document;
+    document.Parse(bytes.data(), bytes.size());
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const char* corpus = std::getenv("RIGOR_CORPUS");
+  if (corpus == nullptr) {
+    fmt::print(stderr, "set RIGOR_CORPUS to a folder of model files\n");
+    return 2;
+  }
+  const fs::path set = fs::path(corpus) / (argc > 1 ? argv[1] : "gazebo_models");
+  std::map<std::string, std::string> files;
+  std::vector<std::string> paths;
+  std::size_t bytes = 0;
+  const auto add = [&](const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    const std::string name = fs::relative(path, set.parent_path()).generic_string();
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const std::string ending = path.extension().string();
+    const bool checked = ending == ".sdf" || ending == ".world" || ending == ".urdf";
+    if (checked) {
+      paths.push_back(name);
+      bytes += text.size();
+    }
+    // Meshes are there to be found, not to be read.
+    files[name] = checked || path.filename() == "model.config" ? std::move(text) : std::string();
+  };
+  if (fs::is_directory(set)) {
+    for (const auto& entry : fs::recursive_directory_iterator(set)) {
+      if (entry.is_regular_file()) add(entry.path());
+    }
+  } else {
+    add(set);
+  }
+  std::sort(paths.begin(), paths.end());
+
+  const rigor::MemoryDisk disk(files);
+  rigor::read::SearchPaths search;
+  search.given.push_back({set.filename().string(), "--model-path"});
+  const rigor::Environment environment(disk, search);
+  std::vector<double> bare;
+  std::vector<double> ours;
+  std::size_t found = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    bare.push_back(seconds([&] { parse_bare(files, paths); }));
+    ours.push_back(seconds([&] {
+      rigor::Sources sources;
+      const auto result = rigor::rules::validate(
+          environment, {.paths = paths, .meshes = rigor::rules::MeshPolicy::kDoNotOpen}, sources);
+      found = result.diagnostics.list().size();
+    }));
+  }
+  fmt::print("{} files, {:.2f} MB, {} findings\n", paths.size(), double(bytes) / 1e6, found);
+  fmt::print("bare tinyxml2   {:8.2f} ms\n", median(bare) * 1e3);
+  fmt::print("rigor validate  {:8.2f} ms\n", median(ours) * 1e3);
+  fmt::print("ratio           {:8.2f}\n", median(ours) / median(bare));
+}
