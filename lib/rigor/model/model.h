@@ -258,6 +258,7 @@ struct Include {
   Id<World> world;   ///< the world
   Id<Model> loaded;  ///< what it brought; none when it failed, or brought a light or an actor
   bool followed = false;
+  std::string path;  ///< of the file it led to, when it could be read
 };
 
 enum class Format : std::uint8_t { kUnknown, kSdf, kUrdf, kModelConfig };

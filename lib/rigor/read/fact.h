@@ -24,6 +24,7 @@ enum class FactKind : std::uint8_t {
   kIncludeUnreadable,   ///< found, but it cannot be parsed, or holds nothing; `name` says why
   kIncludeCycle,        ///< `tried` has the files of the cycle, the first again at the end
   kIncludeTooDeep,
+  kIncludeHasErrors,    ///< the included file was checked; `name` is its path, `tried` its errors
   kConfigWithoutSdf,    ///< an included model folder whose model.config names no file
   kMoreAtTopLevel,      ///< a second model, actor or light beside the first; `name` is it
   kTooMuchIncluded,     ///< the includes bring more entities than rigor holds

@@ -86,7 +86,7 @@ void SdfReader::read_top(xml::Element sdf) {
     if (name == "world") {
       read_world(child);
     } else if (name == "model" || name == "actor" || name == "light") {
-      if (!first && version_ >= 8) {
+      if (!first) {
         facts_.push_back({FactKind::kMoreAtTopLevel, child.name_span(), std::string(name), {}});
       }
       first = false;
@@ -216,6 +216,7 @@ bool SdfReader::follow(xml::Element element, model::Include& include, Scope scop
   }
   const File* file = open_model(reader_, *found.path, where, facts_);
   if (file == nullptr || !may_follow(include, file->path)) return false;
+  include.path = file->path;
 
   const xml::Element top = *file->document->root();
   std::vector<std::string> files = files_;

@@ -66,10 +66,12 @@ std::vector<std::string> RealDisk::list(const std::string& folder) const {
   return names;
 }
 
-MemoryDisk::MemoryDisk(std::map<std::string, std::string> files) : files_(std::move(files)) {}
+MemoryDisk::MemoryDisk(std::map<std::string, std::string> files) {
+  for (auto& [path, bytes] : files) put(path, std::move(bytes));
+}
 
-void MemoryDisk::put(std::string path, std::string bytes) {
-  files_[std::move(path)] = std::move(bytes);
+void MemoryDisk::put(const std::string& path, std::string bytes) {
+  files_[normalize_path(path)] = std::move(bytes);
 }
 
 ReadResult MemoryDisk::read(const std::string& path, std::uint64_t max_bytes) const {

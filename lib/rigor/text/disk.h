@@ -52,7 +52,7 @@ class MemoryDisk final : public Disk {
  public:
   MemoryDisk() = default;
   explicit MemoryDisk(std::map<std::string, std::string> files);
-  void put(std::string path, std::string bytes);
+  void put(const std::string& path, std::string bytes);
 
   ReadResult read(const std::string& path, std::uint64_t max_bytes) const override;
   PathKind kind(const std::string& path) const override;

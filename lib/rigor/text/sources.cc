@@ -29,6 +29,7 @@ std::string_view Sources::path(SourceId id) const { return at(id).path; }
 std::string_view Sources::bytes(SourceId id) const { return at(id).bytes; }
 
 std::string_view Sources::bytes(Span span) const {
+  if (span.nowhere()) return {};
   return bytes(span.source).substr(span.begin, span.size());
 }
 

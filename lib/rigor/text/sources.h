@@ -30,7 +30,7 @@ class Sources {
 
   std::string_view path(SourceId id) const;
   std::string_view bytes(SourceId id) const;
-  std::string_view bytes(Span span) const;
+  std::string_view bytes(Span span) const;  ///< empty for a span that stands nowhere
 
   /// Line and column of a byte offset. A byte-order mark has no column. Linear in the offset: when
   /// many positions of one source are wanted, make one `LineTable`.

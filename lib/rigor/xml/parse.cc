@@ -130,7 +130,7 @@ class Builder {
     while (first < end && is_space(bytes_[first])) ++first;
     if (first < end) {
       if (open_ == kNone) {
-        note({FaultKind::kTextOutsideRoot, span(first, end), {}, {}});
+        note({FaultKind::kTextOutsideRoot, span(first, without_space(end)), {}, {}});
       } else {
         give_text(at_, end, first, Decode::kYes);
       }
@@ -150,9 +150,14 @@ class Builder {
       element.has_text = true;
     } else if (element.lost_begin == element.lost_end) {
       element.lost_begin = first;
-      element.lost_end = end;
-      while (is_space(bytes_[element.lost_end - 1])) --element.lost_end;
+      element.lost_end = without_space(end);
     }
+  }
+
+  /// The end of text without the white space behind it; the text holds something else.
+  std::uint32_t without_space(std::uint32_t end) const {
+    while (is_space(bytes_[end - 1])) --end;
+    return end;
   }
 
   /// Decodes once, here, so that values are plain views afterwards.

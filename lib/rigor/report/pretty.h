@@ -1,0 +1,30 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Findings for people: what is wrong, the lines it is about, and what to do.
+//
+//   error[joint-limit-inverted]: lower (1) is above upper (-1)
+//     --> arm/model.sdf:12:12
+//      |
+//   12 |     <lower>1</lower>
+//      |            ^
+//      |
+//      = in: arm/joint elbow
+//      = fix available with --unsafe-fixes: swap lower and upper
+//
+//   out += pretty(result.diagnostics, sources, Color::kAnsi);
+
+#pragma once
+
+#include <string>
+
+#include <rigor/report/color.h>
+#include <rigor/text/diagnostic.h>
+#include <rigor/text/sources.h>
+
+namespace rigor::report {
+
+/// A block and an empty line for each finding; nothing when there are none.
+std::string pretty(const Diagnostics& diagnostics, const Sources& sources, Color color);
+
+}  // namespace rigor::report

@@ -1,0 +1,27 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a run came to, in a line for stderr.
+//
+//   "3 files checked: 1 error, 2 warnings; 1 include not looked at"
+//   "12 files checked, no problems"
+
+#pragma once
+
+#include <string>
+
+#include <rigor/rules/validate.h>
+
+namespace rigor::report {
+
+/// Without a line break.
+std::string summary(const rules::ValidateResult& result);
+
+/// A line for each file that was met and not checked, such as a template, and why; the first few of
+/// many. Includes that were not followed are findings of their own.
+std::string left_out(const rules::ValidateResult& result);
+
+/// "1 link", "1,204 links".
+std::string counted(std::size_t count, std::string_view noun);
+
+}  // namespace rigor::report

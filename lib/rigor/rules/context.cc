@@ -1,0 +1,63 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/context.h>
+
+#include <utility>
+
+#include <rigor/model/subject.h>
+#include <rigor/text/path.h>
+
+namespace rigor::rules {
+
+void Context::report(Finding finding) {
+  Diagnostic diagnostic;
+  diagnostic.rule = rule_;
+  diagnostic.category = category_;
+  diagnostic.severity = severity_;
+  diagnostic.message = std::move(finding.message);
+  diagnostic.where = finding.where;
+  if (finding.where.nowhere()) diagnostic.path = inputs_.path;
+  diagnostic.subject = std::move(finding.subject);
+  diagnostic.related = std::move(finding.related);
+  diagnostic.help = std::move(finding.help);
+  if (finding.fix) diagnostic.fixes.push_back(std::move(*finding.fix));
+  diagnostics_.add(std::move(diagnostic));
+}
+
+read::Resolution Context::resolve(std::string_view uri) const {
+  return inputs_.resolver.resolve(uri, inputs_.path);
+}
+
+std::string_view Context::folder() const { return parent_path(inputs_.path); }
+
+std::string Context::subject(const model::World& world) const {
+  return model::subject(root(), world);
+}
+std::string Context::subject(const model::Model& model) const {
+  return model::subject(root(), model);
+}
+std::string Context::subject(const model::Link& link) const { return model::subject(root(), link); }
+std::string Context::subject(const model::Joint& joint) const {
+  return model::subject(root(), joint);
+}
+std::string Context::subject(const model::Frame& frame) const {
+  return model::subject(root(), frame);
+}
+std::string Context::subject(const model::Collision& collision) const {
+  return model::subject(root(), collision);
+}
+std::string Context::subject(const model::Visual& visual) const {
+  return model::subject(root(), visual);
+}
+std::string Context::subject(const model::Sensor& sensor) const {
+  return model::subject(root(), sensor);
+}
+std::string Context::subject(const model::Light& light) const {
+  return model::subject(root(), light);
+}
+std::string Context::subject(const model::Plugin& plugin) const {
+  return model::subject(root(), plugin);
+}
+
+}  // namespace rigor::rules

@@ -1,0 +1,104 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a rule may ask while it checks, and how it says what it found.
+//
+//   context.report({.where = joint.type_name.span, .message = "…", .subject = context.subject(joint)});
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <rigor/model/frames.h>
+#include <rigor/model/model.h>
+#include <rigor/read/resolver.h>
+#include <rigor/schema/schema.h>
+#include <rigor/text/diagnostic.h>
+#include <rigor/text/disk.h>
+#include <rigor/text/sources.h>
+#include <rigor/xml/document.h>
+
+namespace rigor::rules {
+
+/// What a rule says; its name, category and severity are added for it.
+struct Finding {
+  Span where;
+  std::string message;
+  std::string subject = {};
+  std::vector<Label> related = {};
+  std::string help = {};
+  std::optional<Fix> fix = std::nullopt;
+};
+
+class Context {
+ public:
+  struct Inputs {
+    std::string path;  ///< of the file that is checked
+    const Sources& sources;
+    /// Null only when the file could not be read; then no entity and no fact needs it.
+    const xml::Document* document;
+    const model::Root& root;
+    const model::Frames& frames;
+    const read::Resolver& resolver;
+    const schema::Schema* schema;  ///< of the file's format; null when it has none
+  };
+
+  Context(const Inputs& inputs, Diagnostics& diagnostics)
+      : inputs_(inputs), diagnostics_(diagnostics) {}
+
+  void report(Finding finding);
+
+  const Sources& sources() const { return inputs_.sources; }
+  const xml::Document& document() const { return *inputs_.document; }
+  const model::Root& root() const { return inputs_.root; }
+  const model::Frames& frames() const { return inputs_.frames; }
+  const schema::Schema* schema() const { return inputs_.schema; }
+  bool is_urdf() const { return inputs_.root.format == model::Format::kUrdf; }
+  bool is_sdf() const { return inputs_.root.format == model::Format::kSdf; }
+
+  /// The bytes a span stands for, as written.
+  std::string_view bytes(Span span) const { return inputs_.sources.bytes(span); }
+
+  /// The element an entity was read from. Only for entities of the file itself.
+  xml::Element element(const model::Site& site) const {
+    return inputs_.document->element(site.element);
+  }
+
+  /// Where a URI that stands in this file leads.
+  read::Resolution resolve(std::string_view uri) const;
+  const Disk& disk() const { return inputs_.resolver.disk(); }
+  /// The folder of the file that is checked.
+  std::string_view folder() const;
+
+  /// "arm/joint elbow", "arm::hand/link palm/collision box": the model's scoped name, then kinds and
+  /// names inward.
+  std::string subject(const model::World& world) const;
+  std::string subject(const model::Model& model) const;
+  std::string subject(const model::Link& link) const;
+  std::string subject(const model::Joint& joint) const;
+  std::string subject(const model::Frame& frame) const;
+  std::string subject(const model::Collision& collision) const;
+  std::string subject(const model::Visual& visual) const;
+  std::string subject(const model::Sensor& sensor) const;
+  std::string subject(const model::Light& light) const;
+  std::string subject(const model::Plugin& plugin) const;
+
+  /// The rule that is at work; set by the runner.
+  void begin_rule(std::string_view name, std::string_view category, Severity severity) {
+    rule_ = name;
+    category_ = category;
+    severity_ = severity;
+  }
+
+ private:
+  const Inputs& inputs_;
+  Diagnostics& diagnostics_;
+  std::string_view rule_;
+  std::string_view category_;
+  Severity severity_ = Severity::kError;
+};
+
+}  // namespace rigor::rules

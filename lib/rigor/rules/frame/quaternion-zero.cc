@@ -1,0 +1,57 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <string>
+
+#include <rigor/rules/frame/written_pose.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::quaternion_zero {
+namespace {
+
+void check_pose(const model::PoseField& pose, const std::string& subject, Context& context) {
+  const auto rotation = written_rotation(pose, context);
+  if (!rotation || rotation->numbers.size() != 4) return;
+  const auto zero = [](double number) { return number == 0; };
+  if (!std::all_of(rotation->numbers.begin(), rotation->numbers.end(), zero)) return;
+  context.report({.where = rotation->span,
+                  .message = "the quaternion 0 0 0 0 is no rotation; it is taken for none",
+                  .subject = subject,
+                  .help = "write 0 0 0 1 (x y z w) for no rotation"});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "quaternion-zero",
+      .category = Category::kFrame,
+      .severity = Severity::kWarning,
+      .formats = Formats::kSdf,
+      .summary = "the quaternion of a pose is zero",
+      .why =
+          "A rotation is a quaternion of length one. libsdformat takes the zero one for no "
+          "rotation, without a word.",
+      .what_to_do = "Write 0 0 0 1 where nothing is turned; w comes last.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base">
+      <pose rotation_format="quat_xyzw">«1 0 0 0 0 0 0»</pose>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base">
+      <pose rotation_format="quat_xyzw">1 0 0 0 0 0 1</pose>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = on_poses<check_pose>(),
+  };
+}
+
+}  // namespace rigor::rules::quaternion_zero

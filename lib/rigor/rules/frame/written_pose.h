@@ -1,0 +1,80 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The numbers of a pose as they stand in the file, before anybody converts or normalises them.
+
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <rigor/model/model.h>
+#include <rigor/rules/rule.h>
+#include <rigor/schema/value.h>
+
+namespace rigor::rules {
+
+/// The rotation of a pose: three angles, or a quaternion x y z w.
+struct WrittenRotation {
+  std::vector<double> numbers;
+  bool degrees = false;
+  Span span;  ///< of the value that holds the numbers
+};
+
+/// Nothing when none is written, or when it is not a pose.
+inline std::optional<WrittenRotation> written_rotation(const model::PoseField& pose,
+                                                       const Context& context) {
+  if (pose.site.span.nowhere() || !context.root().own(pose.site)) return std::nullopt;
+  const xml::Element element = context.element(pose.site);
+  if (const auto rpy = element.attribute("rpy")) {
+    const auto parsed = schema::parse_vector3(rpy->value());
+    const auto* angles = std::get_if<std::array<double, 3>>(&parsed);
+    if (angles == nullptr) return std::nullopt;
+    return WrittenRotation{{angles->begin(), angles->end()}, false, rpy->value_span()};
+  }
+  const auto old = element.attribute("pose");  // SDF 1.0: <origin pose="…"/>
+  if (element.name() == "origin" && !old) return std::nullopt;
+  const auto format = element.attribute("rotation_format");
+  const bool quaternion = format && format->value() == "quat_xyzw";
+  const auto parsed = schema::parse_pose(
+      old ? old->value() : element.text(),
+      quaternion ? schema::RotationFormat::kQuatXyzw : schema::RotationFormat::kEulerRpy);
+  const auto* numbers = std::get_if<schema::PoseNumbers>(&parsed);
+  if (numbers == nullptr || numbers->count < 6) return std::nullopt;
+  const auto unit = element.attribute("degrees");
+  const bool degrees = unit && (unit->value() == "true" || unit->value() == "1");
+  return WrittenRotation{{numbers->numbers.begin() + 3, numbers->numbers.begin() + numbers->count},
+                         degrees,
+                         old ? old->value_span() : element.text_span()};
+}
+
+/// Checks of the pose of whatever can have one.
+using PoseCheck = void (*)(const model::PoseField& pose, const std::string& subject, Context&);
+
+template <PoseCheck check, class Entity>
+void check_pose_of(const Entity& entity, Context& context) {
+  check(entity.pose, context.subject(entity), context);
+}
+
+template <PoseCheck check>
+std::vector<Check> on_poses() {
+  return {on<model::Model>(check_pose_of<check, model::Model>),
+          on<model::Link>([](const model::Link& link, Context& context) {
+            check_pose_of<check>(link, context);
+            check(link.inertial.pose, context.subject(link), context);
+          }),
+          on<model::Joint>(check_pose_of<check, model::Joint>),
+          on<model::Frame>(check_pose_of<check, model::Frame>),
+          on<model::Collision>(check_pose_of<check, model::Collision>),
+          on<model::Visual>(check_pose_of<check, model::Visual>),
+          on<model::Sensor>(check_pose_of<check, model::Sensor>),
+          on<model::Light>(check_pose_of<check, model::Light>),
+          on<model::Include>([](const model::Include& include, Context& context) {
+            check(include.pose, {}, context);
+          })};
+}
+
+}  // namespace rigor::rules

@@ -1,0 +1,122 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <string>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/inertia/primitive_solid.h>
+#include <rigor/rules/inertia/tensor.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::inertia_geometry_mismatch {
+namespace {
+
+struct Slip {
+  double share;
+  const char* help;
+};
+
+// Less is a token for a frame that had to have some mass.
+constexpr double kLeast = 1e-3;  // kg
+
+// The shapes need not be the body, so a share is near when it is within this factor.
+constexpr double kNear = 2;
+
+constexpr Slip kSlips[] = {
+    {1e3, "the moments look as if they were in g·m²: divide them by 1e3"},
+    {1e4, "the moments look as if they were in kg·cm²: divide them by 1e4"},
+    {1e6, "the moments look as if they were in kg·mm²: divide them by 1e6"},
+    {1e7, "the moments look as if they were in g·cm²: divide them by 1e7"},
+    {1e9, "the moments look as if they were in g·mm²: divide them by 1e9"},
+    {1e-3, "the moments look as if they had been divided by 1e3 once too often"},
+    {1e-4, "the sizes look as if they were in cm, or the moments divided by 1e4 twice"},
+    {1e-6, "the sizes look as if they were in mm, or the moments divided by 1e6 twice"},
+};
+
+std::string guess(double share) {
+  for (const Slip& slip : kSlips) {
+    if (share < slip.share * kNear && share > slip.share / kNear) return slip.help;
+  }
+  return "rigor inertia MODEL shows what the shapes give";
+}
+
+void check(const model::Link& link, Context& context) {
+  constexpr mass::Inertia kIdentity{1, 0, 0, 1, 0, 1};  // inertia-identity speaks of that
+  const double mass = link.inertial.mass.value;
+  if (!has_tensor(link, context) || !is_dynamic(link, context)) return;
+  if (!link.inertial.mass.written || mass <= kLeast) return;
+  const mass::Inertia tensor = mass::tensor(link.inertial);
+  const auto verdict = mass::judge(mass, tensor);
+  if (!verdict.possible() || mass::trace(tensor) == 0 || tensor == kIdentity) return;
+  const auto share = share_of_solid(context.root(), link, mass, tensor);
+  if (!share || plausible(*share)) return;
+  const double solid = mass::trace(tensor) / *share;
+  const double factor = std::max(*share, 1 / *share);
+  context.report({.where = link.inertial.tensor_site.name,
+                  .message = fmt::format(
+                      "ixx + iyy + izz is {:.4g} kg·m², {:.4g} times {} than the {:.4g} "
+                      "kg·m² of its shapes as solids of {} kg",
+                      mass::trace(tensor), factor, *share > 1 ? "more" : "less", solid, mass),
+                  .subject = context.subject(link),
+                  .help = guess(*share)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "inertia-geometry-mismatch",
+      .category = Category::kInertia,
+      .severity = Severity::kWarning,
+      .summary = "moments of inertia do not fit the mass and the shapes of the link",
+      .why =
+          "The link's shapes are all boxes, balls, cylinders and the like, so what a solid of "
+          "the same mass has is known. Hollow bodies have up to three times as much; a factor "
+          "of ten and more is mostly a slip of units. Too small moments make a simulation "
+          "shake, too large ones make it sluggish.",
+      .what_to_do =
+          "Compute the tensor again in kg·m²: rigor inertia MODEL shows what is written "
+          "beside what the shapes give.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <collision name="hull">
+        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
+      </collision>
+      <inertial>
+        <mass>2</mass>
+        <«inertia»>
+          <ixx>8333</ixx>
+          <iyy>16667</iyy>
+          <izz>21667</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <collision name="hull">
+        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
+      </collision>
+      <inertial>
+        <mass>2</mass>
+        <inertia>
+          <ixx>0.008333</ixx>
+          <iyy>0.016667</iyy>
+          <izz>0.021667</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Link>(check)},
+  };
+}
+
+}  // namespace rigor::rules::inertia_geometry_mismatch

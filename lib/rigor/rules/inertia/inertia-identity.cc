@@ -1,0 +1,105 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/inertia/primitive_solid.h>
+#include <rigor/rules/inertia/tensor.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::inertia_identity {
+namespace {
+
+// Without shapes to compare with: a ball with these moments and this mass is a metre across.
+constexpr double kLight = 10;  // kg
+
+void check(const model::Link& link, Context& context) {
+  constexpr mass::Inertia kIdentity{1, 0, 0, 1, 0, 1};
+  if (!has_tensor(link, context) || mass::tensor(link.inertial) != kIdentity) return;
+  const double mass = link.inertial.mass.value;
+  if (!(mass > 0) || !is_dynamic(link, context)) return;
+  const auto share = share_of_solid(context.root(), link, mass, kIdentity);
+  if (share ? plausible(*share) : mass > kLight) return;
+  std::string message = fmt::format("the moments of a body of {} kg are all 1 kg·m²", mass);
+  if (share) message += fmt::format(": {:.4g} times what its shapes have as solids", *share);
+  context.report({.where = link.inertial.tensor_site.name,
+                  .message = std::move(message),
+                  .subject = context.subject(link)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "inertia-identity",
+      .category = Category::kInertia,
+      .severity = Severity::kWarning,
+      .summary = "an inertia tensor is the identity, which does not fit the body",
+      .why =
+          "Ones on the diagonal are what a template holds before anybody fills it in. The link "
+          "then turns far too slowly or too fast, and the motors are tuned to that.",
+      .what_to_do =
+          "Write the body's own moments; rigor inertia MODEL computes them from the "
+          "shapes and the mass.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <collision name="hull">
+        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
+      </collision>
+      <inertial>
+        <mass>0.5</mass>
+        <«inertia»>
+          <ixx>1</ixx>
+          <iyy>1</iyy>
+          <izz>1</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <collision name="hull">
+        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
+      </collision>
+      <inertial>
+        <mass>0.5</mass>
+        <inertia>
+          <ixx>0.0021</ixx>
+          <iyy>0.0042</iyy>
+          <izz>0.0054</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)"},
+               {R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <collision name="hull">
+        <geometry><box><size>1 1 1</size></box></geometry>
+      </collision>
+      <inertial>
+        <mass>6</mass>
+        <inertia>
+          <ixx>1</ixx>
+          <iyy>1</iyy>
+          <izz>1</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Link>(check)},
+  };
+}
+
+}  // namespace rigor::rules::inertia_identity

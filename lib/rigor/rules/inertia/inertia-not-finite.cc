@@ -1,0 +1,76 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::inertia_not_finite {
+namespace {
+
+void check(const model::Link& link, Context& context) {
+  const model::Inertial& i = link.inertial;
+  const std::pair<const char*, const model::Field<double>*> entries[] = {
+      {"ixx", &i.ixx}, {"ixy", &i.ixy}, {"ixz", &i.ixz},
+      {"iyy", &i.iyy}, {"iyz", &i.iyz}, {"izz", &i.izz}};
+  for (const auto& [name, entry] : entries) {
+    if (!entry->written || std::isfinite(entry->value)) continue;
+    context.report({.where = entry->span,
+                    .message = fmt::format("{} is {}: it must be a finite number of kg·m²", name,
+                                           entry->value),
+                    .subject = context.subject(link)});
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "inertia-not-finite",
+      .category = Category::kInertia,
+      .severity = Severity::kError,
+      .summary = "an entry of an inertia tensor is infinite or not a number",
+      .why =
+          "libsdformat refuses nan and lets inf pass; urdfdom drops the inertial. No simulator "
+          "can use the tensor.",
+      .what_to_do =
+          "Write the moment in kg·m². A link that must not turn is fixed to the world, "
+          "or made kinematic.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <inertial>
+        <mass>1</mass>
+        <inertia>
+          <ixx>«nan»</ixx>
+          <iyy>0.01</iyy>
+          <izz>0.01</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <inertial>
+        <mass>1</mass>
+        <inertia>
+          <ixx>0.01</ixx>
+          <iyy>0.01</iyy>
+          <izz>0.01</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Link>(check)},
+  };
+}
+
+}  // namespace rigor::rules::inertia_not_finite

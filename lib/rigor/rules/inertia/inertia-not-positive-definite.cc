@@ -1,0 +1,85 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/inertia/tensor.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::inertia_not_positive_definite {
+namespace {
+
+std::string help(const mass::Inertia& tensor) {
+  if (tensor.ixx < 0 || tensor.iyy < 0 || tensor.izz < 0)
+    return "a moment is below zero: mind its sign";
+  return "an off-diagonal entry is too large for the moments beside it";
+}
+
+void check(const model::Link& link, Context& context) {
+  if (!has_tensor(link, context)) return;
+  const auto verdict = mass::judge(link.inertial.mass.value, mass::tensor(link.inertial));
+  if (!verdict.tensor_finite || verdict.smallest != mass::Verdict::Sign::kNegative) return;
+  const auto& moments = verdict.principal;
+  context.report(
+      {.where = link.inertial.tensor_site.name,
+       .message = fmt::format("a principal moment of the tensor is negative ({:.4g} kg·m²; "
+                              "the others are {:.4g} and {:.4g}): no body has this",
+                              moments[0], moments[1], moments[2]),
+       .subject = context.subject(link),
+       .help = help(mass::tensor(link.inertial))});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "inertia-not-positive-definite",
+      .category = Category::kInertia,
+      .severity = Severity::kError,
+      .summary = "an inertia tensor is not positive definite",
+      .why =
+          "About some axis the body would turn against a push. libsdformat refuses the model "
+          "without a number (error 18); urdfdom takes it, and Drake and MuJoCo refuse the "
+          "robot.",
+      .what_to_do =
+          "Compute the tensor again: rigor inertia MODEL shows what the shapes give. "
+          "Mind the order ixx ixy ixz iyy iyz izz and the units.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <inertial>
+        <mass>1</mass>
+        <«inertia»>
+          <ixx>1</ixx>
+          <ixy>2</ixy>
+          <iyy>1</iyy>
+          <izz>1</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <inertial>
+        <mass>1</mass>
+        <inertia>
+          <ixx>1</ixx>
+          <ixy>0.2</ixy>
+          <iyy>1</iyy>
+          <izz>1</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Link>(check)},
+  };
+}
+
+}  // namespace rigor::rules::inertia_not_positive_definite

@@ -1,0 +1,96 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+#include <string_view>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/inertia/tensor.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::inertia_triangle_inequality {
+namespace {
+
+const model::Field<double>* entry(const model::Inertial& inertial, std::string_view name) {
+  if (name == "ixx") return &inertial.ixx;
+  if (name == "iyy") return &inertial.iyy;
+  return name == "izz" ? &inertial.izz : nullptr;
+}
+
+// Moments of thin plates, rounded to a few digits, miss by about this share.
+constexpr double kRounding = 1e-3;
+
+std::string rounding(const mass::Verdict::Triangle& triangle) {
+  if (triangle.largest - triangle.sum > kRounding * triangle.largest) return {};
+  return "it is missed by little: the numbers may only be rounded too far";
+}
+
+void check(const model::Link& link, Context& context) {
+  if (!has_tensor(link, context)) return;
+  const auto verdict = mass::judge(link.inertial.mass.value, mass::tensor(link.inertial));
+  if (!verdict.tensor_finite || verdict.smallest == mass::Verdict::Sign::kNegative) return;
+  const auto& triangle = verdict.triangle;
+  if (triangle.holds) return;
+  const model::Field<double>* largest = entry(link.inertial, triangle.names[2]);
+  const char* what = largest != nullptr ? "" : " (the principal moments)";
+  context.report(
+      {.where = largest != nullptr ? largest->span : link.inertial.tensor_site.name,
+       .message = fmt::format("{} + {} ({:.6g}) < {} ({:.6g}) kg·m²{}: no rigid body has "
+                              "this",
+                              triangle.names[0], triangle.names[1], triangle.sum, triangle.names[2],
+                              triangle.largest, what),
+       .subject = context.subject(link),
+       .help = rounding(triangle)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "inertia-triangle-inequality",
+      .category = Category::kInertia,
+      .severity = Severity::kError,
+      .summary = "the moments of an inertia tensor break the triangle inequality",
+      .why =
+          "Of any rigid body two moments of inertia sum up to the third at least. libsdformat "
+          "refuses what breaks this, without saying which number is at fault (error 18); Drake "
+          "and MuJoCo refuse it too, urdfdom lets it pass.",
+      .what_to_do =
+          "Compute the tensor again: rigor inertia MODEL shows what the shapes give. "
+          "Where it is missed by little, write more digits.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <inertial>
+        <mass>1</mass>
+        <inertia>
+          <ixx>0.0002</ixx>
+          <iyy>0.001</iyy>
+          <izz>«0.004»</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <inertial>
+        <mass>1</mass>
+        <inertia>
+          <ixx>0.0032</ixx>
+          <iyy>0.001</iyy>
+          <izz>0.004</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Link>(check)},
+  };
+}
+
+}  // namespace rigor::rules::inertia_triangle_inequality

@@ -1,0 +1,81 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/inertia/tensor.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::mass_zero {
+namespace {
+
+bool is_zero(const mass::Inertia& tensor) { return tensor == mass::Inertia{}; }
+
+void check(const model::Link& link, Context& context) {
+  const model::Inertial& inertial = link.inertial;
+  if (!inertial.mass.written || inertial.mass.value != 0 || mass::is_automatic(link)) return;
+  if (!is_dynamic(link, context)) return;
+  // In URDF a link of no mass and no moments is a frame, as one without <inertial> is.
+  if (context.is_urdf() && is_zero(mass::tensor(inertial))) return;
+  context.report({.where = inertial.mass.span,
+                  .message = "the mass is 0 kg: a body that moves needs one above zero",
+                  .subject = context.subject(link)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "mass-zero",
+      .category = Category::kInertia,
+      .severity = Severity::kWarning,
+      .summary = "a link that moves has a mass of zero",
+      .why =
+          "libsdformat lets it pass, and the physics engine then divides by it: ODE stops at "
+          "an assertion, DART sets a tiny mass of its own. A URDF link of no mass but with "
+          "moments is dropped by Gazebo.",
+      .what_to_do =
+          "Write the mass, however small. For a frame without a body take the "
+          "<inertial> out of a URDF link, or use <frame> in SDF.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <inertial>
+        <mass>«0»</mass>
+        <inertia>
+          <ixx>0.01</ixx>
+          <iyy>0.01</iyy>
+          <izz>0.01</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <inertial>
+        <mass>0.1</mass>
+        <inertia>
+          <ixx>0.001</ixx>
+          <iyy>0.001</iyy>
+          <izz>0.001</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)"},
+               {R"(<robot name="arm">
+  <link name="body">
+    <inertial>
+      <mass value="0"/>
+      <inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/>
+    </inertial>
+  </link>
+</robot>
+)"}},
+      .checks = {on<model::Link>(check)},
+  };
+}
+
+}  // namespace rigor::rules::mass_zero

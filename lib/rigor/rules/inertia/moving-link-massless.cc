@@ -1,0 +1,126 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include <rigor/mass/resolve.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::moving_link_massless {
+namespace {
+
+/// Per link, whether it has mass, or anything that is fixed to it has.
+std::vector<bool> with_mass(const model::Root& root, const Context& context) {
+  std::vector<std::vector<model::Id<model::Link>>> fixed_to(root.links.size());
+  for (std::uint32_t i = 0; i < root.joints.size(); ++i) {
+    const auto& ends = context.frames().ends({i});
+    if (root.joints[i].type != model::JointType::kFixed || !ends.parent || !ends.child) continue;
+    fixed_to[ends.child.value].push_back(ends.parent);
+  }
+  std::vector<bool> heavy(root.links.size(), false);
+  std::vector<model::Id<model::Link>> open;
+  const auto add = [&heavy, &open](model::Id<model::Link> link) {
+    if (heavy[link.value]) return;
+    heavy[link.value] = true;
+    open.push_back(link);
+  };
+  for (std::uint32_t i = 0; i < root.links.size(); ++i) {
+    if (mass::resolve(root, {i}).mass != 0) add({i});
+  }
+  while (!open.empty()) {
+    const model::Id<model::Link> link = open.back();
+    open.pop_back();
+    for (const auto parent : fixed_to[link.value]) add(parent);
+  }
+  return heavy;
+}
+
+void check(const model::Root& root, Context& context) {
+  const std::vector<bool> heavy = with_mass(root, context);
+  // A robot without any mass is there to be looked at, not to be simulated.
+  if (std::find(heavy.begin(), heavy.end(), true) == heavy.end()) return;
+  for (std::uint32_t i = 0; i < root.joints.size(); ++i) {
+    const model::Joint& joint = root.joints[i];
+    const model::Id<model::Link> child = context.frames().ends({i}).child;
+    if (joint.type == model::JointType::kFixed || joint.type == model::JointType::kUnknown) {
+      continue;
+    }
+    if (!child || heavy[child.value]) continue;
+    const model::Link& link = root[child];
+    context.report({.where = link.site.name,
+                    .message = fmt::format("the joint '{}' moves the link '{}', which has no mass, "
+                                           "and nor has anything that is fixed to it",
+                                           joint.name.value, link.name.value),
+                    .subject = context.subject(link),
+                    .related = {{joint.site.name, "moved by this joint"}}});
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "moving-link-massless",
+      .category = Category::kInertia,
+      .severity = Severity::kWarning,
+      .formats = Formats::kUrdf,
+      .summary = "a joint of a URDF moves a link without mass",
+      .why =
+          "A link without <inertial> weighs nothing in URDF. Where it is fixed to others that "
+          "is a normal frame; where a joint moves it, no simulator can integrate its motion: "
+          "Gazebo drops the link with its joint and all that hangs on it, MuJoCo refuses the "
+          "robot.",
+      .what_to_do = "Give the link a mass and a tensor, however small, or fix the joint.",
+      .bad = {{R"(<robot name="arm">
+  <link name="base">
+    <inertial>
+      <mass value="1"/>
+      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+    </inertial>
+  </link>
+  <«link» name="tip"/>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+  </joint>
+</robot>
+)"}},
+      .good = {{R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip">
+    <inertial>
+      <mass value="1"/>
+      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+    </inertial>
+  </link>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+  </joint>
+</robot>
+)"},
+               {R"(<robot name="arm">
+  <link name="base">
+    <inertial>
+      <mass value="1"/>
+      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+    </inertial>
+  </link>
+  <link name="tip"/>
+  <joint name="elbow" type="fixed">
+    <parent link="base"/>
+    <child link="tip"/>
+  </joint>
+</robot>
+)"}},
+      .checks = {on<model::Root>(check)},
+  };
+}
+
+}  // namespace rigor::rules::moving_link_massless

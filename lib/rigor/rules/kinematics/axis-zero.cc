@@ -1,0 +1,86 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/kinematics/motion.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::axis_zero {
+namespace {
+
+void check(const model::Joint& joint, Context& context) {
+  // Exporters of URDF write 0 0 0 for fixed joints, and no consumer looks at it.
+  if (context.is_urdf() && !has_axis(joint.type)) return;
+  for (const model::Axis& axis : joint.axes) {
+    if (!axis.xyz.written || model::length(axis.xyz.value) > 0) continue;
+    context.report({.where = axis.xyz.span,
+                    .message = "the axis is 0 0 0: it has no direction",
+                    .subject = context.subject(joint)});
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "axis-zero",
+      .category = Category::kKinematics,
+      .severity = Severity::kError,
+      .summary = "a joint axis is the zero vector",
+      .why =
+          "libsdformat refuses the model (error 9), and so do Drake and MuJoCo. urdfdom takes "
+          "it, and what then turns about nothing depends on the simulator.",
+      .what_to_do = "Give the axis a direction, such as 0 0 1.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>«0 0 0»</xyz>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"},
+              {R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <axis xyz="«0 0 0»"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+  </joint>
+</robot>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"},
+               {R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="fixed">
+    <parent link="base"/>
+    <child link="tip"/>
+    <axis xyz="0 0 0"/>
+  </joint>
+</robot>
+)"}},
+      .checks = {on<model::Joint>(check)},
+  };
+}
+
+}  // namespace rigor::rules::axis_zero

@@ -1,0 +1,89 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <rigor/rules/kinematics/tree.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::kinematic_loop {
+namespace {
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "'" : ", '") + name + "'";
+  return text;
+}
+
+void check(const model::Model& robot, Context& context) {
+  const model::Root& root = context.root();
+  const Tree tree = tree_of(root, context.frames(), robot);
+  std::vector<std::string> links;
+  const model::Joint* last = nullptr;
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    if (!tree.on_loop[i]) continue;
+    links.push_back(root[robot.links[i]].name.value);
+    for (const auto id : tree.parents[i]) {
+      const auto& ends = context.frames().ends(id);
+      // A joint from a link to itself is joint-parent-is-child.
+      if (ends.parent != ends.child && (last == nullptr || last < &root[id])) last = &root[id];
+    }
+  }
+  if (last == nullptr || links.size() < 2) return;
+  context.report({.where = last->child.span,
+                  .message = "joints make a loop of links: " + joined(links),
+                  .subject = context.subject(*last)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "kinematic-loop",
+      .category = Category::kKinematics,
+      .severity = Severity::kError,
+      .formats = Formats::kUrdf,
+      .summary = "the joints of a URDF make a loop",
+      .why =
+          "A URDF is a tree. urdfdom takes the loop, and what walks the tree then never ends: "
+          "check_urdf hangs, libsdformat overflows its stack.",
+      .what_to_do = "Take one of the joints out. URDF cannot close a chain; SDF can.",
+      .bad = {{R"(<robot name="arm">
+  <link name="a"/>
+  <link name="b"/>
+  <link name="c"/>
+  <joint name="ab" type="fixed">
+    <parent link="a"/>
+    <child link="b"/>
+  </joint>
+  <joint name="bc" type="fixed">
+    <parent link="b"/>
+    <child link="c"/>
+  </joint>
+  <joint name="cb" type="fixed">
+    <parent link="c"/>
+    <child link="«b»"/>
+  </joint>
+</robot>
+)"}},
+      .good = {{R"(<robot name="arm">
+  <link name="a"/>
+  <link name="b"/>
+  <link name="c"/>
+  <joint name="ab" type="fixed">
+    <parent link="a"/>
+    <child link="b"/>
+  </joint>
+  <joint name="bc" type="fixed">
+    <parent link="b"/>
+    <child link="c"/>
+  </joint>
+</robot>
+)"}},
+      .checks = {on<model::Model>(check)},
+  };
+}
+
+}  // namespace rigor::rules::kinematic_loop

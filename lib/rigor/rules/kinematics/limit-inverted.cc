@@ -1,0 +1,127 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/kinematics/motion.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::limit_inverted {
+namespace {
+
+void check(const model::Joint& joint, Context& context) {
+  if (joint.type == model::JointType::kFixed) return;
+  for (const model::Axis& axis : joint.axes) {
+    // A continuous joint has no limits that anybody reads.
+    if (context.is_urdf() && joint.type == model::JointType::kContinuous) continue;
+    if (!axis.lower.written || !axis.upper.written || axis.lower.value <= axis.upper.value)
+      continue;
+    const std::string lower(context.bytes(axis.lower.span));
+    const std::string upper(context.bytes(axis.upper.span));
+    context.report(
+        {.where = axis.lower.span,
+         .message = fmt::format("the lower limit {0} {2} is above the upper {1} {2}",
+                                axis.lower.value, axis.upper.value, position_unit(joint.type)),
+         .subject = context.subject(joint),
+         .related = {{axis.upper.span, "the upper limit"}},
+         .fix = Fix{"swap the limits",
+                    Applicability::kUnsafe,
+                    {{axis.lower.span, upper}, {axis.upper.span, lower}}}});
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "limit-inverted",
+      .category = Category::kKinematics,
+      .severity = Severity::kError,
+      .fix = FixGrade::kUnsafe,
+      .summary = "a lower joint limit is above the upper one",
+      .why =
+          "No position is within the limits. ign sdf -k and check_urdf call the file valid; "
+          "then DART stops at an assertion, Gazebo swaps the limits of a URDF, and others lock "
+          "the joint.",
+      .what_to_do = "Swap the limits.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>«1»</lower>
+          <upper>-1</upper>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1</lower>
+          <upper>1</upper>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"},
+              {R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="«1»" upper="-1" effort="5" velocity="2"/>
+  </joint>
+</robot>
+)",
+               R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+  </joint>
+</robot>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>0</lower>
+          <upper>0</upper>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Joint>(check)},
+  };
+}
+
+}  // namespace rigor::rules::limit_inverted

@@ -1,0 +1,129 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/kinematics/motion.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::limit_looks_like_degrees {
+namespace {
+
+constexpr double kTurn = 6.283185307179586;
+constexpr double kMost = 720;  // larger ones stand for "no limit"
+
+/// Angles that people limit joints by. Those of a joint that may turn several times (10, 100) are
+/// none of them.
+bool looks_like_degrees(double angle) {
+  const double size = std::abs(angle);
+  if (size <= kTurn || size > kMost) return false;
+  return std::fmod(size, 15) == 0 || size == 170 || size == 350;
+}
+
+void check(const model::Joint& joint, Context& context) {
+  if (!turns(joint.type)) return;
+  for (const model::Axis& axis : joint.axes) {
+    const bool lower = axis.lower.written && looks_like_degrees(axis.lower.value);
+    const bool upper = axis.upper.written && looks_like_degrees(axis.upper.value);
+    if (!lower && !upper) continue;
+    const model::Field<double>& limit = upper ? axis.upper : axis.lower;
+    context.report(
+        {.where = limit.span,
+         .message = fmt::format("the limit {0} looks like degrees: limits are in radians, "
+                                "and {0}° is {1:.6g} rad",
+                                limit.value, limit.value / 360 * kTurn),
+         .subject = context.subject(joint)});
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "limit-looks-like-degrees",
+      .category = Category::kKinematics,
+      .severity = Severity::kWarning,
+      .summary = "a limit of a turning joint looks like degrees",
+      .why =
+          "Limits are in radians. Taken as such, 90 is fourteen turns, so the joint has no "
+          "limit to speak of, and cables and grippers turn where they cannot.",
+      .what_to_do = "Convert the limits to radians: 90° is 1.5708.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-90.0</lower>
+          <upper>«90.0»</upper>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1.5708</lower>
+          <upper>1.5708</upper>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"},
+               {R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1e16</lower>
+          <upper>1e16</upper>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"},
+               {R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-12.56</lower>
+          <upper>12.56</upper>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Joint>(check)},
+  };
+}
+
+}  // namespace rigor::rules::limit_looks_like_degrees

@@ -1,0 +1,68 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::limit_missing {
+namespace {
+
+void check(const model::Joint& joint, Context& context) {
+  const bool limited =
+      joint.type == model::JointType::kRevolute || joint.type == model::JointType::kPrismatic;
+  if (!limited || (!joint.axes.empty() && joint.axes.front().limit_written)) return;
+  context.report({.where = joint.site.name,
+                  .message = "the " + std::string(to_string(joint.type)) + " joint has no <limit>",
+                  .subject = context.subject(joint),
+                  .help = joint.type == model::JointType::kRevolute
+                              ? "a revolute joint without limits is a continuous one"
+                              : ""});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "limit-missing",
+      .category = Category::kKinematics,
+      .severity = Severity::kError,
+      .formats = Formats::kUrdf,
+      .summary = "a revolute or prismatic joint of a URDF has no limits",
+      .why = "urdfdom refuses the whole robot: these two types must have limits.",
+      .what_to_do =
+          "Add <limit lower=\"…\" upper=\"…\" effort=\"…\" velocity=\"…\"/>, or make a "
+          "revolute joint continuous.",
+      .bad = {{R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <«joint» name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+  </joint>
+</robot>
+)"}},
+      .good = {{R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+  </joint>
+</robot>
+)"},
+               {R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="continuous">
+    <parent link="base"/>
+    <child link="tip"/>
+  </joint>
+</robot>
+)"}},
+      .checks = {on<model::Joint>(check)},
+  };
+}
+
+}  // namespace rigor::rules::limit_missing

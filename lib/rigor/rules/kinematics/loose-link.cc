@@ -1,0 +1,90 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cstdint>
+#include <vector>
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::loose_link {
+namespace {
+
+void check(const model::Root& root, Context& context) {
+  std::vector<bool> connected(root.links.size(), false);
+  for (std::uint32_t i = 0; i < root.joints.size(); ++i) {
+    const auto& ends = context.frames().ends({i});
+    // Where an end does not resolve, nobody can say which link is loose.
+    if (!ends.child || (!ends.parent && !ends.parent_is_world)) return;
+    connected[ends.child.value] = true;
+    if (ends.parent) connected[ends.parent.value] = true;
+  }
+  for (const model::Include& include : root.includes) {
+    if (include.model && !include.followed) return;
+  }
+  for (const model::Model& model : root.models) {
+    // Links without any joint are a heap of parts, and meant as that.
+    if (!root.own(model.site) || model.joints.empty()) continue;
+    for (const auto id : model.links) {
+      const model::Link& link = root[id];
+      if (connected[id.value] || link.kinematic.value || is_static(root, link.model)) continue;
+      context.report({.where = link.site.name,
+                      .message = "no joint holds the link '" + link.name.value +
+                                 "': it is a body of its own and falls off",
+                      .subject = context.subject(link)});
+    }
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "loose-link",
+      .category = Category::kKinematics,
+      .severity = Severity::kWarning,
+      .formats = Formats::kSdf,
+      .summary = "a link of a model with joints has none",
+      .why =
+          "The simulator lets it move by itself: it falls away from the rest of the model when "
+          "the simulation starts.",
+      .what_to_do = "Connect it by a joint, fixed if it shall keep its place.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <«link» name="cover"/>
+    <joint name="elbow" type="fixed">
+      <parent>base</parent>
+      <child>tip</child>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <link name="cover"/>
+    <joint name="elbow" type="fixed">
+      <parent>base</parent>
+      <child>tip</child>
+    </joint>
+    <joint name="screws" type="fixed">
+      <parent>base</parent>
+      <child>cover</child>
+    </joint>
+  </model>
+</sdf>
+)"},
+               {R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Root>(check)},
+  };
+}
+
+}  // namespace rigor::rules::loose_link

@@ -1,0 +1,67 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cstddef>
+#include <set>
+#include <string_view>
+
+#include <rigor/rules/kinematics/tree.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::several_roots {
+namespace {
+
+void check(const model::Model& robot, Context& context) {
+  const model::Root& root = context.root();
+  const Tree tree = tree_of(root, context.frames(), robot);
+  if (!tree.complete) return;  // a link whose joint leads nowhere is no second root
+  const model::Link* first = nullptr;
+  std::set<std::string_view> names;
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    const model::Link& link = root[robot.links[i]];
+    // Of two links of one name the joints mean the first: the second is another rule's affair.
+    const bool repeated = !names.insert(link.name.value).second;
+    if (repeated || !tree.parents[i].empty()) continue;
+    if (first == nullptr) {
+      first = &link;
+      continue;
+    }
+    context.report({.where = link.site.name,
+                    .message = "the link '" + link.name.value +
+                               "' hangs on no joint, and neither does '" + first->name.value +
+                               "': a robot has one root",
+                    .subject = context.subject(link),
+                    .related = {{first->site.name, "the first root"}}});
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "several-roots",
+      .category = Category::kKinematics,
+      .severity = Severity::kError,
+      .formats = Formats::kUrdf,
+      .summary = "a URDF has more than one root link",
+      .why = "urdfdom refuses the robot: every link but one must be the child of a joint.",
+      .what_to_do = "Connect the link by a joint, fixed if nothing else, or take it out.",
+      .bad = {{R"(<robot name="arm">
+  <link name="base"/>
+  <«link» name="tip"/>
+</robot>
+)"}},
+      .good = {{R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="fixed">
+    <parent link="base"/>
+    <child link="tip"/>
+  </joint>
+</robot>
+)"}},
+      .checks = {on<model::Model>(check)},
+  };
+}
+
+}  // namespace rigor::rules::several_roots

@@ -1,0 +1,79 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cstddef>
+
+#include <rigor/rules/kinematics/tree.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::two_parents {
+namespace {
+
+void check(const model::Model& robot, Context& context) {
+  const model::Root& root = context.root();
+  const Tree tree = tree_of(root, context.frames(), robot);
+  for (std::size_t i = 0; i < tree.parents.size(); ++i) {
+    if (tree.on_loop[i]) continue;  // kinematic-loop tells it
+    const auto& joints = tree.parents[i];
+    for (std::size_t k = 1; k < joints.size(); ++k) {
+      const model::Joint& first = root[joints.front()];
+      const model::Joint& joint = root[joints[k]];
+      context.report({.where = joint.child.span,
+                      .message = "the link '" + joint.child.value +
+                                 "' is already the child of the joint '" + first.name.value + "'",
+                      .subject = context.subject(joint),
+                      .related = {{first.child.span, "first made a child here"}}});
+    }
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "two-parents",
+      .category = Category::kKinematics,
+      .severity = Severity::kError,
+      .formats = Formats::kUrdf,
+      .summary = "a link of a URDF has two parents",
+      .why =
+          "A URDF is a tree: urdfdom keeps the parent that comes last and shows the link under "
+          "both, MuJoCo and Drake refuse the robot.",
+      .what_to_do = "Take one of the joints out. URDF cannot close a chain; SDF can.",
+      .bad = {{R"(<robot name="arm">
+  <link name="a"/>
+  <link name="b"/>
+  <link name="c"/>
+  <joint name="ab" type="fixed">
+    <parent link="a"/>
+    <child link="b"/>
+  </joint>
+  <joint name="ac" type="fixed">
+    <parent link="a"/>
+    <child link="c"/>
+  </joint>
+  <joint name="cb" type="fixed">
+    <parent link="c"/>
+    <child link="«b»"/>
+  </joint>
+</robot>
+)"}},
+      .good = {{R"(<robot name="arm">
+  <link name="a"/>
+  <link name="b"/>
+  <link name="c"/>
+  <joint name="ab" type="fixed">
+    <parent link="a"/>
+    <child link="b"/>
+  </joint>
+  <joint name="ac" type="fixed">
+    <parent link="a"/>
+    <child link="c"/>
+  </joint>
+</robot>
+)"}},
+      .checks = {on<model::Model>(check)},
+  };
+}
+
+}  // namespace rigor::rules::two_parents

@@ -1,0 +1,83 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include <rigor/rules/rule.h>
+#include <rigor/schema/suggest.h>
+
+namespace rigor::rules::mesh_format_unsupported {
+namespace {
+
+constexpr std::string_view kFormats[] = {".stl", ".dae", ".obj", ".glb", ".gltf", ".ply", ".fbx"};
+
+void check(const MeshUse& use, Context& context) {
+  const std::string& uri = use.mesh.uri.value;
+  const std::size_t dot = uri.rfind('.');
+  const std::size_t slash = uri.rfind('/');
+  if (uri.empty()) return;
+  const bool none = dot == std::string::npos || (slash != std::string::npos && dot < slash);
+  const std::string extension = none ? "" : uri.substr(dot);
+  for (const std::string_view format : kFormats) {
+    if (extension.size() == format.size() && schema::edit_distance(extension, format, 0) == 0)
+      return;
+  }
+  context.report(
+      {.where = use.mesh.uri.span,
+       .message = none ? "the mesh has no file extension: nobody knows its format"
+                       : "no simulator is known to read meshes of the format '" + extension + "'",
+       .subject = use.subject});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "mesh-format-unsupported",
+      .category = Category::kMesh,
+      .severity = Severity::kWarning,
+      .summary = "a mesh has a format that simulators do not read",
+      .why =
+          "Gazebo reads STL, DAE, OBJ, glTF and, by assimp, a few more; RViz much the same. "
+          "Formats of CAD programs (STEP, IGES, SLDPRT) and of renderers (blend, vtk) are read "
+          "by none.",
+      .what_to_do = "Export the mesh as STL, OBJ, DAE or glTF.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="body">
+      <visual name="hull">
+        <geometry>
+          <mesh>
+            <uri>«meshes/hull.step»</uri>
+          </mesh>
+        </geometry>
+      </visual>
+    </link>
+  </model>
+</sdf>
+=== meshes/hull.step
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="body">
+      <visual name="hull">
+        <geometry>
+          <mesh>
+            <uri>meshes/hull.STL</uri>
+          </mesh>
+        </geometry>
+      </visual>
+    </link>
+  </model>
+</sdf>
+=== meshes/hull.STL
+)"}},
+      .checks = {on<MeshUse>(check)},
+  };
+}
+
+}  // namespace rigor::rules::mesh_format_unsupported

@@ -1,0 +1,81 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+#include <utility>
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::mesh_not_found {
+namespace {
+
+void check(const MeshUse& use, Context& context) {
+  const auto& uri = use.mesh.uri;
+  if (uri.value.empty()) return;
+  const read::Resolution found = context.resolve(uri.value);
+  if (found.path || found.remote || !found.other_case.empty()) return;
+  std::string help = "tried";
+  for (const read::Tried& tried : found.tried) {
+    help += (help.size() > 5 ? ", " : " ") + tried.path + " (" + tried.origin + ")";
+  }
+  if (found.tried.empty()) help = "no folder is known to look in";
+  if (found.scheme == "package") help += "; --package NAME=DIR names a package's folder";
+  if (found.scheme == "model") help += "; --model-path DIR names a folder of models";
+  context.report({.where = uri.span,
+                  .message = "the mesh '" + uri.value + "' is not found",
+                  .subject = use.subject,
+                  .help = std::move(help)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "mesh-not-found",
+      .category = Category::kMesh,
+      .severity = Severity::kError,
+      .summary = "a mesh file is not found",
+      .why =
+          "The simulator leaves the shape out: a visual cannot be seen, a collision is passed "
+          "through. Neither ign sdf -k nor check_urdf looks.",
+      .what_to_do =
+          "Mend the path, or say where the files are: --model-path and --package, "
+          "rigor.toml, GZ_SIM_RESOURCE_PATH, ROS_PACKAGE_PATH. rigor resolve URI prints "
+          "the search.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="body">
+      <visual name="hull">
+        <geometry>
+          <mesh>
+            <uri>«meshes/hul.stl»</uri>
+          </mesh>
+        </geometry>
+      </visual>
+    </link>
+  </model>
+</sdf>
+=== meshes/hull.stl
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="body">
+      <visual name="hull">
+        <geometry>
+          <mesh>
+            <uri>meshes/hull.stl</uri>
+          </mesh>
+        </geometry>
+      </visual>
+    </link>
+  </model>
+</sdf>
+=== meshes/hull.stl
+)"}},
+      .checks = {on<MeshUse>(check)},
+  };
+}
+
+}  // namespace rigor::rules::mesh_not_found

@@ -1,0 +1,70 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::mesh_scale_negative {
+namespace {
+
+void check(const MeshUse& use, Context& context) {
+  const auto& scale = use.mesh.scale;
+  const auto [x, y, z] = scale.value;
+  if (!scale.written || (x >= 0 && y >= 0 && z >= 0)) return;
+  context.report({.where = scale.span,
+                  .message = "a negative scale mirrors the mesh, which turns it inside out",
+                  .subject = use.subject});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "mesh-scale-negative",
+      .category = Category::kMesh,
+      .severity = Severity::kWarning,
+      .summary = "a mesh is scaled by a negative factor",
+      .why =
+          "Mirroring turns the triangles' order around: some viewers draw the inside, some "
+          "engines see a hollow of negative volume, and others take the absolute value.",
+      .what_to_do =
+          "Mirror the mesh file itself: rigor mesh-check FILE --scale \"-1 1 1\" -o OUT "
+          "writes it with its triangles the right way round.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="body">
+      <visual name="hull">
+        <geometry>
+          <mesh>
+            <uri>meshes/hull.stl</uri>
+            <scale>«1 -1 1»</scale>
+          </mesh>
+        </geometry>
+      </visual>
+    </link>
+  </model>
+</sdf>
+=== meshes/hull.stl
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="body">
+      <visual name="hull">
+        <geometry>
+          <mesh>
+            <uri>meshes/hull.stl</uri>
+            <scale>1 1 1</scale>
+          </mesh>
+        </geometry>
+      </visual>
+    </link>
+  </model>
+</sdf>
+=== meshes/hull.stl
+)"}},
+      .checks = {on<MeshUse>(check)},
+  };
+}
+
+}  // namespace rigor::rules::mesh_scale_negative

@@ -1,0 +1,55 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::mesh_uri_empty {
+namespace {
+
+void check(const MeshUse& use, Context& context) {
+  const auto& uri = use.mesh.uri;
+  if (!uri.written || !uri.value.empty()) return;
+  context.report({.where = uri.span.size() > 0 ? uri.span : use.geometry.site.name,
+                  .message = "mesh names no file: its uri is empty",
+                  .subject = use.subject});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "mesh-uri-empty",
+      .category = Category::kMesh,
+      .severity = Severity::kError,
+      .summary = "a mesh names no file",
+      .why = "The simulator looks for a file without a name, finds none, and leaves the shape out: "
+             "a visual cannot be seen, a collision is passed through.",
+      .what_to_do = "Name the mesh file, or take the visual or collision out.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="part">
+    <static>true</static>
+    <link name="body">
+      <visual name="shell">
+        <geometry><«mesh»><uri></uri></mesh></geometry>
+      </visual>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="part">
+    <static>true</static>
+    <link name="body">
+      <visual name="shell">
+        <geometry><mesh><uri>meshes/shell.stl</uri></mesh></geometry>
+      </visual>
+    </link>
+  </model>
+</sdf>
+=== meshes/shell.stl
+)"}},
+      .checks = {on<MeshUse>(check)},
+  };
+}
+
+}  // namespace rigor::rules::mesh_uri_empty

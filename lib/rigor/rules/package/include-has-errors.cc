@@ -1,0 +1,88 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::include_has_errors {
+namespace {
+
+void check(const read::Fact& fact, Context& context) {
+  const std::size_t count = fact.tried.size();
+  context.report({.where = fact.where,
+                  .message = "the included file '" + fact.name + "' has " +
+                             (count == 1 ? "an error" : std::to_string(count) + " errors") + ": " +
+                             fact.tried.front() + (count == 1 ? "" : ", …"),
+                  .help = "check that file: rigor validate " + fact.name});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "include-has-errors",
+      .category = Category::kPackage,
+      .severity = Severity::kError,
+      .summary = "an included file has errors of its own",
+      .why = "A simulator that refuses or misreads the included file refuses or misreads this one "
+             "with it: libsdformat reports the inner error and drops what was included.",
+      .what_to_do = "Check the included file by itself and put it right there. What is wrong inside "
+                    "it is told only then, so that one fault is not told by every world that uses it.",
+      .bad = {{R"(<sdf version="1.9">
+  <world name="lab">
+    <include>
+      <uri>«model://cart»</uri>
+    </include>
+  </world>
+</sdf>
+=== model.config
+<model>
+  <name>lab</name>
+  <sdf version="1.9">model.sdf</sdf>
+</model>
+=== ../cart/model.config
+<model>
+  <name>cart</name>
+  <sdf version="1.9">model.sdf</sdf>
+</model>
+=== ../cart/model.sdf
+<sdf version="1.9">
+  <model name="cart">
+    <static>true</static>
+    <link name="body">
+      <visual name="shell">
+        <geometry><mesh><uri></uri></mesh></geometry>
+      </visual>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <world name="lab">
+    <include>
+      <uri>model://cart</uri>
+    </include>
+  </world>
+</sdf>
+=== model.config
+<model>
+  <name>lab</name>
+  <sdf version="1.9">model.sdf</sdf>
+</model>
+=== ../cart/model.config
+<model>
+  <name>cart</name>
+  <sdf version="1.9">model.sdf</sdf>
+</model>
+=== ../cart/model.sdf
+<sdf version="1.9">
+  <model name="cart">
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_read({read::FactKind::kIncludeHasErrors}, check)},
+  };
+}
+
+}  // namespace rigor::rules::include_has_errors

@@ -1,0 +1,50 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::include_too_large {
+namespace {
+
+void check(const read::Fact& fact, Context& context) {
+  const bool deep = fact.kind == read::FactKind::kIncludeTooDeep;
+  context.report({.where = fact.where,
+                  .message = deep ? "includes are nested deeper than 32 levels here"
+                                  : "here the file and its includes have a million parts: the rest "
+                                    "is not read"});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "include-too-large",
+      .category = Category::kPackage,
+      .severity = Severity::kError,
+      .summary = "the includes are nested too deep, or bring more than rigor holds",
+      .why =
+          "No robot needs 32 levels of includes or a million parts; a simulator will run out of "
+          "memory or time. What lies beyond is not checked.",
+      .what_to_do = "Look for an include that multiplies itself.",
+      .good = {{R"(<sdf version="1.9">
+  <world name="lab">
+    <include>
+      <uri>box</uri>
+    </include>
+  </world>
+</sdf>
+=== box/model.config
+<model><name>box</name><sdf version="1.9">model.sdf</sdf></model>
+=== box/model.sdf
+<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_read({read::FactKind::kTooMuchIncluded, read::FactKind::kIncludeTooDeep}, check)},
+  };
+}
+
+}  // namespace rigor::rules::include_too_large

@@ -1,0 +1,87 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cstdint>
+#include <string_view>
+
+#include <rigor/read/values.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::material_script_incomplete {
+namespace {
+
+/// Whether the script has a value under this name. In SDF 1.0 these were attributes.
+bool has(xml::Element script, std::string_view name) {
+  const auto text = read::child_text(script, name);
+  return text && !read::trimmed(text->text).empty();
+}
+
+void check(const model::Root& root, Context& context) {
+  constexpr int kFirstVersionWithUri = 2;
+  if (root.version < kFirstVersionWithUri) return;
+  const xml::Document& document = context.document();
+  for (std::uint32_t i = 0; i < document.element_count(); ++i) {
+    const xml::Element script = document.element(i);
+    const auto parent = script.parent();
+    if (script.name() != "script" || !parent || parent->name() != "material") continue;
+    const bool uri = has(script, "uri");
+    if (uri && has(script, "name")) continue;
+    context.report({.where = script.name_span(),
+                    .message = uri ? "this material <script> has no <name>"
+                                   : "this material <script> has no <uri>"});
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "material-script-incomplete",
+      .category = Category::kPackage,
+      .severity = Severity::kError,
+      .formats = Formats::kSdf,
+      .summary = "a material script lacks its uri or its name",
+      .why =
+          "libsdformat refuses the file: of a <script> it needs the file and the name of the "
+          "material in it.",
+      .what_to_do =
+          "Write <uri> and <name>, or colours in place of the script: new Gazebo reads no "
+          "scripts.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <visual name="shape">
+        <geometry><sphere><radius>1</radius></sphere></geometry>
+        <material>
+          <«script»>
+            <name>Box/Red</name>
+          </script>
+        </material>
+      </visual>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <visual name="shape">
+        <geometry><sphere><radius>1</radius></sphere></geometry>
+        <material>
+          <script>
+            <uri>file://media/materials/scripts/gazebo.material</uri>
+            <name>Box/Red</name>
+          </script>
+        </material>
+      </visual>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Root>(check)},
+  };
+}
+
+}  // namespace rigor::rules::material_script_incomplete

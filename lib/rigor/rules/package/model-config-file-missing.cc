@@ -1,0 +1,60 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <utility>
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::model_config_file_missing {
+namespace {
+
+void check(const read::ConfigFact& fact, Context& context) {
+  Finding finding{.where = fact.where, .message = "'" + fact.name + "' does not exist"};
+  if (fact.name.empty()) finding.message = "<sdf> names no file";
+  if (!fact.found.empty()) {
+    finding.help = "there is '" + fact.found + "': letters are told apart by case";
+  }
+  context.report(std::move(finding));
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "model-config-file-missing",
+      .category = Category::kPackage,
+      .severity = Severity::kError,
+      .formats = Formats::kModelConfig,
+      .summary = "a file in model.config does not exist",
+      .why = "Whoever includes the folder gets an error: the file cannot be loaded.",
+      .what_to_do = "Correct the name; it is relative to the folder of model.config.",
+      .bad = {{R"(<model>
+  <name>box</name>
+  <sdf version="1.9">«Model.sdf»</sdf>
+</model>
+=== model.sdf
+<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<?xml version="1.0"?>
+<model>
+  <name>box</name>
+  <sdf version="1.9">model.sdf</sdf>
+</model>
+=== model.sdf
+<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_config({read::ConfigFactKind::kFileMissing}, check)},
+  };
+}
+
+}  // namespace rigor::rules::model_config_file_missing

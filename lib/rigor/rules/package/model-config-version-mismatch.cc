@@ -1,0 +1,56 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::model_config_version_mismatch {
+namespace {
+
+void check(const read::ConfigFact& fact, Context& context) {
+  context.report({.where = fact.where,
+                  .message = "the file is SDF " + fact.found + ", not " + fact.name});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "model-config-version-mismatch",
+      .category = Category::kPackage,
+      .severity = Severity::kWarning,
+      .formats = Formats::kModelConfig,
+      .summary = "a file in model.config has another version than is said",
+      .why =
+          "libsdformat chooses among several files by what model.config says, and reads the file "
+          "by what the file says.",
+      .what_to_do = "Write the version that the file has.",
+      .bad = {{R"(<model>
+  <name>box</name>
+  <sdf version="«1.6»">model.sdf</sdf>
+</model>
+=== model.sdf
+<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<?xml version="1.0"?>
+<model>
+  <name>box</name>
+  <sdf version="1.9">model.sdf</sdf>
+</model>
+=== model.sdf
+<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_config({read::ConfigFactKind::kVersionMismatch}, check)},
+  };
+}
+
+}  // namespace rigor::rules::model_config_version_mismatch

@@ -1,0 +1,116 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+#include <string_view>
+
+#include <rigor/rules/package/uris.h>
+#include <rigor/rules/rule.h>
+#include <rigor/text/path.h>
+
+namespace rigor::rules::uri_absolute_path {
+namespace {
+
+bool is_drive(std::string_view path) {
+  const char letter = path.empty() ? '\0' : path.front();
+  const bool is_letter = (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z');
+  return is_letter && path.size() > 2 && path[1] == ':' && (path[2] == '/' || path[2] == '\\');
+}
+
+bool is_of_one_machine(std::string_view uri) {
+  constexpr std::string_view kFile = "file://";
+  if (uri.starts_with(kFile)) uri.remove_prefix(kFile.size());
+  return is_absolute(uri) || is_drive(uri);
+}
+
+void check(const model::Root& /*root*/, Context& context) {
+  for (const Uri& uri : uris_of(context.document())) {
+    if (!is_of_one_machine(uri.text)) continue;
+    context.report({.where = uri.where,
+                    .message = "'" + std::string(uri.text) + "' is a path of one machine"});
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "uri-absolute-path",
+      .category = Category::kPackage,
+      .severity = Severity::kWarning,
+      .summary = "a URI is a path of one machine",
+      .why = "On any other machine the file is not found.",
+      .what_to_do = "Write it relative to the model, or as model:// or package://.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <visual name="shape">
+        <geometry><sphere><radius>1</radius></sphere></geometry>
+        <material>
+          <script>
+            <uri>«file:///home/ann/box.material»</uri>
+            <name>Box/Red</name>
+          </script>
+        </material>
+      </visual>
+    </link>
+  </model>
+</sdf>
+)"},
+              {R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <visual name="shape">
+        <geometry><sphere><radius>1</radius></sphere></geometry>
+        <material>
+          <script>
+            <uri>«C:\boxes\box.material»</uri>
+            <name>Box/Red</name>
+          </script>
+        </material>
+      </visual>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <visual name="shape">
+        <geometry><sphere><radius>1</radius></sphere></geometry>
+        <material>
+          <script>
+            <uri>model://box/box.material</uri>
+            <name>Box/Red</name>
+          </script>
+        </material>
+      </visual>
+    </link>
+  </model>
+</sdf>
+)"},
+               {R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <visual name="shape">
+        <geometry><sphere><radius>1</radius></sphere></geometry>
+        <material>
+          <script>
+            <uri>file://media/materials/scripts/gazebo.material</uri>
+            <name>Box/Red</name>
+          </script>
+        </material>
+      </visual>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Root>(check)},
+  };
+}
+
+}  // namespace rigor::rules::uri_absolute_path

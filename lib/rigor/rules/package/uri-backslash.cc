@@ -1,0 +1,95 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <rigor/rules/package/uris.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::uri_backslash {
+namespace {
+
+void check(const model::Root& /*root*/, Context& context) {
+  for (const Uri& uri : uris_of(context.document())) {
+    if (uri.text.find('\\') == std::string_view::npos) continue;
+    Finding finding{.where = uri.where,
+                    .message = "'" + std::string(uri.text) + "' has backslashes"};
+    if (uri.verbatim) {
+      std::string slashes(uri.text);
+      std::replace(slashes.begin(), slashes.end(), '\\', '/');
+      finding.fix = Fix{"write slashes", Applicability::kSafe, {{uri.where, std::move(slashes)}}};
+    }
+    context.report(std::move(finding));
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "uri-backslash",
+      .category = Category::kPackage,
+      .severity = Severity::kWarning,
+      .fix = FixGrade::kSafe,
+      .summary = "a URI has backslashes",
+      .why = "Only Windows takes them for slashes; elsewhere the file is not found.",
+      .what_to_do = "Write slashes instead.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <visual name="shape">
+        <geometry><sphere><radius>1</radius></sphere></geometry>
+        <material>
+          <script>
+            <uri>«materials\box.material»</uri>
+            <name>Box/Red</name>
+          </script>
+        </material>
+      </visual>
+    </link>
+  </model>
+</sdf>
+)",
+        R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <visual name="shape">
+        <geometry><sphere><radius>1</radius></sphere></geometry>
+        <material>
+          <script>
+            <uri>materials/box.material</uri>
+            <name>Box/Red</name>
+          </script>
+        </material>
+      </visual>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <visual name="shape">
+        <geometry><sphere><radius>1</radius></sphere></geometry>
+        <material>
+          <script>
+            <uri>materials/box.material</uri>
+            <name>Box/Red</name>
+          </script>
+        </material>
+      </visual>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Root>(check)},
+  };
+}
+
+}  // namespace rigor::rules::uri_backslash

@@ -1,0 +1,56 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The URIs that a file holds, wherever they stand.
+
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include <rigor/read/values.h>
+#include <rigor/rules/context.h>
+#include <rigor/rules/xml/xacro.h>
+
+namespace rigor::rules {
+
+struct Uri {
+  std::string_view text;  ///< decoded, without the white space around it
+  Span where;
+  bool verbatim;          ///< whether the text is the file's own bytes
+};
+
+/// Of includes, meshes, textures, scripts and heightmaps; not of plugins, which may mean anything.
+inline std::vector<Uri> uris_of(const xml::Document& document) {
+  std::vector<Uri> uris;
+  const auto add = [&uris](std::string_view text, Span span, bool verbatim) {
+    const std::string_view inner = read::trimmed(text);
+    if (inner.empty() || has_xacro(inner)) return;
+    if (verbatim) {
+      span.begin += static_cast<std::uint32_t>(inner.data() - text.data());
+      span.end = span.begin + static_cast<std::uint32_t>(inner.size());
+    }
+    uris.push_back({inner, span, verbatim});
+  };
+  const auto in_plugin = [](xml::Element element) {
+    for (auto at = element.parent(); at; at = at->parent()) {
+      if (at->name() == "plugin" || at->name() == "gazebo") return true;
+    }
+    return false;
+  };
+  for (std::uint32_t i = 0; i < document.element_count(); ++i) {
+    const xml::Element element = document.element(i);
+    const std::string_view name = element.name();
+    if ((name == "uri" || name == "texture") && element.children().empty() && !in_plugin(element)) {
+      add(element.text(), element.text_span(), element.text_verbatim());
+    }
+    if (name != "mesh" && name != "texture") continue;
+    if (const auto file = element.attribute("filename"); file && !in_plugin(element)) {
+      add(file->value(), file->value_span(), file->verbatim());
+    }
+  }
+  return uris;
+}
+
+}  // namespace rigor::rules

@@ -1,0 +1,77 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::plugin_classic {
+namespace {
+
+// Gazebo classic ends with SDF 1.7, so a file of a later version is not for it.
+constexpr int kFirstWithoutClassic = 8;
+
+constexpr std::string_view kClassic[] = {
+    "libActorPlugin.so",          "libBreakableJointPlugin.so",
+    "libBuoyancyPlugin.so",       "libCameraPlugin.so",
+    "libContactPlugin.so",        "libDiffDrivePlugin.so",
+    "libGpuRayPlugin.so",         "libGravityCompensationPlugin.so",
+    "libHydraDemoPlugin.so",      "libImuSensorPlugin.so",
+    "libJointControlPlugin.so",   "libLiftDragPlugin.so",
+    "libPressurePlugin.so",       "libRandomVelocityPlugin.so",
+    "libRaySensorNoisePlugin.so", "libRubblePlugin.so",
+    "libSkidSteerDrivePlugin.so", "libTouchPlugin.so",
+    "libVehiclePlugin.so",        "libWindPlugin.so"};
+
+void check(const model::Plugin& plugin, Context& context) {
+  const std::string& file = plugin.filename.value;
+  if (context.root().version < kFirstWithoutClassic) return;
+  const bool known =
+      std::find(std::begin(kClassic), std::end(kClassic), file) != std::end(kClassic);
+  if (!known && !file.starts_with("libgazebo_ros_")) return;
+  context.report({.where = plugin.filename.span,
+                  .message = "'" + file +
+                             "' is a plugin of Gazebo classic, which does not read SDF " +
+                             context.root().version_text.value,
+                  .subject = context.subject(plugin)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "plugin-classic",
+      .category = Category::kPlugin,
+      .severity = Severity::kInfo,
+      .formats = Formats::kSdf,
+      .summary = "a plugin of Gazebo classic in a file that is not for it",
+      .why =
+          "New Gazebo cannot load it: it says so at the start and goes on without it. Gazebo "
+          "classic reads SDF up to 1.7.",
+      .what_to_do =
+          "Use the system of new Gazebo that does the same, such as "
+          "gz-sim-diff-drive-system for libgazebo_ros_diff_drive.so.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <plugin name="drive" filename="«libgazebo_ros_diff_drive.so»">
+    </plugin>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <plugin name="drive" filename="gz-sim-diff-drive-system">
+    </plugin>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Plugin>(check)},
+  };
+}
+
+}  // namespace rigor::rules::plugin_classic

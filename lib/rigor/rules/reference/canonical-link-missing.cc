@@ -1,0 +1,45 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/reference/nearest.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::canonical_link_missing {
+namespace {
+
+void check(const model::FrameProblem& problem, Context& context) {
+  context.report({.where = problem.where,
+                  .message = "the canonical link '" + problem.name + "' is no link of this model",
+                  .subject = problem.subject,
+                  .help = did_you_mean(problem.name, problem.candidates)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "canonical-link-missing",
+      .category = Category::kReference,
+      .severity = Severity::kError,
+      .summary = "a model names a canonical link that does not exist",
+      .why = "libsdformat refuses the model: its frame would be attached to nothing.",
+      .what_to_do =
+          "Name a link of the model, or leave the attribute out: the first link is "
+          "taken then.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm" canonical_link="«bas»">
+    <link name="base"/>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm" canonical_link="base">
+    <link name="base"/>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_frames({model::FrameProblemKind::kCanonicalLinkMissing}, check)},
+  };
+}
+
+}  // namespace rigor::rules::canonical_link_missing

@@ -1,0 +1,80 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <rigor/rules/reference/nearest.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::contact_sensor_collision_missing {
+namespace {
+
+void check(const model::Sensor& sensor, Context& context) {
+  if (!sensor.link) return;
+  const model::Root& root = context.root();
+  std::vector<std::string> names;
+  for (const auto id : root[sensor.link].collisions) names.push_back(root[id].name.value);
+  for (const model::Field<std::string>& collision : sensor.contact_collisions) {
+    const std::string& name = collision.value;
+    // A scoped name leads to another link, which the simulators understand in ways of their own.
+    if (name.empty() || name.find("::") != std::string::npos) continue;
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    context.report({.where = collision.span,
+                    .message = "the contact sensor watches the collision '" + name +
+                               "', which its link '" + root[sensor.link].name.value +
+                               "' does not have",
+                    .subject = context.subject(sensor),
+                    .help = did_you_mean(name, names)});
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "contact-sensor-collision-missing",
+      .category = Category::kReference,
+      .severity = Severity::kWarning,
+      .formats = Formats::kSdf,
+      .summary = "a contact sensor watches a collision that its link does not have",
+      .why =
+          "Gazebo looks for the name among the collisions of the sensor's own link, finds "
+          "none, and the sensor never reports a contact.",
+      .what_to_do = "Name a collision of the same link.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="foot">
+      <collision name="sole">
+        <geometry><sphere><radius>0.1</radius></sphere></geometry>
+      </collision>
+      <sensor name="touch" type="contact">
+        <contact>
+          <collision>«soul»</collision>
+        </contact>
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="foot">
+      <collision name="sole">
+        <geometry><sphere><radius>0.1</radius></sphere></geometry>
+      </collision>
+      <sensor name="touch" type="contact">
+        <contact>
+          <collision>sole</collision>
+        </contact>
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Sensor>(check)},
+  };
+}
+
+}  // namespace rigor::rules::contact_sensor_collision_missing

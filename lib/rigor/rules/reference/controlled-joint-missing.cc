@@ -1,0 +1,76 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+
+#include <rigor/rules/reference/nearest.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::controlled_joint_missing {
+namespace {
+
+void check(const model::Root& root, Context& context) {
+  const auto joints = name_set(root.joints);
+  for (const model::ControlledJoint& controlled : root.controlled_joints) {
+    const std::string& name = controlled.joint.value;
+    if (name.empty() || joints.count(name) != 0) continue;
+    const std::string who = controlled.ros2_control ? "ros2_control" : "a transmission";
+    context.report(
+        {.where = controlled.joint.span,
+         .message = who + " drives the joint '" + name + "', which this robot does not have",
+         .help = did_you_mean(name, names_of(root.joints))});
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "controlled-joint-missing",
+      .category = Category::kReference,
+      .severity = Severity::kWarning,
+      .formats = Formats::kUrdf,
+      .summary = "a transmission or ros2_control names a joint that does not exist",
+      .why =
+          "The controller manager finds no such joint when it starts: it drops the interface, "
+          "or does not start at all.",
+      .what_to_do = "Name a joint of the robot.",
+      .bad = {{R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+  </joint>
+  <transmission name="drive">
+    <type>transmission_interface/SimpleTransmission</type>
+    <joint name="«elbo»">
+      <hardwareInterface>EffortJointInterface</hardwareInterface>
+    </joint>
+    <actuator name="motor"/>
+  </transmission>
+</robot>
+)"}},
+      .good = {{R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+  </joint>
+  <transmission name="drive">
+    <type>transmission_interface/SimpleTransmission</type>
+    <joint name="elbow">
+      <hardwareInterface>EffortJointInterface</hardwareInterface>
+    </joint>
+    <actuator name="motor"/>
+  </transmission>
+</robot>
+)"}},
+      .checks = {on<model::Root>(check)},
+  };
+}
+
+}  // namespace rigor::rules::controlled_joint_missing

@@ -1,0 +1,60 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <rigor/rules/reference/nearest.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::gazebo_reference_missing {
+namespace {
+
+void check(const model::Root& root, Context& context) {
+  const auto links = name_set(root.links);
+  const auto joints = name_set(root.joints);
+  for (const model::GazeboBlock& block : root.gazebo_blocks) {
+    const std::string& name = block.reference.value;
+    if (name.empty() || links.count(name) != 0 || joints.count(name) != 0) continue;
+    std::vector<std::string> names = names_of(root.links);
+    for (std::string& joint : names_of(root.joints)) names.push_back(std::move(joint));
+    context.report(
+        {.where = block.reference.span,
+         .message = "refers to '" + name + "', which is no link and no joint of this robot",
+         .help = did_you_mean(name, names)});
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "gazebo-reference-missing",
+      .category = Category::kReference,
+      .severity = Severity::kWarning,
+      .formats = Formats::kUrdf,
+      .summary = "a <gazebo> block is for a link or joint that does not exist",
+      .why =
+          "Gazebo drops the block without a word: its material, friction, sensors and plugins "
+          "are not there.",
+      .what_to_do = "Name a link or a joint of the robot, or take the block out.",
+      .bad = {{R"(<robot name="arm">
+  <link name="base"/>
+  <gazebo reference="«bas»">
+    <mu1>0.2</mu1>
+  </gazebo>
+</robot>
+)"}},
+      .good = {{R"(<robot name="arm">
+  <link name="base"/>
+  <gazebo reference="base">
+    <mu1>0.2</mu1>
+  </gazebo>
+</robot>
+)"}},
+      .checks = {on<model::Root>(check)},
+  };
+}
+
+}  // namespace rigor::rules::gazebo_reference_missing

@@ -1,0 +1,55 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/reference/nearest.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::joint_child_missing {
+namespace {
+
+void check(const model::FrameProblem& problem, Context& context) {
+  context.report({.where = problem.where,
+                  .message = "the child '" + problem.name + "' is nothing in this model",
+                  .subject = problem.subject,
+                  .help = did_you_mean(problem.name, problem.candidates)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "joint-child-missing",
+      .category = Category::kReference,
+      .severity = Severity::kError,
+      .summary = "a joint names a child that does not exist",
+      .why =
+          "libsdformat and urdfdom refuse the whole model: a joint without a child moves "
+          "nothing.",
+      .what_to_do = "Name a link, joint, frame or nested model of the same model.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="fixed">
+      <parent>base</parent>
+      <child>«tipp»</child>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="fixed">
+      <parent>base</parent>
+      <child>tip</child>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_frames({model::FrameProblemKind::kChildMissing}, check)},
+  };
+}
+
+}  // namespace rigor::rules::joint_child_missing

@@ -1,0 +1,90 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/reference/nearest.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::joint_parent_missing {
+namespace {
+
+void check(const model::FrameProblem& problem, Context& context) {
+  context.report({.where = problem.where,
+                  .message = "the parent '" + problem.name + "' is nothing in this model",
+                  .subject = problem.subject,
+                  .help = did_you_mean(problem.name, problem.candidates)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "joint-parent-missing",
+      .category = Category::kReference,
+      .severity = Severity::kError,
+      .summary = "a joint names a parent that does not exist",
+      .why =
+          "libsdformat and urdfdom refuse the whole model: a joint has to hold on to "
+          "something.",
+      .what_to_do =
+          "Name a link, joint, frame or nested model of the same model, or world (in "
+          "SDF).",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="fixed">
+      <parent>«bse»</parent>
+      <child>tip</child>
+    </joint>
+  </model>
+</sdf>
+)"},
+              {R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="fixed">
+    <parent link="«bse»"/>
+    <child link="tip"/>
+  </joint>
+</robot>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="fixed">
+      <parent>base</parent>
+      <child>tip</child>
+    </joint>
+  </model>
+</sdf>
+)"},
+               {R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="fixed">
+      <parent>world</parent>
+      <child>tip</child>
+    </joint>
+    <joint name="wrist" type="fixed">
+      <parent>base</parent>
+      <child>tip</child>
+    </joint>
+  </model>
+</sdf>
+)"},
+               {R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="fixed">
+    <parent link="base"/>
+    <child link="tip"/>
+  </joint>
+</robot>
+)"}},
+      .checks = {on_frames({model::FrameProblemKind::kParentMissing}, check)},
+  };
+}
+
+}  // namespace rigor::rules::joint_parent_missing

@@ -1,0 +1,70 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+
+#include <rigor/rules/reference/nearest.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::material_undefined {
+namespace {
+
+void check(const model::Root& root, Context& context) {
+  auto defined = name_set(root.materials);
+  for (const model::Visual& visual : root.visuals) {
+    if (visual.material.defines_color) defined.insert(visual.material.name.value);
+  }
+  for (const model::Visual& visual : root.visuals) {
+    const model::Material& material = visual.material;
+    const std::string& name = material.name.value;
+    if (!material.written || name.empty() || defined.count(name) != 0) continue;
+    context.report({.where = material.name.span,
+                    .message = "the material '" + name + "' is defined nowhere in this robot",
+                    .subject = context.subject(visual),
+                    .help = did_you_mean(name, names_of(root.materials))});
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "material-undefined",
+      .category = Category::kReference,
+      .severity = Severity::kWarning,
+      .formats = Formats::kUrdf,
+      .summary = "a visual names a material that is defined nowhere",
+      .why =
+          "urdfdom warns and gives the visual no material; it is then drawn in whatever colour "
+          "the viewer likes. Gazebo's own material names (Gazebo/Orange) belong into a "
+          "<gazebo> block.",
+      .what_to_do = "Define the material with a colour, in the visual or once under <robot>.",
+      .bad = {{R"(<robot name="arm">
+  <link name="base">
+    <visual>
+      <geometry><box size="1 1 1"/></geometry>
+      <material name="«blu»"/>
+    </visual>
+  </link>
+  <material name="blue">
+    <color rgba="0 0 1 1"/>
+  </material>
+</robot>
+)"}},
+      .good = {{R"(<robot name="arm">
+  <link name="base">
+    <visual>
+      <geometry><box size="1 1 1"/></geometry>
+      <material name="blue"/>
+    </visual>
+  </link>
+  <material name="blue">
+    <color rgba="0 0 1 1"/>
+  </material>
+</robot>
+)"}},
+      .checks = {on<model::Root>(check)},
+  };
+}
+
+}  // namespace rigor::rules::material_undefined

@@ -1,0 +1,90 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <rigor/model/names.h>
+#include <rigor/rules/reference/nearest.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::mimic_joint_missing {
+namespace {
+
+bool exists(const model::Names& names, model::Id<model::Model> scope, const std::string& joint) {
+  const model::Named named = names.find({scope, {}}, joint);  // also of a nested model
+  return names.find_joint(scope, joint) || std::holds_alternative<model::Id<model::Joint>>(named);
+}
+
+void check(const model::Root& root, Context& context) {
+  const model::Names names(root);
+  for (const model::Joint& joint : root.joints) {
+    if (!joint.model || !root.own(joint.site)) continue;
+    for (const model::Axis& axis : joint.axes) {
+      if (!axis.mimic || axis.mimic->joint.value.empty()) continue;
+      const std::string& leader = axis.mimic->joint.value;
+      if (exists(names, joint.model, leader)) continue;
+      std::vector<std::string> others;
+      for (const auto id : root[joint.model].joints) others.push_back(root[id].name.value);
+      context.report(
+          {.where = axis.mimic->joint.span,
+           .message = "mimics the joint '" + leader + "', which this model does not have",
+           .subject = context.subject(joint),
+           .help = did_you_mean(leader, others)});
+    }
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "mimic-joint-missing",
+      .category = Category::kReference,
+      .severity = Severity::kError,
+      .summary = "a joint mimics one that does not exist",
+      .why =
+          "urdfdom takes the model as it is, and what follows differs: MoveIt and "
+          "robot_state_publisher leave the joint where it is, Drake and newer libsdformat "
+          "refuse the model.",
+      .what_to_do = "Name a joint of the same model.",
+      .bad = {{R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <link name="finger"/>
+  <joint name="knuckle" type="revolute">
+    <parent link="base"/>
+    <child link="finger"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+  </joint>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+    <mimic joint="«knukle»"/>
+  </joint>
+</robot>
+)"}},
+      .good = {{R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <link name="finger"/>
+  <joint name="knuckle" type="revolute">
+    <parent link="base"/>
+    <child link="finger"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+  </joint>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+    <mimic joint="knuckle"/>
+  </joint>
+</robot>
+)"}},
+      .checks = {on<model::Root>(check)},
+  };
+}
+
+}  // namespace rigor::rules::mimic_joint_missing

@@ -1,0 +1,146 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A rule: one thing that can be wrong with a model, in one file.
+//
+// `lib/rigor/rules/<category>/<rule-name>.cc` defines, in a namespace of its own, a function `rule()`
+// that returns the metadata, the prose, the examples and the check. CMake finds the file and puts it
+// into the registry; tests, `rigor explain`, the documentation and SARIF's help all come from what it
+// returns. See CONTRIBUTING.md, "How to add a rule".
+//
+//   namespace rigor::rules::axis_zero {
+//   void check(const model::Joint& joint, Context& context) {
+//     for (const model::Axis& axis : joint.axes) {
+//       if (length(axis.xyz.value) > 0) continue;
+//       context.report({.where = axis.xyz.span, .message = "axis is 0 0 0: it has no direction",
+//                       .subject = context.subject(joint)});
+//     }
+//   }
+//   Rule rule() { return {.name = "axis-zero", …, .checks = {on<model::Joint>(check)}}; }
+//   }
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <rigor/model/frames.h>
+#include <rigor/model/model.h>
+#include <rigor/read/conformance.h>
+#include <rigor/read/fact.h>
+#include <rigor/read/model_config.h>
+#include <rigor/rules/context.h>
+#include <rigor/text/diagnostic.h>
+#include <rigor/xml/fault.h>
+
+namespace rigor::rules {
+
+enum class Category : std::uint8_t {
+  kXml,
+  kSchema,
+  kNaming,
+  kReference,
+  kFrame,
+  kInertia,
+  kKinematics,
+  kGeometry,
+  kMesh,
+  kPhysics,
+  kWorld,
+  kPlugin,
+  kSensor,
+  kPackage,
+};
+
+/// Also the name of the rule's folder.
+std::string_view to_string(Category category);
+
+/// What the fixes of a rule are, if it has any.
+enum class FixGrade : std::uint8_t { kNone, kSafe, kUnsafe };
+
+/// In which files a rule looks.
+enum class Formats : std::uint8_t { kAny, kSdf, kUrdf, kModelConfig };
+
+/// A document that shows the rule, or shows how it is avoided.
+///
+/// In a bad one the bytes that the finding points at stand between « and »; the marks are taken out
+/// before the text is used. A line `=== path` begins another file; what stands before the first such
+/// line is the file that is checked. `fixed` is the checked file after the fix, when there is one.
+struct Example {
+  std::string_view text;
+  std::string_view fixed = {};
+};
+
+/// A mesh used by a collision or visual.
+struct MeshUse {
+  const model::Mesh& mesh;
+  const model::Geometry& geometry;
+  std::string subject;
+  bool collision;
+};
+
+template <class T>
+using CheckOf = void (*)(const T&, Context&);
+
+/// A check of facts that a lower floor found, for the kinds it names.
+template <class Fact, class Kind>
+struct FactCheck {
+  std::vector<Kind> kinds;
+  CheckOf<Fact> check;
+};
+
+using Check = std::variant<
+    FactCheck<xml::Fault, xml::FaultKind>, FactCheck<read::SchemaFact, read::SchemaFactKind>,
+    FactCheck<read::Fact, read::FactKind>,
+    FactCheck<model::FrameProblem, model::FrameProblemKind>,
+    FactCheck<read::ConfigFact, read::ConfigFactKind>, CheckOf<model::Root>,
+    CheckOf<model::World>, CheckOf<model::Model>, CheckOf<model::Link>, CheckOf<model::Joint>,
+    CheckOf<model::Frame>, CheckOf<model::Collision>, CheckOf<model::Visual>,
+    CheckOf<model::Sensor>, CheckOf<model::Light>, CheckOf<model::Plugin>, CheckOf<model::Include>,
+    CheckOf<model::Physics>, CheckOf<model::GazeboBlock>, CheckOf<model::ControlledJoint>,
+    CheckOf<MeshUse>>;
+
+/// The check of every entity of type T that the file itself holds.
+template <class T>
+Check on(CheckOf<T> check) {
+  return check;
+}
+
+/// The check of every fact of these kinds.
+inline Check on_xml(std::vector<xml::FaultKind> kinds, CheckOf<xml::Fault> check) {
+  return FactCheck<xml::Fault, xml::FaultKind>{std::move(kinds), check};
+}
+inline Check on_schema(std::vector<read::SchemaFactKind> kinds, CheckOf<read::SchemaFact> check) {
+  return FactCheck<read::SchemaFact, read::SchemaFactKind>{std::move(kinds), check};
+}
+inline Check on_read(std::vector<read::FactKind> kinds, CheckOf<read::Fact> check) {
+  return FactCheck<read::Fact, read::FactKind>{std::move(kinds), check};
+}
+inline Check on_frames(std::vector<model::FrameProblemKind> kinds,
+                       CheckOf<model::FrameProblem> check) {
+  return FactCheck<model::FrameProblem, model::FrameProblemKind>{std::move(kinds), check};
+}
+inline Check on_config(std::vector<read::ConfigFactKind> kinds, CheckOf<read::ConfigFact> check) {
+  return FactCheck<read::ConfigFact, read::ConfigFactKind>{std::move(kinds), check};
+}
+
+struct Rule {
+  std::string_view name;  ///< kebab-case; states the defect; also the file's name
+  Category category = Category::kXml;
+  Severity severity = Severity::kError;
+  Formats formats = Formats::kAny;
+  FixGrade fix = FixGrade::kNone;
+  std::string_view since = "0.1.0";
+  std::string_view summary;     ///< one line: what is wrong
+  std::string_view why;         ///< what a consumer does with it; which ones
+  std::string_view what_to_do;  ///< how to put it right
+  std::vector<Example> bad;
+  std::vector<Example> good;
+  std::vector<Check> checks;
+};
+
+}  // namespace rigor::rules

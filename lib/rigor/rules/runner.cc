@@ -1,0 +1,191 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/runner.h>
+
+#include <algorithm>
+#include <string>
+
+#include <rigor/model/subject.h>
+#include <rigor/rules/context.h>
+
+namespace rigor::rules {
+namespace {
+
+bool names(const std::vector<std::string>& list, const Rule& rule) {
+  return std::any_of(list.begin(), list.end(), [&rule](const std::string& name) {
+    return name == rule.name || name == to_string(rule.category);
+  });
+}
+
+bool applies(Formats formats, model::Format format) {
+  switch (formats) {
+    case Formats::kAny: return true;
+    case Formats::kSdf: return format == model::Format::kSdf;
+    case Formats::kUrdf: return format == model::Format::kUrdf;
+    case Formats::kModelConfig: return format == model::Format::kModelConfig;
+  }
+  return false;
+}
+
+const schema::Schema* schema_of(const Environment& environment, model::Format format) {
+  if (format == model::Format::kSdf) return &environment.sdf;
+  if (format == model::Format::kUrdf) return &environment.urdf;
+  return nullptr;
+}
+
+}  // namespace
+
+Runner::Runner(const Registry& registry, const Selection& selection) {
+  for (const Rule& rule : registry.rules()) {
+    const bool selected = selection.select.empty() || names(selection.select, rule);
+    if (!selected || names(selection.ignore, rule)) continue;
+    Severity severity = rule.severity;
+    for (const auto& [name, level] : selection.severity) {
+      if (name == rule.name) severity = level;
+    }
+    add(rule, severity);
+  }
+}
+
+void Runner::add(const Rule& rule, Severity severity) {
+  for (const Check& check : rule.checks) {
+    std::visit(
+        [&](const auto& one) {
+          std::get<Slot<std::decay_t<decltype(one)>>>(slots_).push_back({{&rule, severity}, one});
+        },
+        check);
+  }
+}
+
+/// One file's walk: what the checks share while it lasts.
+class Runner::Walk {
+ public:
+  Walk(const Runner& runner, const Environment& environment, const Sources& sources,
+       const read::Loaded& loaded)
+      : runner_(runner),
+        loaded_(loaded),
+        frames_(loaded.root),
+        inputs_{loaded.file->path,
+                sources,
+                loaded.file->document ? &*loaded.file->document : nullptr,
+                loaded.root,
+                frames_,
+                environment.resolver,
+                schema_of(environment, loaded.root.format)},
+        context_(inputs_, diagnostics_) {}
+
+  Diagnostics run() {
+    for (const read::Fact& fact : loaded_.facts) facts(fact);
+    const auto& document = loaded_.file->document;
+    if (!document) return std::move(diagnostics_);
+    for (const xml::Fault& fault : document->faults()) facts(fault);
+    for (const read::ConfigFact& fact : loaded_.config_facts) facts(fact);
+    check_schema(*document);
+    // What a cut file lacks is not the author's doing: only what is there is spoken of.
+    if (document->complete()) check_model();
+    diagnostics_.sort();
+    return std::move(diagnostics_);
+  }
+
+ private:
+  template <class CheckType, class Entity>
+  void call(const std::pair<Active, CheckType>& slot, CheckOf<Entity> check, const Entity& entity) {
+    const auto& [rule, severity] = slot.first;
+    if (!applies(rule->formats, loaded_.root.format)) return;
+    context_.begin_rule(rule->name, to_string(rule->category), severity);
+    check(entity, context_);
+  }
+
+  template <class Fact>
+  void facts(const Fact& fact) {
+    using Kind = std::decay_t<decltype(fact.kind)>;
+    for (const auto& slot : std::get<Slot<FactCheck<Fact, Kind>>>(runner_.slots_)) {
+      const auto& kinds = slot.second.kinds;
+      if (std::find(kinds.begin(), kinds.end(), fact.kind) != kinds.end()) {
+        call(slot, slot.second.check, fact);
+      }
+    }
+  }
+
+  /// The entities that the file itself holds; what it includes is told when that is checked.
+  template <class Entity>
+  void entities(const std::vector<Entity>& list) {
+    const auto& slots = std::get<Slot<CheckOf<Entity>>>(runner_.slots_);
+    if (slots.empty()) return;
+    for (const Entity& entity : list) {
+      if (!loaded_.root.own(entity.site)) continue;
+      for (const auto& slot : slots) call(slot, slot.second, entity);
+    }
+  }
+
+  void check_schema(const xml::Document& document) {
+    const auto top = document.root();
+    if (!top || inputs_.schema == nullptr) return;
+    const auto node = inputs_.schema->root(top->name(), {loaded_.root.version});
+    if (!node) return;
+    for (const read::SchemaFact& fact : read::check_conformance(document, *node)) facts(fact);
+  }
+
+  void check_model() {
+    const model::Root& root = loaded_.root;
+    for (const auto& slot : std::get<Slot<CheckOf<model::Root>>>(runner_.slots_)) {
+      call(slot, slot.second, root);
+    }
+    for (const model::FrameProblem& problem : frames_.problems()) {
+      if (problem.where.source == root.source && !follows_from_include(problem)) facts(problem);
+    }
+    entities(root.worlds);
+    entities(root.models);
+    entities(root.links);
+    entities(root.joints);
+    entities(root.frames);
+    entities(root.collisions);
+    entities(root.visuals);
+    entities(root.sensors);
+    entities(root.lights);
+    entities(root.plugins);
+    entities(root.includes);
+    entities(root.physics);
+    entities(root.gazebo_blocks);
+    entities(root.controlled_joints);
+    check_meshes(root.collisions, MeshRole::kCollision);
+    check_meshes(root.visuals, MeshRole::kVisual);
+  }
+
+  enum class MeshRole { kCollision, kVisual };
+
+  template <class Entity>
+  void check_meshes(const std::vector<Entity>& list, MeshRole role) {
+    const auto& slots = std::get<Slot<CheckOf<MeshUse>>>(runner_.slots_);
+    for (const Entity& entity : list) {
+      const auto* mesh = std::get_if<model::Mesh>(&entity.geometry.shape);
+      if (mesh == nullptr || !loaded_.root.own(entity.site)) continue;
+      const MeshUse use{*mesh, entity.geometry, context_.subject(entity),
+                        role == MeshRole::kCollision};
+      for (const auto& slot : slots) call(slot, slot.second, use);
+    }
+  }
+
+  /// A name may be missing only because the file that has it could not be included.
+  bool follows_from_include(const model::FrameProblem& problem) const {
+    const auto& includes = loaded_.root.includes;
+    return std::any_of(includes.begin(), includes.end(), [&problem](const model::Include& include) {
+      return !include.followed && include.model == problem.model && include.world == problem.world;
+    });
+  }
+
+  const Runner& runner_;
+  const read::Loaded& loaded_;
+  model::Frames frames_;
+  Diagnostics diagnostics_;
+  Context::Inputs inputs_;
+  Context context_;
+};
+
+Diagnostics Runner::run(const Environment& environment, const Sources& sources,
+                        const read::Loaded& loaded) const {
+  return Walk(*this, environment, sources, loaded).run();
+}
+
+}  // namespace rigor::rules

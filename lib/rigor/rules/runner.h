@@ -1,0 +1,56 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Runs the chosen rules over one file: walks its entities once, and hands each to the checks that
+// ask for its kind.
+//
+//   Runner runner(registry, selection);
+//   runner.run(loaded, sources, resolver, schema, diagnostics);
+
+#pragma once
+
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <rigor/environment.h>
+#include <rigor/read/load.h>
+#include <rigor/rules/registry.h>
+#include <rigor/rules/rule.h>
+#include <rigor/rules/validate.h>
+#include <rigor/text/diagnostic.h>
+#include <rigor/text/sources.h>
+
+namespace rigor::rules {
+
+class Runner {
+ public:
+  /// The registry outlives the runner.
+  Runner(const Registry& registry, const Selection& selection);
+
+  /// What the rules find, in the order of their places.
+  Diagnostics run(const Environment& environment, const Sources& sources,
+                  const read::Loaded& loaded) const;
+
+ private:
+  struct Active {
+    const Rule* rule;
+    Severity severity;
+  };
+  template <class CheckType>
+  using Slot = std::vector<std::pair<Active, CheckType>>;
+  template <class Variant>
+  struct SlotsOf;
+  template <class... Checks>
+  struct SlotsOf<std::variant<Checks...>> {
+    using type = std::tuple<Slot<Checks>...>;
+  };
+
+  class Walk;
+
+  void add(const Rule& rule, Severity severity);
+
+  SlotsOf<Check>::type slots_;
+};
+
+}  // namespace rigor::rules

@@ -1,0 +1,70 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+
+#include <rigor/rules/rule.h>
+#include <rigor/rules/schema/place.h>
+
+namespace rigor::rules::element_newer_than_version {
+namespace {
+
+void check(const read::SchemaFact& fact, Context& context) {
+  const std::string format = context.is_urdf() ? "URDF " : "SDF ";
+  const std::string since = schema::to_string(fact.node->since());
+  context.report({.where = fact.where,
+                  .message = "'" + std::string(context.bytes(fact.where)) + "' came with " + format +
+                             since + ": this file is " + format +
+                             schema::to_string(fact.parent->version()),
+                  .subject = subject_of(fact.element)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "element-newer-than-version",
+      .category = Category::kSchema,
+      .severity = Severity::kWarning,
+      .summary = "an element or attribute is newer than the version of the file",
+      .why =
+          "A reader that goes by the version of the file passes over it; libsdformat goes by the "
+          "newest version that it knows, so the effect depends on who reads.",
+      .what_to_do = "Raise the version of the file, or write what the older version has.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <inertial «auto»="true">
+        <mass>1</mass>
+        <inertia>
+          <ixx>1</ixx>
+          <iyy>1</iyy>
+          <izz>1</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <inertial>
+        <mass>1</mass>
+        <inertia>
+          <ixx>1</ixx>
+          <iyy>1</iyy>
+          <izz>1</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_schema({read::SchemaFactKind::kNewerThanVersion}, check)},
+  };
+}
+
+}  // namespace rigor::rules::element_newer_than_version

@@ -1,0 +1,62 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+
+#include <rigor/rules/rule.h>
+#include <rigor/rules/schema/place.h>
+
+namespace rigor::rules::element_removed_in_version {
+namespace {
+
+void check(const read::SchemaFact& fact, Context& context) {
+  if (written_as_attribute(fact)) return;
+  const std::string format = context.is_urdf() ? "URDF " : "SDF ";
+  const auto until = fact.node->until();
+  context.report({.where = fact.where,
+                  .message = "'" + std::string(context.bytes(fact.where)) + "' has no effect in " +
+                             format + schema::to_string(fact.parent->version()) +
+                             (until ? ": it was last in " + schema::to_string(*until) : ""),
+                  .subject = subject_of(fact.element),
+                  .help = fact.node->instead().empty()
+                              ? ""
+                              : "write " + std::string(fact.node->instead())});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "element-removed-in-version",
+      .category = Category::kSchema,
+      .severity = Severity::kWarning,
+      .summary = "an element or attribute is no longer in the version of the file",
+      .why =
+          "libsdformat passes over it without a word: what it says has no effect. Often the "
+          "version was raised and the rest of the file was not.",
+      .what_to_do = "Write what the version has in its place, or lower the version of the file.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+    <link name="lid">
+      <pose «frame»="body">0 0 1 0 0 0</pose>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+    <link name="lid">
+      <pose relative_to="body">0 0 1 0 0 0</pose>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_schema({read::SchemaFactKind::kRemovedInVersion}, check)},
+  };
+}
+
+}  // namespace rigor::rules::element_removed_in_version

@@ -1,0 +1,49 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Which of the format's lists of values libsdformat holds a file to.
+
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <rigor/read/conformance.h>
+#include <rigor/schema/suggest.h>
+
+namespace rigor::rules {
+
+/// Who speaks of a value that is in no list.
+enum class ListKeeper {
+  kOwnRule,  ///< the rule for types of joints, sensors or physics engines
+  kRefuses,  ///< libsdformat refuses the file
+  kNobody,   ///< nobody looks, and the simulator does as it likes
+};
+
+inline ListKeeper keeper_of(const read::SchemaFact& fact) {
+  const std::string_view element = fact.element.name();
+  const std::string_view attribute = fact.attribute ? fact.attribute->name() : "";
+  if (attribute == "type" && (element == "joint" || element == "sensor" || element == "physics")) {
+    return ListKeeper::kOwnRule;
+  }
+  const bool refused = (element == "light" && attribute == "type") ||
+                       (element == "shader" && attribute == "type") || element == "format" ||
+                       attribute == "rotation_format";
+  return refused ? ListKeeper::kRefuses : ListKeeper::kNobody;
+}
+
+/// "did you mean 'x'?", or the whole list.
+inline std::string values_of(const read::SchemaFact& fact) {
+  const auto known = fact.node->enumeration();
+  std::vector<std::string_view> all(known.begin(), known.end());
+  const auto near = schema::near(fact.text, all);
+  if (!near.empty()) return "did you mean '" + std::string(near.front()) + "'?";
+  std::string text;
+  for (const std::string_view value : all) {
+    text += (text.empty() ? "it is one of " : ", ") + std::string(value);
+  }
+  return text;
+}
+
+}  // namespace rigor::rules

@@ -1,0 +1,77 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+#include <string_view>
+
+#include <rigor/rules/rule.h>
+#include <rigor/rules/schema/place.h>
+
+namespace rigor::rules::missing_element {
+namespace {
+
+/// Whether a consumer can do without. libsdformat takes the default of most.
+bool needed(const read::SchemaFact& fact, const Context& context) {
+  const std::string_view parent = fact.element.name();
+  const std::string_view name = fact.node->name();
+  if (context.is_urdf()) return name != "geometry";  // geometry-empty
+  if (parent == "joint") return name == "parent" || name == "child";
+  return (parent == "mesh" || parent == "heightmap" || parent == "image") && name == "uri";
+}
+
+void check(const read::SchemaFact& fact, Context& context) {
+  const std::string name(fact.node->name());
+  if (!needed(fact, context)) return;
+  if (fact.element.attribute(name)) return;  // element-as-attribute
+  context.report({.where = fact.where,
+                  .message = "<" + std::string(fact.element.name()) + "> has no <" + name + ">",
+                  .subject = subject_of(fact.element)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "missing-element",
+      .category = Category::kSchema,
+      .severity = Severity::kError,
+      .summary = "a required element is missing",
+      .why =
+          "libsdformat refuses a joint that lacks its parent or child, and gives a mesh without "
+          "<uri> a name that no file has. urdfdom refuses the robot, or leaves the link without "
+          "the part. Other required elements of SDF have a default: see defaulted-element.",
+      .what_to_do = "Add the element.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+    «<joint name="hinge" type="fixed">»
+      <child>body</child>
+    </joint>
+  </model>
+</sdf>
+)"},
+              {R"(<robot name="box">
+  <link name="body">
+    «<inertial>»
+      <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+    </inertial>
+  </link>
+</robot>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+    <joint name="hinge" type="fixed">
+      <parent>world</parent>
+      <child>body</child>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_schema({read::SchemaFactKind::kMissingElement}, check)},
+  };
+}
+
+}  // namespace rigor::rules::missing_element

@@ -1,0 +1,43 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::old_root {
+namespace {
+
+void check(const read::Fact& fact, Context& context) {
+  context.report({.where = fact.where,
+                  .message = "the root element is <gazebo>: since SDF 1.3 it is <sdf>"});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "old-root",
+      .category = Category::kSchema,
+      .severity = Severity::kError,
+      .formats = Formats::kSdf,
+      .summary = "the root element is <gazebo>, as before SDF 1.3",
+      .why = "libsdformat refuses the file today: it looks for <sdf>.",
+      .what_to_do = "Upgrade the file to a current version.",
+      .bad = {{R"(<«gazebo» version="1.2">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</gazebo>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_read({read::FactKind::kOldRoot}, check)},
+  };
+}
+
+}  // namespace rigor::rules::old_root

@@ -1,0 +1,47 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::sdf_version_unknown {
+namespace {
+
+void check(const read::Fact& fact, Context& context) {
+  context.report({.where = fact.where,
+                  .message = "'" + fact.name + "' is no version of SDF",
+                  .help = "the file is checked as SDF " +
+                          schema::to_string(schema::Version{context.root().version})});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "sdf-version-unknown",
+      .category = Category::kSchema,
+      .severity = Severity::kError,
+      .formats = Formats::kSdf,
+      .summary = "no such version of SDF exists",
+      .why =
+          "libsdformat cannot convert the file and reads it as if it were the newest version; "
+          "some words make it crash.",
+      .what_to_do = "Write a version that exists: 1.0, and 1.2 to 1.12.",
+      .bad = {{R"(<sdf version="«1.1»">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_read({read::FactKind::kVersionUnknown}, check)},
+  };
+}
+
+}  // namespace rigor::rules::sdf_version_unknown

@@ -1,0 +1,68 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+#include <string_view>
+
+#include <rigor/rules/rule.h>
+#include <rigor/rules/schema/place.h>
+
+namespace rigor::rules::unknown_element {
+namespace {
+
+void check(const read::SchemaFact& fact, Context& context) {
+  const schema::Version version = fact.parent->version();
+  const std::string_view name = fact.element.name();
+  if (!context.schema()->parents_of(name, version).empty()) return;  // misplaced-element
+  const auto near = schema::near(name, node_names(fact.parent->children()));
+  context.report({.where = fact.where,
+                  .message = "<" + std::string(name) + "> is no element of " +
+                             format_and_version(context, version) + ": it has no effect",
+                  .subject = subject_of(fact.element),
+                  .help = near.empty() ? ""
+                                       : "did you mean <" + std::string(near.front()) + ">?"});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "unknown-element",
+      .category = Category::kSchema,
+      .severity = Severity::kWarning,
+      .summary = "an element that the format does not have",
+      .why =
+          "libsdformat, urdfdom and Gazebo pass over it and all it holds without a word: what it "
+          "says has no effect. Most are misspelt.",
+      .what_to_do =
+          "Write the name that was meant. Elements of your own take a prefix, as <mine:note>, and "
+          "are left alone.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <«visul» name="shape"/>
+    </link>
+  </model>
+</sdf>
+)"},
+              {R"(<robot name="box">
+  <link name="body">
+    <«colission»/>
+  </link>
+</robot>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <mine:note xmlns:mine="urn:mine">ours</mine:note>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_schema({read::SchemaFactKind::kUnknownElement}, check)},
+  };
+}
+
+}  // namespace rigor::rules::unknown_element

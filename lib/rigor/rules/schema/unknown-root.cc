@@ -1,0 +1,45 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+#include <utility>
+
+#include <rigor/rules/rule.h>
+#include <rigor/schema/suggest.h>
+
+namespace rigor::rules::unknown_root {
+namespace {
+
+void check(const read::Fact& fact, Context& context) {
+  const auto near = schema::near(fact.name, {"sdf", "robot"});
+  const bool part = fact.name == "world" || fact.name == "model";
+  std::string help = part ? "put it into <sdf version=\"…\">" : "";
+  if (!near.empty()) help = "did you mean <" + std::string(near.front()) + ">?";
+  context.report({.where = fact.where,
+                  .message = "the root element <" + fact.name + "> is neither <sdf> nor <robot>",
+                  .help = std::move(help)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "unknown-root",
+      .category = Category::kSchema,
+      .severity = Severity::kError,
+      .summary = "the root element is of no model format",
+      .why = "libsdformat looks for <sdf>, urdfdom for <robot>; both refuse anything else.",
+      .what_to_do =
+          "Wrap the content in the root element of its format. A <world> or <model> goes into "
+          "<sdf version=\"1.9\">.",
+      .bad = {{R"(<«world» name="lab"/>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <world name="lab"/>
+</sdf>
+)"}},
+      .checks = {on_read({read::FactKind::kUnknownRoot}, check)},
+  };
+}
+
+}  // namespace rigor::rules::unknown_root

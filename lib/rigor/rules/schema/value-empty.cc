@@ -1,0 +1,60 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+#include <utility>
+
+#include <rigor/rules/rule.h>
+#include <rigor/rules/schema/value_text.h>
+
+namespace rigor::rules::value_empty {
+namespace {
+
+using FaultKind = schema::ValueFault::Kind;
+
+void check(const read::SchemaFact& fact, Context& context) {
+  if (!has_kind(fact, FaultKind::kEmpty)) return;
+  if (fact.node->cardinality() == schema::Cardinality::kOne) return;  // value-malformed
+  if (fact.node->type() == schema::Type::kPose) return;  // <pose relative_to="a"/> is how it is done
+  const auto value = fact.node->default_value();
+  std::string message = owner_of(fact) + " is empty";
+  if (value && !value->empty()) message += ": it is " + std::string(*value);
+  context.report({.where = fact.where.size() > 0 ? fact.where : fact.element.name_span(),
+                  .message = std::move(message),
+                  .subject = subject_of(fact.element)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "value-empty",
+      .category = Category::kSchema,
+      .severity = Severity::kInfo,
+      .formats = Formats::kSdf,
+      .summary = "a value is empty, and its default counts",
+      .why = "libsdformat takes the default, as if the element were not there.",
+      .what_to_do = "Write the value, or remove the element.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <«self_collide»></self_collide>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <self_collide>true</self_collide>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
+  };
+}
+
+}  // namespace rigor::rules::value_empty

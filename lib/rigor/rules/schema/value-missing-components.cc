@@ -1,0 +1,68 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+
+#include <rigor/rules/rule.h>
+#include <rigor/rules/schema/value_text.h>
+
+namespace rigor::rules::value_missing_components {
+namespace {
+
+using FaultKind = schema::ValueFault::Kind;
+
+void check(const read::SchemaFact& fact, Context& context) {
+  if (!has_kind(fact, FaultKind::kTooFew) || left_for_xacro(fact)) return;
+  context.report({.where = fact.where,
+                  .message = owner_of(fact) + " takes " + std::string(expected(fact.node->type())) +
+                             ", not " + quoted_fault(fact),
+                  .subject = subject_of(fact.element)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "value-missing-components",
+      .category = Category::kSchema,
+      .severity = Severity::kError,
+      .summary = "a vector, pose or colour has too few numbers",
+      .why =
+          "libsdformat refuses the file. urdfdom refuses the robot, or leaves the link without "
+          "the part.",
+      .what_to_do = "Write all the numbers, with spaces between them.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <collision name="shape">
+        <geometry><box><size>«1 1»</size></box></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)"},
+              {R"(<robot name="box">
+  <link name="body">
+    <collision>
+      <geometry><box size="«1 1»"/></geometry>
+    </collision>
+  </link>
+</robot>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <collision name="shape">
+        <geometry><box><size>1 1 1</size></box></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
+  };
+}
+
+}  // namespace rigor::rules::value_missing_components

@@ -1,0 +1,52 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/rule.h>
+#include <rigor/rules/schema/enumeration.h>
+#include <rigor/rules/schema/value_text.h>
+
+namespace rigor::rules::value_not_allowed {
+namespace {
+
+void check(const read::SchemaFact& fact, Context& context) {
+  if (keeper_of(fact) != ListKeeper::kRefuses || left_for_xacro(fact)) return;
+  context.report({.where = fact.where,
+                  .message = quoted_fault(fact) + " is none of the values of " + owner_of(fact),
+                  .subject = subject_of(fact.element),
+                  .help = values_of(fact)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "value-not-allowed",
+      .category = Category::kSchema,
+      .severity = Severity::kError,
+      .summary = "a value is none of those that its place takes",
+      .why =
+          "libsdformat refuses the file. Here the case of letters counts too: Point is not point.",
+      .what_to_do = "Write one of the values that the message names.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <light name="lamp" type="«Point»"/>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <light name="lamp" type="point"/>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check)},
+  };
+}
+
+}  // namespace rigor::rules::value_not_allowed

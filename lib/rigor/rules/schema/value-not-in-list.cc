@@ -1,0 +1,59 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/rule.h>
+#include <rigor/rules/schema/enumeration.h>
+#include <rigor/rules/schema/value_text.h>
+
+namespace rigor::rules::value_not_in_list {
+namespace {
+
+void check(const read::SchemaFact& fact, Context& context) {
+  if (keeper_of(fact) != ListKeeper::kNobody || left_for_xacro(fact)) return;
+  context.report({.where = fact.where,
+                  .message = quoted_fault(fact) + " is none of the values of " + owner_of(fact),
+                  .subject = subject_of(fact.element),
+                  .help = values_of(fact)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "value-not-in-list",
+      .category = Category::kSchema,
+      .severity = Severity::kWarning,
+      .summary = "a value is none of those that the format lists",
+      .why =
+          "libsdformat passes it on as it is; the simulator does not know it and takes its "
+          "default, or leaves the feature out.",
+      .what_to_do = "Write one of the values that the message names.",
+      .bad = {{R"(<sdf version="1.9">
+  <world name="lab">
+    <physics name="fast" type="ode">
+      <ode>
+        <solver>
+          <type>«quik»</type>
+        </solver>
+      </ode>
+    </physics>
+  </world>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <world name="lab">
+    <physics name="fast" type="ode">
+      <ode>
+        <solver>
+          <type>quick</type>
+        </solver>
+      </ode>
+    </physics>
+  </world>
+</sdf>
+)"}},
+      .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check)},
+  };
+}
+
+}  // namespace rigor::rules::value_not_in_list

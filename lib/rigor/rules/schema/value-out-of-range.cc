@@ -1,0 +1,136 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include <rigor/rules/rule.h>
+#include <rigor/rules/schema/value_text.h>
+
+namespace rigor::rules::value_out_of_range {
+namespace {
+
+using FaultKind = schema::ValueFault::Kind;
+
+/// The element as the newest version has it: libsdformat holds every file to that one's bounds.
+std::optional<schema::Node> newest(xml::Element element, const schema::Schema& schema) {
+  const auto parent = element.parent();
+  if (!parent) return schema.root(element.name(), schema.latest());
+  const auto around = newest(*parent, schema);
+  return around ? around->child(element.name()) : std::nullopt;
+}
+
+bool is_outside(std::string_view value, const schema::Node& node) {
+  const auto number = [](std::string_view text) {
+    const auto parsed = schema::parse_double(text);
+    const double* found = std::get_if<double>(&parsed);
+    return found != nullptr ? *found : 0.0;
+  };
+  return (node.minimum() && number(value) < number(*node.minimum())) ||
+         (node.maximum() && number(value) > number(*node.maximum()));
+}
+
+std::string message(const read::SchemaFact& fact, const schema::Node& node) {
+  const std::string given = owner_of(fact) + " is " + quoted_fault(fact);
+  if (has_kind(fact, FaultKind::kNegative)) return given + ": it cannot be negative";
+  if (has_kind(fact, FaultKind::kOutOfRange)) return given + ": too large for " +
+                                                     std::string(expected(fact.node->type()));
+  if (has_kind(fact, FaultKind::kUnderflow)) return given + ": too small to be told from 0";
+  std::string bounds;
+  if (const auto low = node.minimum()) bounds = "at least " + std::string(*low);
+  if (const auto high = node.maximum()) {
+    bounds += (bounds.empty() ? "at most " : " and at most ") + std::string(*high);
+  }
+  const std::string unit(node.unit());
+  return given + ": it has to be " + bounds + (unit.empty() ? "" : " " + unit);
+}
+
+void check(const read::SchemaFact& fact, Context& context) {
+  const bool bad = fact.kind == read::SchemaFactKind::kBadValue;
+  const bool ours = has_kind(fact, FaultKind::kNegative) || has_kind(fact, FaultKind::kOutOfRange) ||
+                    has_kind(fact, FaultKind::kUnderflow);
+  if (bad ? !ours : context.is_urdf()) return;  // urdfdom has no bounds: value-negative
+  std::optional<schema::Node> node = fact.node;
+  if (!bad) {
+    node = newest(fact.element, *context.schema());
+    if (!node || fact.attribute || !is_outside(fact.text, *node)) return;
+  }
+  context.report({.where = fact.where,
+                  .message = message(fact, *node),
+                  .subject = subject_of(fact.element)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "value-out-of-range",
+      .category = Category::kSchema,
+      .severity = Severity::kError,
+      .summary = "a number is outside what its place takes",
+      .why =
+          "libsdformat refuses numbers outside the format's bounds, too large for their type, or "
+          "so small that they cannot be told from zero. A negative number where none can be wraps "
+          "round: a width of -1 is 4294967295.",
+      .what_to_do = "Write a number within the bounds that the message names.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <collision name="shape">
+        <geometry><sphere><radius>1</radius></sphere></geometry>
+        <surface>
+          <contact><collide_bitmask>«-1»</collide_bitmask></contact>
+        </surface>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)"},
+              {R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <sensor name="eye" type="camera">
+        <camera>
+          <horizontal_fov>«90»</horizontal_fov>
+        </camera>
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)"},
+              {R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <collision name="shape">
+        <geometry><sphere><radius>«1e-400»</radius></sphere></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <sensor name="eye" type="camera">
+        <camera>
+          <image>
+            <width>640</width>
+            <height>480</height>
+          </image>
+        </camera>
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_schema({read::SchemaFactKind::kBadValue, read::SchemaFactKind::kOutOfRange}, check)},
+  };
+}
+
+}  // namespace rigor::rules::value_out_of_range

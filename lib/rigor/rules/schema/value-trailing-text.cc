@@ -1,0 +1,64 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+#include <string_view>
+
+#include <rigor/rules/rule.h>
+#include <rigor/rules/schema/value_text.h>
+
+namespace rigor::rules::value_trailing_text {
+namespace {
+
+using FaultKind = schema::ValueFault::Kind;
+
+void check(const read::SchemaFact& fact, Context& context) {
+  if (!has_kind(fact, FaultKind::kTrailingText) || left_for_xacro(fact)) return;
+  const std::string_view unit = fact.node->unit();
+  context.report({.where = fact.where,
+                  .message = owner_of(fact) + " takes " + std::string(expected(fact.node->type())) +
+                             ": " + quoted_fault(fact) + " is passed over",
+                  .subject = subject_of(fact.element),
+                  .help = unit.empty() ? "" : "the number is in " + std::string(unit)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "value-trailing-text",
+      .category = Category::kSchema,
+      .severity = Severity::kError,
+      .summary = "text follows a number",
+      .why =
+          "libsdformat reads the number, or the part of it that it understands, and passes over "
+          "the rest: 1.5kg is 1.5, 1e is 1. urdfdom refuses the value. Numbers carry no unit: "
+          "lengths are metres, angles radians, masses kilograms.",
+      .what_to_do = "Write the number alone, in the unit that the format has.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <collision name="shape">
+        <geometry><sphere><radius>1.5«m»</radius></sphere></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <collision name="shape">
+        <geometry><sphere><radius>1.5</radius></sphere></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
+  };
+}
+
+}  // namespace rigor::rules::value_trailing_text

@@ -1,0 +1,117 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <rigor/rules/rule.h>
+#include <rigor/rules/schema/place.h>
+
+namespace rigor::rules::wrong_case_element {
+namespace {
+
+/// The element's name in its end tag; nothing when it has none.
+std::optional<Span> end_name(xml::Element element, const Context& context) {
+  const Span whole = element.span();
+  if (whole.end == element.tag_span().end || element.cut()) return std::nullopt;
+  const std::size_t slash = context.bytes(whole).rfind("</");
+  Span name = whole;
+  name.begin = whole.begin + static_cast<std::uint32_t>(slash) + 2;
+  name.end = name.begin + static_cast<std::uint32_t>(element.name().size());
+  return name;
+}
+
+Fix rename(const read::SchemaFact& fact, const Context& context) {
+  const std::string name(fact.node->name());
+  Fix fix{"write '" + name + "'", Applicability::kUnsafe, {{fact.where, name}}};
+  if (fact.attribute) return fix;
+  if (const auto end = end_name(fact.element, context)) fix.edits.push_back({*end, name});
+  return fix;
+}
+
+/// Whether the right name is there already, so that a renamed one would be one too many.
+bool stands_beside(const read::SchemaFact& fact) {
+  if (fact.attribute) return fact.element.attribute(fact.node->name()).has_value();
+  const auto parent = fact.element.parent();
+  return parent && parent->child(fact.node->name()) &&
+         fact.node->cardinality() != schema::Cardinality::kMany;
+}
+
+void check(const read::SchemaFact& fact, Context& context) {
+  if (fact.attribute && meant_for_missing(fact, fact.attribute->name())) return;
+  Finding finding{.where = fact.where,
+                  .message = "'" + std::string(context.bytes(fact.where)) + "' has no effect: '" +
+                             std::string(fact.node->name()) + "' is written in other letters",
+                  .subject = subject_of(fact.element)};
+  if (!stands_beside(fact)) finding.fix = rename(fact, context);
+  context.report(std::move(finding));
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "wrong-case-element",
+      .category = Category::kSchema,
+      .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
+      .summary = "a name is written with the wrong upper- and lower-case letters",
+      .why =
+          "The names of elements and attributes are told apart by case: <Visual> is passed over "
+          "without a word, like any unknown element.",
+      .what_to_do =
+          "Write the name as the message has it. The fix makes effective what had no effect "
+          "before, so it takes --unsafe-fixes.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <«Light» name="lamp" type="point">
+      </Light >
+    </link>
+  </model>
+</sdf>
+)",
+        R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <light name="lamp" type="point">
+      </light >
+    </link>
+  </model>
+</sdf>
+)"},
+              {R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <frame name="lid" «Attached_To»="body"/>
+    <link name="body"/>
+  </model>
+</sdf>
+)",
+        R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <frame name="lid" attached_to="body"/>
+    <link name="body"/>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <light name="lamp" type="point"/>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_schema({read::SchemaFactKind::kWrongCase}, check)},
+  };
+}
+
+}  // namespace rigor::rules::wrong_case_element

@@ -1,0 +1,80 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <fmt/core.h>
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::camera_clip_inverted {
+namespace {
+
+void check(const model::Sensor& sensor, Context& context) {
+  for (const model::Camera& camera : sensor.cameras) {
+    if (camera.near_clip.value < camera.far_clip.value) continue;
+    const auto& at = camera.near_clip.written ? camera.near_clip : camera.far_clip;
+    if (!at.written) continue;
+    context.report({.where = at.span,
+                    .message = fmt::format("the camera sees from {} m to {} m, which is nothing",
+                                           camera.near_clip.value, camera.far_clip.value),
+                    .subject = context.subject(sensor)});
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "camera-clip-inverted",
+      .category = Category::kSensor,
+      .severity = Severity::kError,
+      .formats = Formats::kSdf,
+      .summary = "the near clip distance of a camera is not before the far one",
+      .why = "ign sdf -k calls it valid; the renderer then shows an empty picture or stops.",
+      .what_to_do = "Write a near distance below the far one, in metres.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="head">
+      <sensor name="eye" type="camera">
+        <camera>
+          <horizontal_fov>1</horizontal_fov>
+          <image>
+            <width>640</width>
+            <height>480</height>
+          </image>
+          <clip>
+            <near>«10»</near>
+            <far>1</far>
+          </clip>
+        </camera>
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="head">
+      <sensor name="eye" type="camera">
+        <camera>
+          <horizontal_fov>1</horizontal_fov>
+          <image>
+            <width>640</width>
+            <height>480</height>
+          </image>
+          <clip>
+            <near>0.1</near>
+            <far>100</far>
+          </clip>
+        </camera>
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Sensor>(check)},
+  };
+}
+
+}  // namespace rigor::rules::camera_clip_inverted

@@ -1,0 +1,86 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <fmt/core.h>
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::lidar_range_inverted {
+namespace {
+
+void check(const model::Sensor& sensor, Context& context) {
+  if (!sensor.lidar) return;
+  const auto& least = sensor.lidar->range_min;
+  const auto& most = sensor.lidar->range_max;
+  if (!least.written || !most.written || least.value < most.value) return;
+  context.report({.where = least.span,
+                  .message = fmt::format("the lidar measures from {} m to {} m, which is nothing",
+                                         least.value, most.value),
+                  .subject = context.subject(sensor),
+                  .related = {{most.span, "the greatest distance"}}});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "lidar-range-inverted",
+      .category = Category::kSensor,
+      .severity = Severity::kError,
+      .formats = Formats::kSdf,
+      .summary = "the least distance of a lidar is not below the greatest",
+      .why =
+          "ign sdf -k calls it valid; every ray then returns nothing, or the sensor is not "
+          "made.",
+      .what_to_do = "Write a least distance below the greatest, in metres.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="head">
+      <sensor name="eye" type="gpu_lidar">
+        <lidar>
+          <scan>
+            <horizontal>
+              <samples>360</samples>
+              <min_angle>-1.5</min_angle>
+              <max_angle>1.5</max_angle>
+            </horizontal>
+          </scan>
+          <range>
+            <min>«30»</min>
+            <max>0.1</max>
+          </range>
+        </lidar>
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="head">
+      <sensor name="eye" type="gpu_lidar">
+        <lidar>
+          <scan>
+            <horizontal>
+              <samples>360</samples>
+              <min_angle>-1.5</min_angle>
+              <max_angle>1.5</max_angle>
+            </horizontal>
+          </scan>
+          <range>
+            <min>0.1</min>
+            <max>30</max>
+          </range>
+        </lidar>
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Sensor>(check)},
+  };
+}
+
+}  // namespace rigor::rules::lidar_range_inverted

@@ -1,0 +1,75 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::sensor_topic_duplicate {
+namespace {
+
+void check(const model::Root& root, Context& context) {
+  using Topic = std::pair<std::string_view, std::string_view>;  // and the type
+  std::map<Topic, const model::Sensor*> seen;
+  for (const model::Sensor& sensor : root.sensors) {
+    const std::string& topic = sensor.topic.value;
+    // Bumpers of one robot often share a topic, each message naming its own collision; and
+    // __default_topic__ stands for a name that the simulator makes up.
+    if (!root.own(sensor.site) || topic.empty() || topic == "__default_topic__") continue;
+    if (sensor.type.value == "contact") continue;
+    const auto [entry, first] = seen.emplace(Topic{sensor.type.value, topic}, &sensor);
+    if (first) continue;
+    context.report(
+        {.where = sensor.topic.span,
+         .message = "two sensors of type '" + sensor.type.value + "' publish on '" + topic + "'",
+         .subject = context.subject(sensor),
+         .related = {{entry->second->topic.span, "the first one"}}});
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "sensor-topic-duplicate",
+      .category = Category::kSensor,
+      .severity = Severity::kWarning,
+      .formats = Formats::kSdf,
+      .summary = "two sensors publish on the same topic",
+      .why = "Whoever listens gets the measurements of both, mixed.",
+      .what_to_do = "Give each sensor a topic of its own.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="head">
+      <sensor name="left" type="imu">
+        <topic>imu</topic>
+      </sensor>
+      <sensor name="right" type="imu">
+        <topic>«imu»</topic>
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="head">
+      <sensor name="left" type="imu">
+        <topic>imu/left</topic>
+      </sensor>
+      <sensor name="right" type="imu">
+        <topic>imu/right</topic>
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Root>(check)},
+  };
+}
+
+}  // namespace rigor::rules::sensor_topic_duplicate

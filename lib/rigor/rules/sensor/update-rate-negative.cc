@@ -1,0 +1,59 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <fmt/core.h>
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::update_rate_negative {
+namespace {
+
+void check(const model::Sensor& sensor, Context& context) {
+  const auto& rate = sensor.update_rate;
+  if (!rate.written || !(rate.value < 0)) return;
+  context.report(
+      {.where = rate.span,
+       .message = fmt::format("the update rate is {} Hz; 0 is as often as possible", rate.value),
+       .subject = context.subject(sensor)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "update-rate-negative",
+      .category = Category::kSensor,
+      .severity = Severity::kWarning,
+      .formats = Formats::kSdf,
+      .summary = "the update rate of a sensor is negative",
+      .why =
+          "ign sdf -k calls it valid; simulators differ: some never measure, some measure at "
+          "every step.",
+      .what_to_do = "Write the measurements in one second, or 0 for every step.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="head">
+      <sensor name="eye" type="imu">
+        <update_rate>«-5»</update_rate>
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="head">
+      <sensor name="eye" type="imu">
+        <update_rate>50</update_rate>
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Sensor>(check)},
+  };
+}
+
+}  // namespace rigor::rules::update_rate_negative

@@ -1,0 +1,84 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include <rigor/read/values.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::xml_declaration_not_first {
+namespace {
+
+constexpr std::uint32_t kByteOrderMarkSize = 3;
+
+std::optional<Fix> remove_space_before(Span declaration, std::string_view bytes) {
+  Span before{declaration.source, 0, declaration.begin};
+  if (bytes.starts_with("\xEF\xBB\xBF")) before.begin = kByteOrderMarkSize;
+  if (!read::trimmed(bytes.substr(before.begin, before.size())).empty()) return std::nullopt;
+  return Fix{"remove the white space before the declaration", Applicability::kSafe, {{before, ""}}};
+}
+
+void check(const xml::Fault& fault, Context& context) {
+  context.report({.where = fault.where,
+                  .message = "the XML declaration is not the first thing in the file",
+                  .fix = remove_space_before(fault.where, context.document().bytes())});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "xml-declaration-not-first",
+      .category = Category::kXml,
+      .severity = Severity::kError,
+      .fix = FixGrade::kSafe,
+      .summary = "the XML declaration is not the first thing in the file",
+      .why =
+          "A declaration is one only at the very start. Behind an element or comment tinyxml2 "
+          "(libsdformat, Gazebo, urdfdom) refuses the file; behind a blank line it does not, but "
+          "Python's and every other strict parser does, and with them the ROS tools that are "
+          "written in Python.",
+      .what_to_do =
+          "Move the declaration to the first line, or remove it: XML without one is UTF-8 "
+          "already.",
+      .bad = {{R"(
+«<?xml version="1.0"?>»
+<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</sdf>
+)",
+        R"(<?xml version="1.0"?>
+<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</sdf>
+)"},
+              {R"(<!-- a box -->
+«<?xml version="1.0"?>»
+<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<?xml version="1.0"?>
+<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_xml({xml::FaultKind::kDeclarationNotFirst}, check)},
+  };
+}
+
+}  // namespace rigor::rules::xml_declaration_not_first

@@ -1,0 +1,45 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::xml_doctype {
+namespace {
+
+void check(const xml::Fault& fault, Context& context) {
+  context.report({.where = fault.where,
+                  .message = "a DOCTYPE is passed over: entities that it defines are not replaced"});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "xml-doctype",
+      .category = Category::kXml,
+      .severity = Severity::kWarning,
+      .summary = "the file has a DOCTYPE",
+      .why =
+          "Neither SDF nor URDF has one. tinyxml2 (libsdformat, Gazebo, urdfdom) passes over it, "
+          "so that an entity which it defines is never replaced.",
+      .what_to_do = "Remove it, and write out the entities that it defines.",
+      .bad = {{R"(«<!DOCTYPE sdf>»
+<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_xml({xml::FaultKind::kDoctype}, check)},
+  };
+}
+
+}  // namespace rigor::rules::xml_doctype

@@ -1,0 +1,99 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/rule.h>
+#include <rigor/rules/xml/xacro.h>
+#include <rigor/text/path.h>
+
+namespace rigor::rules::xml_leftover_xacro {
+namespace {
+
+struct Leftovers {
+  Span first;
+  std::size_t count = 0;
+
+  void add(Span where) {
+    if (count++ == 0) first = where;
+  }
+};
+
+/// What a plugin is told is its own affair: some expand `$(find …)` themselves.
+bool in_plugin(xml::Element element) {
+  for (std::optional<xml::Element> at = element; at; at = at->parent()) {
+    if (at->name() == "plugin") return true;
+  }
+  return false;
+}
+
+Leftovers find(const xml::Document& document) {
+  Leftovers found;
+  for (std::uint32_t i = 0; i < document.element_count(); ++i) {
+    const xml::Element element = document.element(i);
+    if (element.name().starts_with("xacro:")) {
+      found.add(element.name_span());
+      continue;
+    }
+    if (has_xacro(element.text()) && !in_plugin(element)) found.add(element.text_span());
+    for (const xml::Attribute attribute : element.attributes()) {
+      if (has_xacro(attribute.value()) && !in_plugin(element)) found.add(attribute.value_span());
+    }
+  }
+  return found;
+}
+
+void check(const model::Root& root, Context& context) {
+  if (extension(context.sources().path(root.source)) == ".xacro") return;
+  const Leftovers found = find(context.document());
+  if (found.count == 0) return;
+  std::string message = "'" + std::string(context.bytes(found.first)) + "' is left for xacro";
+  if (found.count > 1) message += fmt::format(", and {} more in this file", found.count - 1);
+  context.report({.where = found.first, .message = std::move(message)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "xml-leftover-xacro",
+      .category = Category::kXml,
+      .severity = Severity::kError,
+      .summary = "the file holds what xacro should have replaced",
+      .why =
+          "libsdformat, urdfdom and Gazebo do not know xacro: they pass over its elements without "
+          "a word, so that links and joints are missing, and read '${…}' as text where a number "
+          "is due.",
+      .what_to_do = "Run xacro and check what it writes, or name the file .xacro.",
+      .bad = {{R"(<robot name="box" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <«xacro:property» name="size" value="1"/>
+  <link name="body"/>
+</robot>
+)"},
+              {R"(<robot name="box">
+  <link name="body">
+    <collision>
+      <geometry><box size="«${size} 1 1»"/></geometry>
+    </collision>
+  </link>
+</robot>
+)"}},
+      .good = {{R"(<robot name="box">
+  <link name="body">
+    <collision>
+      <geometry><box size="1 1 1"/></geometry>
+    </collision>
+  </link>
+</robot>
+)"}},
+      .checks = {on<model::Root>(check)},
+  };
+}
+
+}  // namespace rigor::rules::xml_leftover_xacro

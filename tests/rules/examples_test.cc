@@ -1,0 +1,187 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Runs every example of every rule, so that what `rigor explain` shows is true.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <rigor/environment.h>
+#include <rigor/rules/example.h>
+#include <rigor/rules/validate.h>
+#include <rigor/text/edit.h>
+
+namespace rigor::rules {
+namespace {
+
+struct Checked {
+  Sources sources;
+  ValidateResult result;
+};
+
+/// Checks an example's first file, with its other files beside it.
+void check(const ParsedExample& example, Checked& checked) {
+  MemoryDisk disk;
+  for (const ParsedExample::File& file : example.files) disk.put(example_path(file), file.bytes);
+  const Environment environment(disk, {});
+  checked.result =
+      validate(environment, {.paths = {example_path(example.files.front())}}, checked.sources);
+}
+
+std::string describe(const Checked& checked, const Diagnostic& diagnostic) {
+  std::string text = std::string(diagnostic.rule) + ": " + diagnostic.message;
+  if (!diagnostic.where.nowhere()) {
+    text += " at '" + std::string(checked.sources.bytes(diagnostic.where)) + "'";
+  }
+  return text;
+}
+
+using Marks = std::vector<ParsedExample::Marked>;
+
+Marks places(const Checked& checked, const Rule& rule) {
+  Marks marks;
+  for (const Diagnostic& diagnostic : checked.result.diagnostics.list()) {
+    if (diagnostic.rule != rule.name) continue;
+    marks.push_back({diagnostic.where.begin, diagnostic.where.end});
+  }
+  const auto before = [](const auto& a, const auto& b) { return a.begin < b.begin; };
+  std::sort(marks.begin(), marks.end(), before);
+  return marks;
+}
+
+class EveryRule : public testing::TestWithParam<const Rule*> {};
+
+const Registry& registry() {
+  static const Registry kRegistry;
+  return kRegistry;
+}
+
+std::vector<const Rule*> all_rules() {
+  std::vector<const Rule*> rules;
+  for (const Rule& rule : registry().rules()) rules.push_back(&rule);
+  return rules;
+}
+
+TEST_P(EveryRule, ReportsItsBadExamplesWhereTheyAreMarked) {
+  const Rule& rule = *GetParam();
+  for (const Example& example : rule.bad) {
+    SCOPED_TRACE(example.text);
+    const ParsedExample parsed = parse_example(example.text);
+    Checked checked;
+    check(parsed, checked);
+    const Marks expected = parsed.marked;
+    const Marks found = places(checked, rule);
+    if (expected.empty()) {
+      EXPECT_FALSE(found.empty()) << "the rule says nothing of its own bad example";
+    } else {
+      EXPECT_EQ(found, expected);
+    }
+    for (const Diagnostic& diagnostic : checked.result.diagnostics.list()) {
+      const bool own = diagnostic.rule == rule.name;
+      if (!own && diagnostic.severity == Severity::kError) {
+        ADD_FAILURE() << "one fault, two errors: " << describe(checked, diagnostic);
+      }
+      if (own && found != expected) ADD_FAILURE() << describe(checked, diagnostic);
+      EXPECT_FALSE(diagnostic.message.ends_with('.')) << diagnostic.message;
+    }
+  }
+}
+
+TEST_P(EveryRule, IsSilentOnItsGoodExamples) {
+  const Rule& rule = *GetParam();
+  for (const Example& example : rule.good) {
+    SCOPED_TRACE(example.text);
+    Checked checked;
+    check(parse_example(example.text), checked);
+    for (const Diagnostic& diagnostic : checked.result.diagnostics.list()) {
+      if (diagnostic.rule == rule.name || diagnostic.severity == Severity::kError) {
+        ADD_FAILURE() << describe(checked, diagnostic);
+      }
+    }
+  }
+}
+
+TEST_P(EveryRule, FixesWhatItSaysItFixes) {
+  const Rule& rule = *GetParam();
+  for (const Example& example : rule.bad) {
+    SCOPED_TRACE(example.text);
+    const ParsedExample parsed = parse_example(example.text);
+    Checked checked;
+    check(parsed, checked);
+    std::vector<Edit> edits;
+    for (const Diagnostic& diagnostic : checked.result.diagnostics.list()) {
+      if (diagnostic.rule != rule.name || diagnostic.fixes.empty()) continue;
+      const Fix& fix = diagnostic.fixes.front();
+      EXPECT_EQ(fix.applicability == Applicability::kSafe, rule.fix == FixGrade::kSafe);
+      edits.insert(edits.end(), fix.edits.begin(), fix.edits.end());
+    }
+    if (example.fixed.empty()) continue;
+    const auto fixed = apply_edits(parsed.files.front().bytes, edits);
+    ASSERT_TRUE(fixed);
+    EXPECT_EQ(*fixed, example.fixed);
+    // What was put right stays right.
+    ParsedExample again = parsed;
+    again.files.front().bytes = *fixed;
+    Checked rechecked;
+    check(again, rechecked);
+    EXPECT_TRUE(places(rechecked, rule).empty());
+  }
+}
+
+TEST_P(EveryRule, SaysWhatItIsAbout) {
+  const Rule& rule = *GetParam();
+  EXPECT_TRUE(std::regex_match(std::string(rule.name), std::regex("[a-z0-9]+(-[a-z0-9]+)*")));
+  EXPECT_FALSE(rule.summary.empty());
+  EXPECT_GE(rule.why.size(), 40U);
+  EXPECT_GE(rule.what_to_do.size(), 15U);
+  EXPECT_FALSE(rule.checks.empty());
+  for (const std::string_view text : {rule.summary, rule.why, rule.what_to_do}) {
+    EXPECT_EQ(text.find("TODO"), std::string_view::npos);
+  }
+  const bool has_fixed = std::any_of(rule.bad.begin(), rule.bad.end(),
+                                     [](const Example& bad) { return !bad.fixed.empty(); });
+  EXPECT_EQ(has_fixed, rule.fix != FixGrade::kNone) << "a fix is shown where there is one";
+}
+
+INSTANTIATE_TEST_SUITE_P(Rules, EveryRule, testing::ValuesIn(all_rules()), [](const auto& instance) {
+  std::string name(instance.param->name);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+TEST(Registry, HasEachNameOnceAndFindsIt) {
+  std::set<std::string_view> names;
+  for (const Rule& rule : registry().rules()) {
+    EXPECT_TRUE(names.insert(rule.name).second) << rule.name;
+    EXPECT_EQ(registry().find(rule.name), &rule);
+  }
+  EXPECT_EQ(registry().find("no-such-rule"), nullptr);
+}
+
+TEST(Selection, ChoosesByNameAndCategory) {
+  MemoryDisk disk;
+  disk.put("a.sdf",
+           "<sdf version='1.9'><model name='m'><static>1</static><link name='a'/><link name='b'/>"
+           "<joint name='j' type='revolute'><parent>a</parent><child>b</child>"
+           "<axis><xyz>0 0 0</xyz></axis></joint></model></sdf>");
+  const Environment environment(disk, {});
+  Sources sources;
+  const auto errors = [&](Selection selection) {
+    return validate(environment, {.paths = {"a.sdf"}, .selection = std::move(selection)}, sources)
+        .diagnostics.count(Severity::kError);
+  };
+  EXPECT_EQ(errors({}), 1U);
+  EXPECT_EQ(errors({.select = {"inertia"}}), 0U);
+  EXPECT_EQ(errors({.select = {"kinematics"}}), 1U);
+  EXPECT_EQ(errors({.ignore = {"axis-zero"}}), 0U);
+  EXPECT_EQ(errors({.severity = {{"axis-zero", Severity::kInfo}}}), 0U);
+  EXPECT_EQ(unknown_name({.select = {"mesh", "mseh"}}, environment.registry), "mseh");
+}
+
+}  // namespace
+}  // namespace rigor::rules

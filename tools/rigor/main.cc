@@ -1,0 +1,115 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cstdio>
+#include <exception>
+
+#include <rigor/report/printable.h>
+
+#include "command.h"
+#include "output.h"
+
+namespace rigor::tool {
+namespace {
+
+constexpr std::string_view kGreeting =
+    R"(rigor checks robot models (SDFormat, URDF) before a simulator loads them.
+
+  rigor validate [PATH...]   check files and folders
+  rigor inspect PATH         tree, poses and masses of a model
+  rigor rules                what is checked
+  rigor explain RULE         why, and what to do about it
+  rigor schema VERSION       the elements of a format
+  rigor resolve URI          where a URI leads
+
+  rigor validate my_robot                  check all models in a folder
+  rigor validate --format json robot.urdf  the same for a program
+)";
+
+/// The first word that nobody declared, and what it was probably meant to be.
+std::string unknown_word(const CLI::App& program) {
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  const CLI::App& app = chosen.empty() ? program : *chosen.front();
+  const std::vector<std::string> words = program.remaining(true);
+  const std::string word = words.empty() ? "" : words.front();
+  const bool option = word.starts_with('-');
+  std::vector<std::string> names;
+  if (option) {
+    for (const CLI::Option* each : app.get_options()) {
+      for (const std::string& name : each->get_lnames()) names.push_back("--" + name);
+    }
+  } else if (chosen.empty()) {
+    for (const CLI::App* each : program.get_subcommands({})) names.push_back(each->get_name());
+  }
+  const std::string kind = option           ? "unknown option "
+                           : chosen.empty() ? "unknown command "
+                                            : "one argument too many: ";
+  const std::string bare = word.substr(0, word.find('='));
+  return kind + bare + did_you_mean(bare, {names.begin(), names.end()});
+}
+
+int usage_error(std::string_view message) {
+  say("rigor: " + report::printable(message));
+  return kUsage;
+}
+
+std::vector<std::unique_ptr<Command>> all_commands() {
+  std::vector<std::unique_ptr<Command>> commands;
+  commands.push_back(validate_command());
+  commands.push_back(inspect_command());
+  commands.push_back(rules_command());
+  commands.push_back(explain_command());
+  commands.push_back(schema_command());
+  commands.push_back(resolve_command());
+  commands.push_back(version_command());
+  return commands;
+}
+
+int run(std::vector<std::string> arguments) {
+  if (arguments.empty()) {
+    write({0, {}}, kGreeting);
+    return kClean;
+  }
+  if (arguments.front() == "--version") arguments.front() = "version";
+
+  CLI::App program("Checks robot models (SDFormat, URDF) before a simulator loads them", "rigor");
+  program.require_subcommand(0, 1);
+  examples_first(program, {"rigor validate my_robot"});
+  const std::vector<std::unique_ptr<Command>> commands = all_commands();
+  std::vector<CLI::App*> apps;
+  for (const auto& command : commands) apps.push_back(command->declare(program));
+
+  try {
+    // CLI11 takes the arguments from the back.
+    program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::CallForHelp&) {
+    write({0, {}}, program.help());
+    return kClean;
+  } catch (const CLI::ExtrasError&) {
+    return usage_error(unknown_word(program));
+  } catch (const CLI::ParseError& error) {
+    return usage_error(error.what());
+  }
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    if (apps[i]->parsed()) return commands[i]->run();
+  }
+  return usage_error("no command; `rigor` alone lists them");
+}
+
+int run_caught(std::vector<std::string> arguments) {
+  try {
+    return run(std::move(arguments));
+  } catch (const UsageError& error) {
+    return usage_error(error.what());
+  } catch (const std::exception& error) {
+    say(std::string("rigor: internal error, please report it: ") + error.what());
+    return kInternal;
+  }
+}
+
+}  // namespace
+}  // namespace rigor::tool
+
+int main(int argc, char** argv) {
+  return rigor::tool::run_caught(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
+}
