@@ -90,6 +90,7 @@ TEST(Document, NamesEachFaultWhereItStands) {
       {"<a b='1' b='2'/>", {FaultKind::kDuplicateAttribute}, "b"},
       {"<!-- x --><?xml version='1.0'?><a/>", {FaultKind::kDeclarationNotFirst},
        "<?xml version='1.0'?>"},
+      {" <?xml version='1.0'?><a/>", {FaultKind::kDeclarationNotFirst}, "<?xml version='1.0'?>"},
       {"<a/><b/>", {FaultKind::kSecondRoot}, "b"},
       {"<a/> x <!-- y -->", {FaultKind::kTextOutsideRoot}, "x"},
       {"<a/> x ", {FaultKind::kRefused}, "x"},
@@ -105,7 +106,7 @@ TEST(Document, NamesEachFaultWhereItStands) {
       {"<a b='<'/>", {FaultKind::kAngleInValue}, "<"},
       {"<a b='1'c='2'/>", {FaultKind::kNoSpaceBetween}, "c='2'"},
       {"\xEF\xBB\xBF<?xml version='1.0'?><a/>", {}, nullptr},
-      {"\xFF\xFE<", {FaultKind::kNotUtf8, FaultKind::kNotUtf8, FaultKind::kUtf16}, "\xFF"},
+      {"\xFF\xFE<", {FaultKind::kUtf16}, "\xFF\xFE"},
   };
   for (const Case& one : cases) {
     const std::string text = one.text;

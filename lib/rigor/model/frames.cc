@@ -33,7 +33,7 @@ bool in_urdf(const Root& root, Id<Model> model) {
 class FrameSolver {
  public:
   FrameSolver(Frames& frames, const Root& root)
-      : frames_(frames), root_(root), names_(root) {
+      : frames_(frames), root_(root), names_(frames.names_) {
     std::uint32_t next = kTop + 1;
     const auto reserve = [&next](std::size_t count) {
       const std::uint32_t first = next;
@@ -95,6 +95,9 @@ class FrameSolver {
   }
   std::uint32_t scope_node(ScopeId scope) const { return scope.model ? node(scope.model) : kTop; }
 
+  /// The scope of a model's own parts: the parts of a merged one belong to the model around it.
+  ScopeId inside(Id<Model> id) const { return {root_[id].merged ? root_[id].parent : id, {}}; }
+
   template <class Entity>
   void problem(FrameProblemKind kind, const Entity& entity, const Field<std::string>& reference,
                ScopeId scope) {
@@ -132,11 +135,11 @@ class FrameSolver {
       const Id<Model> id{static_cast<std::uint32_t>(i)};
       Id<Link>& canonical = frames_.canonical_[i];
       if (!model.canonical_link.value.empty()) {
-        const Named named = names_.find({id, {}}, model.canonical_link.value);
+        const Named named = names_.find(inside(id), model.canonical_link.value);
         if (const auto* link = std::get_if<Id<Link>>(&named)) {
           canonical = *link;
         } else {
-          problem(FrameProblemKind::kCanonicalLinkMissing, model, model.canonical_link, {id, {}});
+          problem(FrameProblemKind::kCanonicalLinkMissing, model, model.canonical_link, inside(id));
         }
       } else if (!model.links.empty()) {
         canonical = model.links.front();
@@ -244,9 +247,9 @@ class FrameSolver {
       if (model.placement_frame.value.empty()) continue;
       const Id<Model> id{static_cast<std::uint32_t>(i)};
       const std::uint32_t self = node(id);
-      const std::uint32_t frame = node(names_.find({id, {}}, model.placement_frame.value));
+      const std::uint32_t frame = node(names_.find(inside(id), model.placement_frame.value));
       if (frame == kBroken) {
-        problem(FrameProblemKind::kPlacementFrameMissing, model, model.placement_frame, {id, {}});
+        problem(FrameProblemKind::kPlacementFrameMissing, model, model.placement_frame, inside(id));
         nodes_[self].state = State::kFailed;
         continue;
       }
@@ -542,13 +545,13 @@ class FrameSolver {
 
   Frames& frames_;
   const Root& root_;
-  Names names_;
+  const Names& names_;
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> stack_;
   std::uint32_t models_, links_, joints_, named_, collisions_, visuals_, sensors_, lights_;
 };
 
-Frames::Frames(const Root& root, const JointPositions& positions) {
+Frames::Frames(const Root& root, const JointPositions& positions) : names_(root) {
   FrameSolver(*this, root).solve(positions);
 }
 

@@ -24,6 +24,7 @@
 #include <vector>
 
 #include <rigor/model/model.h>
+#include <rigor/model/names.h>
 
 namespace rigor::model {
 
@@ -87,6 +88,9 @@ class Frames {
 
   const std::vector<FrameProblem>& problems() const { return problems_; }
 
+  /// The names that were resolved, for whoever has one more.
+  const Names& names() const { return names_; }
+
  private:
   friend class FrameSolver;
   using Poses = std::vector<std::optional<Pose>>;
@@ -94,6 +98,7 @@ class Frames {
     return index < poses.size() ? poses[index] : std::nullopt;
   }
 
+  Names names_;
   Poses models_, links_, joints_, frames_, collisions_, visuals_, sensors_, lights_;
   std::vector<std::array<std::optional<Vector3>, 2>> axes_;
   std::vector<Ends> ends_;

@@ -166,6 +166,8 @@ class Walk {
       }
     }
     add(fact);
+    // Consumers read an old file with their newest schema, so what is inside counts all the same.
+    if (fact.kind == Kind::kNewerThanVersion) this->element(child, *fact.node);
   }
 
   void value(xml::Element element, const Node& node) {

@@ -23,9 +23,8 @@
 namespace rigor::read {
 
 enum class SchemaFactKind : std::uint8_t {
-  kUnknownElement,
+  kUnknownElement,       ///< to this version, here; it may belong elsewhere
   kUnknownAttribute,
-  kMisplacedElement,     ///< known to this version, but not here
   kWrongCase,            ///< known here but for letter case; `node` is the right one
   kNewerThanVersion,     ///< known here in a later version; `node` is that one
   kRemovedInVersion,     ///< known here in an earlier version; `node` is that one

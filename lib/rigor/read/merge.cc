@@ -30,6 +30,18 @@ class Renaming {
   std::string frame_;
 };
 
+/// The link that a model without a `canonical_link` takes, as said inside it.
+std::string canonical_link(const model::Root& root, Id<model::Model> id) {
+  std::string name;
+  while (root[id].links.empty()) {
+    if (root[id].models.empty()) return {};
+    id = root[id].models.front();
+    name += root[id].name.value + "::";
+    if (!root[id].canonical_link.value.empty()) return name + root[id].canonical_link.value;
+  }
+  return name + root[root[id].links.front()].name.value;
+}
+
 template <class T>
 void move_ids(std::vector<Id<T>>& from, std::vector<Id<T>>& to) {
   to.insert(to.end(), from.begin(), from.end());
@@ -43,8 +55,8 @@ void merge_into_parent(model::Root& root, Id<model::Model> inner_id) {
   const Id<model::Model> outer_id = inner.parent;
   model::Model& outer = root.models[outer_id.value];
   inner.merged = true;
-  if (inner.canonical_link.value.empty() && !inner.links.empty()) {
-    inner.canonical_link.value = root[inner.links.front()].name.value;
+  if (inner.canonical_link.value.empty()) {
+    inner.canonical_link.value = canonical_link(root, inner_id);
   }
   inner.name.value = "_merged__" + inner.name.value + "__model__";
   const Renaming rename(inner.name.value);
@@ -66,6 +78,8 @@ void merge_into_parent(model::Root& root, Id<model::Model> inner_id) {
   for (const Id<model::Joint> id : inner.joints) {
     model::Joint& joint = root.joints[id.value];
     joint.model = outer_id;
+    // A URDF's joint stands in its parent's frame, an SDF's in its child's.
+    if (inner.format == model::Format::kUrdf) joint.pose.relative_to.value = joint.parent.value;
     rename.explicit_only(joint.parent);
     rename.explicit_only(joint.child);
     rename.explicit_only(joint.pose.relative_to);
@@ -77,10 +91,12 @@ void merge_into_parent(model::Root& root, Id<model::Model> inner_id) {
     rename.or_default(frame.attached_to);
     rename.explicit_only(frame.pose.relative_to);
   }
-  for (const Id<model::Model> id : inner.models) {
-    model::Model& nested = root.models[id.value];
-    nested.parent = outer_id;
-    rename.or_default(nested.pose.relative_to);
+  for (const auto* models : {&inner.models, &inner.merged_models}) {
+    for (const Id<model::Model> id : *models) {
+      model::Model& nested = root.models[id.value];
+      nested.parent = outer_id;
+      rename.or_default(nested.pose.relative_to);
+    }
   }
   for (model::Plugin& plugin : root.plugins) {
     if (plugin.model == inner_id) plugin.model = outer_id;
@@ -91,6 +107,7 @@ void merge_into_parent(model::Root& root, Id<model::Model> inner_id) {
   move_ids(inner.joints, outer.joints);
   move_ids(inner.frames, outer.frames);
   move_ids(inner.models, outer.models);
+  move_ids(inner.merged_models, outer.merged_models);
   outer.merged_models.push_back(inner_id);
 }
 

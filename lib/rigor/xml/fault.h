@@ -30,9 +30,9 @@ enum class FaultKind : std::uint8_t {
   kTooDeep,              ///< nested past kMaxDepth
   kTooMany,              ///< more attributes in a tag, or elements in a file, than any model has
   kDuplicateAttribute,   ///< `where` the second name, `related` the first
-  kDeclarationNotFirst,  ///< `<?xml …?>` after something else
   kRefused,              ///< tinyxml2 refuses the file although the scanner did not; see `detail`
   // Not fatal: consumers read on, a strict parser does not.
+  kDeclarationNotFirst,  ///< `<?xml …?>` behind white space; behind more, tinyxml2 refuses it
   kSecondRoot,         ///< `related` is the first root's name
   kTextOutsideRoot,    ///< characters before or after the root element
   kUndefinedEntity,    ///< `&name;` that is none of XML's five; a lone `&`

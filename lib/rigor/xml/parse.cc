@@ -58,10 +58,10 @@ class Builder {
   }
 
   Document build() {
-    find_bad_characters();
     if (is_wide_encoding(bytes_)) {
       fail({FaultKind::kUtf16, span(0, std::min<std::size_t>(bytes_.size(), 2)), {}, {}});
     } else {
+      find_bad_characters();
       if (bytes_.starts_with(kByteOrderMark)) {
         token(TokenKind::kByteOrderMark, static_cast<std::uint32_t>(kByteOrderMark.size()));
       }
@@ -194,7 +194,7 @@ class Builder {
     } else if (is_declaration(inside)) {
       kind = TokenKind::kDeclaration;
       const std::uint32_t first = bytes_.starts_with(kByteOrderMark) ? 3 : 0;
-      if (at_ != first) declaration_not_first(end);
+      if (at_ != first) note({FaultKind::kDeclarationNotFirst, span(at_, end), {}, {}});
     }
     token(kind, end);
   }
@@ -202,11 +202,6 @@ class Builder {
   bool is_declaration(std::uint32_t inside) const {
     const std::string_view rest = bytes_.substr(inside);
     return rest.starts_with("xml") && (rest.size() == 3 || !is_name(rest[3]));
-  }
-
-  void declaration_not_first(std::uint32_t end) {
-    fail({FaultKind::kDeclarationNotFirst, span(at_, end), {}, {}});
-    document_.complete_ = true;  // the rest can still be read: only the verdict is lost
   }
 
   void doctype() {
@@ -403,26 +398,25 @@ class Builder {
       document_.elements_[index].cut = true;
       document_.elements_[index].end = at_;
     }
-    // Of what follows a misplaced declaration only the structure is used.
-    const auto is_fatal_fault = [](const Fault& fault) { return is_fatal(fault.kind); };
-    if (std::any_of(document_.faults_.begin(), document_.faults_.end(), is_fatal_fault)) {
-      document_.complete_ = false;
-    }
   }
 
   void ask_the_judge() {
     const std::optional<Refusal> refusal = tinyxml2_refusal(bytes_);
     if (!refusal) return;
+    document_.complete_ = false;
+    const auto find = [this](FaultKind kind) {
+      return std::find_if(document_.faults_.begin(), document_.faults_.end(),
+                          [kind](const Fault& fault) { return fault.kind == kind; });
+    };
+    if (find(FaultKind::kDeclarationNotFirst) != document_.faults_.end()) return;  // says it all
     // Text behind the root is what it refuses though the structure is whole; then that is the place.
-    const auto outside = std::find_if(
-        document_.faults_.begin(), document_.faults_.end(),
-        [](const Fault& fault) { return fault.kind == FaultKind::kTextOutsideRoot; });
+    const auto outside = find(FaultKind::kTextOutsideRoot);
     Span where = line_span(refusal->line);
     if (outside != document_.faults_.end()) {
       where = outside->where;
       document_.faults_.erase(outside);
     }
-    fail({FaultKind::kRefused, where, {}, refusal->reason});
+    note({FaultKind::kRefused, where, {}, refusal->reason});
   }
 
   Span line_span(int number) const {

@@ -9,11 +9,17 @@
 namespace rigor::rules::duplicate_name {
 namespace {
 
-void check(const model::Root& root, Context& context) {
-  const bool urdf = context.is_urdf();
+/// URDF tells links, joints and materials by name, and nothing below them.
+bool counts(const NameScope& scope, const Named& named, const Context& context) {
+  if (!context.is_urdf()) return true;
+  return scope.of == "robot" &&
+         (named.kind == "link" || named.kind == "joint" || named.kind == "material");
+}
+
+void check(const model::Root& /*root*/, Context& context) {
   for (const NameScope& scope : name_scopes(context)) {
-    if (urdf && scope.of == NameScope::Of::kLink) continue;  // URDF does not tell shapes by name
-    for_each_repetition(scope, Kinds::kSame, [&context](const Named& first, const Named& again) {
+    for_each_repetition(scope, Kinds::kSame, [&](const Named& first, const Named& again) {
+      if (!counts(scope, again, context)) return;
       context.report({.where = again.where,
                       .message = "a second " + std::string(again.kind) + " is called '" +
                                  std::string(again.name) + "'",
@@ -21,16 +27,6 @@ void check(const model::Root& root, Context& context) {
                       .related = {{first.where, "the first"}}});
     });
   }
-  NameScope materials{NameScope::Of::kFile, 0, {}};
-  for (const model::RobotMaterial& material : root.materials) {
-    if (!root.own(material.site)) continue;
-    materials.members.push_back({"material", material.name.value, material.name.span, {}});
-  }
-  for_each_repetition(materials, Kinds::kSame, [&context](const Named& first, const Named& again) {
-    context.report({.where = again.where,
-                    .message = "a second material is called '" + std::string(again.name) + "'",
-                    .related = {{first.where, "the first"}}});
-  });
 }
 
 }  // namespace

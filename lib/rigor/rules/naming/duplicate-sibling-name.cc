@@ -9,19 +9,17 @@
 namespace rigor::rules::duplicate_sibling_name {
 namespace {
 
-constexpr int kFirstStrictVersion = 7;  // older files are renamed while they are read
-
 void check(const model::Root& /*root*/, Context& context) {
   for (const NameScope& scope : name_scopes(context)) {
-    const bool shared = scope.of == NameScope::Of::kModel || scope.of == NameScope::Of::kWorld;
-    if (!shared || scope.version < kFirstStrictVersion) continue;
-    for_each_repetition(scope, Kinds::kDifferent, [&context](const Named& first, const Named& again) {
-      context.report({.where = again.where,
-                      .message = "the " + std::string(again.kind) + " '" + std::string(again.name) +
-                                 "' has the name of a " + std::string(first.kind),
-                      .subject = again.subject,
-                      .related = {{first.where, "the " + std::string(first.kind)}}});
-    });
+    for_each_repetition(
+        scope, Kinds::kDifferent, [&context](const Named& first, const Named& again) {
+          context.report({.where = again.where,
+                          .message = "the " + std::string(again.kind) + " '" +
+                                     std::string(again.name) + "' has the name of a " +
+                                     std::string(first.kind),
+                          .subject = again.subject,
+                          .related = {{first.where, "the " + std::string(first.kind)}}});
+        });
   }
 }
 
@@ -35,15 +33,27 @@ Rule rule() {
       .formats = Formats::kSdf,
       .summary = "things of different kinds in one scope have the same name",
       .why =
-          "From SDF 1.7 on, links, joints, frames and nested models of a model, and models, "
-          "joints and frames of a world, share one set of names, since a pose may refer to any of "
-          "them: libsdformat refuses the file.",
+          "A pose may refer to any link, joint, frame or model of a scope by name, so they share "
+          "one set of names: from SDF 1.7 on libsdformat refuses the file; of an older one it "
+          "renames the later kind while it reads, so that nobody finds it by the name that is "
+          "written. Its check (ign sdf -k) refuses both, and a visual with the name of its "
+          "collision too.",
       .what_to_do = "Rename one of them, as to elbow_joint.",
       .bad = {{R"(<sdf version="1.9">
   <model name="box">
     <static>true</static>
     <link name="body"/>
     <frame name="«body»"/>
+  </model>
+</sdf>
+)"},
+              {R"(<sdf version="1.6">
+  <model name="arm">
+    <link name="elbow"/>
+    <joint name="«elbow»" type="fixed">
+      <parent>world</parent>
+      <child>elbow</child>
+    </joint>
   </model>
 </sdf>
 )"}},

@@ -19,86 +19,67 @@ namespace rigor::rules {
 struct Named {
   std::string_view kind;  ///< the element's name: "link"
   std::string_view name;
-  Span where;             ///< of the name, where it was written in the file itself
+  Span where;  ///< of the name, where it was written in the file itself
   std::string subject;
 };
 
-/// Things among which names are told apart: the parts of a model, of a world, of a link.
+/// Things among which names are told apart: all that one element holds.
 struct NameScope {
-  enum class Of { kFile, kWorld, kModel, kLink };
-  Of of;
-  int version;  ///< SDF 1.`version`
+  std::string_view of;  ///< the element's name: "model"
   std::vector<Named> members;
 };
 
+/// Walks the elements of a file, since a name is unique among its siblings whatever they are.
 class NameCollector {
  public:
-  explicit NameCollector(const Context& context) : context_(context), root_(context.root()) {}
+  explicit NameCollector(const Context& context) : context_(context) {}
 
   std::vector<NameScope> collect() {
-    add_worlds();
-    for (const model::Model& model : root_.models) {
-      if (root_.own(model.site)) add_model(model);
-    }
-    for (const model::Link& link : root_.links) {
-      if (root_.own(link.site)) add_link(link);
-    }
+    if (const auto root = context_.document().root()) add(*root, "");
     return std::move(scopes_);
   }
 
  private:
-  template <class Entity>
-  void add(NameScope& scope, std::string_view kind, const Entity& entity) {
-    if (!entity.name.written || !root_.own(entity.site)) return;
-    const Span where = entity.name.span.size() > 0 ? entity.name.span : entity.site.tag;
-    scope.members.push_back({kind, entity.name.value, where, context_.subject(entity)});
-  }
-
-  /// A nested model, which an include may have brought; what a merge brought has left no model.
-  void add_nested(NameScope& scope, const model::Model& model) {
-    if (root_.own(model.site)) return add(scope, "model", model);
-    if (model.include >= root_.includes.size()) return;
-    const model::Include& include = root_.includes[model.include];
-    if (!root_.own(include.site) || include.merge.value) return;
-    const Span where = include.name.written ? include.name.span : include.site.name;
-    scope.members.push_back({"model", model.name.value, where, context_.subject(model)});
-  }
-
-  void add_worlds() {
-    NameScope file{NameScope::Of::kFile, root_.version, {}};
-    for (const model::World& world : root_.worlds) {
-      add(file, "world", world);
-      NameScope scope{NameScope::Of::kWorld, root_.version, {}};
-      for (const auto id : world.models) add_nested(scope, root_[id]);
-      for (const auto id : world.joints) add(scope, "joint", root_[id]);
-      for (const auto id : world.frames) add(scope, "frame", root_[id]);
-      scopes_.push_back(std::move(scope));
+  void add(xml::Element element, const std::string& subject) {
+    const std::size_t index = scopes_.size();
+    scopes_.push_back({element.name(), {}});
+    for (const xml::Element child : element.children()) {
+      const std::string_view kind = child.name();
+      // What a plugin holds is its own business, and so is its name.
+      if (kind == "plugin" || kind.find(':') != std::string_view::npos) continue;
+      const auto name = child.attribute("name");
+      const std::string inside = name ? inner_subject(subject, kind, name->value()) : subject;
+      if (name) {
+        const Span where = name->value_span().size() > 0 ? name->value_span() : child.tag_span();
+        scopes_[index].members.push_back({kind, name->value(), where, inside});
+      } else if (kind == "include") {
+        add_include(scopes_[index], child);
+      }
+      add(child, inside);
     }
-    for (const model::Model& model : root_.models) {
-      if (!model.parent && !model.world) add(file, "model", model);
+  }
+
+  static std::string inner_subject(const std::string& outer, std::string_view kind,
+                                   std::string_view name) {
+    if (kind == "model" || kind == "robot") {
+      return outer.empty() ? std::string(name) : outer + "::" + std::string(name);
     }
-    scopes_.push_back(std::move(file));
+    return (outer.empty() ? "" : outer + "/") + std::string(kind) + " " + std::string(name);
   }
 
-  void add_model(const model::Model& model) {
-    NameScope scope{NameScope::Of::kModel, root_.version, {}};
-    for (const auto id : model.links) add(scope, "link", root_[id]);
-    for (const auto id : model.joints) add(scope, "joint", root_[id]);
-    for (const auto id : model.frames) add(scope, "frame", root_[id]);
-    for (const auto id : model.models) add_nested(scope, root_[id]);
-    scopes_.push_back(std::move(scope));
-  }
-
-  void add_link(const model::Link& link) {
-    NameScope scope{NameScope::Of::kLink, root_.version, {}};
-    for (const auto id : link.collisions) add(scope, "collision", root_[id]);
-    for (const auto id : link.visuals) add(scope, "visual", root_[id]);
-    for (const auto id : link.sensors) add(scope, "sensor", root_[id]);
-    scopes_.push_back(std::move(scope));
+  /// An include stands for the model that it brings, under the name that it gives it.
+  void add_include(NameScope& scope, xml::Element element) {
+    const model::Root& root = context_.root();
+    for (const model::Include& include : root.includes) {
+      if (!root.own(include.site) || include.site.element != element.index()) continue;
+      if (!include.loaded || include.merge.value) return;
+      const Span where = include.name.written ? include.name.span : include.site.name;
+      const model::Model& model = root[include.loaded];
+      scope.members.push_back({"model", model.name.value, where, context_.subject(model)});
+    }
   }
 
   const Context& context_;
-  const model::Root& root_;
   std::vector<NameScope> scopes_;
 };
 

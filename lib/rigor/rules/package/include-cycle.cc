@@ -22,8 +22,7 @@ Rule rule() {
       .category = Category::kPackage,
       .severity = Severity::kError,
       .summary = "a model includes itself",
-      .why =
-          "libsdformat follows the circle until the memory is used up, and the simulator dies.",
+      .why = "libsdformat follows the circle until the memory is used up, and the simulator dies.",
       .what_to_do = "Take one of the includes out.",
       .bad = {{R"(<sdf version="1.9">
   <model name="box">

@@ -7,8 +7,9 @@ namespace rigor::rules::include_not_followed {
 namespace {
 
 void check(const read::Fact& fact, Context& context) {
-  context.report({.where = fact.where,
-                  .message = "'" + fact.name + "' is not in the Fuel cache, and was not looked at"});
+  context.report(
+      {.where = fact.where,
+       .message = "'" + fact.name + "' is not in the Fuel cache, and was not looked at"});
 }
 
 }  // namespace

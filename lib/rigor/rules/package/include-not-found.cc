@@ -13,8 +13,9 @@ void check(const read::Fact& fact, Context& context) {
   const std::string other = context.resolve(fact.name).other_case;
   context.report({.where = fact.where,
                   .message = "'" + fact.name + "' is not found",
-                  .help = other.empty() ? tried_places(fact.tried, fact.name)
-                                        : "there is '" + other + "': letters are told apart by case"});
+                  .help = other.empty()
+                              ? tried_places(fact.tried, fact.name)
+                              : "there is '" + other + "': letters are told apart by case"});
 }
 
 }  // namespace

@@ -43,7 +43,8 @@ Rule rule() {
   </model>
 </sdf>
 )"}},
-      .checks = {on_read({read::FactKind::kTooMuchIncluded, read::FactKind::kIncludeTooDeep}, check)},
+      .checks = {on_read({read::FactKind::kTooMuchIncluded, read::FactKind::kIncludeTooDeep},
+                         check)},
   };
 }
 

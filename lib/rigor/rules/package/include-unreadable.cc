@@ -7,7 +7,8 @@ namespace rigor::rules::include_unreadable {
 namespace {
 
 void check(const read::Fact& fact, Context& context) {
-  context.report({.where = fact.where, .message = "the included file cannot be read: " + fact.name});
+  context.report(
+      {.where = fact.where, .message = "the included file cannot be read: " + fact.name});
 }
 
 }  // namespace

@@ -10,10 +10,13 @@
 namespace rigor::rules::material_script_incomplete {
 namespace {
 
-/// Whether the script has a value under this name. In SDF 1.0 these were attributes.
+/// Whether the script has a value under this name. In SDF 1.0 these were attributes. `__default__` is
+/// libsdformat's own sign for "nothing was written", which old Gazebo wrote into files.
 bool has(xml::Element script, std::string_view name) {
   const auto text = read::child_text(script, name);
-  return text && !read::trimmed(text->text).empty();
+  if (!text) return false;
+  const std::string_view value = read::trimmed(text->text);
+  return !value.empty() && value != "__default__";
 }
 
 void check(const model::Root& root, Context& context) {

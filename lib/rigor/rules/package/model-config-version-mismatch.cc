@@ -7,8 +7,8 @@ namespace rigor::rules::model_config_version_mismatch {
 namespace {
 
 void check(const read::ConfigFact& fact, Context& context) {
-  context.report({.where = fact.where,
-                  .message = "the file is SDF " + fact.found + ", not " + fact.name});
+  context.report(
+      {.where = fact.where, .message = "the file is SDF " + fact.found + ", not " + fact.name});
 }
 
 }  // namespace

@@ -7,7 +7,8 @@ namespace rigor::rules::model_config_version_missing {
 namespace {
 
 void check(const read::ConfigFact& fact, Context& context) {
-  context.report({.where = fact.where, .message = "'" + fact.name + "' is named without its version"});
+  context.report(
+      {.where = fact.where, .message = "'" + fact.name + "' is named without its version"});
 }
 
 }  // namespace

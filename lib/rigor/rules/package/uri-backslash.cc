@@ -54,7 +54,7 @@ Rule rule() {
   </model>
 </sdf>
 )",
-        R"(<sdf version="1.9">
+               R"(<sdf version="1.9">
   <model name="box">
     <static>true</static>
     <link name="body">

@@ -18,7 +18,7 @@ namespace rigor::rules {
 struct Uri {
   std::string_view text;  ///< decoded, without the white space around it
   Span where;
-  bool verbatim;          ///< whether the text is the file's own bytes
+  bool verbatim;  ///< whether the text is the file's own bytes
 };
 
 /// Of includes, meshes, textures, scripts and heightmaps; not of plugins, which may mean anything.

@@ -55,7 +55,7 @@ bool is_whole(const model::Root& root) {
 
 void check(const model::Root& root, Context& context) {
   if (!is_whole(root)) return;  // a joint may be in what was not found
-  const model::Names names(root);
+  const model::Names& names = context.frames().names();
   for (const model::Plugin& plugin : root.plugins) {
     if (!plugin.model || !root.own(plugin.site)) continue;
     const std::string name = library(plugin.filename.value);

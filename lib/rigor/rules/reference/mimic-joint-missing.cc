@@ -18,7 +18,7 @@ bool exists(const model::Names& names, model::Id<model::Model> scope, const std:
 }
 
 void check(const model::Root& root, Context& context) {
-  const model::Names names(root);
+  const model::Names& names = context.frames().names();
   for (const model::Joint& joint : root.joints) {
     if (!joint.model || !root.own(joint.site)) continue;
     for (const model::Axis& axis : joint.axes) {

@@ -14,7 +14,7 @@
 namespace rigor::rules::defaulted_element {
 namespace {
 
-/// Where a silent default surprises: shapes, sensors, joints. What a world, its scene, engine, lights
+/// Where a silent default surprises: shapes and sensors. What a world, its scene, engine, lights
 /// and materials leave out is nearly always left out on purpose.
 constexpr std::array<std::string_view, 15> kParents = {
     "box",    "sphere", "cylinder", "capsule", "cone",  "ellipsoid",  "plane",   "polyline",
@@ -24,14 +24,13 @@ void check(const read::SchemaFact& fact, Context& context) {
   const std::string_view parent = fact.element.name();
   const auto value = fact.node->default_value();
   if (std::find(kParents.begin(), kParents.end(), parent) == kParents.end() || !value) return;
-  if (fact.element.attribute(fact.node->name())) return;   // element-as-attribute
+  if (fact.element.attribute(fact.node->name())) return;    // element-as-attribute
   if (!read::trimmed(fact.element.text()).empty()) return;  // text-between-elements
   std::string message = "no <" + std::string(fact.node->name()) + "> in <" + std::string(parent) +
                         ">: it is " + std::string(*value);
   if (!fact.node->unit().empty()) message += " " + std::string(fact.node->unit());
-  context.report({.where = fact.where,
-                  .message = std::move(message),
-                  .subject = subject_of(fact.element)});
+  context.report(
+      {.where = fact.where, .message = std::move(message), .subject = subject_of(fact.element)});
 }
 
 }  // namespace

@@ -53,9 +53,9 @@ Rule rule() {
   </model>
 </sdf>
 )"}},
-      .checks = {on_schema({read::SchemaFactKind::kElementAsAttribute,
-                            read::SchemaFactKind::kRemovedInVersion},
-                           check)},
+      .checks = {on_schema(
+          {read::SchemaFactKind::kElementAsAttribute, read::SchemaFactKind::kRemovedInVersion},
+          check)},
   };
 }
 

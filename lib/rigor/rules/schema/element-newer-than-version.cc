@@ -13,8 +13,8 @@ void check(const read::SchemaFact& fact, Context& context) {
   const std::string format = context.is_urdf() ? "URDF " : "SDF ";
   const std::string since = schema::to_string(fact.node->since());
   context.report({.where = fact.where,
-                  .message = "'" + std::string(context.bytes(fact.where)) + "' came with " + format +
-                             since + ": this file is " + format +
+                  .message = "'" + std::string(context.bytes(fact.where)) + "' came with " +
+                             format + since + ": this file is " + format +
                              schema::to_string(fact.parent->version()),
                   .subject = subject_of(fact.element)});
 }

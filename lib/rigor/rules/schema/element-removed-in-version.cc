@@ -13,14 +13,13 @@ void check(const read::SchemaFact& fact, Context& context) {
   if (written_as_attribute(fact)) return;
   const std::string format = context.is_urdf() ? "URDF " : "SDF ";
   const auto until = fact.node->until();
-  context.report({.where = fact.where,
-                  .message = "'" + std::string(context.bytes(fact.where)) + "' has no effect in " +
-                             format + schema::to_string(fact.parent->version()) +
-                             (until ? ": it was last in " + schema::to_string(*until) : ""),
-                  .subject = subject_of(fact.element),
-                  .help = fact.node->instead().empty()
-                              ? ""
-                              : "write " + std::string(fact.node->instead())});
+  context.report(
+      {.where = fact.where,
+       .message = "'" + std::string(context.bytes(fact.where)) + "' has no effect in " + format +
+                  schema::to_string(fact.parent->version()) +
+                  (until ? ": it was last in " + schema::to_string(*until) : ""),
+       .subject = subject_of(fact.element),
+       .help = fact.node->instead().empty() ? "" : "write " + std::string(fact.node->instead())});
 }
 
 }  // namespace

@@ -27,11 +27,11 @@ void check(const read::SchemaFact& fact, Context& context) {
   const std::string name(fact.element.name());
   const auto places = context.schema()->parents_of(name, version);
   if (places.empty()) return;  // unknown-element
-  context.report({.where = fact.where,
-                  .message = "<" + name + "> has no effect in <" +
-                             std::string(fact.parent->name()) + ">",
-                  .subject = subject_of(fact.element),
-                  .help = "it belongs in " + list(places)});
+  context.report(
+      {.where = fact.where,
+       .message = "<" + name + "> has no effect in <" + std::string(fact.parent->name()) + ">",
+       .subject = subject_of(fact.element),
+       .help = "it belongs in " + list(places)});
 }
 
 }  // namespace
@@ -77,8 +77,8 @@ Rule rule() {
   </model>
 </sdf>
 )"}},
-      .checks = {on_schema({read::SchemaFactKind::kUnknownElement, read::SchemaFactKind::kMisplacedElement},
-                           check)},
+      .checks = {on_schema(
+          {read::SchemaFactKind::kUnknownElement}, check)},
   };
 }
 

@@ -7,8 +7,8 @@ namespace rigor::rules::old_root {
 namespace {
 
 void check(const read::Fact& fact, Context& context) {
-  context.report({.where = fact.where,
-                  .message = "the root element is <gazebo>: since SDF 1.3 it is <sdf>"});
+  context.report(
+      {.where = fact.where, .message = "the root element is <gazebo>: since SDF 1.3 it is <sdf>"});
 }
 
 }  // namespace

@@ -51,8 +51,8 @@ inline std::vector<std::string_view> node_names(const schema::NodeRange& nodes) 
   return names;
 }
 
-/// The one required attribute that is missing where this unknown one was probably meant to be it;
-/// `missing-attribute` then speaks of both.
+/// The missing required attribute that an unknown one was probably meant to be; `missing-attribute`
+/// then speaks of both.
 inline std::optional<std::string_view> meant_for_missing(const read::SchemaFact& fact,
                                                          std::string_view written) {
   if (!fact.parent) return std::nullopt;

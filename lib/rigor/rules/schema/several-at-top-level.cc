@@ -8,7 +8,8 @@ namespace {
 
 void check(const read::Fact& fact, Context& context) {
   context.report({.where = fact.where,
-                  .message = "a second <" + fact.name + "> at the top: a file holds one model, "
+                  .message = "a second <" + fact.name +
+                             "> at the top: a file holds one model, "
                              "actor or light"});
 }
 

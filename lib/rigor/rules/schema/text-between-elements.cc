@@ -22,10 +22,10 @@ bool meant_as_attribute(const read::SchemaFact& fact, const Context& context) {
 void check(const read::SchemaFact& fact, Context& context) {
   if (meant_as_attribute(fact, context) || has_xacro(context.bytes(fact.where))) return;
   if (fact.element.name() == "script") return;  // material-script-incomplete
-  context.report({.where = fact.where,
-                  .message = "text in <" + std::string(fact.element.name()) +
-                             "> that has no effect",
-                  .subject = subject_of(fact.element)});
+  context.report(
+      {.where = fact.where,
+       .message = "text in <" + std::string(fact.element.name()) + "> that has no effect",
+       .subject = subject_of(fact.element)});
 }
 
 }  // namespace

@@ -19,8 +19,7 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .message = "<" + std::string(name) + "> is no element of " +
                              format_and_version(context, version) + ": it has no effect",
                   .subject = subject_of(fact.element),
-                  .help = near.empty() ? ""
-                                       : "did you mean <" + std::string(near.front()) + ">?"});
+                  .help = near.empty() ? "" : "did you mean <" + std::string(near.front()) + ">?"});
 }
 
 }  // namespace

@@ -11,10 +11,10 @@ using FaultKind = schema::ValueFault::Kind;
 
 void check(const read::SchemaFact& fact, Context& context) {
   if (!has_kind(fact, FaultKind::kBadColor)) return;
-  context.report({.where = fact.where,
-                  .message = owner_of(fact) + " has the part " + quoted_fault(fact) +
-                             ": each is from 0 to 1",
-                  .subject = subject_of(fact.element)});
+  context.report(
+      {.where = fact.where,
+       .message = owner_of(fact) + " has the part " + quoted_fault(fact) + ": each is from 0 to 1",
+       .subject = subject_of(fact.element)});
 }
 
 }  // namespace

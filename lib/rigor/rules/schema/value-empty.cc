@@ -15,7 +15,8 @@ using FaultKind = schema::ValueFault::Kind;
 void check(const read::SchemaFact& fact, Context& context) {
   if (!has_kind(fact, FaultKind::kEmpty)) return;
   if (fact.node->cardinality() == schema::Cardinality::kOne) return;  // value-malformed
-  if (fact.node->type() == schema::Type::kPose) return;  // <pose relative_to="a"/> is how it is done
+  if (fact.node->type() == schema::Type::kPose)
+    return;  // <pose relative_to="a"/> is how it is done
   const auto value = fact.node->default_value();
   std::string message = owner_of(fact) + " is empty";
   if (value && !value->empty()) message += ": it is " + std::string(*value);

@@ -34,11 +34,13 @@ void check(const read::SchemaFact& fact, Context& context) {
   if (has_kind(fact, FaultKind::kTooMany)) {
     message = owner_of(fact) + " takes " + wanted + ": " + quoted_fault(fact) + " is too much";
   }
-  const bool seven = has_kind(fact, FaultKind::kTooMany) && fact.node->type() == schema::Type::kPose;
-  context.report({.where = fact.where,
-                  .message = std::move(message),
-                  .subject = subject_of(fact.element),
-                  .help = seven ? "a quaternion needs rotation_format=\"quat_xyzw\" (SDF 1.9)" : ""});
+  const bool seven =
+      has_kind(fact, FaultKind::kTooMany) && fact.node->type() == schema::Type::kPose;
+  context.report(
+      {.where = fact.where,
+       .message = std::move(message),
+       .subject = subject_of(fact.element),
+       .help = seven ? "a quaternion needs rotation_format=\"quat_xyzw\" (SDF 1.9)" : ""});
 }
 
 }  // namespace

@@ -12,10 +12,12 @@ namespace {
 
 void check(const read::SchemaFact& fact, Context& context) {
   const std::string_view element = fact.element.name();
-  if (element != "limit" && element != "dynamics") return;  // masses and sizes have rules of their own
+  if (element != "limit" && element != "dynamics")
+    return;  // masses and sizes have rules of their own
   const std::string unit(fact.node->unit());
   context.report({.where = fact.where,
-                  .message = owner_of(fact) + " is " + quoted_fault(fact) + ": it has to be at least " +
+                  .message = owner_of(fact) + " is " + quoted_fault(fact) +
+                             ": it has to be at least " +
                              std::string(fact.node->minimum().value_or("0")) +
                              (unit.empty() ? "" : " " + unit),
                   .subject = subject_of(fact.element)});

@@ -35,8 +35,8 @@ bool is_outside(std::string_view value, const schema::Node& node) {
 std::string message(const read::SchemaFact& fact, const schema::Node& node) {
   const std::string given = owner_of(fact) + " is " + quoted_fault(fact);
   if (has_kind(fact, FaultKind::kNegative)) return given + ": it cannot be negative";
-  if (has_kind(fact, FaultKind::kOutOfRange)) return given + ": too large for " +
-                                                     std::string(expected(fact.node->type()));
+  if (has_kind(fact, FaultKind::kOutOfRange))
+    return given + ": too large for " + std::string(expected(fact.node->type()));
   if (has_kind(fact, FaultKind::kUnderflow)) return given + ": too small to be told from 0";
   std::string bounds;
   if (const auto low = node.minimum()) bounds = "at least " + std::string(*low);
@@ -49,17 +49,16 @@ std::string message(const read::SchemaFact& fact, const schema::Node& node) {
 
 void check(const read::SchemaFact& fact, Context& context) {
   const bool bad = fact.kind == read::SchemaFactKind::kBadValue;
-  const bool ours = has_kind(fact, FaultKind::kNegative) || has_kind(fact, FaultKind::kOutOfRange) ||
-                    has_kind(fact, FaultKind::kUnderflow);
+  const bool ours = has_kind(fact, FaultKind::kNegative) ||
+                    has_kind(fact, FaultKind::kOutOfRange) || has_kind(fact, FaultKind::kUnderflow);
   if (bad ? !ours : context.is_urdf()) return;  // urdfdom has no bounds: value-negative
   std::optional<schema::Node> node = fact.node;
   if (!bad) {
     node = newest(fact.element, *context.schema());
     if (!node || fact.attribute || !is_outside(fact.text, *node)) return;
   }
-  context.report({.where = fact.where,
-                  .message = message(fact, *node),
-                  .subject = subject_of(fact.element)});
+  context.report(
+      {.where = fact.where, .message = message(fact, *node), .subject = subject_of(fact.element)});
 }
 
 }  // namespace
@@ -129,7 +128,8 @@ Rule rule() {
   </model>
 </sdf>
 )"}},
-      .checks = {on_schema({read::SchemaFactKind::kBadValue, read::SchemaFactKind::kOutOfRange}, check)},
+      .checks = {on_schema({read::SchemaFactKind::kBadValue, read::SchemaFactKind::kOutOfRange},
+                           check)},
   };
 }
 

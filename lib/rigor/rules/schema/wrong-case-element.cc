@@ -75,7 +75,7 @@ Rule rule() {
   </model>
 </sdf>
 )",
-        R"(<sdf version="1.9">
+               R"(<sdf version="1.9">
   <model name="box">
     <static>true</static>
     <link name="body">
@@ -93,7 +93,7 @@ Rule rule() {
   </model>
 </sdf>
 )",
-        R"(<sdf version="1.9">
+               R"(<sdf version="1.9">
   <model name="box">
     <static>true</static>
     <frame name="lid" attached_to="body"/>

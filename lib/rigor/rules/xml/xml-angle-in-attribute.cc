@@ -31,7 +31,7 @@ Rule rule() {
   </model>
 </sdf>
 )",
-        R"(<sdf version="1.9">
+               R"(<sdf version="1.9">
   <model name="box">
     <static>true</static>
     <link name="&lt;body>"/>

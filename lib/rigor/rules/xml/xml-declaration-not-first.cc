@@ -52,7 +52,7 @@ Rule rule() {
   </model>
 </sdf>
 )",
-        R"(<?xml version="1.0"?>
+               R"(<?xml version="1.0"?>
 <sdf version="1.9">
   <model name="box">
     <static>true</static>

@@ -7,8 +7,9 @@ namespace rigor::rules::xml_doctype {
 namespace {
 
 void check(const xml::Fault& fault, Context& context) {
-  context.report({.where = fault.where,
-                  .message = "a DOCTYPE is passed over: entities that it defines are not replaced"});
+  context.report(
+      {.where = fault.where,
+       .message = "a DOCTYPE is passed over: entities that it defines are not replaced"});
 }
 
 }  // namespace

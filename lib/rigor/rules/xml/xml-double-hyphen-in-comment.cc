@@ -8,8 +8,8 @@ namespace rigor::rules::xml_double_hyphen_in_comment {
 namespace {
 
 void check(const xml::Fault& fault, Context& context) {
-  context.report({.where = fault.where,
-                  .message = "'--' may not stand inside a comment" + and_more(fault)});
+  context.report(
+      {.where = fault.where, .message = "'--' may not stand inside a comment" + and_more(fault)});
 }
 
 }  // namespace

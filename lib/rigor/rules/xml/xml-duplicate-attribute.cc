@@ -17,7 +17,8 @@ std::string_view value_after(std::string_view bytes, std::size_t at) {
   const std::size_t open = bytes.find_first_of("\"'", at);
   if (open == std::string_view::npos) return {};
   const std::size_t close = bytes.find(bytes[open], open + 1);
-  return close == std::string_view::npos ? std::string_view() : bytes.substr(open, close + 1 - open);
+  return close == std::string_view::npos ? std::string_view()
+                                         : bytes.substr(open, close + 1 - open);
 }
 
 /// Of two that say the same one can go, along with the white space before it.
@@ -58,7 +59,7 @@ Rule rule() {
   </model>
 </sdf>
 )",
-        R"(<sdf version="1.9">
+               R"(<sdf version="1.9">
   <model name="box">
     <static>true</static>
     <link name="body"/>

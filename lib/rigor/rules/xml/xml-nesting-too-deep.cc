@@ -9,9 +9,10 @@ namespace rigor::rules::xml_nesting_too_deep {
 namespace {
 
 void check(const xml::Fault& fault, Context& context) {
-  context.report({.where = fault.where,
-                  .message = fmt::format("this element is the {}th inside another: tinyxml2 reads {}",
-                                         xml::kMaxDepth + 1, xml::kMaxDepth)});
+  context.report(
+      {.where = fault.where,
+       .message = fmt::format("this element is the {}th inside another: tinyxml2 reads {}",
+                              xml::kMaxDepth + 1, xml::kMaxDepth)});
 }
 
 }  // namespace
@@ -25,8 +26,7 @@ Rule rule() {
       .why =
           "tinyxml2, which libsdformat, Gazebo and urdfdom read with, gives up at the 100th "
           "level, so that a hostile file cannot exhaust its stack. Real models have about 15.",
-      .what_to_do =
-          "Nest models through <include>, or look for the generator that repeats itself.",
+      .what_to_do = "Nest models through <include>, or look for the generator that repeats itself.",
       .bad = {{R"(<sdf version="1.9">
   <model name="box">
     <static>true</static>

@@ -32,7 +32,8 @@ Rule rule() {
           "unreadable; strict parsers refuse the file. They come from editors that save Latin-1 "
           "or a Windows code page.",
       .what_to_do = "Save the file as UTF-8.",
-      .bad = {{"<!-- gr«\xFC»n -->\n<sdf version=\"1.9\">\n  <model name=\"box\">\n    <link name=\"body\"/>\n  </model>\n</sdf>\n"}},
+      .bad = {{"<!-- gr«\xFC»n -->\n<sdf version=\"1.9\">\n  <model name=\"box\">\n    <link "
+               "name=\"body\"/>\n  </model>\n</sdf>\n"}},
       .good = {{R"(<!-- grün -->
 <sdf version="1.9">
   <model name="box">

@@ -36,8 +36,7 @@ std::string message(const xml::Fault& fault, const Context& context) {
     case Kind::kUnclosedValue: return "the value that begins with this quote never ends";
     case Kind::kUnclosedTag: return "the tag '" + here + "' is not closed by '>'";
     case Kind::kUnclosedMarkup: return "what begins with '" + here + "' never ends";
-    case Kind::kMismatchedEnd:
-      return "</" + name_in(here) + "> where </" + started + "> is due";
+    case Kind::kMismatchedEnd: return "</" + name_in(here) + "> where </" + started + "> is due";
     case Kind::kUnexpectedEnd: return "</" + name_in(here) + "> closes nothing: no element is open";
     case Kind::kUnclosedElement: return "the file ends inside <" + started + ">";
     default: return refusal(fault.detail);
@@ -100,9 +99,9 @@ Rule rule() {
   </model>
 </sdf>
 )"}},
-      .checks = {on_xml({Kind::kBadTag, Kind::kBadAttribute, Kind::kUnclosedValue, Kind::kUnclosedTag,
-                         Kind::kUnclosedMarkup, Kind::kMismatchedEnd, Kind::kUnexpectedEnd,
-                         Kind::kUnclosedElement, Kind::kRefused},
+      .checks = {on_xml({Kind::kBadTag, Kind::kBadAttribute, Kind::kUnclosedValue,
+                         Kind::kUnclosedTag, Kind::kUnclosedMarkup, Kind::kMismatchedEnd,
+                         Kind::kUnexpectedEnd, Kind::kUnclosedElement, Kind::kRefused},
                         check)},
   };
 }

@@ -8,8 +8,8 @@ namespace rigor::rules::xml_text_outside_root {
 namespace {
 
 void check(const xml::Fault& fault, Context& context) {
-  context.report({.where = fault.where,
-                  .message = "text outside the root element" + and_more(fault)});
+  context.report(
+      {.where = fault.where, .message = "text outside the root element" + and_more(fault)});
 }
 
 }  // namespace

@@ -9,10 +9,11 @@ namespace rigor::rules::xml_too_large {
 namespace {
 
 void check(const xml::Fault& fault, Context& context) {
-  context.report({.where = fault.where,
-                  .message = fmt::format("here are more than {} elements, or more than {} attributes "
-                                         "in one tag: the rest is not read",
-                                         xml::kMaxElements, xml::kMaxAttributes)});
+  context.report(
+      {.where = fault.where,
+       .message = fmt::format("here are more than {} elements, or more than {} attributes "
+                              "in one tag: the rest is not read",
+                              xml::kMaxElements, xml::kMaxAttributes)});
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ Rule rule() {
   </model>
 </sdf>
 )",
-        R"(<sdf version="1.9">
+               R"(<sdf version="1.9">
   <model name="box">
     <static>true</static>
     <link name="nuts &amp; bolts"/>
@@ -56,7 +56,7 @@ Rule rule() {
   </model>
 </sdf>
 )",
-        R"(<sdf version="1.9">
+               R"(<sdf version="1.9">
   <model name="box">
     <static>true</static>
     <link name="lid&amp;eacute;"/>

@@ -9,8 +9,9 @@ namespace rigor::rules::xml_wide_encoding {
 namespace {
 
 void check(const xml::Fault& fault, Context& context) {
-  context.report({.where = fault.where,
-                  .message = "the file is not UTF-8: its first bytes are those of UTF-16 or UTF-32"});
+  context.report(
+      {.where = fault.where,
+       .message = "the file is not UTF-8: its first bytes are those of UTF-16 or UTF-32"});
 }
 
 }  // namespace
