@@ -44,7 +44,7 @@ TEST(Pretty, OneFinding) {
             "  |\n"
             "  = in: arm/joint elbow\n"
             "  = help: swap them\n"
-            "  = fix available with --unsafe-fixes: swap lower and upper\n"
+            "  = unsafe fix: swap lower and upper\n"
             "\n");
 }
 

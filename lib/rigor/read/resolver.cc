@@ -116,6 +116,11 @@ void Resolver::resolve_model(std::string_view rest, std::string_view file,
     if (parent == folder || folder == "/") break;
     folder = parent;
   }
+  // A world belongs to no model: what lies around it, as in `worlds/` beside `models/`.
+  const std::string beside(parent_path(file));
+  for (const std::string& around : {beside, above(beside), join_path(above(beside), "models")}) {
+    try_path(join_path(around, rest), "around the file's folder", result);
+  }
   for (const SearchPath& path : paths_.environment) {
     try_path(join_path(path.folder, rest), path.origin, result);
   }

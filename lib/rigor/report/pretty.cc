@@ -47,8 +47,8 @@ std::vector<Group> groups_of(const Diagnostic& diagnostic) {
 
 std::string fix_line(const Fix& fix) {
   switch (fix.applicability) {
-    case Applicability::kSafe: return "fix available with --fix: " + fix.title;
-    case Applicability::kUnsafe: return "fix available with --unsafe-fixes: " + fix.title;
+    case Applicability::kSafe: return "safe fix: " + fix.title;
+    case Applicability::kUnsafe: return "unsafe fix: " + fix.title;
     case Applicability::kManual: break;
   }
   return "possible fix, for you to decide: " + fix.title;

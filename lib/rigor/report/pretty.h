@@ -10,7 +10,7 @@
 //      |            ^
 //      |
 //      = in: arm/joint elbow
-//      = fix available with --unsafe-fixes: swap lower and upper
+//      = unsafe fix: swap lower and upper
 //
 //   out += pretty(result.diagnostics, sources, Color::kAnsi);
 

@@ -27,15 +27,6 @@ std::vector<Row> rows_of(const rules::Registry& registry) {
   return rows;
 }
 
-std::string escaped(std::string_view cell) {
-  std::string text;
-  for (const char c : cell) {
-    if (c == '|' || c == '<') text += '\\';
-    text += c;
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string_view fix_name(rules::FixGrade grade) {
@@ -72,17 +63,6 @@ std::string rules_text(const rules::Registry& registry) {
     out += row.back();
     out += '\n';
   }
-  return out;
-}
-
-std::string rules_markdown(const rules::Registry& registry) {
-  const auto line = [](const Row& row) {
-    std::string text = "|";
-    for (const std::string_view cell : row) text += ' ' + escaped(cell) + " |";
-    return text + '\n';
-  };
-  std::string out = line(kHeadline) + "|---|---|---|---|---|---|\n";
-  for (const Row& row : rows_of(registry)) out += line(row);
   return out;
 }
 

@@ -14,6 +14,7 @@ namespace rigor::report {
 /// A table with a headline.
 std::string rules_text(const rules::Registry& registry);
 std::string rules_json(const rules::Registry& registry);
+/// The reference: a table of all rules, then each rule's page (rules_page.cc).
 std::string rules_markdown(const rules::Registry& registry);
 
 /// "none", "safe", "unsafe".

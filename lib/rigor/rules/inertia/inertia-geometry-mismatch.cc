@@ -39,7 +39,7 @@ std::string guess(double share) {
   for (const Slip& slip : kSlips) {
     if (share < slip.share * kNear && share > slip.share / kNear) return slip.help;
   }
-  return "rigor inertia MODEL shows what the shapes give";
+  return "compute the tensor again from the body's mass and size";
 }
 
 void check(const model::Link& link, Context& context) {
@@ -77,8 +77,8 @@ Rule rule() {
           "of ten and more is mostly a slip of units. Too small moments make a simulation "
           "shake, too large ones make it sluggish.",
       .what_to_do =
-          "Compute the tensor again in kg·m²: rigor inertia MODEL shows what is written "
-          "beside what the shapes give.",
+          "Compute the tensor again from the mass and the shapes, in kg·m²; the message says what "
+          "they give as solids.",
       .bad = {{R"(<sdf version="1.9">
   <model name="arm">
     <link name="body">

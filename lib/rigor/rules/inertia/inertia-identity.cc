@@ -42,8 +42,8 @@ Rule rule() {
           "Ones on the diagonal are what a template holds before anybody fills it in. The link "
           "then turns far too slowly or too fast, and the motors are tuned to that.",
       .what_to_do =
-          "Write the body's own moments; rigor inertia MODEL computes them from the "
-          "shapes and the mass.",
+          "Write the moments that the mass has in its shape, as of a solid box: "
+          "ixx = mass / 12 * (y² + z²).",
       .bad = {{R"(<sdf version="1.9">
   <model name="arm">
     <link name="body">

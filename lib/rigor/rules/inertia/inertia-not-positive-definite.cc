@@ -44,7 +44,7 @@ Rule rule() {
           "without a number (error 18); urdfdom takes it, and Drake and MuJoCo refuse the "
           "robot.",
       .what_to_do =
-          "Compute the tensor again: rigor inertia MODEL shows what the shapes give. "
+          "Compute the tensor again from the mass and the shapes. "
           "Mind the order ixx ixy ixz iyy iyz izz and the units.",
       .bad = {{R"(<sdf version="1.9">
   <model name="arm">

@@ -35,8 +35,8 @@ Rule rule() {
           "SDF then takes the identity as the tensor, whatever the mass: a wheel of 100 g "
           "turns as hard as a door.",
       .what_to_do =
-          "Write the tensor; rigor inertia MODEL computes it from the shapes and the "
-          "mass.",
+          "Write the tensor that the mass has in its shape, as of a solid box: "
+          "ixx = mass / 12 * (y² + z²).",
       .bad = {{R"(<sdf version="1.9">
   <model name="arm">
     <link name="body">

@@ -50,8 +50,8 @@ Rule rule() {
           "the moment: ODE stops at an assertion, KDL and MuJoCo refuse, others set a number "
           "of their own.",
       .what_to_do =
-          "Write the moments of the real body: even a pin has some. rigor inertia "
-          "computes them from a shape and a mass.",
+          "Write the moments of the real body: even a pin has some, about every "
+          "axis.",
       .bad = {{R"(<sdf version="1.9">
   <model name="arm">
     <link name="body">

@@ -57,7 +57,7 @@ Rule rule() {
           "refuses what breaks this, without saying which number is at fault (error 18); Drake "
           "and MuJoCo refuse it too, urdfdom lets it pass.",
       .what_to_do =
-          "Compute the tensor again: rigor inertia MODEL shows what the shapes give. "
+          "Compute the tensor again from the mass and the shapes. "
           "Where it is missed by little, write more digits.",
       .bad = {{R"(<sdf version="1.9">
   <model name="arm">

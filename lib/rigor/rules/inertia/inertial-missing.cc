@@ -1,11 +1,28 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
+#include <string>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/inertia/primitive_solid.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertial_missing {
 namespace {
+
+/// What the shapes would have in place of the 1 kg·m²; empty when they have no closed form.
+std::string comparison(const model::Link& link, const Context& context) {
+  auto solid = solid_of_all(context.root(), link.collisions);
+  if (!solid) solid = solid_of_all(context.root(), link.visuals);
+  if (!solid || !(solid->mass > 0)) return {};
+  const mass::Inertia& tensor = solid->about_com;
+  const double most = std::max({tensor.ixx, tensor.iyy, tensor.izz}) / solid->mass;
+  return fmt::format("as a solid of 1 kg its shapes have at most {:.3g} kg·m², {:.3g} times {}",
+                     most, most < 1 ? 1 / most : most, most < 1 ? "less" : "more");
+}
 
 void check(const model::Link& link, Context& context) {
   if (link.inertial.written || !is_dynamic(link, context)) return;
@@ -13,7 +30,8 @@ void check(const model::Link& link, Context& context) {
                   .message = "the link '" + link.name.value +
                              "' has no <inertial>: it is taken to be 1 kg with a moment of 1 kg·m² "
                              "about every axis",
-                  .subject = context.subject(link)});
+                  .subject = context.subject(link),
+                  .help = comparison(link, context)});
 }
 
 }  // namespace
@@ -30,8 +48,8 @@ Rule rule() {
           "a ball of 1 kg and more than three metres across has: joints on it move like in "
           "honey, and what rests on it is thrown about.",
       .what_to_do =
-          "Write the mass and the tensor; rigor inertia MODEL --only missing computes "
-          "them from the shapes. If the link never moves, make the model static.",
+          "Write the mass, and the tensor that it has in the link's shapes: the message says what "
+          "they give as a solid of 1 kg. If the link never moves, make the model static.",
       .bad = {{R"(<sdf version="1.9">
   <model name="arm">
     <«link» name="body">

@@ -64,7 +64,7 @@ Rule rule() {
           "without a word, like any unknown element.",
       .what_to_do =
           "Write the name as the message has it. The fix makes effective what had no effect "
-          "before, so it takes --unsafe-fixes.",
+          "before, so it is an unsafe one.",
       .bad = {{R"(<sdf version="1.9">
   <model name="box">
     <static>true</static>

@@ -1,0 +1,67 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+#include <string_view>
+
+#include <fmt/core.h>
+
+#include <rigor/report/rules_list.h>
+#include <rigor/rules/example.h>
+
+namespace rigor::report {
+namespace {
+
+std::string escaped(std::string_view cell) {
+  std::string text;
+  for (const char c : cell) {
+    if (c == '|' || c == '<') text += '\\';
+    text += c;
+  }
+  return text;
+}
+
+/// Angle brackets of prose would be taken for HTML.
+std::string prose(std::string_view text) {
+  std::string result;
+  for (const char c : text) result += c == '<' ? std::string("\\<") : std::string(1, c);
+  return result;
+}
+
+std::string code(std::string_view title, std::string_view text) {
+  const std::string_view end = text.ends_with('\n') ? "" : "\n";
+  return fmt::format("\n{}\n\n```xml\n{}{}```\n", title, text, end);
+}
+
+/// A rule's first example of each kind; `rigor explain` shows all.
+std::string page(const rules::Rule& rule) {
+  std::string out = fmt::format("\n## {}\n\n{} · {} · {} · fix: {} · since {}\n\n", rule.name,
+                                to_string(rule.severity), to_string(rule.category),
+                                formats_name(rule.formats), fix_name(rule.fix), rule.since);
+  out += fmt::format("{}.\n\n{}\n\n{}\n", prose(rule.summary), prose(rule.why),
+                     prose(rule.what_to_do));
+  if (!rule.bad.empty()) {
+    out += code("Bad:", rules::parse_example(rule.bad.front().text).files.front().bytes);
+    if (!rule.bad.front().fixed.empty()) out += code("Fixed:", rule.bad.front().fixed);
+  }
+  if (!rule.good.empty() && (rule.bad.empty() || rule.bad.front().fixed.empty())) {
+    out += code("Good:", rules::parse_example(rule.good.front().text).files.front().bytes);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string rules_markdown(const rules::Registry& registry) {
+  std::string out =
+      "# Rules\n\n| rule | category | severity | fix | what is wrong |\n|---|---|---|---|---|\n";
+  for (const rules::Rule& rule : registry.rules()) {
+    out += fmt::format("| [{0}](#{0}) | {1} | {2} | {3} | {4} |\n", rule.name,
+                       to_string(rule.category), to_string(rule.severity), fix_name(rule.fix),
+                       escaped(rule.summary));
+  }
+  for (const rules::Rule& rule : registry.rules()) out += page(rule);
+  return out;
+}
+
+}  // namespace rigor::report
