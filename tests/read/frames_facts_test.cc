@@ -13,6 +13,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -110,6 +111,7 @@ class Rows {
   }
 
   const std::vector<Row>& rows() const { return rows_; }
+  const std::vector<model::FrameProblem>& problems() const { return frames_.problems(); }
 
  private:
   static const char* kind(const model::Model& model) { return model.merged ? "frame " : "model "; }
@@ -130,8 +132,8 @@ class Rows {
       const auto X = frames_.pose(id);
       if (!X) continue;
       Row row{kind(entities[i]) + scoped_name(root_, id), {}};
-      add(row, {X->translation.x, X->translation.y, X->translation.z, X->rotation.w,
-                X->rotation.x, X->rotation.y, X->rotation.z});
+      add(row, {X->translation.x, X->translation.y, X->translation.z, X->rotation.w, X->rotation.x,
+                X->rotation.y, X->rotation.z});
       extra(id, row);
       rows_.push_back(std::move(row));
     }
@@ -163,29 +165,61 @@ class Rows {
   std::vector<Row> rows_;
 };
 
+/// Cases in which libsdformat 12 is not to be followed, and why.
+const std::map<std::string, std::string> kDifferent{
+    {"quaternion_long", "it takes 0 0 3 4 for a rotation as it is; rigor normalises it"},
+    {"child_is_own_model", "it refuses a joint's end that is a model's frame"},
+    {"parent_is_nested_model_frame", "it refuses a joint's end that is a model's frame"},
+};
+
+/// Of a world of SDF 1.7 or older libsdformat makes a nested model `arm` of a link "arm::base" and
+/// its like; the names of links and where they are stay the same, and only those are compared.
+constexpr std::string_view kUnflattened = "flattened_world";
+
+/// "cases/012_topic.sdf" is about "topic".
+std::string topic(const std::string& file) {
+  const std::size_t begin = file.find('_') + 1;
+  return file.substr(begin, file.rfind('.') - begin);
+}
+
 /// Twelve digits are written; chains of a dozen poses lose some of sixteen.
 constexpr double kTolerance = 1e-9;
 
-bool same(const std::string& a, const std::string& b, double sign) {
+/// libsdformat 12 merges models as text: the pose of what is merged, turned into roll, pitch and
+/// yaw, passes through six digits. A placement frame's pose has more, and so what is merged by one
+/// is off by some 1e-6 of the lever arms, which are a few metres long.
+constexpr double kRoundedTolerance = 5e-5;
+
+double tolerance(const std::string& file) {
+  return topic(file) == "merge_placement" ? kRoundedTolerance : kTolerance;
+}
+
+/// Within a static model everything is one body for libsdformat, and has no link's name but that of
+/// the model's own frame; rigor names the model's canonical link.
+bool is_static_body(const std::string& name) { return name.ends_with("__model__"); }
+
+bool same(const std::string& a, const std::string& b, double sign, double tolerance) {
   char* end_a = nullptr;
   char* end_b = nullptr;
   const double x = std::strtod(a.c_str(), &end_a);
   const double y = sign * std::strtod(b.c_str(), &end_b);
-  if (a.empty() || b.empty() || *end_a != '\0' || *end_b != '\0') return a == b;
-  return std::abs(x - y) <= kTolerance * std::max(1.0, std::abs(x));
+  if (a.empty() || b.empty() || *end_a != '\0' || *end_b != '\0') {
+    return a == b || is_static_body(a);
+  }
+  return std::abs(x - y) <= tolerance * std::max(1.0, std::abs(x));
 }
 
-bool same(const Row& fact, const Row& row) {
+bool same(const Row& fact, const Row& row, double tolerance) {
   if (fact.values.size() != row.values.size()) return false;
   const auto rotation = [&](double sign) {
     for (std::size_t i = 3; i < 7; ++i) {
-      if (!same(fact.values[i], row.values[i], sign)) return false;
+      if (!same(fact.values[i], row.values[i], sign, tolerance)) return false;
     }
     return true;
   };
   for (std::size_t i = 0; i < fact.values.size(); ++i) {
     const bool in_rotation = i >= 3 && i < 7;
-    if (!in_rotation && !same(fact.values[i], row.values[i], 1)) return false;
+    if (!in_rotation && !same(fact.values[i], row.values[i], 1, tolerance)) return false;
   }
   return rotation(1) || rotation(-1);
 }
@@ -198,14 +232,37 @@ std::string print(const Row& row) {
 
 class FramesFacts : public testing::Test {
  protected:
-  std::vector<Row> rows_of(const std::string& file) {
-    RealDisk disk;
-    Sources sources;
-    read::Workspace workspace(disk, sources);
-    const read::Reader reader{workspace, environment_.resolver, environment_.sdf,
-                              environment_.urdf};
-    const read::Loaded loaded = read::load(reader, workspace.open(kFolder + file));
-    return Rows(loaded.root).rows();
+  void compare(const std::string& file, const Case& of) {
+    const read::Loaded loaded = load(file);
+    const Rows all(loaded.root);
+    EXPECT_TRUE(loaded.facts.empty());
+    for (const auto& problem : all.problems()) {
+      ADD_FAILURE() << "problem of " << problem.subject << ": " << problem.name;
+    }
+    const auto matters = [&](const Row& row) {
+      return topic(file) != kUnflattened || row.entity.starts_with("link ");
+    };
+    const auto surplus = [&](const Row& row) {
+      if (matters(row)) ADD_FAILURE() << "surplus: " << print(row);
+    };
+    auto row = all.rows().begin();
+    const auto end = all.rows().end();
+    for (const Row& fact : of.rows) {
+      if (!matters(fact)) continue;
+      for (; row != end && row->entity < fact.entity; ++row) surplus(*row);
+      if (row == end || row->entity != fact.entity) {
+        ADD_FAILURE() << "missing: " << print(fact);
+        continue;
+      }
+      EXPECT_TRUE(same(fact, *row, tolerance(file)))
+          << "fact: " << print(fact) << "\nrow:  " << print(*row);
+      ++row;
+    }
+    for (; row != end; ++row) surplus(*row);
+  }
+
+  std::vector<model::FrameProblem> problems(const std::string& file) {
+    return model::Frames(load(file).root).problems();
   }
 
  private:
@@ -215,7 +272,15 @@ class FramesFacts : public testing::Test {
     return paths;
   }
 
+  read::Loaded load(const std::string& file) {
+    const read::Reader reader{workspace_, environment_.resolver, environment_.sdf,
+                              environment_.urdf};
+    return read::load(reader, workspace_.open(kFolder + file));
+  }
+
   RealDisk disk_;
+  Sources sources_;
+  read::Workspace workspace_{disk_, sources_};
   Environment environment_{disk_, models()};
 };
 
@@ -224,25 +289,26 @@ TEST_F(FramesFacts, EveryRowIsAsLibsdformatResolvesIt) {
   ASSERT_GE(cases.size(), 400U);
   std::size_t compared = 0;
   for (const auto& [file, of] : cases) {
-    if (of.verdict != "valid") continue;
+    if (of.verdict != "valid" || kDifferent.contains(topic(file))) continue;
     SCOPED_TRACE(file);
-    const std::vector<Row> rows = rows_of(file);
-    auto row = rows.begin();
-    for (const Row& fact : of.rows) {
-      for (; row != rows.end() && row->entity < fact.entity; ++row) {
-        ADD_FAILURE() << "surplus: " << print(*row);
-      }
-      if (row == rows.end() || row->entity != fact.entity) {
-        ADD_FAILURE() << "missing: " << print(fact);
-        continue;
-      }
-      EXPECT_TRUE(same(fact, *row)) << "fact: " << print(fact) << "\nrow:  " << print(*row);
-      ++row;
-      ++compared;
-    }
-    for (; row != rows.end(); ++row) ADD_FAILURE() << "surplus: " << print(*row);
+    compare(file, of);
+    compared += of.rows.size();
   }
   EXPECT_GE(compared, 5000U);
+}
+
+TEST_F(FramesFacts, WhatLibsdformatRefusesOfNamesIsAProblem) {
+  // Its codes of joint ends (19 to 21), attached_to (22, 23) and relative_to (25, 26).
+  std::size_t found = 0;
+  for (const auto& [file, of] : read_facts()) {
+    for (const int code : {19, 20, 21, 22, 23, 25, 26}) {
+      if (of.verdict != "error " + std::to_string(code) || kDifferent.contains(topic(file)))
+        continue;
+      EXPECT_FALSE(problems(file).empty()) << file;
+      ++found;
+    }
+  }
+  EXPECT_GE(found, 8U);
 }
 
 }  // namespace
