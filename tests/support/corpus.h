@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -32,7 +33,9 @@ inline std::string read_file(const std::filesystem::path& path) {
 inline std::vector<std::string> corpus_models() {
   std::vector<std::string> paths;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(corpus())) {
-    const std::string ending = entry.path().extension().string();
+    std::string ending = entry.path().extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (ending == ".sdf" || ending == ".world" || ending == ".urdf" ||
         entry.path().filename() == "model.config") {
       paths.push_back(entry.path().string());

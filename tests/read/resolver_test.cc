@@ -1,0 +1,102 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/read/resolver.h>
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+
+namespace rigor::read {
+namespace {
+
+SearchPaths paths() {
+  const std::map<std::string, std::string> variables{{"GZ_SIM_RESOURCE_PATH", "/gz:/gz2"},
+                                                     {"SDF_PATH", "/sdf"},
+                                                     {"ROS_PACKAGE_PATH", "/ros"},
+                                                     {"AMENT_PREFIX_PATH", "/opt/ros"},
+                                                     {"HOME", "/home/a"}};
+  SearchPaths result = search_paths_from([&variables](const std::string& name) {
+    const auto found = variables.find(name);
+    return found == variables.end() ? std::string() : found->second;
+  });
+  result.given.push_back({"/given", "--model-path"});
+  result.packages["arm"] = "/packages/arm";
+  return result;
+}
+
+MemoryDisk disk_with(const std::vector<std::string>& files) {
+  MemoryDisk disk;
+  for (const std::string& file : files) disk.put(file, "x");
+  return disk;
+}
+
+TEST(Resolver, SearchesInTheOrderOfTheContract) {
+  // Each place holds the model; take the first away and the next one answers.
+  const std::vector<std::string> places{"/given/m/a.stl",        "/w/models/m/a.stl",
+                                        "/gz/m/a.stl",           "/gz2/m/a.stl",
+                                        "/sdf/m/a.stl",          "/home/a/.gazebo/models/m/a.stl",
+                                        "/ros/m/a.stl",          "/opt/ros/share/m/a.stl"};
+  for (std::size_t first = 0; first < places.size(); ++first) {
+    MemoryDisk disk = disk_with({places.begin() + static_cast<std::ptrdiff_t>(first), places.end()});
+    disk.put("/w/models/other/model.config", "x");
+    const Resolver resolver(disk, paths());
+    const Resolution found = resolver.resolve("model://m/a.stl", "/w/models/other/model.sdf");
+    EXPECT_EQ(found.path, places[first]);
+    EXPECT_EQ(found.tried.back().path, places[first]);
+  }
+}
+
+TEST(Resolver, AWorldFindsTheModelsAroundIt) {
+  const MemoryDisk disk = disk_with({"/w/models/m/model.config"});
+  const Resolver resolver(disk, {});
+  EXPECT_EQ(resolver.resolve("model://m", "/w/worlds/lab.world").path, "/w/models/m");
+}
+
+TEST(Resolver, ARelativePathStandsBesideItsFile) {
+  const MemoryDisk disk = disk_with({"m/meshes/a.stl"});
+  const Resolver resolver(disk, {});
+  EXPECT_EQ(resolver.resolve("meshes/a.stl", "m/model.sdf").path, "m/meshes/a.stl");
+  EXPECT_EQ(resolver.resolve("file://meshes/a.stl", "m/model.sdf").path, "m/meshes/a.stl");
+  EXPECT_EQ(resolver.resolve("../meshes/a.stl", "m/sdf/model.sdf").path, "m/meshes/a.stl");
+}
+
+TEST(Resolver, APackageIsTheOneThatItsManifestNames) {
+  MemoryDisk disk = disk_with({"/src/checkout/meshes/a.stl", "/packages/arm/b.stl"});
+  disk.put("/src/checkout/package.xml", "<package><name> leg </name></package>");
+  const Resolver resolver(disk, paths());
+  EXPECT_EQ(resolver.resolve("package://leg/meshes/a.stl", "/src/checkout/urdf/leg.urdf").path,
+            "/src/checkout/meshes/a.stl");
+  EXPECT_EQ(resolver.resolve("package://arm/b.stl", "/elsewhere/x.urdf").path,
+            "/packages/arm/b.stl");
+  const Resolution missing = resolver.resolve("package://hand/c.stl", "/src/checkout/x.urdf");
+  EXPECT_FALSE(missing.path);
+  EXPECT_EQ(missing.scheme, "package");
+  EXPECT_GT(missing.tried.size(), 3U);
+}
+
+TEST(Resolver, ComparesLetterCase) {
+  const MemoryDisk disk = disk_with({"m/meshes/Wheel.STL"});
+  const Resolver resolver(disk, {});
+  const Resolution found = resolver.resolve("meshes/wheel.stl", "m/model.sdf");
+  EXPECT_FALSE(found.path);
+  EXPECT_EQ(found.other_case, "m/meshes/Wheel.STL");
+}
+
+TEST(Resolver, NeverGoesToTheNetwork) {
+  MemoryDisk disk = disk_with({"/cache/fuel.gazebosim.org/openrobotics/models/sun/2/model.config",
+                               "/cache/fuel.gazebosim.org/openrobotics/models/sun/1/model.config"});
+  SearchPaths search;
+  search.fuel_cache = "/cache";
+  const Resolver resolver(disk, search);
+  const std::string base = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/";
+  EXPECT_EQ(resolver.resolve(base + "Sun", "a.sdf").path,
+            "/cache/fuel.gazebosim.org/openrobotics/models/sun/2");
+  const Resolution missing = resolver.resolve(base + "Moon", "a.sdf");
+  EXPECT_TRUE(missing.remote);
+  EXPECT_FALSE(missing.path);
+}
+
+}  // namespace
+}  // namespace rigor::read
