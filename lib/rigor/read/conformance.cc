@@ -108,7 +108,6 @@ class Walk {
   }
 
   void children(xml::Element element, const Node& node) {
-    std::optional<xml::Element> previous;
     for (const xml::Element child : element.children()) {
       const std::string_view name = child.name();
       if (is_foreign(name)) continue;
