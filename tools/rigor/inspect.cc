@@ -23,12 +23,12 @@
 namespace rigor::tool {
 namespace {
 
-struct Format {
+struct InspectFormat {
   std::string_view name;
   std::string (*emit)(const report::Inspection&);
 };
 
-constexpr Format kFormats[] = {{"text", report::inspect_text},
+constexpr InspectFormat kInspectFormats[] = {{"text", report::inspect_text},
                                {"json", report::inspect_json},
                                {"tsv", report::inspect_tsv},
                                {"dot", report::inspect_dot}};
@@ -79,7 +79,7 @@ class Inspect final : public Command {
 
     const model::Frames frames(loaded.root, positions(loaded.root));
     const report::Inspection inspection{loaded.file->path, loaded.root, frames};
-    for (const Target& target : targets) write(target, kFormats[target.format].emit(inspection));
+    for (const Target& target : targets) write(target, kInspectFormats[target.format].emit(inspection));
     const std::string why = problem(loaded, frames);
     if (why.empty()) return kClean;
     say("rigor: " + why + "; `rigor validate` says more");

@@ -11,12 +11,12 @@
 namespace rigor::tool {
 namespace {
 
-struct Format {
+struct ResolveFormat {
   std::string_view name;
   std::string (*emit)(std::string_view uri, const read::Resolution&);
 };
 
-constexpr Format kFormats[] = {{"text", report::resolution_text},
+constexpr ResolveFormat kResolveFormats[] = {{"text", report::resolution_text},
                                {"json", report::resolution_json}};
 
 class Resolve final : public Command {
@@ -41,7 +41,7 @@ class Resolve final : public Command {
     }
     const read::Resolver resolver(disk, search_.paths());
     const read::Resolution found = resolver.resolve(uri_, from_);
-    for (const Target& target : targets) write(target, kFormats[target.format].emit(uri_, found));
+    for (const Target& target : targets) write(target, kResolveFormats[target.format].emit(uri_, found));
     return found.path ? kClean : kFindings;
   }
 

@@ -9,12 +9,12 @@
 namespace rigor::tool {
 namespace {
 
-struct Format {
+struct RulesFormat {
   std::string_view name;
   std::string (*emit)(const rules::Registry&);
 };
 
-constexpr Format kFormats[] = {{"text", report::rules_text},
+constexpr RulesFormat kRulesFormats[] = {{"text", report::rules_text},
                                {"json", report::rules_json},
                                {"markdown", report::rules_markdown}};
 
@@ -30,7 +30,7 @@ class Rules final : public Command {
   int run() override {
     const rules::Registry registry;
     for (const Target& target : output_.targets()) {
-      write(target, kFormats[target.format].emit(registry));
+      write(target, kRulesFormats[target.format].emit(registry));
     }
     return kClean;
   }

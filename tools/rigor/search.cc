@@ -16,7 +16,7 @@ void require_folder(const std::string& option, const std::string& folder) {
   throw UsageError(option + " " + folder + ": no such folder");
 }
 
-std::string variable(const std::string& name) {
+std::string path_variable(const std::string& name) {
   const char* value = std::getenv(name.c_str());
   return value == nullptr ? "" : value;
 }
@@ -33,7 +33,7 @@ void SearchOptions::declare(CLI::App& app) {
 }
 
 read::SearchPaths SearchOptions::paths() const {
-  read::SearchPaths paths = read::search_paths_from(variable);
+  read::SearchPaths paths = read::search_paths_from(path_variable);
   for (const std::string& folder : model_paths_) {
     require_folder("--model-path", folder);
     paths.given.push_back({folder, "--model-path"});

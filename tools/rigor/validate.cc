@@ -21,12 +21,12 @@
 namespace rigor::tool {
 namespace {
 
-struct Format {
+struct ValidateFormat {
   std::string_view name;
   std::string (*emit)(const rules::ValidateResult&, const Sources&, report::Color);
 };
 
-constexpr Format kFormats[] = {
+constexpr ValidateFormat kValidateFormats[] = {
     {"pretty",
      [](const rules::ValidateResult& result, const Sources& sources, report::Color color) {
        return report::pretty(result.diagnostics, sources, color);
@@ -39,7 +39,7 @@ constexpr Format kFormats[] = {
 
 std::vector<std::string_view> format_names() {
   std::vector<std::string_view> names;
-  for (const Format& format : kFormats) names.push_back(format.name);
+  for (const ValidateFormat& format : kValidateFormats) names.push_back(format.name);
   return names;
 }
 
@@ -112,7 +112,7 @@ class Validate final : public Command {
     Sources sources;
     const rules::ValidateResult result = rules::validate(environment, options, sources);
     for (const Target& target : targets) {
-      write(target, kFormats[target.format].emit(result, sources, color_.of(target)));
+      write(target, kValidateFormats[target.format].emit(result, sources, color_.of(target)));
     }
     conclude(result);
     return exit_code(result, fail_on);

@@ -25,8 +25,10 @@ void Context::report(Finding finding) {
   diagnostics_.add(std::move(diagnostic));
 }
 
-read::Resolution Context::resolve(std::string_view uri) const {
-  return inputs_.resolver.resolve(uri, inputs_.path);
+const read::Resolution& Context::resolve(const std::string& uri) {
+  const auto found = resolved_.find(uri);
+  if (found != resolved_.end()) return found->second;
+  return resolved_.emplace(uri, inputs_.resolver.resolve(uri, inputs_.path)).first->second;
 }
 
 std::string_view Context::folder() const { return parent_path(inputs_.path); }

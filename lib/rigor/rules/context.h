@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include <rigor/model/frames.h>
@@ -67,8 +68,8 @@ class Context {
     return inputs_.document->element(site.element);
   }
 
-  /// Where a URI that stands in this file leads.
-  read::Resolution resolve(std::string_view uri) const;
+  /// Where a URI that stands in this file leads. Looked up once, however many rules ask.
+  const read::Resolution& resolve(const std::string& uri);
   const Disk& disk() const { return inputs_.resolver.disk(); }
   /// The folder of the file that is checked.
   std::string_view folder() const;
@@ -96,6 +97,7 @@ class Context {
  private:
   const Inputs& inputs_;
   Diagnostics& diagnostics_;
+  std::unordered_map<std::string, read::Resolution> resolved_;
   std::string_view rule_;
   std::string_view category_;
   Severity severity_ = Severity::kError;

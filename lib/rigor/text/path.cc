@@ -7,7 +7,19 @@
 
 namespace rigor {
 
+namespace {
+
+/// Whether nothing in a path is to be removed; most paths are like that.
+bool is_normal(std::string_view path) {
+  if (path.empty() || path.ends_with('/') || path.starts_with("./") || path == ".") return false;
+  return path.find("//") == std::string_view::npos && path.find("/.") == std::string_view::npos &&
+         path.find("..") == std::string_view::npos;
+}
+
+}  // namespace
+
 std::string normalize_path(std::string_view path) {
+  if (is_normal(path)) return std::string(path);
   const bool absolute = is_absolute(path);
   std::vector<std::string_view> parts;
   for (std::size_t begin = 0; begin <= path.size();) {
@@ -32,7 +44,12 @@ std::string normalize_path(std::string_view path) {
 
 std::string join_path(std::string_view folder, std::string_view path) {
   if (is_absolute(path) || folder.empty()) return normalize_path(path);
-  return normalize_path(std::string(folder) + "/" + std::string(path));
+  std::string joined;
+  joined.reserve(folder.size() + path.size() + 1);
+  joined += folder;
+  joined += '/';
+  joined += path;
+  return normalize_path(joined);
 }
 
 std::string_view parent_path(std::string_view path) {

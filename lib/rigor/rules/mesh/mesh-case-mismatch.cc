@@ -38,7 +38,7 @@ std::optional<Fix> fix(const model::Field<std::string>& uri, const read::Resolut
 void check(const MeshUse& use, Context& context) {
   const auto& uri = use.mesh.uri;
   if (uri.value.empty()) return;
-  const read::Resolution found = context.resolve(uri.value);
+  const read::Resolution& found = context.resolve(uri.value);
   if (found.path || found.other_case.empty()) return;
   context.report({.where = uri.span,
                   .message = "the mesh '" + uri.value + "' is not found, but '" + found.other_case +

@@ -12,7 +12,7 @@ namespace {
 void check(const MeshUse& use, Context& context) {
   const auto& uri = use.mesh.uri;
   if (uri.value.empty()) return;
-  const read::Resolution found = context.resolve(uri.value);
+  const read::Resolution& found = context.resolve(uri.value);
   if (found.path || found.remote || !found.other_case.empty()) return;
   std::string help = "tried";
   for (const read::Tried& tried : found.tried) {

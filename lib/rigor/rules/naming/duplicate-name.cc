@@ -23,7 +23,7 @@ void check(const model::Root& /*root*/, Context& context) {
       context.report({.where = again.where,
                       .message = "a second " + std::string(again.kind) + " is called '" +
                                  std::string(again.name) + "'",
-                      .subject = again.subject,
+                      .subject = subject_of(again),
                       .related = {{first.where, "the first"}}});
     });
   }

@@ -17,7 +17,7 @@ void check(const model::Root& /*root*/, Context& context) {
                           .message = "the " + std::string(again.kind) + " '" +
                                      std::string(again.name) + "' has the name of a " +
                                      std::string(first.kind),
-                          .subject = again.subject,
+                          .subject = subject_of(again),
                           .related = {{first.where, "the " + std::string(first.kind)}}});
         });
   }

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -20,7 +21,7 @@ struct Named {
   std::string_view kind;  ///< the element's name: "link"
   std::string_view name;
   Span where;  ///< of the name, where it was written in the file itself
-  std::string subject;
+  xml::Element element;
 };
 
 /// Things among which names are told apart: all that one element holds.
@@ -35,36 +36,35 @@ class NameCollector {
   explicit NameCollector(const Context& context) : context_(context) {}
 
   std::vector<NameScope> collect() {
-    if (const auto root = context_.document().root()) add(*root, "");
+    const xml::Document& document = context_.document();
+    for (std::uint32_t i = 0; i < document.element_count(); ++i) add(document.element(i));
     return std::move(scopes_);
   }
 
  private:
-  void add(xml::Element element, const std::string& subject) {
-    const std::size_t index = scopes_.size();
-    scopes_.push_back({element.name(), {}});
+  void add(xml::Element element) {
+    if (element.children().empty()) return;
+    NameScope scope{element.name(), {}};
     for (const xml::Element child : element.children()) {
       const std::string_view kind = child.name();
       // What a plugin holds is its own business, and so is its name.
       if (kind == "plugin" || kind.find(':') != std::string_view::npos) continue;
       const auto name = child.attribute("name");
-      const std::string inside = name ? inner_subject(subject, kind, name->value()) : subject;
       if (name) {
         const Span where = name->value_span().size() > 0 ? name->value_span() : child.tag_span();
-        scopes_[index].members.push_back({kind, name->value(), where, inside});
+        scope.members.push_back({kind, name->value(), where, child});
       } else if (kind == "include") {
-        add_include(scopes_[index], child);
+        add_include(scope, child);
       }
-      add(child, inside);
     }
+    if (scope.members.size() > 1 && !in_plugin(element)) scopes_.push_back(std::move(scope));
   }
 
-  static std::string inner_subject(const std::string& outer, std::string_view kind,
-                                   std::string_view name) {
-    if (kind == "model" || kind == "robot") {
-      return outer.empty() ? std::string(name) : outer + "::" + std::string(name);
+  static bool in_plugin(std::optional<xml::Element> element) {
+    for (; element; element = element->parent()) {
+      if (element->name() == "plugin") return true;
     }
-    return (outer.empty() ? "" : outer + "/") + std::string(kind) + " " + std::string(name);
+    return false;
   }
 
   /// An include stands for the model that it brings, under the name that it gives it.
@@ -75,13 +75,29 @@ class NameCollector {
       if (!include.loaded || include.merge.value) return;
       const Span where = include.name.written ? include.name.span : include.site.name;
       const model::Model& model = root[include.loaded];
-      scope.members.push_back({"model", model.name.value, where, context_.subject(model)});
+      scope.members.push_back({"model", model.name.value, where, element});
     }
   }
 
   const Context& context_;
   std::vector<NameScope> scopes_;
 };
+
+/// "arm/link palm/collision pad": the names on the way in from the root.
+inline std::string subject_of(const Named& named) {
+  std::string subject;
+  for (std::optional<xml::Element> at = named.element; at; at = at->parent()) {
+    const auto name = at->attribute("name");
+    const bool itself = *at == named.element;
+    if (!name && !itself) continue;
+    const std::string_view called = itself ? named.name : name->value();
+    const bool model = at->name() == "model" || at->name() == "robot" || at->name() == "include";
+    std::string part = model ? "" : std::string(at->name()) + " ";
+    part += called;
+    subject = subject.empty() ? part : part + "/" + subject;
+  }
+  return subject;
+}
 
 /// The scopes that the file itself holds. Where an include names a thing, that is its place.
 inline std::vector<NameScope> name_scopes(const Context& context) {
