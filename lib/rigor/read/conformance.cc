@@ -4,9 +4,8 @@
 #include <rigor/read/conformance.h>
 
 #include <algorithm>
-#include <array>
 
-#include <rigor/schema/suggest.h>
+#include <rigor/read/values.h>
 
 namespace rigor::read {
 namespace {
@@ -17,12 +16,6 @@ using schema::Type;
 using Kind = SchemaFactKind;
 
 bool is_foreign(std::string_view name) { return name.find(':') != std::string_view::npos; }
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r\n");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1);
-}
 
 bool same_but_case(std::string_view a, std::string_view b) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };

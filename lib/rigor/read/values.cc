@@ -9,13 +9,6 @@
 
 namespace rigor::read {
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kSpace = " \t\r\n";
-  const std::size_t begin = text.find_first_not_of(kSpace);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
-}
-
 model::Site site_of(xml::Element element) {
   return {element.span(), element.tag_span(), element.name_span(), element.index()};
 }

@@ -48,7 +48,7 @@ bool append_reference(std::string& text, std::string_view inside) {
 }  // namespace
 
 bool needs_decoding(std::string_view raw) {
-  return raw.find_first_of("&\r") != std::string_view::npos;
+  return raw.find('&') != std::string_view::npos || raw.find('\r') != std::string_view::npos;
 }
 
 Decoded decode(std::string_view raw) {

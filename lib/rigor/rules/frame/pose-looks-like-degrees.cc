@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <cmath>
-#include <string>
+#include <optional>
+#include <string_view>
 
 #include <fmt/core.h>
 
@@ -19,19 +20,29 @@ constexpr double kMost = 1.01 * kTurn;
 /// A whole multiple of five is what people write in degrees.
 bool round_degrees(double angle) { return std::fmod(angle, 5) == 0; }
 
-void check_pose(const model::PoseField& pose, const std::string& subject, Context& context) {
+/// A full turn has two digits in degrees: most poses need no closer look.
+bool has_long_number(std::string_view bytes) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  for (std::size_t i = 0; i + 1 < bytes.size(); ++i) {
+    const bool starts = i == 0 || (!is_digit(bytes[i - 1]) && bytes[i - 1] != '.');
+    if (starts && is_digit(bytes[i]) && is_digit(bytes[i + 1])) return true;
+  }
+  return false;
+}
+
+std::optional<Finding> check_pose(const model::PoseField& pose, const Context& context) {
+  if (!has_long_number(context.bytes(pose.pose.span))) return std::nullopt;
   const auto rotation = written_rotation(pose, context);
-  if (!rotation || rotation->degrees || rotation->numbers.size() != 3) return;
+  if (!rotation || rotation->degrees || rotation->numbers.size() != 3) return std::nullopt;
   for (const double angle : rotation->numbers) {
     if (std::abs(angle) < kMost || !round_degrees(angle)) continue;
-    context.report(
-        {.where = rotation->span,
-         .message = fmt::format("the angle {0} looks like degrees: angles are in radians, "
-                                "and {0}° is {1:.6g} rad",
-                                angle, angle / 360 * kTurn),
-         .subject = subject});
-    return;
+    return Finding{
+        .where = rotation->span,
+        .message = fmt::format("the angle {0} looks like degrees: angles are in radians, "
+                               "and {0}° is {1:.6g} rad",
+                               angle, angle / 360 * kTurn)};
   }
+  return std::nullopt;
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
-#include <string>
+#include <optional>
 
 #include <rigor/rules/frame/written_pose.h>
 #include <rigor/rules/rule.h>
@@ -10,15 +10,17 @@
 namespace rigor::rules::quaternion_zero {
 namespace {
 
-void check_pose(const model::PoseField& pose, const std::string& subject, Context& context) {
+std::optional<Finding> check_pose(const model::PoseField& pose, const Context& context) {
+  // A zero quaternion is read as no rotation, so only that needs a closer look.
+  if (!pose.pose.written || !(pose.pose.value.rotation == model::Quaternion{})) return std::nullopt;
+  if (!context.element(pose.site).attribute("rotation_format")) return std::nullopt;
   const auto rotation = written_rotation(pose, context);
-  if (!rotation || rotation->numbers.size() != 4) return;
+  if (!rotation || rotation->numbers.size() != 4) return std::nullopt;
   const auto zero = [](double number) { return number == 0; };
-  if (!std::all_of(rotation->numbers.begin(), rotation->numbers.end(), zero)) return;
-  context.report({.where = rotation->span,
-                  .message = "the quaternion 0 0 0 0 is no rotation; it is taken for none",
-                  .subject = subject,
-                  .help = "write 0 0 0 1 (x y z w) for no rotation"});
+  if (!std::all_of(rotation->numbers.begin(), rotation->numbers.end(), zero)) return std::nullopt;
+  return Finding{.where = rotation->span,
+                 .message = "the quaternion 0 0 0 0 is no rotation; it is taken for none",
+                 .help = "write 0 0 0 1 (x y z w) for no rotation"};
 }
 
 }  // namespace

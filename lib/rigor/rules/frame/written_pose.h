@@ -8,6 +8,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -51,12 +52,15 @@ inline std::optional<WrittenRotation> written_rotation(const model::PoseField& p
                          old ? old->value_span() : element.text_span()};
 }
 
-/// Checks of the pose of whatever can have one.
-using PoseCheck = void (*)(const model::PoseField& pose, const std::string& subject, Context&);
+/// A check of the pose of whatever can have one; the subject is added for it.
+using PoseCheck = std::optional<Finding> (*)(const model::PoseField& pose, const Context&);
 
 template <PoseCheck check, class Entity>
 void check_pose_of(const Entity& entity, Context& context) {
-  check(entity.pose, context.subject(entity), context);
+  if (auto finding = check(entity.pose, context)) {
+    finding->subject = context.subject(entity);
+    context.report(std::move(*finding));
+  }
 }
 
 template <PoseCheck check>
@@ -64,7 +68,10 @@ std::vector<Check> on_poses() {
   return {on<model::Model>(check_pose_of<check, model::Model>),
           on<model::Link>([](const model::Link& link, Context& context) {
             check_pose_of<check>(link, context);
-            check(link.inertial.pose, context.subject(link), context);
+            if (auto finding = check(link.inertial.pose, context)) {
+              finding->subject = context.subject(link);
+              context.report(std::move(*finding));
+            }
           }),
           on<model::Joint>(check_pose_of<check, model::Joint>),
           on<model::Frame>(check_pose_of<check, model::Frame>),
@@ -73,7 +80,7 @@ std::vector<Check> on_poses() {
           on<model::Sensor>(check_pose_of<check, model::Sensor>),
           on<model::Light>(check_pose_of<check, model::Light>),
           on<model::Include>([](const model::Include& include, Context& context) {
-            check(include.pose, {}, context);
+            if (auto finding = check(include.pose, context)) context.report(std::move(*finding));
           })};
 }
 

@@ -13,6 +13,7 @@
 #include <rigor/model/names.h>
 #include <rigor/rules/plugin/parameters.h>
 #include <rigor/rules/reference/nearest.h>
+#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_joint_missing {
@@ -41,13 +42,6 @@ std::string_view within(const model::Model& model, std::string_view name) {
   return name.starts_with(own) ? name.substr(own.size()) : name;
 }
 
-std::string trimmed(std::string_view text) {
-  constexpr std::string_view kSpace = " \t\r\n";
-  const std::size_t begin = text.find_first_not_of(kSpace);
-  if (begin == std::string_view::npos) return {};
-  return std::string(text.substr(begin, text.find_last_not_of(kSpace) - begin + 1));
-}
-
 bool is_whole(const model::Root& root) {
   return std::all_of(root.includes.begin(), root.includes.end(),
                      [](const model::Include& include) { return include.followed; });
@@ -65,7 +59,7 @@ void check(const model::Root& root, Context& context) {
             return known.library == name && known.element == child.name();
           });
       if (parameter == std::end(kPluginParameters)) continue;
-      const std::string value = trimmed(child.text());
+      const std::string value(read::trimmed(child.text()));
       const std::string_view inner = within(root[plugin.model], value);
       if (value.empty() || exists(names, plugin.model, parameter->what, value)) continue;
       if (exists(names, plugin.model, parameter->what, inner)) continue;
