@@ -232,6 +232,19 @@ TEST(Frames, SaysWhyThereIsNoPose) {
   EXPECT_TRUE(frames.pose(model::Id<model::Link>{0}));
 }
 
+TEST(Frames, ALongChainOfAttachmentsTakesOneWalk) {
+  std::string text = "<sdf version='1.9'><model name='m'><link name='l'/>";
+  constexpr int kLength = 200'000;
+  for (int i = 0; i < kLength; ++i) {
+    const std::string next = i + 1 == kLength ? "l" : "f" + std::to_string(i + 1);
+    text += "<frame name='f" + std::to_string(i) + "' attached_to='" + next + "'/>";
+  }
+  const Case one_case(one(text + "</model></sdf>"));
+  const model::Frames frames(one_case.root());
+  EXPECT_EQ(frames.carrier({0}), model::Id<model::Link>{0});
+  EXPECT_EQ(frames.carrier({kLength - 1}), model::Id<model::Link>{0});
+}
+
 TEST(Frames, ALongChainNeedsNoDeepStack) {
   std::string text = "<sdf version='1.9'><model name='m'><link name='l'/><frame name='f0'/>";
   constexpr int kLength = 200'000;

@@ -49,10 +49,11 @@ class FrameSolver {
     sensors_ = reserve(root.sensors.size());
     lights_ = reserve(root.lights.size());
     nodes_.resize(next);
+    carriers_.resize(next);
     nodes_[kTop].state = State::kDone;
   }
 
-  void solve(const JointPositions& positions) {
+  void solve() {
     find_canonical_links();
     connect_models();
     connect_links();
@@ -63,8 +64,8 @@ class FrameSolver {
     for (std::uint32_t node = kTop + 1; node < nodes_.size(); ++node) resolve(node);
     find_ends();
     resolve_axes();
+    find_carriers();
     store();
-    if (!positions.empty()) move(positions);
   }
 
  private:
@@ -332,35 +333,39 @@ class FrameSolver {
     return with_entity(node, [this](const auto& entity) { return subject(root_, entity); });
   }
 
-  /// The link that something moves with.
-  struct Body {
-    Id<Link> link;
-    bool world = false;
-    bool cycle = false;
-  };
-
-  Body body_of(ScopeId scope, std::string_view name) const {
-    std::size_t steps = 0;
-    while (true) {
-      if (name == "world" && (!scope.model || steps == 0)) return {{}, true, false};
-      if (++steps > root_.frames.size() + root_.joints.size() + 2) return {{}, false, true};
+  /// The link that a name's frame moves with; none for the world, for nothing, and for a circle.
+  Id<Link> carrier_of(ScopeId scope, std::string_view name) {
+    std::vector<std::uint32_t> passed;  // joints and frames on the way, which share the answer
+    Id<Link> carrier;
+    while (passed.size() <= root_.frames.size() + root_.joints.size()) {
       const Named named = names_.find(scope, name);
-      if (const auto* link = std::get_if<Id<Link>>(&named)) return {*link, false, false};
-      if (const auto* model = std::get_if<Id<Model>>(&named)) {
-        return {frames_.canonical_[model->value], false, false};
+      if (const auto* link = std::get_if<Id<Link>>(&named)) {
+        carrier = *link;
+        break;
       }
+      if (const auto* model = std::get_if<Id<Model>>(&named)) {
+        carrier = frames_.canonical_[model->value];
+        break;
+      }
+      const std::uint32_t at = node(named);
+      if (at == kBroken) break;
+      if (carriers_[at]) {
+        carrier = *carriers_[at];
+        break;
+      }
+      passed.push_back(at);
       if (const auto* joint = std::get_if<Id<Joint>>(&named)) {
         scope = {root_[*joint].model, root_[*joint].world};
         name = root_[*joint].child.value;
-      } else if (const auto* frame = std::get_if<Id<Frame>>(&named)) {
-        scope = {root_[*frame].model, root_[*frame].world};
-        name = root_[*frame].attached_to.value;
-        if (name.empty() && !scope.model) return {{}, true, false};
-        if (name.empty()) name = "__model__";
       } else {
-        return {};
+        const Frame& frame = root_.frames[at - named_];
+        scope = {frame.model, frame.world};
+        name = frame.attached_to.value;
+        if (name.empty() && scope.model) name = "__model__";
       }
     }
+    for (const std::uint32_t at : passed) carriers_[at] = carrier;
+    return carrier;
   }
 
   void find_ends() {
@@ -395,12 +400,18 @@ class FrameSolver {
       problem(missing(which), joint, reference, scope);
       return {};
     }
-    return body_of(scope, reference.value).link;
+    return carrier_of(scope, reference.value);
   }
 
   static FrameProblemKind missing(End which) {
     return which == End::kParent ? FrameProblemKind::kParentMissing
                                  : FrameProblemKind::kChildMissing;
+  }
+
+  void find_carriers() {
+    for (const Frame& frame : root_.frames) {
+      frames_.carriers_.push_back(carrier_of({frame.model, frame.world}, frame.name.value));
+    }
   }
 
   void resolve_axes() {
@@ -446,113 +457,18 @@ class FrameSolver {
     copy(frames_.lights_, lights_, root_.lights.size());
   }
 
-  // ---- forward kinematics: a link is displaced by D (in the top frame) from its zero pose, and all
-  // that is fixed to it with it.
-
-  void move(const JointPositions& positions) {
-    std::vector<Id<Joint>> moved_by(root_.links.size());
-    for (std::size_t i = root_.joints.size(); i-- > 0;) {  // of two parents the first one drives
-      const Id<Link> child = frames_.ends_[i].child;
-      if (child) moved_by[child.value] = {static_cast<std::uint32_t>(i)};
-    }
-    std::vector<std::optional<Pose>> displaced(root_.links.size());
-    for (std::uint32_t i = 0; i < root_.links.size(); ++i) {
-      displacement({i}, moved_by, positions, displaced);
-    }
-    const auto displace = [](std::optional<Pose>& X, const std::optional<Pose>& D) {
-      if (X && D) X = compose(*D, *X);
-    };
-    for (std::size_t i = 0; i < root_.joints.size(); ++i) {
-      // A joint's frame is fixed to its child in SDF, to its parent in URDF.
-      const Frames::Ends& ends = frames_.ends_[i];
-      const Id<Link> carrier = in_urdf(root_, root_.joints[i].model) ? ends.parent : ends.child;
-      if (!carrier) continue;
-      displace(frames_.joints_[i], displaced[carrier.value]);
-      for (auto& axis : frames_.axes_[i]) {
-        if (axis && displaced[carrier.value]) {
-          axis = rotate(displaced[carrier.value]->rotation, *axis);
-        }
-      }
-    }
-    const auto displace_parts = [&](const auto& parts, Frames::Poses& poses) {
-      for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (parts[i].link) displace(poses[i], displaced[parts[i].link.value]);
-      }
-    };
-    displace_parts(root_.collisions, frames_.collisions_);
-    displace_parts(root_.visuals, frames_.visuals_);
-    displace_parts(root_.sensors, frames_.sensors_);
-    displace_parts(root_.lights, frames_.lights_);
-    for (std::size_t i = 0; i < root_.frames.size(); ++i) {
-      const Frame& frame = root_.frames[i];
-      const Body body = body_of({frame.model, frame.world}, frame.name.value);
-      if (body.link) displace(frames_.frames_[i], displaced[body.link.value]);
-    }
-    for (std::size_t i = 0; i < root_.models.size(); ++i) {
-      const Id<Link> canonical = frames_.canonical_[i];
-      if (canonical) displace(frames_.models_[i], displaced[canonical.value]);
-    }
-    for (std::size_t i = 0; i < root_.links.size(); ++i) displace(frames_.links_[i], displaced[i]);
-  }
-
-  void displacement(Id<Link> link, const std::vector<Id<Joint>>& moved_by,
-                    const JointPositions& positions,
-                    std::vector<std::optional<Pose>>& displaced) const {
-    std::vector<Id<Link>> chain;  // from the link up to one that is known, or that nothing moves
-    Id<Link> at = link;
-    while (at && !displaced[at.value] && chain.size() <= root_.links.size()) {
-      chain.push_back(at);
-      const Id<Joint> joint = moved_by[at.value];
-      at = joint ? frames_.ends_[joint.value].parent : Id<Link>{};
-    }
-    if (chain.size() > root_.links.size()) return;  // a loop of joints has no tree to move along
-    for (; !chain.empty(); chain.pop_back()) {
-      const Id<Link> current = chain.back();
-      const Id<Joint> joint = moved_by[current.value];
-      Pose D;
-      if (joint) {
-        const Id<Link> parent = frames_.ends_[joint.value].parent;
-        if (parent && displaced[parent.value]) D = *displaced[parent.value];
-        D = compose(D, motion(joint, positions));
-      }
-      displaced[current.value] = D;
-    }
-  }
-
-  /// What a joint's positions do to its child, in the top frame.
-  Pose motion(Id<Joint> id, const JointPositions& positions) const {
-    const auto found = positions.find(scoped_name(root_, id));
-    if (found == positions.end()) return {};
-    Pose D;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const auto& axis = frames_.axes_[id.value][k];
-      const auto& X_TJ = frames_.joints_[id.value];
-      if (!axis || !X_TJ) continue;
-      const double q = found->second[k];
-      Pose step;
-      if (root_[id].type == JointType::kPrismatic) {
-        step.translation = q * *axis;
-      } else {
-        // Turning about an axis through the joint's origin o: x ↦ R (x - o) + o.
-        const Vector3 o = X_TJ->translation;
-        step.rotation = from_axis_angle(*axis, q);
-        step.translation = o - rotate(step.rotation, o);
-      }
-      D = compose(D, step);
-    }
-    return D;
-  }
-
   Frames& frames_;
   const Root& root_;
   const Names& names_;
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> stack_;
+  std::vector<std::optional<Id<Link>>> carriers_;  // by node; only of joints and frames
   std::uint32_t models_, links_, joints_, named_, collisions_, visuals_, sensors_, lights_;
 };
 
 Frames::Frames(const Root& root, const JointPositions& positions) : names_(root) {
-  FrameSolver(*this, root).solve(positions);
+  FrameSolver(*this, root).solve();
+  if (!positions.empty()) move_joints(root, positions);
 }
 
 std::optional<Vector3> Frames::axis(Id<Joint> id, std::size_t index) const {

@@ -83,6 +83,9 @@ class Frames {
   };
   const Ends& ends(Id<Joint> id) const { return ends_[id.value]; }
 
+  /// The link a frame moves with; none for one that is fixed to the world.
+  Id<Link> carrier(Id<Frame> id) const { return carriers_[id.value]; }
+
   /// The link a model's `__model__` frame moves with.
   Id<Link> canonical_link(Id<Model> id) const { return canonical_[id.value]; }
 
@@ -93,7 +96,9 @@ class Frames {
 
  private:
   friend class FrameSolver;
+  friend class JointMover;
   using Poses = std::vector<std::optional<Pose>>;
+  void move_joints(const Root& root, const JointPositions& positions);
   static std::optional<Pose> at(const Poses& poses, std::uint32_t index) {
     return index < poses.size() ? poses[index] : std::nullopt;
   }
@@ -103,6 +108,7 @@ class Frames {
   std::vector<std::array<std::optional<Vector3>, 2>> axes_;
   std::vector<Ends> ends_;
   std::vector<Id<Link>> canonical_;
+  std::vector<Id<Link>> carriers_;
   std::vector<FrameProblem> problems_;
 };
 

@@ -10,12 +10,27 @@
 
 namespace rigor::rules {
 
+namespace {
+
+/// A message quotes values; one of a megabyte helps nobody. Longer than any sentence we write.
+constexpr std::size_t kLongestMessage = 1000;
+
+std::string shortened(std::string message) {
+  if (message.size() <= kLongestMessage) return message;
+  std::size_t end = kLongestMessage;
+  while ((static_cast<unsigned char>(message[end]) & 0xC0U) == 0x80U) --end;  // whole code points
+  message.resize(end);
+  return message + "…";
+}
+
+}  // namespace
+
 void Context::report(Finding finding) {
   Diagnostic diagnostic;
   diagnostic.rule = rule_;
   diagnostic.category = category_;
   diagnostic.severity = severity_;
-  diagnostic.message = std::move(finding.message);
+  diagnostic.message = shortened(std::move(finding.message));
   diagnostic.where = finding.where;
   if (finding.where.nowhere()) diagnostic.path = inputs_.path;
   diagnostic.subject = std::move(finding.subject);
