@@ -65,7 +65,7 @@ std::optional<Shape> shape_of(xml::Element element) {
 
 }  // namespace
 
-model::Geometry read_sdf_geometry(xml::Element parent) {
+model::Geometry read_geometry(xml::Element parent) {
   model::Geometry geometry;
   const auto element = parent.child("geometry");
   if (!element) return geometry;
@@ -90,7 +90,5 @@ model::Geometry read_sdf_geometry(xml::Element parent) {
   }
   return geometry;
 }
-
-model::Geometry read_urdf_geometry(xml::Element parent) { return read_sdf_geometry(parent); }
 
 }  // namespace rigor::read

@@ -193,7 +193,7 @@ void SdfReader::read_include(xml::Element element, Scope scope) {
   include.world = scope.world;
   const auto index = static_cast<std::uint32_t>(root_.includes.size());
   root_.includes.push_back(include);
-  include.followed = follow(element, include, scope);
+  include.followed = follow(include, scope);
   root_.includes[index] = include;
   if (!include.loaded) return;
   override_model(include, index);
@@ -203,7 +203,7 @@ void SdfReader::read_include(xml::Element element, Scope scope) {
   if (include.merge.value && scope.model) merge_into_parent(root_, include.loaded);
 }
 
-bool SdfReader::follow(xml::Element element, model::Include& include, Scope scope) {
+bool SdfReader::follow(model::Include& include, Scope scope) {
   if (include.uri.value.empty()) return false;
   const Span where = include.uri.span;
   const Resolution found = reader_.resolver.resolve(include.uri.value, files_.back());
@@ -240,7 +240,6 @@ bool SdfReader::follow(xml::Element element, model::Include& include, Scope scop
                               facts_.end(), inside),
                facts_.end());
   for (std::size_t i = first_fact; i < facts_.size(); ++i) facts_[i].where = where;
-  (void)element;
   return true;
 }
 

@@ -109,7 +109,7 @@ void SdfReader::read_collision(xml::Element element, Id<model::Link> link) {
   collision.name = string_field(attribute_text(element, "name"));
   collision.link = link;
   collision.pose = read_pose(element);
-  collision.geometry = read_sdf_geometry(element);
+  collision.geometry = read_geometry(element);
   collision.surface = read_surface(element);
   root_.links[link.value].collisions.push_back(
       {static_cast<std::uint32_t>(root_.collisions.size())});
@@ -122,7 +122,7 @@ void SdfReader::read_visual(xml::Element element, Id<model::Link> link) {
   visual.name = string_field(attribute_text(element, "name"));
   visual.link = link;
   visual.pose = read_pose(element);
-  visual.geometry = read_sdf_geometry(element);
+  visual.geometry = read_geometry(element);
   visual.material = read_material(element);
   root_.links[link.value].visuals.push_back({static_cast<std::uint32_t>(root_.visuals.size())});
   root_.visuals.push_back(std::move(visual));

@@ -51,7 +51,7 @@ class SdfReader {
   model::Id<model::Model> read_model(xml::Element element, Scope scope);
   void read_model_parts(xml::Element element, model::Id<model::Model> id);
   void read_include(xml::Element element, Scope scope);
-  bool follow(xml::Element element, model::Include& include, Scope scope);
+  bool follow(model::Include& include, Scope scope);
   bool may_follow(const model::Include& include, const std::string& path);
   void override_model(const model::Include& include, std::uint32_t index);
   void read_frame(xml::Element element, Scope scope);
@@ -83,9 +83,8 @@ class SdfReader {
   int version_;
 };
 
-/// `<geometry>` of a collision or visual, in any version (geometry.cc).
-model::Geometry read_sdf_geometry(xml::Element parent);
-model::Geometry read_urdf_geometry(xml::Element parent);
+/// `<geometry>` of a collision or visual, in any version of SDF or URDF (geometry.cc).
+model::Geometry read_geometry(xml::Element parent);
 
 /// The file that including `path`, a file or a model's folder, means; facts say why there is none
 /// (load.cc).

@@ -157,7 +157,7 @@ class UrdfReader {
     collision.name = string_field(attribute_text(element, "name"));
     collision.link = link;
     collision.pose = read_origin(element);
-    collision.geometry = read_urdf_geometry(element);
+    collision.geometry = read_geometry(element);
     root_.links[link.value].collisions.push_back(next(root_.collisions));
     root_.collisions.push_back(std::move(collision));
   }
@@ -168,7 +168,7 @@ class UrdfReader {
     visual.name = string_field(attribute_text(element, "name"));
     visual.link = link;
     visual.pose = read_origin(element);
-    visual.geometry = read_urdf_geometry(element);
+    visual.geometry = read_geometry(element);
     if (const auto material = element.child("material")) visual.material = read_material(*material);
     root_.links[link.value].visuals.push_back(next(root_.visuals));
     root_.visuals.push_back(std::move(visual));

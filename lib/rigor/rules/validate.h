@@ -4,7 +4,7 @@
 // Checks files: reads each, runs the rules over it, and says what was and what was not looked at.
 //
 //   ValidateResult result = validate(environment, {.paths = {"my_robot"}}, sources);
-//   std::fputs(report::concise(result, sources).c_str(), stdout);
+//   std::fputs(report::concise(result.diagnostics, sources).c_str(), stdout);
 
 #pragma once
 
