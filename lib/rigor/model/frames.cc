@@ -99,11 +99,19 @@ class FrameSolver {
   /// The scope of a model's own parts: the parts of a merged one belong to the model around it.
   ScopeId inside(Id<Model> id) const { return {root_[id].merged ? root_[id].parent : id, {}}; }
 
+  /// Names to suggest. Only for the first problems: each copies the names of its scope, and who has
+  /// more needs no spelling help.
+  std::vector<std::string> candidates(ScopeId scope) const {
+    constexpr std::size_t kMostWithCandidates = 20;
+    if (frames_.problems_.size() >= kMostWithCandidates) return {};
+    return names_.in(scope);
+  }
+
   template <class Entity>
   void problem(FrameProblemKind kind, const Entity& entity, const Field<std::string>& reference,
                ScopeId scope) {
     frames_.problems_.push_back({kind, reference.span, reference.value, subject(root_, entity), {},
-                                 names_.in(scope), scope.model, scope.world});
+                                 candidates(scope), scope.model, scope.world});
   }
 
   /// The node that a `relative_to` means, `fallback` when it says nothing.

@@ -3,7 +3,8 @@
 
 #include <rigor/read/urdf.h>
 
-#include <array>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include <rigor/read/joint_type.h>
@@ -230,13 +231,13 @@ class UrdfReader {
   /// A link stands where the last joint says whose child it is, as urdfdom decides.
   void place_links() {
     const model::Model& robot = root_[model_];
+    std::unordered_map<std::string_view, Id<model::Link>> links;  // the first of each name
+    for (const Id<model::Link> id : robot.links) links.try_emplace(root_[id].name.value, id);
     for (const Id<model::Joint> id : robot.joints) {
       const model::Joint& joint = root_[id];
-      for (const Id<model::Link> link : robot.links) {
-        if (root_[link].name.value != joint.child.value) continue;
-        root_.links[link.value].pose.relative_to.value = joint.name.value;
-        break;
-      }
+      const auto child = links.find(joint.child.value);
+      if (child == links.end()) continue;
+      root_.links[child->second.value].pose.relative_to.value = joint.name.value;
     }
   }
 

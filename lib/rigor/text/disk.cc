@@ -60,6 +60,9 @@ std::vector<std::string> RealDisk::list(const std::string& folder) const {
   std::vector<std::string> names;
   std::error_code error;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    // A link to a folder may lead back up, and then a walk would never end.
+    std::error_code unknown;
+    if (it->is_symlink(unknown) && it->is_directory(unknown)) continue;
     names.push_back(it->path().filename().string());
   }
   std::sort(names.begin(), names.end());

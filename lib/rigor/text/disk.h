@@ -36,7 +36,8 @@ class Disk {
 
   virtual PathKind kind(const std::string& path) const = 0;
 
-  /// Names (not paths) in a folder, sorted by bytes; empty when it is none.
+  /// Names (not paths) in a folder, sorted by bytes; empty when it is none. Links to folders are left
+  /// out.
   virtual std::vector<std::string> list(const std::string& folder) const = 0;
 };
 
