@@ -27,8 +27,7 @@ model::Pose to_pose(const schema::PoseNumbers& pose, double angle_unit) {
   const auto& n = pose.numbers;
   const model::Vector3 translation{n[0], n[1], n[2]};
   if (pose.count == 7) return {translation, model::normalized({n[6], n[3], n[4], n[5]})};
-  return {translation,
-          model::from_rpy(n[3] * angle_unit, n[4] * angle_unit, n[5] * angle_unit)};
+  return {translation, model::from_rpy(n[3] * angle_unit, n[4] * angle_unit, n[5] * angle_unit)};
 }
 
 constexpr double kDegree = 0.017453292519943295;  // π/180, as libsdformat converts
@@ -58,9 +57,9 @@ model::PoseField SdfReader::read_pose(xml::Element parent) const {
   }
   const auto format = attribute_text(*element, "rotation_format");
   const bool quaternion = format && trimmed(format->text) == "quat_xyzw";
-  const auto parsed = schema::parse_pose(text->text, quaternion
-                                                         ? schema::RotationFormat::kQuatXyzw
-                                                         : schema::RotationFormat::kEulerRpy);
+  const auto parsed =
+      schema::parse_pose(text->text, quaternion ? schema::RotationFormat::kQuatXyzw
+                                                : schema::RotationFormat::kEulerRpy);
   const bool degrees = bool_field(attribute_text(*element, "degrees"), false).value;
   if (const auto* numbers = std::get_if<schema::PoseNumbers>(&parsed)) {
     field.pose = {to_pose(*numbers, degrees ? kDegree : 1), text->span, true};
@@ -70,7 +69,8 @@ model::PoseField SdfReader::read_pose(xml::Element parent) const {
 
 bool SdfReader::too_many(Span where) {
   const std::size_t count = root_.models.size() + root_.links.size() + root_.joints.size() +
-                            root_.collisions.size() + root_.visuals.size() + root_.frames.size();
+                            root_.collisions.size() + root_.visuals.size() + root_.frames.size() +
+                            root_.includes.size();
   if (count < kMaxEntities) return false;
   const auto is_told = [](const Fact& fact) { return fact.kind == FactKind::kTooMuchIncluded; };
   if (std::none_of(facts_.begin(), facts_.end(), is_told)) {
@@ -208,9 +208,12 @@ bool SdfReader::follow(model::Include& include, Scope scope) {
   const Span where = include.uri.span;
   const Resolution found = reader_.resolver.resolve(include.uri.value, files_.back());
   if (!found.path) {
-    Fact fact{found.remote ? FactKind::kUnfollowedInclude : FactKind::kIncludeNotFound, where,
-              include.uri.value, {}};
-    for (const Tried& tried : found.tried) fact.tried.push_back(tried.path + " (" + tried.origin + ")");
+    Fact fact{found.remote ? FactKind::kUnfollowedInclude : FactKind::kIncludeNotFound,
+              where,
+              include.uri.value,
+              {}};
+    for (const Tried& tried : found.tried)
+      fact.tried.push_back(tried.path + " (" + tried.origin + ")");
     facts_.push_back(std::move(fact));
     return false;
   }
@@ -225,8 +228,7 @@ bool SdfReader::follow(model::Include& include, Scope scope) {
     include.loaded = read_urdf(root_, top, scope);
     return true;
   }
-  const auto version = schema::parse_version(
-      string_field(attribute_text(top, "version")).value);
+  const auto version = schema::parse_version(string_field(attribute_text(top, "version")).value);
   const std::size_t first_fact = facts_.size();
   SdfReader inner(reader_, root_, facts_, std::move(files),
                   version ? version->minor : reader_.sdf.latest().minor);
@@ -277,8 +279,8 @@ void SdfReader::read_frame(xml::Element element, Scope scope) {
   frame.attached_to = string_field(attribute_text(element, "attached_to"));
   frame.pose = read_pose(element);
   root_.frames.push_back(std::move(frame));
-  auto& siblings = scope.model ? root_.models[scope.model.value].frames
-                               : root_.worlds[scope.world.value].frames;
+  auto& siblings =
+      scope.model ? root_.models[scope.model.value].frames : root_.worlds[scope.world.value].frames;
   siblings.push_back(id);
 }
 
