@@ -25,12 +25,9 @@ std::size_t own_count(const model::Root& root, const auto& entities) {
 
 FileSummary summarize(const read::Loaded& loaded) {
   const model::Root& root = loaded.root;
-  return {loaded.file->path,
-          root.format,
-          root.version_text.value,
-          own_count(root, root.models),
-          own_count(root, root.links),
-          own_count(root, root.joints)};
+  return {loaded.file->path,           root.format,
+          root.version_text.value,     own_count(root, root.models),
+          own_count(root, root.links), own_count(root, root.joints)};
 }
 
 class Run {
@@ -40,7 +37,8 @@ class Run {
         options_(options),
         sources_(sources),
         workspace_(environment.disk, sources),
-        runner_(environment.registry, options.selection) {}
+        runner_(environment.registry, options.selection),
+        meshes_(environment.disk) {}
 
   ValidateResult run() {
     if (options_.buffer) {
@@ -85,7 +83,9 @@ class Run {
       if (fact.kind != read::FactKind::kUnfollowedInclude) continue;
       checked.not_looked_at.push_back({file.path, "include of " + fact.name});
     }
-    checked.diagnostics = runner_.run(environment_, sources_, loaded);
+    const bool open_meshes = options_.meshes == MeshPolicy::kOpen;
+    checked.diagnostics =
+        runner_.run(environment_, sources_, loaded, open_meshes ? &meshes_ : nullptr);
     return checked;
   }
 
@@ -108,6 +108,7 @@ class Run {
   Sources& sources_;
   read::Workspace workspace_;
   Runner runner_;
+  mass::MeshSurveys meshes_;
   std::map<std::string, Checked> checked_;
   ValidateResult result_;
 };
