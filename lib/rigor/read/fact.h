@@ -14,20 +14,20 @@
 namespace rigor::read {
 
 enum class FactKind : std::uint8_t {
-  kUnknownRoot,         ///< the root element is of no format rigor knows; `name` is it
-  kOldRoot,             ///< `<gazebo version="1.0">`
+  kUnknownRoot,  ///< the root element is of no format rigor knows; `name` is it
+  kOldRoot,      ///< `<gazebo version="1.0">`
   kVersionMissing,
-  kVersionUnknown,      ///< no such version was ever published; `name` is it
-  kVersionTooNew,       ///< newer than rigor knows
-  kUnfollowedInclude,   ///< `https://` and not in the cache: not looked at
-  kIncludeNotFound,     ///< `tried` has every place
-  kIncludeUnreadable,   ///< found, but it cannot be parsed, or holds nothing; `name` says why
-  kIncludeCycle,        ///< `tried` has the files of the cycle, the first again at the end
+  kVersionUnknown,     ///< no such version was ever published; `name` is it
+  kVersionTooNew,      ///< newer than rigor knows
+  kUnfollowedInclude,  ///< `https://` and not in the cache: not looked at
+  kIncludeNotFound,    ///< `tried` has every place
+  kIncludeUnreadable,  ///< found, but it cannot be parsed, or holds nothing; `name` says why
+  kIncludeCycle,       ///< `tried` has the files of the cycle, the first again at the end
   kIncludeTooDeep,
-  kIncludeHasErrors,    ///< the included file was checked; `name` is its path, `tried` its errors
-  kConfigWithoutSdf,    ///< an included model folder whose model.config names no file
-  kMoreAtTopLevel,      ///< a second model, actor or light beside the first; `name` is it
-  kTooMuchIncluded,     ///< the includes bring more entities than rigor holds
+  kIncludeHasErrors,  ///< the included file was checked; `name` is its path, `tried` its errors
+  kConfigWithoutSdf,  ///< an included model folder whose model.config names no file
+  kMoreAtTopLevel,    ///< a second model, actor or light beside the first; `name` is it
+  kTooMuchIncluded,   ///< the includes bring more entities than rigor holds
   kFileTooLarge,
   kFileUnreadable,
 };
