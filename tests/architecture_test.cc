@@ -31,12 +31,14 @@ const std::map<std::string, Names>& rooms() {
       {"model", {"text"}},
       {"read", {"text", "xml", "schema", "model"}},
       {"process", {"text"}},
+      {"config", {"text"}},
       {"mesh", {"text", "xml", "model", "process"}},
       {"mass", {"text", "model", "mesh"}},
-      {"rules", {"text", "xml", "schema", "model", "read", "mesh", "mass", "environment"}},
+      {"write", {"text", "xml", "schema", "model", "read", "mass"}},
+      {"rules", {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "environment"}},
       {"environment", {"text", "schema", "read", "rules"}},
       {"author",
-       {"text", "xml", "schema", "model", "read", "mesh", "mass", "rules", "environment"}},
+       {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "rules", "environment"}},
       {"report",
        {"text", "xml", "schema", "model", "read", "mesh", "mass", "rules", "author",
         "environment"}},
@@ -51,7 +53,7 @@ const std::map<std::string, Names>& third_parties() {
                                                      {"fmt/", {"rules", "report", "tools"}},
                                                      {"nlohmann/", {"report", "tools"}},
                                                      {"CLI/", {"tools"}},
-                                                     {"assimp/", {"mesh"}},
+                                                     {"toml++", {"config"}}, {"assimp/", {"mesh"}},
                                                      {"libqhull", {"mesh"}}};
   return kParties;
 }

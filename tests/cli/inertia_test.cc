@@ -98,6 +98,18 @@ TEST(InertiaCli, MassDensityAndMaterialAgree) {
   EXPECT_NE(list.out.find("steel"), std::string::npos);
 }
 
+TEST(InertiaCli, AProjectHasItsOwnMaterials) {
+  const Folder folder;
+  folder.put("rigor.toml", "[materials]\nour-foam = 42\n");
+  folder.put("models/box.stl", binary_stl(box_mesh({1, 1, 1})));
+  const std::string options = " --material our-foam --format json";
+  EXPECT_EQ(parsed(folder.rigor("inertia box --size 1 1 1" + options))["mass"], 42);
+  EXPECT_EQ(parsed(folder.rigor("inertia mesh models/box.stl" + options))["mass"], 42);
+  EXPECT_NE(folder.rigor("inertia --materials").out.find("our-foam"), std::string::npos);
+  folder.put("rigor.toml", "[materials]\nour-foam = -42\n");
+  expect_refused(folder, "box --size 1 1 1 --material our-foam", 2, "rigor.toml:2:");
+}
+
 TEST(InertiaCli, RefusesWhatNoBodyCanBe) {
   const Folder folder;
   expect_refused(folder, "box --size 1 -1 1 --mass 1", 2, "above 0");

@@ -7,6 +7,7 @@
 #include <rigor/report/inertia.h>
 
 #include "command.h"
+#include "config_file.h"
 #include "numbers.h"
 
 namespace rigor::tool {
@@ -96,7 +97,9 @@ class InertiaCommand final : public Command {
 
   int print_materials() const {
     for (const Target& target : a_.output.targets_of({"text", "json"})) {
-      write(target, target.format == 0 ? report::materials_text() : report::materials_json());
+      const auto own = config_for(".").materials;
+      write(target,
+            target.format == 0 ? report::materials_text(own) : report::materials_json(own));
     }
     return kClean;
   }
@@ -107,7 +110,7 @@ class InertiaCommand final : public Command {
 
 }  // namespace
 
-std::optional<double> density_of(const InertiaArguments& arguments) {
+std::optional<double> density_of(const InertiaArguments& arguments, const std::string& path) {
   if (!arguments.density.empty() && !arguments.material.empty()) {
     throw UsageError("--density and --material say the same: give one of them");
   }
@@ -115,10 +118,14 @@ std::optional<double> density_of(const InertiaArguments& arguments) {
     return positive_number("--density", arguments.density, "kg/m³");
   }
   if (arguments.material.empty()) return std::nullopt;
+  const config::Config config = config_for(path);
+  const auto own = config.materials.find(arguments.material);
+  if (own != config.materials.end()) return own->second;
   if (const mass::Material* material = mass::find_material(arguments.material)) {
     return material->density;
   }
   std::vector<std::string_view> known;
+  for (const auto& [name, density] : config.materials) known.push_back(name);
   for (const mass::Material& material : mass::materials()) known.push_back(material.name);
   throw UsageError("--material " + arguments.material + ": no such material" +
                    did_you_mean(arguments.material, known) + "; `rigor inertia --materials` lists them");

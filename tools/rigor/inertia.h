@@ -45,8 +45,9 @@ struct InertiaArguments {
 /// Whether `what` is the name of a shape.
 bool is_shape_name(const std::string& what);
 
-/// kg/m³, from --density or --material; nothing when neither is given.
-std::optional<double> density_of(const InertiaArguments& arguments);
+/// kg/m³, from --density or --material; nothing when neither is given. A material may be one of the
+/// rigor.toml nearest above `path`.
+std::optional<double> density_of(const InertiaArguments& arguments, const std::string& path);
 
 /// A block from numbers alone.
 int run_solid_inertia(const InertiaArguments& arguments);

@@ -22,6 +22,7 @@
 #include "inertia.h"
 #include "model_file.h"
 #include "numbers.h"
+#include "progress.h"
 
 namespace rigor::tool {
 namespace {
@@ -48,7 +49,7 @@ void refuse_shape_options(const InertiaArguments& a) {
 
 InertiaOptions options_of(const InertiaArguments& a) {
   InertiaOptions options;
-  options.density = density_of(a);
+  options.density = density_of(a, a.what);
   options.bake = a.bake;
   if (!a.only.empty()) {
     constexpr author::Only kOnly[] = {author::Only::kMissing, author::Only::kImplausible,
@@ -86,7 +87,7 @@ class Totals {
          const ModelInertia& table)
       : root_(root), frames_(frames), find_mesh_(find_mesh) {
     for (const author::LinkInertia& link : table.links) {
-      if (link.chosen) computed_[link.link.value] = *link.computed;
+      if (link.chosen) computed_[link.link.value] = link.computed->body;
     }
   }
 
@@ -144,7 +145,8 @@ int write_file(const std::string& path, std::string_view bytes, const ModelInert
 }  // namespace
 
 int run_model_inertia(const InertiaArguments& a) {
-  const RealDisk disk;
+  const RealDisk real;
+  const ProgressDisk disk(real);
   if (disk.kind(a.what) == PathKind::kMissing) {
     throw UsageError(a.what + ": no such file, and no shape of that name" +
                      did_you_mean(a.what, {"box", "sphere", "cylinder", "capsule", "ellipsoid",

@@ -10,7 +10,7 @@
 
 #include <fmt/core.h>
 
-#include <rigor/author/inertial_text.h>
+#include <rigor/write/inertial_text.h>
 #include <rigor/mass/hollow.h>
 #include <rigor/mass/mesh_survey.h>
 #include <rigor/mass/shapes.h>
@@ -202,7 +202,7 @@ Solid mesh_solid(const InertiaArguments& a) {
 }
 
 double mass_of(const InertiaArguments& a, const Solid& solid) {
-  const auto density = density_of(a);
+  const auto density = density_of(a, a.mesh.empty() ? "." : a.mesh);
   if (a.masses.size() > 1) throw UsageError("--mass is given twice");
   if (density && !a.masses.empty()) {
     throw UsageError("--mass and a density say the same: give one of them");
@@ -263,22 +263,22 @@ int run_solid_inertia(const InertiaArguments& a) try {
   mass::MassProperties body = with_mass(solid, mass);
   body.com = transform(X_LS.pose, body.com);
 
-  constexpr author::BlockFormat kFormats[] = {
-      author::BlockFormat::kSdf, author::BlockFormat::kUrdf, author::BlockFormat::kMjcf};
+  constexpr write::BlockFormat kFormats[] = {
+      write::BlockFormat::kSdf, write::BlockFormat::kUrdf, write::BlockFormat::kMjcf};
   for (const Target& target : targets) {
     if (target.format == 3) {
       write(target, report::solid_json({body, solid.volume, mass / solid.volume}));
       continue;
     }
-    const author::BlockFormat format = kFormats[target.format];
+    const write::BlockFormat format = kFormats[target.format];
     mass::MassProperties shown = body;
     std::string rotation = X_LS.rotation;
-    if (format == author::BlockFormat::kMjcf) {
+    if (format == write::BlockFormat::kMjcf) {
       // `fullinertia` has no axes of its own: it is along the body's.
       shown.about_com = rotated(X_LS.pose.rotation, body.about_com);
       rotation.clear();
     }
-    write(target, author::inertial_text(shown, format, rotation) + "\n");
+    write(target, write::inertial_text(shown, format, rotation) + "\n");
   }
   return kClean;
 } catch (const NoAnswer& none) {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include <rigor/author/write_inertial.h>
+#include <rigor/write/write_inertial.h>
 #include <rigor/model/subject.h>
 #include <rigor/rules/mesh_finder.h>
 #include <rigor/rules/runner.h>
@@ -17,7 +17,6 @@ namespace rigor::author {
 namespace {
 
 using mass::From;
-using mass::MassProperties;
 using mass::NoSolid;
 using mass::PartBody;
 using model::Id;
@@ -51,12 +50,6 @@ std::string reason_of(const mass::LinkBody& body) {
     if (part.why != NoSolid::kNone) return reason_of(part, body.from);
   }
   return {};
-}
-
-double volume_of(const mass::LinkBody& body) {
-  double sum = 0;
-  for (const PartBody& part : body.parts) sum += part.unit.mass;
-  return sum;
 }
 
 /// The rules of the category, over one file.
@@ -127,25 +120,8 @@ class Table {
   }
 
   void compute(LinkInertia& row) const {
-    row.volume = volume_of(row.body);
-    const MassProperties own =
-        options_.density ? of_density(row.body, *options_.density) : of_own_densities(row.body);
-    const double written = row.written.body.mass;
-    const bool has_written = root_[row.link].inertial.mass.written && written > 0;
-    if (const auto given = given_mass(row)) {
-      row.mass_from = MassFrom::kGiven;
-      row.computed = with_mass(own, *given);
-    } else if (!options_.density && has_written && std::isfinite(written)) {
-      row.mass_from = MassFrom::kWritten;
-      row.computed = with_mass(own, written);
-    } else {
-      row.mass_from = MassFrom::kDensity;
-      row.computed = own;
-    }
-    if (!judge(*row.computed).possible() || !(row.computed->mass > 0)) {
-      row.computed.reset();
-      row.reason = "its shapes are too small or too large to compute with";
-    }
+    row.computed = propose(root_[row.link].inertial, row.body, {given_mass(row), options_.density});
+    if (!row.computed) row.reason = "its shapes are too small or too large to compute with";
   }
 
   std::optional<double> given_mass(const LinkInertia& row) const {
@@ -187,10 +163,10 @@ class Table {
 
   void write(const LinkInertia& row) {
     if (!row.chosen) return;
-    const BlockFormat format =
-        root_.format == model::Format::kUrdf ? BlockFormat::kUrdf : BlockFormat::kSdf;
+    const write::BlockFormat format =
+        root_.format == model::Format::kUrdf ? write::BlockFormat::kUrdf : write::BlockFormat::kSdf;
     const xml::Element element = document_.element(root_[row.link].site.element);
-    for (Edit& edit : write_inertial(document_, element, *row.computed, format)) {
+    for (Edit& edit : write::write_inertial(document_, element, row.computed->body, format)) {
       table_.edits.push_back(std::move(edit));
     }
   }
@@ -208,7 +184,8 @@ class Table {
 
 std::optional<double> LinkInertia::ratio() const {
   if (!computed || !(written.body.mass > 0)) return std::nullopt;
-  const double shape = written.body.mass / computed->mass * trace(computed->about_com);
+  const mass::MassProperties& solid = computed->body;
+  const double shape = written.body.mass / solid.mass * trace(solid.about_com);
   const double share = trace(written.body.about_com) / shape;
   return std::isfinite(share) ? std::optional(share) : std::nullopt;
 }

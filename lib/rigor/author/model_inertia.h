@@ -22,6 +22,7 @@
 
 #include <rigor/environment.h>
 #include <rigor/mass/link_body.h>
+#include <rigor/mass/proposal.h>
 #include <rigor/mass/resolve.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
@@ -50,19 +51,13 @@ struct InertiaOptions {
   bool bake = false;
 };
 
-/// Where a computed mass comes from.
-enum class MassFrom : std::uint8_t { kGiven, kDensity, kWritten };
-
 struct LinkInertia {
   model::Id<model::Link> link;
   std::string name;                ///< scoped
   mass::Resolved written;          ///< what a consumer takes today
   mass::LinkBody body;             ///< the shapes that were looked at
   std::vector<mass::PartOverlap> overlaps;
-  double volume = 0;               ///< m³, the sum of the parts'
-  /// In the link frame; nothing when the shapes have no answer.
-  std::optional<mass::MassProperties> computed;
-  MassFrom mass_from = MassFrom::kDensity;
+  std::optional<mass::Proposal> computed;  ///< nothing when the shapes have no answer
   std::vector<Diagnostic> findings;  ///< what the rules find in it as it stands
   bool chosen = false;               ///< whether `edits` write it
   /// Why it is not chosen, or has no answer: "collision 'hull': the mesh is not found".

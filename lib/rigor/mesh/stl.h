@@ -1,8 +1,8 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// STL, binary and ASCII. Binary: 80 bytes of header, a 32-bit count, 50 bytes a facet (normal, three
-// corners as little-endian floats, two bytes of attributes). ASCII: `solid name`, facets with
+// STL, binary and ASCII. Binary: 80 bytes of header, a 32-bit count, 50 bytes a facet (normal,
+// three corners as little-endian floats, two bytes of attributes). ASCII: `solid name`, facets with
 // `vertex x y z` thrice, `endsolid`. Neither has a unit.
 //
 // The reader believes nothing: the count is checked against the size before anything is allocated,
@@ -28,8 +28,8 @@ inline constexpr std::size_t kStlFacetBytes = 50;
 /// the whole file's, of which `first_bytes` is the beginning (512 bytes or all).
 bool stl_size_fits(std::string_view first_bytes, std::uint64_t size);
 
-/// Whether the bytes are a binary STL: the size fits the count, or they are no text that begins with
-/// "solid".
+/// Whether the bytes are a binary STL: the size fits the count, or they are no text that begins
+/// with "solid".
 bool is_binary_stl(std::string_view first_bytes, std::uint64_t size);
 
 /// The triangles that a binary STL really holds, which can be fewer than its count says.

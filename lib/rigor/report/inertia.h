@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,7 +42,8 @@ struct InertiaTable {
 std::string inertia_text(const InertiaTable& table);
 std::string inertia_json(const InertiaTable& table);
 
-std::string materials_text();
-std::string materials_json();
+/// The known materials, and a project's own: kg/m³ by name.
+std::string materials_text(const std::map<std::string, double>& own);
+std::string materials_json(const std::map<std::string, double>& own);
 
 }  // namespace rigor::report

@@ -38,11 +38,11 @@ const char* taken_name(mass::Taken taken) {
   return "";
 }
 
-const char* mass_from_name(author::MassFrom from) {
+const char* mass_from_name(mass::MassFrom from) {
   switch (from) {
-    case author::MassFrom::kGiven: return "given";
-    case author::MassFrom::kDensity: return "density";
-    case author::MassFrom::kWritten: return "written";
+    case mass::MassFrom::kGiven: return "given";
+    case mass::MassFrom::kDensity: return "density";
+    case mass::MassFrom::kWritten: return "written";
   }
   return "";
 }
@@ -58,10 +58,11 @@ const char* body_from_name(mass::BodyFrom from) {
 
 Json computed_of(const LinkInertia& link) {
   if (!link.computed) return nullptr;
-  Json json = body_of(*link.computed);
-  json["volume"] = finite(link.volume);
-  json["density"] = finite(link.computed->mass / link.volume);
-  json["mass_from"] = mass_from_name(link.mass_from);
+  const mass::Proposal& computed = *link.computed;
+  Json json = body_of(computed.body);
+  json["volume"] = finite(computed.volume);
+  json["density"] = finite(computed.body.mass / computed.volume);
+  json["mass_from"] = mass_from_name(computed.mass_from);
   json["from"] = link.body.from == mass::From::kCollisions ? "collision" : "visual";
   json["parts"] = Json::array();
   for (const mass::PartBody& part : link.body.parts) {
@@ -142,7 +143,7 @@ std::string inertia_json(const InertiaTable& table) {
   return text_of(json);
 }
 
-std::string materials_json() {
+std::string materials_json(const std::map<std::string, double>& own) {
   Json list = Json::array();
   for (const mass::Material& material : mass::materials()) {
     list.push_back({{"name", material.name},
@@ -150,6 +151,13 @@ std::string materials_json() {
                     {"low", material.low},
                     {"high", material.high},
                     {"source", material.source}});
+  }
+  for (const auto& [name, density] : own) {
+    list.push_back({{"name", name},
+                    {"density", density},
+                    {"low", nullptr},
+                    {"high", nullptr},
+                    {"source", "rigor.toml"}});
   }
   return text_of({{"materials", list}});
 }

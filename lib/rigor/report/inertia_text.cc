@@ -19,7 +19,7 @@ namespace rigor::report {
 namespace {
 
 using author::LinkInertia;
-using author::MassFrom;
+using mass::MassFrom;
 using mass::MassProperties;
 
 constexpr int kDigits = 4;
@@ -103,11 +103,13 @@ std::string parts(const LinkInertia& link) {
 }
 
 std::string mass_origin(const LinkInertia& link) {
-  const double density = link.volume > 0 ? link.computed->mass / link.volume : 0;
-  const std::string how = link.mass_from == MassFrom::kGiven     ? "mass as given"
-                          : link.mass_from == MassFrom::kWritten ? "mass as written"
-                                                                 : "mass from density";
-  return fmt::format("{}, {:.0f} kg/m³ over {} L", how, density, number(link.volume * 1000, 3));
+  const mass::Proposal& computed = *link.computed;
+  const std::string how = computed.mass_from == MassFrom::kGiven     ? "mass as given"
+                          : computed.mass_from == MassFrom::kWritten ? "mass as written"
+                                                                     : "mass from density";
+  return fmt::format("{}, {} kg/m³ over {} L", how,
+                     number(computed.body.mass / computed.volume, 4),
+                     number(computed.volume * 1000, 3));
 }
 
 const char* hull_reason(mass::MeshState state) {
@@ -147,8 +149,8 @@ void rows(const LinkInertia& link, Grid& grid) {
   grid.row({printable(link.name), "written", written_mass(link), written_moments(link), ratio(link),
             verdict(link)});
   if (shown) {
-    grid.row({link.chosen ? "  *" : "", "shapes", number(link.computed->mass, kDigits),
-              moments(*link.computed), "", parts(link) + ", " + mass_origin(link)});
+    grid.row({link.chosen ? "  *" : "", "shapes", number(link.computed->body.mass, kDigits),
+              moments(link.computed->body), "", parts(link) + ", " + mass_origin(link)});
   }
   notes(link, grid);
 }
@@ -196,12 +198,15 @@ std::string inertia_text(const InertiaTable& table) {
   return out;
 }
 
-std::string materials_text() {
+std::string materials_text(const std::map<std::string, double>& own) {
   Grid grid;
   grid.row({"material", "kg/m³", "range", "source"});
   for (const mass::Material& material : mass::materials()) {
     grid.row({std::string(material.name), number(material.density),
               number(material.low) + " to " + number(material.high), std::string(material.source)});
+  }
+  for (const auto& [name, density] : own) {
+    grid.row({printable(name), number(density), "", "rigor.toml"});
   }
   return grid.text();
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/rules/inertia/inertial_fix.h>
 #include <rigor/rules/inertia/solid_body.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
@@ -60,7 +61,8 @@ void check(const model::Link& link, Context& context) {
                       "kg·m² of its shapes as solids of {} kg",
                       mass::trace(tensor), factor, *share > 1 ? "more" : "less", solid, mass),
                   .subject = context.subject(link),
-                  .help = guess(*share)});
+                  .help = guess(*share),
+                  .fix = fix_from_shapes(link, context)});
 }
 
 }  // namespace
@@ -70,6 +72,7 @@ Rule rule() {
       .name = "inertia-geometry-mismatch",
       .category = Category::kInertia,
       .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
       .summary = "moments of inertia do not fit the mass and the shapes of the link",
       .why =
           "The link's shapes are all boxes, balls, cylinders and the like, so what a solid of "
@@ -77,8 +80,8 @@ Rule rule() {
           "of ten and more is mostly a slip of units. Too small moments make a simulation "
           "shake, too large ones make it sluggish.",
       .what_to_do =
-          "Compute the tensor again from the mass and the shapes, in kg·m²; the message says what "
-          "they give as solids.",
+          "`rigor inertia MODEL` shows what the mass has in the link's shapes, in kg·m², and writes it "
+          "with --write.",
       .bad = {{R"(<sdf version="1.9">
   <model name="arm">
     <link name="body">
@@ -91,6 +94,25 @@ Rule rule() {
           <ixx>8333</ixx>
           <iyy>16667</iyy>
           <izz>21667</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)",
+               // 2 kg / 12 (y² + z²) = (0.04 + 0.01) / 6, and so on.
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <collision name="hull">
+        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
+      </collision>
+      <inertial>
+        <mass>2</mass>
+        <inertia>
+          <ixx>0.00833333333</ixx>
+          <iyy>0.0166666667</iyy>
+          <izz>0.0216666667</izz>
         </inertia>
       </inertial>
     </link>

@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/rules/inertia/inertial_fix.h>
 #include <rigor/rules/inertia/solid_body.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
@@ -27,7 +28,8 @@ void check(const model::Link& link, Context& context) {
   if (share) message += fmt::format(": {:.4g} times what its shapes have as solids", *share);
   context.report({.where = link.inertial.tensor_site.name,
                   .message = std::move(message),
-                  .subject = context.subject(link)});
+                  .subject = context.subject(link),
+                  .fix = fix_from_shapes(link, context)});
 }
 
 }  // namespace
@@ -37,13 +39,13 @@ Rule rule() {
       .name = "inertia-identity",
       .category = Category::kInertia,
       .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
       .summary = "an inertia tensor is the identity, which does not fit the body",
       .why =
           "Ones on the diagonal are what a template holds before anybody fills it in. The link "
           "then turns far too slowly or too fast, and the motors are tuned to that.",
       .what_to_do =
-          "Write the moments that the mass has in its shape, as of a solid box: "
-          "ixx = mass / 12 * (y² + z²).",
+          "`rigor inertia MODEL --write` computes the moments that the mass has in the link's shapes.",
       .bad = {{R"(<sdf version="1.9">
   <model name="arm">
     <link name="body">
@@ -56,6 +58,25 @@ Rule rule() {
           <ixx>1</ixx>
           <iyy>1</iyy>
           <izz>1</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)",
+               // A solid box has m / 12 (y² + z²) and so on.
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <collision name="hull">
+        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
+      </collision>
+      <inertial>
+        <mass>0.5</mass>
+        <inertia>
+          <ixx>0.00208333333</ixx>
+          <iyy>0.00416666667</iyy>
+          <izz>0.00541666667</izz>
         </inertia>
       </inertial>
     </link>

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/rules/inertia/inertial_fix.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
 
@@ -28,7 +29,8 @@ void check(const model::Link& link, Context& context) {
                               "the others are {:.4g} and {:.4g}): no body has this",
                               moments[0], moments[1], moments[2]),
        .subject = context.subject(link),
-       .help = help(mass::tensor(link.inertial))});
+       .help = help(mass::tensor(link.inertial)),
+       .fix = fix_from_shapes(link, context)});
 }
 
 }  // namespace
@@ -38,6 +40,7 @@ Rule rule() {
       .name = "inertia-not-positive-definite",
       .category = Category::kInertia,
       .severity = Severity::kError,
+      .fix = FixGrade::kUnsafe,
       .summary = "an inertia tensor is not positive definite",
       .why =
           "About some axis the body would turn against a push. libsdformat refuses the model "
@@ -58,6 +61,29 @@ Rule rule() {
           <izz>1</izz>
         </inertia>
       </inertial>
+      <collision name="hull">
+        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)",
+               // A solid box has m / 12 (y² + z²) and so on.
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <inertial>
+        <mass>1</mass>
+        <inertia>
+          <ixx>0.00416666667</ixx>
+          <ixy>0</ixy>
+          <iyy>0.00833333333</iyy>
+          <izz>0.0108333333</izz>
+        </inertia>
+      </inertial>
+      <collision name="hull">
+        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
+      </collision>
     </link>
   </model>
 </sdf>

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/rules/inertia/inertial_fix.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
 
@@ -19,7 +20,8 @@ void check(const model::Link& link, Context& context) {
        .message = fmt::format("the mass is {} kg, but there is no <inertia>: the moments "
                               "are taken to be 1 kg·m²",
                               inertial.mass.value),
-       .subject = context.subject(link)});
+       .subject = context.subject(link),
+       .fix = fix_from_shapes(link, context)});
 }
 
 }  // namespace
@@ -30,19 +32,44 @@ Rule rule() {
       .category = Category::kInertia,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
+      .fix = FixGrade::kUnsafe,
       .summary = "a mass is written without an inertia tensor",
       .why =
           "SDF then takes the identity as the tensor, whatever the mass: a wheel of 100 g "
           "turns as hard as a door.",
       .what_to_do =
-          "Write the tensor that the mass has in its shape, as of a solid box: "
-          "ixx = mass / 12 * (y² + z²).",
+          "`rigor inertia MODEL --write` computes the tensor that the mass has in the link's shapes.",
       .bad = {{R"(<sdf version="1.9">
   <model name="arm">
     <link name="body">
       <«inertial»>
         <mass>0.1</mass>
       </inertial>
+      <collision name="hull">
+        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)",
+               // A solid box has m / 12 (y² + z²) and so on.
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <inertial>
+        <mass>0.1</mass>
+        <inertia>
+          <ixx>0.000416666667</ixx>
+          <ixy>0</ixy>
+          <ixz>0</ixz>
+          <iyy>0.000833333333</iyy>
+          <iyz>0</iyz>
+          <izz>0.00108333333</izz>
+        </inertia>
+      </inertial>
+      <collision name="hull">
+        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
+      </collision>
     </link>
   </model>
 </sdf>

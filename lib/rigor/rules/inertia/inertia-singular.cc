@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/rules/inertia/inertial_fix.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
 
@@ -33,7 +34,8 @@ void check(const model::Root& root, Context& context) {
     context.report({.where = link.inertial.tensor_site.name,
                     .message = fmt::format("a body of {} kg has no moment of inertia about {} axis",
                                            mass, all ? "any" : "one"),
-                    .subject = context.subject(link)});
+                    .subject = context.subject(link),
+                    .fix = fix_from_shapes(link, context)});
   }
 }
 
@@ -44,6 +46,7 @@ Rule rule() {
       .name = "inertia-singular",
       .category = Category::kInertia,
       .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
       .summary = "a body that moves has no moment of inertia about an axis",
       .why =
           "libsdformat and urdfdom take a point or a thin rod, but an engine has to divide by "
@@ -63,6 +66,28 @@ Rule rule() {
           <izz>0</izz>
         </inertia>
       </inertial>
+      <collision name="hull">
+        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)",
+               // A solid box has m / 12 (y² + z²) and so on.
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <inertial>
+        <mass>1</mass>
+        <inertia>
+          <ixx>0.00416666667</ixx>
+          <iyy>0.00833333333</iyy>
+          <izz>0.0108333333</izz>
+        </inertia>
+      </inertial>
+      <collision name="hull">
+        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
+      </collision>
     </link>
   </model>
 </sdf>

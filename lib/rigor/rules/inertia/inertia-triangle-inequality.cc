@@ -1,11 +1,13 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include <fmt/core.h>
 
+#include <rigor/rules/inertia/inertial_fix.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
 
@@ -41,7 +43,8 @@ void check(const model::Link& link, Context& context) {
                               triangle.names[0], triangle.names[1], triangle.sum, triangle.names[2],
                               triangle.largest, what),
        .subject = context.subject(link),
-       .help = rounding(triangle)});
+       .help = rounding(triangle),
+       .fix = rounding(triangle).empty() ? fix_from_shapes(link, context) : std::nullopt});
 }
 
 }  // namespace
@@ -51,6 +54,7 @@ Rule rule() {
       .name = "inertia-triangle-inequality",
       .category = Category::kInertia,
       .severity = Severity::kError,
+      .fix = FixGrade::kUnsafe,
       .summary = "the moments of an inertia tensor break the triangle inequality",
       .why =
           "Of any rigid body two moments of inertia sum up to the third at least. libsdformat "
@@ -70,6 +74,28 @@ Rule rule() {
           <izz>«0.004»</izz>
         </inertia>
       </inertial>
+      <collision name="hull">
+        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)",
+               // A solid box has m / 12 (y² + z²) and so on.
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <inertial>
+        <mass>1</mass>
+        <inertia>
+          <ixx>0.00416666667</ixx>
+          <iyy>0.00833333333</iyy>
+          <izz>0.0108333333</izz>
+        </inertia>
+      </inertial>
+      <collision name="hull">
+        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
+      </collision>
     </link>
   </model>
 </sdf>

@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/rules/inertia/inertial_fix.h>
 #include <rigor/rules/inertia/solid_body.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
@@ -31,7 +32,8 @@ void check(const model::Link& link, Context& context) {
                              "' has no <inertial>: it is taken to be 1 kg with a moment of 1 kg·m² "
                              "about every axis",
                   .subject = context.subject(link),
-                  .help = comparison(link, context)});
+                  .help = comparison(link, context),
+                  .fix = fix_from_shapes(link, context)});
 }
 
 }  // namespace
@@ -42,17 +44,41 @@ Rule rule() {
       .category = Category::kInertia,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
+      .fix = FixGrade::kUnsafe,
       .summary = "a link that moves has no <inertial>",
       .why =
           "SDF gives such a link a mass of 1 kg and the identity as its tensor, which is what "
           "a ball of 1 kg and more than three metres across has: joints on it move like in "
           "honey, and what rests on it is thrown about.",
       .what_to_do =
-          "Write the mass, and the tensor that it has in the link's shapes: the message says what "
-          "they give as a solid of 1 kg. If the link never moves, make the model static.",
+          "`rigor inertia MODEL --mass LINK=KG --write` computes the tensor from the link's shapes and "
+          "meshes, and writes it; without a mass it takes that of water. If the link never moves, "
+          "make the model static.",
       .bad = {{R"(<sdf version="1.9">
   <model name="arm">
     <«link» name="body">
+      <collision name="hull">
+        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)",
+               // 6 litres of water: m / 12 (y² + z²) = 0.5 (0.04 + 0.01), and so on.
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <inertial>
+        <mass>6</mass>
+        <inertia>
+          <ixx>0.025</ixx>
+          <ixy>0</ixy>
+          <ixz>0</ixz>
+          <iyy>0.05</iyy>
+          <iyz>0</iyz>
+          <izz>0.065</izz>
+        </inertia>
+      </inertial>
       <collision name="hull">
         <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
       </collision>

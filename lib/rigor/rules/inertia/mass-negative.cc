@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/rules/inertia/inertial_fix.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mass_negative {
@@ -15,7 +16,8 @@ void check(const model::Link& link, Context& context) {
   if (!mass.written || !(mass.value < 0) || !std::isfinite(mass.value)) return;
   context.report({.where = mass.span,
                   .message = fmt::format("the mass is {} kg: it must be above zero", mass.value),
-                  .subject = context.subject(link)});
+                  .subject = context.subject(link),
+                  .fix = fix_from_shapes(link, context)});
 }
 
 }  // namespace
@@ -25,6 +27,7 @@ Rule rule() {
       .name = "mass-negative",
       .category = Category::kInertia,
       .severity = Severity::kError,
+      .fix = FixGrade::kUnsafe,
       .summary = "a mass is negative",
       .why =
           "libsdformat refuses the model. urdfdom takes it, and the simulation then explodes: "
@@ -41,6 +44,28 @@ Rule rule() {
           <izz>0.01</izz>
         </inertia>
       </inertial>
+      <collision name="hull">
+        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)",
+               // Six litres of water; a solid box has m / 12 (y² + z²) and so on.
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <inertial>
+        <mass>6</mass>
+        <inertia>
+          <ixx>0.025</ixx>
+          <iyy>0.05</iyy>
+          <izz>0.065</izz>
+        </inertia>
+      </inertial>
+      <collision name="hull">
+        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
+      </collision>
     </link>
   </model>
 </sdf>

@@ -1,6 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <rigor/rules/inertia/inertial_fix.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
 
@@ -17,7 +18,8 @@ void check(const model::Link& link, Context& context) {
   if (context.is_urdf() && is_zero(mass::tensor(inertial))) return;
   context.report({.where = inertial.mass.span,
                   .message = "the mass is 0 kg: a body that moves needs one above zero",
-                  .subject = context.subject(link)});
+                  .subject = context.subject(link),
+                  .fix = fix_from_shapes(link, context)});
 }
 
 }  // namespace
@@ -27,6 +29,7 @@ Rule rule() {
       .name = "mass-zero",
       .category = Category::kInertia,
       .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
       .summary = "a link that moves has a mass of zero",
       .why =
           "libsdformat lets it pass, and the physics engine then divides by it: ODE stops at "
@@ -46,6 +49,28 @@ Rule rule() {
           <izz>0.01</izz>
         </inertia>
       </inertial>
+      <collision name="hull">
+        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)",
+               // Six litres of water; a solid box has m / 12 (y² + z²) and so on.
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <inertial>
+        <mass>6</mass>
+        <inertia>
+          <ixx>0.025</ixx>
+          <iyy>0.05</iyy>
+          <izz>0.065</izz>
+        </inertia>
+      </inertial>
+      <collision name="hull">
+        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
+      </collision>
     </link>
   </model>
 </sdf>

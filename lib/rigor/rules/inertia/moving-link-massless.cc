@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include <rigor/mass/resolve.h>
+#include <rigor/rules/inertia/inertial_fix.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::moving_link_massless {
@@ -56,7 +57,8 @@ void check(const model::Root& root, Context& context) {
                                            "and nor has anything that is fixed to it",
                                            joint.name.value, link.name.value),
                     .subject = context.subject(link),
-                    .related = {{joint.site.name, "moved by this joint"}}});
+                    .related = {{joint.site.name, "moved by this joint"}},
+                    .fix = fix_from_shapes(link, context)});
   }
 }
 
@@ -68,6 +70,7 @@ Rule rule() {
       .category = Category::kInertia,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
+      .fix = FixGrade::kUnsafe,
       .summary = "a joint of a URDF moves a link without mass",
       .why =
           "A link without <inertial> weighs nothing in URDF. Where it is fixed to others that "
@@ -82,7 +85,35 @@ Rule rule() {
       <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
     </inertial>
   </link>
-  <«link» name="tip"/>
+  <«link» name="tip">
+    <collision>
+      <geometry><box size="0.3 0.2 0.1"/></geometry>
+    </collision>
+  </link>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+  </joint>
+</robot>
+)",
+               // Six litres of water; a solid box has m / 12 (y² + z²) and so on.
+               R"(<robot name="arm">
+  <link name="base">
+    <inertial>
+      <mass value="1"/>
+      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+    </inertial>
+  </link>
+  <link name="tip">
+    <inertial>
+      <mass value="6"/>
+      <inertia ixx="0.025" ixy="0" ixz="0" iyy="0.05" iyz="0" izz="0.065"/>
+    </inertial>
+    <collision>
+      <geometry><box size="0.3 0.2 0.1"/></geometry>
+    </collision>
+  </link>
   <joint name="elbow" type="revolute">
     <parent link="base"/>
     <child link="tip"/>

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/author/write_inertial.h>
+#include <rigor/write/write_inertial.h>
 
 #include <algorithm>
 #include <iterator>
@@ -16,7 +16,7 @@
 #include <rigor/xml/edit.h>
 #include <rigor/xml/style.h>
 
-namespace rigor::author {
+namespace rigor::write {
 namespace {
 
 using mass::MassProperties;
@@ -326,4 +326,4 @@ std::vector<Edit> write_inertial(const xml::Document& document, Element link,
   return Writer(document, body, format).write(link);
 }
 
-}  // namespace rigor::author
+}  // namespace rigor::write

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/author/inertial_text.h>
+#include <rigor/write/inertial_text.h>
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <random>
 #include <string>
 
-#include "author/bodies.h"
+#include "write/bodies.h"
 
-namespace rigor::author {
+namespace rigor::write {
 namespace {
 
 using mass::MassProperties;
@@ -55,6 +55,8 @@ TEST(InertialNumbers, HaveNoNoise) {
   EXPECT_EQ(inertial_numbers({1, {}, {1e-18, 1e-19, 0, 1e-18, 0, 1e-18}}).inertia[1], "1e-19");
   // Of a rod along x, noise may have left less than nothing.
   EXPECT_EQ(inertial_numbers({1, {}, {-1e-17, 0, 0, 1, 0, 1}}).inertia[0], "0");
+  EXPECT_EQ(inertial_numbers({1, {}, {-0.0, 0, 0, 1, 0, 1}}).inertia[0], "0");
+  EXPECT_EQ(inertial_numbers({-0.0, {-0.0, 0, 0}, {}}).mass, "0");
 }
 
 TEST(InertialNumbers, TakeMoreDigitsForAPlate) {
@@ -136,4 +138,4 @@ TEST(InertialText, TakesARotation) {
 }
 
 }  // namespace
-}  // namespace rigor::author
+}  // namespace rigor::write

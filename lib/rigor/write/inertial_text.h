@@ -17,7 +17,7 @@
 
 #include <rigor/mass/mass_properties.h>
 
-namespace rigor::author {
+namespace rigor::write {
 
 enum class BlockFormat : std::uint8_t { kSdf, kUrdf, kMjcf };
 
@@ -52,4 +52,4 @@ InertialNumbers inertial_numbers(const mass::MassProperties& body);
 std::string inertial_text(const mass::MassProperties& body, BlockFormat format,
                           std::string_view rotation = {});
 
-}  // namespace rigor::author
+}  // namespace rigor::write

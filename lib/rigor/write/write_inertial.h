@@ -12,12 +12,12 @@
 
 #include <vector>
 
-#include <rigor/author/inertial_text.h>
+#include <rigor/write/inertial_text.h>
 #include <rigor/mass/mass_properties.h>
 #include <rigor/text/edit.h>
 #include <rigor/xml/document.h>
 
-namespace rigor::author {
+namespace rigor::write {
 
 /// `body` is in the link frame, and so is what is written: a rotation in the inertial's pose becomes
 /// zero, a frame that it names is removed. What is missing is added, but no zero that the format has
@@ -29,4 +29,4 @@ namespace rigor::author {
 std::vector<Edit> write_inertial(const xml::Document& document, xml::Element link,
                                  const mass::MassProperties& body, BlockFormat format);
 
-}  // namespace rigor::author
+}  // namespace rigor::write

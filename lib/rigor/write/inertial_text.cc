@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/author/inertial_text.h>
+#include <rigor/write/inertial_text.h>
 
 #include <algorithm>
 #include <charconv>
@@ -10,7 +10,7 @@
 
 #include <rigor/schema/value.h>
 
-namespace rigor::author {
+namespace rigor::write {
 namespace {
 
 using mass::Inertia;
@@ -132,4 +132,4 @@ std::string inertial_text(const MassProperties& body, BlockFormat format,
   return mjcf(numbers);
 }
 
-}  // namespace rigor::author
+}  // namespace rigor::write

@@ -1,0 +1,28 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/mass/proposal.h>
+
+#include <cmath>
+
+namespace rigor::mass {
+
+std::optional<Proposal> propose(const model::Inertial& written, const LinkBody& shapes,
+                                const MassWish& wish) {
+  if (!shapes.complete()) return std::nullopt;
+  Proposal proposal;
+  proposal.volume = of_density(shapes, 1).mass;
+  proposal.body = wish.density ? of_density(shapes, *wish.density) : of_own_densities(shapes);
+  const model::Field<double>& mass = written.mass;
+  if (wish.mass) {
+    proposal.mass_from = MassFrom::kGiven;
+    proposal.body = with_mass(proposal.body, *wish.mass);
+  } else if (!wish.density && mass.written && mass.value > 0 && std::isfinite(mass.value)) {
+    proposal.mass_from = MassFrom::kWritten;
+    proposal.body = with_mass(proposal.body, mass.value);
+  }
+  if (!(proposal.body.mass > 0) || !judge(proposal.body).possible()) return std::nullopt;
+  return proposal;
+}
+
+}  // namespace rigor::mass
