@@ -249,6 +249,74 @@ TEST_F(InertiaOfModel, JsonGivesTheTable) {
   EXPECT_GT(found["totals"][0]["stance"]["margin"].get<double>(), 0);
 }
 
+TEST_F(InertiaOfModel, BakeTurnsAnAutomaticInertialIntoNumbers) {
+  folder_.put("auto.sdf", R"(<sdf version="1.11">
+  <model name="m">
+    <link name="l">
+      <inertial auto="true"><density>6</density></inertial>
+      <collision name="c"><geometry><box><size>1 1 1</size></box></geometry></collision>
+    </link>
+  </model>
+</sdf>
+)");
+  EXPECT_EQ(folder_.rigor("inertia auto.sdf --diff").exit, 0) << "left alone unless asked";
+  EXPECT_EQ(folder_.rigor("inertia auto.sdf --bake --write").exit, 0);
+  const std::string baked = folder_.get("auto.sdf");
+  EXPECT_EQ(baked.find("auto="), std::string::npos) << baked;
+  EXPECT_EQ(baked.find("density"), std::string::npos) << baked;
+  EXPECT_NE(baked.find("<mass>6</mass>"), std::string::npos) << baked;
+  EXPECT_NE(baked.find("<ixx>1</ixx>"), std::string::npos) << baked;
+}
+
+TEST_F(InertiaOfModel, OnlyChoosesTheLinks) {
+  const auto chosen = [this](const std::string& options) {
+    int count = 0;
+    const json table = parsed(folder_.rigor("inertia my_robot/model.sdf --format json " + options));
+    for (const json& link : table["links"]) {
+      count += link["chosen"].get<bool>() ? 1 : 0;
+    }
+    return count;
+  };
+  EXPECT_EQ(chosen(""), 3);
+  EXPECT_EQ(chosen("--only missing"), 3);
+  EXPECT_EQ(chosen("--only implausible"), 0);
+  EXPECT_EQ(folder_.rigor("inertia my_robot/model.sdf --write").exit, 0);
+  EXPECT_EQ(chosen(""), 0);
+  EXPECT_EQ(chosen("--only all"), 3);
+}
+
+TEST_F(InertiaOfModel, JointPositionsMoveTheTotals) {
+  folder_.put("arm.urdf", R"(<robot name="arm">
+  <link name="base">
+    <inertial>
+      <mass value="1"/>
+      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+    </inertial>
+  </link>
+  <link name="tip">
+    <inertial>
+      <origin xyz="1 0 0"/>
+      <mass value="1"/>
+      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+    </inertial>
+  </link>
+  <joint name="elbow" type="continuous">
+    <parent link="base"/>
+    <child link="tip"/>
+    <axis xyz="0 0 1"/>
+  </joint>
+</robot>
+)");
+  const auto com = [this](const std::string& options) {
+    return parsed(folder_.rigor("inertia arm.urdf --format json " + options))["totals"][0]["written"]
+                                                                             ["com"];
+  };
+  EXPECT_NEAR(com("")[0].get<double>(), 0.5, kTight);
+  const json turned = com("--joint elbow=1.5707963267948966");
+  EXPECT_NEAR(turned[0].get<double>(), 0, kTight);
+  EXPECT_NEAR(turned[1].get<double>(), 0.5, kTight);
+}
+
 TEST_F(InertiaOfModel, BadInput) {
   folder_.put("broken.sdf", "<sdf version='1.9'><model name='a'><link");
   expect_refused(folder_, "broken.sdf", 1, "not well-formed");

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -155,9 +155,15 @@ void rows(const LinkInertia& link, Grid& grid) {
   notes(link, grid);
 }
 
+/// Without what sums of numbers leave where there is nothing: a picometre.
+model::Vector3 shown(const model::Vector3& p) {
+  const auto snap = [](double value) { return std::abs(value) < 1e-12 ? 0.0 : value; };
+  return {snap(p.x), snap(p.y), snap(p.z)};
+}
+
 std::string total_line(const std::string& what, const MassProperties& body) {
   return fmt::format("  {:8} {} kg, centre of mass {} m, ixx iyy izz {} kg·m² about it\n", what,
-                     number(body.mass, kDigits), numbers(body.com, kDigits), moments(body));
+                     number(body.mass, kDigits), numbers(shown(body.com), kDigits), moments(body));
 }
 
 std::string stance_line(const mass::Stance& stance) {
