@@ -20,6 +20,18 @@ const File& Workspace::put(const std::string& path, std::string bytes) {
   return keep(path, {std::move(bytes), {}});
 }
 
+std::optional<std::size_t> Workspace::parts(const std::string& path) {
+  const std::lock_guard lock(mutex_);
+  const auto found = parts_.find(path);
+  if (found == parts_.end()) return std::nullopt;
+  return found->second;
+}
+
+void Workspace::keep_parts(const std::string& path, std::size_t parts) {
+  const std::lock_guard lock(mutex_);
+  parts_.try_emplace(path, parts);
+}
+
 const File& Workspace::keep(const std::string& path, ReadResult read) {
   auto file = std::make_unique<File>();
   file->path = path;

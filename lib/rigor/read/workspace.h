@@ -43,6 +43,10 @@ class Workspace {
   /// Takes `bytes` as what the file at `path` holds.
   const File& put(const std::string& path, std::string bytes);
 
+  /// What including the file brings, once that was counted (see include_size.h).
+  std::optional<std::size_t> parts(const std::string& path);
+  void keep_parts(const std::string& path, std::size_t parts);
+
   Sources& sources() { return sources_; }
   const Disk& disk() const { return disk_; }
 
@@ -53,6 +57,7 @@ class Workspace {
   Sources& sources_;
   std::mutex mutex_;
   std::map<std::string, std::unique_ptr<File>> files_;
+  std::map<std::string, std::size_t> parts_;
 };
 
 }  // namespace rigor::read

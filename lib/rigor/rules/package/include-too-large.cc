@@ -10,8 +10,8 @@ void check(const read::Fact& fact, Context& context) {
   const bool deep = fact.kind == read::FactKind::kIncludeTooDeep;
   context.report({.where = fact.where,
                   .message = deep ? "includes are nested deeper than 32 levels here"
-                                  : "here the file and its includes have a million parts: the rest "
-                                    "is not read"});
+                                  : "with this the file's includes bring more than 200,000 parts: "
+                                    "it is not read to its end"});
 }
 
 }  // namespace
@@ -23,7 +23,7 @@ Rule rule() {
       .severity = Severity::kError,
       .summary = "the includes are nested too deep, or bring more than rigor holds",
       .why =
-          "No robot needs 32 levels of includes or a million parts; a simulator will run out of "
+          "No robot needs 32 levels of includes or 200,000 parts; a simulator will run out of "
           "memory or time. What lies beyond is not checked.",
       .what_to_do = "Look for an include that multiplies itself.",
       .good = {{R"(<sdf version="1.9">
