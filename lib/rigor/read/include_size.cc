@@ -79,7 +79,7 @@ class Count {
   const File* included(const File& from, xml::Element include) const {
     const std::string uri = include_uri(include).value;
     if (uri.empty()) return nullptr;
-    const Resolution found = reader_.resolver.resolve(uri, from.path);
+    const Resolution& found = reader_.workspace.resolve(reader_.resolver, uri, from.path);
     std::vector<Fact> unsaid;  // told when the file is followed
     return found.path ? open_model(reader_, *found.path, {}, unsaid) : nullptr;
   }

@@ -228,7 +228,8 @@ void SdfReader::read_include(xml::Element element, Scope scope) {
 bool SdfReader::follow(model::Include& include, Scope scope) {
   if (include.uri.value.empty()) return false;
   const Span where = include.uri.span;
-  const Resolution found = reader_.resolver.resolve(include.uri.value, files_.back());
+  const Resolution& found =
+      reader_.workspace.resolve(reader_.resolver, include.uri.value, files_.back());
   if (!found.path) {
     Fact fact{found.remote ? FactKind::kUnfollowedInclude : FactKind::kIncludeNotFound, where,
               include.uri.value, {}};
