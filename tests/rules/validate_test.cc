@@ -71,5 +71,38 @@ TEST(IncludeHasErrors, IsToldByTheNearestFileThatWasNamed) {
   EXPECT_EQ(findings(files, {"a.sdf", "b.sdf"}), Found{"b.sdf include-has-errors"});
 }
 
+/// The help of every finding of a rule, in order.
+std::vector<std::string> helps(const std::string& path, const std::string& text,
+                               std::string_view rule) {
+  const MemoryDisk disk(Files{{path, text}});
+  const Environment environment(disk, {});
+  Sources sources;
+  const ValidateResult result = validate(environment, {.paths = {path}}, sources);
+  std::vector<std::string> found;
+  for (const Diagnostic& diagnostic : result.diagnostics.list()) {
+    if (diagnostic.rule == rule) found.push_back(diagnostic.help);
+  }
+  return found;
+}
+
+/// A robot of n links, and n references that each miss one of them by a letter.
+std::string misspelt(int n) {
+  std::string text = "<robot name='r'>";
+  for (int i = 0; i < n; ++i) text += "<link name='link_" + std::to_string(i) + "'/>";
+  for (int i = 0; i < n; ++i) text += "<gazebo reference='lnk_" + std::to_string(i) + "'/>";
+  return text + "</robot>";
+}
+
+TEST(Suggestions, EndWhereTheyCostMoreThanTheyHelp) {
+  // A hundred of a hundred are compared; of a thousand, a thousand with each would be a million.
+  const std::vector<std::string> few = helps("a.urdf", misspelt(100), "gazebo-reference-missing");
+  ASSERT_EQ(few.size(), 100U);
+  EXPECT_EQ(few.back(), "did you mean 'link_99'?");
+  const std::vector<std::string> many = helps("a.urdf", misspelt(1000), "gazebo-reference-missing");
+  ASSERT_EQ(many.size(), 1000U);
+  EXPECT_EQ(many.front(), "did you mean 'link_0'?");
+  EXPECT_EQ(many.back(), "");
+}
+
 }  // namespace
 }  // namespace rigor::rules

@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,6 +53,11 @@ class Context {
 
   void report(Finding finding);
 
+  /// Whether a finding may still come with a suggestion. Each compares a name with all that there
+  /// are, and whoever has thousands of wrong ones needs no help with their spelling.
+  bool may_suggest() const { return compared_ < kMostCompared; }
+  void compared(std::size_t names) { compared_ += names; }
+
   const Sources& sources() const { return inputs_.sources; }
   const xml::Document& document() const { return *inputs_.document; }
   const model::Root& root() const { return inputs_.root; }
@@ -95,8 +101,12 @@ class Context {
   }
 
  private:
+  /// Names compared for suggestions in one file: a tenth of a second.
+  static constexpr std::size_t kMostCompared = 300'000;
+
   const Inputs& inputs_;
   Diagnostics& diagnostics_;
+  std::size_t compared_ = 0;
   std::unordered_map<std::string, read::Resolution> resolved_;
   std::string_view rule_;
   std::string_view category_;
