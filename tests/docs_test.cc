@@ -33,7 +33,8 @@ TEST(Readme, FirstScreenIsWhatRigorPrints) {
   const Environment environment(disk, {});
   Sources sources;
   const auto result = rules::validate(environment, {.paths = {"cart.sdf"}}, sources);
-  EXPECT_EQ(report::pretty(result.diagnostics, sources, report::Color::kPlain), block(readme, "text"));
+  EXPECT_EQ(report::pretty(result.diagnostics, sources, report::Color::kPlain),
+            block(readme, "text"));
 }
 
 TEST(RulesPage, HasAPageForEveryRule) {
@@ -49,8 +50,8 @@ TEST(Demo, NothingCallsTheTutorialsRobotWrong) {
   const RealDisk disk;
   const Environment environment(disk, {});
   Sources sources;
-  const auto result = rules::validate(
-      environment, {.paths = {std::string(RIGOR_TESTDATA) + "models"}}, sources);
+  const auto result =
+      rules::validate(environment, {.paths = {std::string(RIGOR_TESTDATA) + "models"}}, sources);
   EXPECT_EQ(result.diagnostics.count(Severity::kError), 0U);
   int missing = 0;
   for (const Diagnostic& diagnostic : result.diagnostics.list()) {

@@ -114,9 +114,9 @@ std::string unescaped(std::string name) {
 
 /// The oracle writes joint types as numbers.
 std::string type_number(const std::string& type) {
-  constexpr std::array<const char*, 10> kTypes{"",         "ball",      "continuous", "fixed",
-                                               "gearbox",  "prismatic", "revolute",   "revolute2",
-                                               "screw",    "universal"};
+  constexpr std::array<const char*, 10> kTypes{"",        "ball",      "continuous", "fixed",
+                                               "gearbox", "prismatic", "revolute",   "revolute2",
+                                               "screw",   "universal"};
   for (std::size_t i = 1; i < kTypes.size(); ++i) {
     if (type == kTypes[i]) return std::to_string(i);
   }

@@ -3,11 +3,14 @@
 
 #include <rigor/mass/mass_properties.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
+#include <Eigen/Eigenvalues>
 
 #include <rigor/mass/shapes.h>
 
@@ -23,6 +26,49 @@ void expect_near(const Inertia& a, const Inertia& b, double tolerance) {
   EXPECT_NEAR(a.iyy, b.iyy, tolerance);
   EXPECT_NEAR(a.iyz, b.iyz, tolerance);
   EXPECT_NEAR(a.izz, b.izz, tolerance);
+}
+
+/// The same on every machine, unlike the standard's distributions.
+class Random {
+ public:
+  double operator()(double low, double high) {
+    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
+  }
+  Vector3 vector(double reach) {
+    return {(*this)(-reach, reach), (*this)(-reach, reach), (*this)(-reach, reach)};
+  }
+  model::Quaternion rotation() {
+    return model::normalized({(*this)(-1, 1), (*this)(-1, 1), (*this)(-1, 1), (*this)(-1, 1)});
+  }
+  model::Pose pose() { return {vector(3), rotation()}; }
+  /// A box of sides from 0.1 to 2 m, somewhere.
+  MassProperties body() {
+    const Vector3 size{(*this)(0.1, 2), (*this)(0.1, 2), (*this)(0.1, 2)};
+    return transformed(pose(), with_mass(box(size), (*this)(0.1, 20)));
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+constexpr int kCases = 10'000;
+
+/// `relative` to the mass, the reach of the whole and its moments about the origin.
+void expect_same(const MassProperties& a, const MassProperties& b, double relative) {
+  EXPECT_NEAR(a.mass, b.mass, relative * b.mass);
+  EXPECT_NEAR(model::length(a.com - b.com), 0, relative * std::max(1.0, model::length(b.com)));
+  expect_near(a.about_com, b.about_com, relative * trace(about_origin(b)));
+}
+
+/// [[∫ p pᵀ dm, ∫ p dm], [∫ pᵀ dm, ∫ dm]] about the origin.
+Eigen::Matrix4d pseudo_inertia(const MassProperties& body) {
+  const Inertia i = about_origin(body);
+  const double half = trace(i) / 2;
+  const Vector3 h = body.mass * body.com;
+  Eigen::Matrix4d J;
+  J << half - i.ixx, -i.ixy, -i.ixz, h.x, -i.ixy, half - i.iyy, -i.iyz, h.y, -i.ixz, -i.iyz,
+      half - i.izz, h.z, h.x, h.y, h.z, body.mass;
+  return J;
 }
 
 TEST(MassProperties, QuarterTurnSwapsTwoMoments) {
@@ -94,6 +140,160 @@ TEST(MassProperties, NothingAddsNothing) {
   const MassProperties body{2, {1, 2, 3}, {1, 0, 0, 1, 0, 1}};
   EXPECT_EQ(add(body, {}), body);
   EXPECT_EQ(add({}, {}), MassProperties{});
+}
+
+TEST(MassProperties, ThereAndBack) {
+  Random random;
+  for (int i = 0; i < kCases; ++i) {
+    const MassProperties body = random.body();
+    const model::Pose X = random.pose();
+    expect_same(transformed(model::inverse(X), transformed(X, body)), body, 1e-14);
+    const Vector3 p = random.vector(10);
+    expect_same(translated(-1 * p, translated(p, body)), body, 1e-14);
+    expect_same(translated(p, body), transformed({p, {}}, body), 0);
+  }
+}
+
+TEST(MassProperties, WhatIsAddedCanBeTakenOut) {
+  Random random;
+  for (int i = 0; i < kCases; ++i) {
+    const MassProperties a = random.body();
+    const MassProperties b = random.body();
+    const MassProperties whole = add(a, b);
+    const MassProperties left = subtract(whole, b);
+    const double share = whole.mass / a.mass;  // what cancels
+    EXPECT_NEAR(left.mass, a.mass, 1e-14 * whole.mass);
+    EXPECT_NEAR(model::length(left.com - a.com), 0, 1e-14 * share);
+    expect_near(left.about_com, a.about_com, 1e-14 * share * trace(about_origin(whole)));
+  }
+}
+
+TEST(MassProperties, ABoxCutInTwoAddsUp) {
+  Random random;
+  for (int i = 0; i < kCases; ++i) {
+    const Vector3 size{random(0.1, 2), random(0.1, 2), random(0.1, 2)};
+    const double cut = random(0.01, 0.99) * size.x;
+    const auto piece = [&](double from, double to) {
+      return translated({(from + to - size.x) / 2, 0, 0},
+                        of_density(box({to - from, size.y, size.z}), 1000));
+    };
+    const model::Pose X = random.pose();
+    const MassProperties parts =
+        add(transformed(X, piece(0, cut)), transformed(X, piece(cut, size.x)));
+    expect_same(parts, transformed(X, of_density(box(size), 1000)), 1e-14);
+  }
+}
+
+TEST(MassProperties, AnAxleIsTwoAxles) {
+  const MassProperties whole = of_density(cylinder(0.1, 2), 7850);
+  const MassProperties parts = add(translated({0, 0, -0.25}, of_density(cylinder(0.1, 1.5), 7850)),
+                                   translated({0, 0, 0.75}, of_density(cylinder(0.1, 0.5), 7850)));
+  expect_same(parts, whole, 1e-15);
+}
+
+TEST(MassProperties, AboutAnyPoint) {
+  Random random;
+  for (int i = 0; i < 1000; ++i) {
+    const MassProperties body = random.body();
+    const Vector3 p = random.vector(5);
+    expect_near(about(p, body), about_origin(translated(-1 * p, body)), 1e-10);
+    expect_near(about(body.com, body), body.about_com, 0);
+  }
+}
+
+TEST(MassProperties, Scaled) {
+  const MassProperties body = translated({1, 2, 3}, of_density(box({0.1, 0.2, 0.3}), 500));
+  const MassProperties grown = translated({2, 4, 6}, of_density(box({0.2, 0.4, 0.6}), 500));
+  expect_same(scaled_at_density(2, body), grown, 1e-15);
+  expect_same(scaled_at_mass(2, body), with_mass(grown, body.mass), 1e-15);
+  EXPECT_EQ(scaled_at_mass(1, body), body);
+}
+
+TEST(MassProperties, AnotherMassAtTheSameShape) {
+  const MassProperties body = with_mass(box({1, 2, 3}), 4);
+  expect_same(with_mass(body, 12), with_mass(box({1, 2, 3}), 12), 1e-15);
+  EXPECT_EQ(with_mass(MassProperties{0, {1, 0, 0}, {}}, 5), (MassProperties{5, {1, 0, 0}, {}}));
+}
+
+TEST(PrincipalAxes, RebuildTheTensor) {
+  Random random;
+  for (int i = 0; i < kCases; ++i) {
+    const Inertia inertia = random.body().about_com;
+    const PrincipalAxes principal = principal_axes(inertia);
+    EXPECT_TRUE(std::is_sorted(principal.moments.begin(), principal.moments.end()));
+    Inertia rebuilt;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector3& a = principal.axes[k];
+      const double m = principal.moments[k];
+      rebuilt = rebuilt + Inertia{m * a.x * a.x, m * a.x * a.y, m * a.x * a.z,
+                                  m * a.y * a.y, m * a.y * a.z, m * a.z * a.z};
+      EXPECT_NEAR(model::length(a), 1, 1e-14);
+    }
+    expect_near(rebuilt, inertia, 1e-14 * trace(inertia));
+    const Vector3 third = model::cross(principal.axes[0], principal.axes[1]);
+    EXPECT_NEAR(model::dot(third, principal.axes[2]), 1, 1e-14);
+  }
+}
+
+TEST(PrincipalAxes, ByHand) {
+  // [2 1; 1 2] has the axes (1, -1) and (1, 1) of the moments 1 and 3.
+  const PrincipalAxes principal = principal_axes({2, 1, 0, 2, 0, 2.5});
+  const double half = std::sqrt(0.5);
+  EXPECT_NEAR(model::length(principal.axes[0] - Vector3{half, -half, 0}), 0, 1e-15);
+  EXPECT_NEAR(model::length(principal.axes[1] - Vector3{0, 0, 1}), 0, 1e-15);
+  EXPECT_NEAR(model::length(principal.axes[2] - Vector3{-half, -half, 0}), 0, 1e-15);
+}
+
+TEST(PrincipalAxes, DoNotDependOnTheSolversSigns) {
+  Random random;
+  for (int i = 0; i < 1000; ++i) {
+    const PrincipalAxes principal = principal_axes(random.body().about_com);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Vector3& a = principal.axes[k];
+      const double leading = std::abs(a.x) > 0.4 ? a.x : std::abs(a.y) > 0.4 ? a.y : a.z;
+      EXPECT_GT(leading, 0.4);
+    }
+  }
+}
+
+TEST(PrincipalAxes, OfADiagonalTensorAreTheFrames) {
+  EXPECT_EQ(principal_axes({1, 0, 0, 2, 0, 2.5}).axes, PrincipalAxes{}.axes);
+  EXPECT_EQ(principal_axes({1, 0, 0, 1, 0, 1}).axes, PrincipalAxes{}.axes);
+  EXPECT_TRUE(std::isnan(principal_axes({1, std::nan(""), 0, 1, 0, 1}).moments[0]));
+}
+
+TEST(MassProperties, EquivalentBoxOfABoxIsTheBox) {
+  const MassProperties body = with_mass(box({1, 2, 3}), 4);
+  const Inertia& i = body.about_com;
+  const auto sides = equivalent_box(body.mass, {i.ixx, i.iyy, i.izz});
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(sides[k], 1.0 + static_cast<double>(k), 1e-14);
+  // What libsdformat takes where nothing is written: a cube of √6 m.
+  EXPECT_DOUBLE_EQ(equivalent_box(1, {1, 1, 1})[0], std::sqrt(6));
+  EXPECT_EQ(equivalent_box(1, {3, 1, 1})[0], 0);
+  EXPECT_EQ(equivalent_box(0, {1, 1, 1})[0], 0);
+}
+
+TEST(MassProperties, GyrationRadii) {
+  EXPECT_EQ(gyration_radii(2, {2, 8, 18}), (std::array<double, 3>{1, 2, 3}));
+  EXPECT_EQ(gyration_radii(0, {1, 1, 1}), (std::array<double, 3>{}));
+  EXPECT_EQ(judge(2, {8, 0, 0, 18, 0, 18}).gyration, (std::array<double, 3>{2, 3, 3}));
+}
+
+TEST(Verdict, IsThePseudoInertiasSign) {
+  Random random;
+  int possible = 0;
+  for (int i = 0; i < kCases; ++i) {
+    const Inertia moments{random(-0.1, 2), 0, 0, random(-0.1, 2), 0, random(-0.1, 2)};
+    const MassProperties body{random(-0.2, 3), random.vector(1),
+                              rotated(random.rotation(), moments)};
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(pseudo_inertia(body));
+    const double smallest = solver.eigenvalues()[0];
+    if (std::abs(smallest) < 1e-12) continue;
+    EXPECT_EQ(judge(body).possible(), smallest > 0) << i;
+    if (smallest > 0) ++possible;
+  }
+  EXPECT_GT(possible, kCases / 10);
+  EXPECT_LT(possible, kCases * 9 / 10);
 }
 
 TEST(Verdict, SolidsArePossible) {

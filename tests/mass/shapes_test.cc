@@ -2,57 +2,25 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The closed forms against numbers worked out by hand and against a quadrature that knows nothing
-// of them: a midpoint rule over slices across z, each an ellipse whose own moments are elementary.
+// of them.
 
 #include <rigor/mass/shapes.h>
 
 #include <cmath>
-#include <functional>
 
 #include <gtest/gtest.h>
+
+#include "mass/quadrature.h"
 
 namespace rigor::mass {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+using test::expect_close;
+using test::kPi;
+using test::stacked;
 
-/// Half widths of a slice at z.
-struct Slice {
-  double a, b;
-};
-
-/// Stacks slices from z = -h to h; ∫x² over an ellipse is πab·a²/4.
-Solid quadrature(double h, const std::function<Slice(double)>& slice) {
-  constexpr int kSlices = 200'000;
-  double volume = 0, z1 = 0, xx = 0, yy = 0, zz = 0;
-  const double dz = 2 * h / kSlices;
-  for (int i = 0; i < kSlices; ++i) {
-    const double z = -h + (i + 0.5) * dz;
-    const auto [a, b] = slice(z);
-    const double dV = kPi * a * b * dz;
-    volume += dV;
-    z1 += z * dV;
-    xx += a * a / 4 * dV;
-    yy += b * b / 4 * dV;
-    zz += z * z * dV;
-  }
-  const double com = z1 / volume;
-  zz = zz / volume - com * com;
-  xx /= volume;
-  yy /= volume;
-  return {volume, {0, 0, com}, {yy + zz, 0, 0, xx + zz, 0, xx + yy}};
-}
-
-void expect_close(const Solid& a, const Solid& b) {
-  constexpr double kRelative = 1e-8;  // the midpoint rule at edges where a slice has a root
-  EXPECT_NEAR(a.volume, b.volume, kRelative * b.volume);
-  EXPECT_NEAR(a.com.z, b.com.z, kRelative);
-  EXPECT_NEAR(a.unit_inertia.ixx, b.unit_inertia.ixx, kRelative * b.unit_inertia.ixx);
-  EXPECT_NEAR(a.unit_inertia.iyy, b.unit_inertia.iyy, kRelative * b.unit_inertia.iyy);
-  EXPECT_NEAR(a.unit_inertia.izz, b.unit_inertia.izz, kRelative * b.unit_inertia.izz);
-}
-
-double circle(double radius, double z) { return std::sqrt(std::max(0.0, radius * radius - z * z)); }
+// Rounding of a few dozen operations.
+constexpr double kExact = 1e-14;
 
 TEST(Shapes, BoxByHand) {
   const Solid solid = box({1, 2, 3});
@@ -75,29 +43,64 @@ TEST(Shapes, CylinderByHand) {
   EXPECT_DOUBLE_EQ(solid.unit_inertia.izz, 2);
 }
 
+TEST(Shapes, EllipsoidByHand) {
+  const Solid solid = ellipsoid({1, 2, 3});
+  EXPECT_DOUBLE_EQ(solid.volume, 8 * kPi);
+  EXPECT_DOUBLE_EQ(solid.unit_inertia.ixx, 13.0 / 5);
+  EXPECT_DOUBLE_EQ(solid.unit_inertia.iyy, 2);
+  EXPECT_DOUBLE_EQ(solid.unit_inertia.izz, 1);
+}
+
+TEST(Shapes, ConeByHand) {
+  // Radius 2, height 4: about the centre of mass 3/80 (4·4 + 16).
+  const Solid solid = cone(2, 4);
+  EXPECT_DOUBLE_EQ(solid.volume, 16 * kPi / 3);
+  EXPECT_DOUBLE_EQ(solid.com.z, -1);
+  EXPECT_DOUBLE_EQ(solid.unit_inertia.ixx, 1.2);
+  EXPECT_DOUBLE_EQ(solid.unit_inertia.izz, 1.2);
+}
+
+TEST(Shapes, CapsuleByHand) {
+  // Radius 1, length 2: a tube of 2π and a ball of 4π/3, so 3/5 and 2/5 of the mass. Along z:
+  // 3/5·1/2 + 2/5·2/5; across: 3/5·7/12 + 2/5 (2/5 + 1 + 3/4).
+  const Solid solid = capsule(1, 2);
+  EXPECT_DOUBLE_EQ(solid.volume, 10 * kPi / 3);
+  EXPECT_DOUBLE_EQ(solid.unit_inertia.izz, 0.46);
+  EXPECT_DOUBLE_EQ(solid.unit_inertia.ixx, 0.35 + 0.86);
+}
+
 TEST(Shapes, Quadrature) {
-  expect_close(sphere(0.3), quadrature(0.3, [](double z) {
-                 const double a = circle(0.3, z);
-                 return Slice{a, a};
-               }));
-  expect_close(cylinder(0.2, 0.9), quadrature(0.45, [](double) { return Slice{0.2, 0.2}; }));
-  expect_close(capsule(0.2, 0.9), quadrature(0.65, [](double z) {
-                 const double a = circle(0.2, std::max(0.0, std::abs(z) - 0.45));
-                 return Slice{a, a};
-               }));
-  expect_close(cone(0.4, 1.2), quadrature(0.6, [](double z) {
-                 const double a = 0.4 * (0.6 - z) / 1.2;
-                 return Slice{a, a};
-               }));
-  expect_close(ellipsoid({0.3, 0.7, 1.1}), quadrature(1.1, [](double z) {
-                 const double share = circle(1, z / 1.1);
-                 return Slice{0.3 * share, 0.7 * share};
-               }));
+  expect_close(box({0.4, 0.2, 1.2}),
+               stacked({-0.6, 0.6}, [](double) { return test::rectangle(0.4, 0.2); }), kExact);
+  expect_close(sphere(0.3), stacked({-0.3, 0.3}, [](double z) { return test::ball(0.3, z); }),
+               kExact);
+  expect_close(cylinder(0.2, 0.9), stacked({-0.45, 0.45}, [](double) { return test::circle(0.2); }),
+               kExact);
+  expect_close(capsule(0.2, 0.9),
+               stacked({-0.65, -0.45, 0.45, 0.65},
+                       [](double z) { return test::ball(0.2, std::max(0.0, std::abs(z) - 0.45)); }),
+               kExact);
+  expect_close(cone(0.4, 1.2),
+               stacked({-0.6, 0.6}, [](double z) { return test::circle(0.4 * (0.6 - z) / 1.2); }),
+               kExact);
+  expect_close(ellipsoid({0.3, 0.7, 1.1}),
+               stacked({-1.1, 1.1},
+                       [](double z) {
+                         const double share = std::sqrt(1 - z * z / (1.1 * 1.1));
+                         return test::ellipse(0.3 * share, 0.7 * share);
+                       }),
+               kExact);
 }
 
 TEST(Shapes, LimitsAgree) {
-  expect_close(capsule(0.3, 1e-12), sphere(0.3));
-  expect_close(capsule(1e-12, 2), cylinder(1e-12, 2));
+  expect_close(capsule(0.3, 1e-12), sphere(0.3), 1e-11);
+  expect_close(capsule(1e-12, 2), cylinder(1e-12, 2), 1e-11);
+}
+
+TEST(Shapes, DensityTimesVolumeIsMass) {
+  const MassProperties body = of_density(box({0.1, 0.2, 0.3}), 7850);
+  EXPECT_DOUBLE_EQ(body.mass, 47.1);
+  EXPECT_DOUBLE_EQ(body.about_com.izz, 47.1 * 0.05 / 12);
 }
 
 TEST(Shapes, SolidOfAShape) {

@@ -34,12 +34,13 @@ MemoryDisk disk_with(const std::vector<std::string>& files) {
 
 TEST(Resolver, SearchesInTheOrderOfTheContract) {
   // Each place holds the model; take the first away and the next one answers.
-  const std::vector<std::string> places{"/given/m/a.stl",        "/w/models/m/a.stl",
-                                        "/gz/m/a.stl",           "/gz2/m/a.stl",
-                                        "/sdf/m/a.stl",          "/home/a/.gazebo/models/m/a.stl",
-                                        "/ros/m/a.stl",          "/opt/ros/share/m/a.stl"};
+  const std::vector<std::string> places{"/given/m/a.stl", "/w/models/m/a.stl",
+                                        "/gz/m/a.stl",    "/gz2/m/a.stl",
+                                        "/sdf/m/a.stl",   "/home/a/.gazebo/models/m/a.stl",
+                                        "/ros/m/a.stl",   "/opt/ros/share/m/a.stl"};
   for (std::size_t first = 0; first < places.size(); ++first) {
-    MemoryDisk disk = disk_with({places.begin() + static_cast<std::ptrdiff_t>(first), places.end()});
+    MemoryDisk disk =
+        disk_with({places.begin() + static_cast<std::ptrdiff_t>(first), places.end()});
     disk.put("/w/models/other/model.config", "x");
     const Resolver resolver(disk, paths());
     const Resolution found = resolver.resolve("model://m/a.stl", "/w/models/other/model.sdf");

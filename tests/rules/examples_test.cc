@@ -148,11 +148,12 @@ TEST_P(EveryRule, SaysWhatItIsAbout) {
   EXPECT_EQ(has_fixed, rule.fix != FixGrade::kNone) << "a fix is shown where there is one";
 }
 
-INSTANTIATE_TEST_SUITE_P(Rules, EveryRule, testing::ValuesIn(all_rules()), [](const auto& instance) {
-  std::string name(instance.param->name);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Rules, EveryRule, testing::ValuesIn(all_rules()),
+                         [](const auto& instance) {
+                           std::string name(instance.param->name);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 TEST(Registry, HasEachNameOnceAndFindsIt) {
   std::set<std::string_view> names;

@@ -15,13 +15,17 @@ namespace {
 
 TEST(Sources, LinesAndColumnsAsAnEditorShowsThem) {
   Sources sources;
-  const SourceId id = sources.add("f", "ab\r\nc\xC3\xA9" "d\re\n");
+  const SourceId id = sources.add("f",
+                                  "ab\r\nc\xC3\xA9"
+                                  "d\re\n");
   EXPECT_EQ(sources.position(id, 0), (Position{1, 1}));
   EXPECT_EQ(sources.position(id, 4), (Position{2, 1}));
   EXPECT_EQ(sources.position(id, 7), (Position{2, 3})) << "é is one column and two bytes";
   EXPECT_EQ(sources.position(id, 9), (Position{3, 1})) << "a lone CR ends a line";
   const LineTable lines(sources.bytes(id));
-  EXPECT_EQ(lines.line(2), "c\xC3\xA9" "d");
+  EXPECT_EQ(lines.line(2),
+            "c\xC3\xA9"
+            "d");
   EXPECT_EQ(lines.line_count(), 4U);
   EXPECT_EQ(lines.line(9), "");
 }

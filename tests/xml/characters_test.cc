@@ -26,9 +26,8 @@ TEST(Characters, EveryCodePointThatXmlAllowsIsFine) {
 
 TEST(Characters, FindsWhatIsNotUtf8) {
   using namespace std::string_literals;
-  for (const std::string& bad :
-       {"\xC0\x80"s, "\xE0\x9F\xBF"s, "\xED\xA0\x80"s, "\xF4\x90\x80\x80"s, "\xF8"s, "\x80"s,
-        "\xE2\x82"s}) {
+  for (const std::string& bad : {"\xC0\x80"s, "\xE0\x9F\xBF"s, "\xED\xA0\x80"s, "\xF4\x90\x80\x80"s,
+                                 "\xF8"s, "\x80"s, "\xE2\x82"s}) {
     const auto found = find_bad_character("0123456789" + bad, 0);
     ASSERT_TRUE(found);
     EXPECT_EQ(found->begin, 10U);

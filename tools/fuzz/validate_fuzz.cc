@@ -14,11 +14,13 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const rigor::MemoryDisk disk([] {
     rigor::MemoryDisk files;
-    files.put("part/model.config", "<model><name>p</name><sdf version='1.6'>model.sdf</sdf></model>");
+    files.put("part/model.config",
+              "<model><name>p</name><sdf version='1.6'>model.sdf</sdf></model>");
     files.put("part/model.sdf",
               "<sdf version='1.6'><model name='part'><link name='l'/></model></sdf>");
-    files.put("loop.sdf", "<sdf version='1.9'><model name='m'><include><uri>loop.sdf</uri>"
-                          "</include></model></sdf>");
+    files.put("loop.sdf",
+              "<sdf version='1.9'><model name='m'><include><uri>loop.sdf</uri>"
+              "</include></model></sdf>");
     return files;
   }());
   static const rigor::Environment environment(disk, {});

@@ -4,19 +4,17 @@
 #include <rigor/report/inspect.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
-#include <variant>
 
 #include <rigor/environment.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>
 #include <rigor/report/printable.h>
 #include <rigor/report/summary.h>
-#include <rigor/schema/value.h>
-#include <rigor/text/path.h>
+#include <rigor/rules/mesh_finder.h>
 
 #include "command.h"
+#include "model_file.h"
 #include "output.h"
 #include "search.h"
 
@@ -29,9 +27,9 @@ struct InspectFormat {
 };
 
 constexpr InspectFormat kInspectFormats[] = {{"text", report::inspect_text},
-                               {"json", report::inspect_json},
-                               {"tsv", report::inspect_tsv},
-                               {"dot", report::inspect_dot}};
+                                             {"json", report::inspect_json},
+                                             {"tsv", report::inspect_tsv},
+                                             {"dot", report::inspect_dot}};
 
 /// What keeps the model from being whole; empty when nothing does.
 std::string problem(const read::Loaded& loaded, const model::Frames& frames) {
@@ -75,11 +73,14 @@ class Inspect final : public Command {
     Sources sources;
     read::Workspace workspace(disk, sources);
     const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
-    const read::Loaded loaded = load(reader, open(workspace));
+    const read::Loaded loaded = load(reader, open_model(workspace, path_));
 
-    const model::Frames frames(loaded.root, positions(loaded.root));
-    const report::Inspection inspection{loaded.file->path, loaded.root, frames};
-    for (const Target& target : targets) write(target, kInspectFormats[target.format].emit(inspection));
+    const model::Frames frames(loaded.root, joint_positions(loaded.root, joints_));
+    mass::MeshSurveys surveys(disk);
+    const report::Inspection inspection{loaded.file->path, loaded.root, frames,
+                                        rules::mesh_finder(environment.resolver, sources, surveys)};
+    for (const Target& target : targets)
+      write(target, kInspectFormats[target.format].emit(inspection));
     const std::string why = problem(loaded, frames);
     if (why.empty()) return kClean;
     say("rigor: " + why + "; `rigor validate` says more");
@@ -87,68 +88,6 @@ class Inspect final : public Command {
   }
 
  private:
-  const read::File& open(read::Workspace& workspace) const {
-    const Disk& disk = workspace.disk();
-    std::string path = path_;
-    if (disk.kind(path) == PathKind::kFolder) path = join_path(path, "model.config");
-    if (disk.kind(path) == PathKind::kFile && file_name(path) == "model.config") {
-      const read::File& config = workspace.open(path);
-      if (config.document) path = model_of(path, read::read_model_config(*config.document));
-    }
-    const read::File& file = workspace.open(path);
-    if (!file.document) throw UsageError(path + ": " + file.problem);
-    return file;
-  }
-
-  static std::string model_of(const std::string& config, const read::ModelConfig& read) {
-    const read::SdfEntry* entry = choose(read);
-    if (entry == nullptr) throw UsageError(config + ": names no SDF file");
-    return join_path(parent_path(config), entry->file.value);
-  }
-
-  /// By scoped name; a name without its scope will do when only one joint has it.
-  model::JointPositions positions(const model::Root& root) const {
-    model::JointPositions positions;
-    for (const std::string& text : joints_) {
-      const auto [name, value] = split_assignment("--joint", text);
-      positions[joint_named(root, name)] = position(text, value);
-    }
-    return positions;
-  }
-
-  static std::string joint_named(const model::Root& root, const std::string& name) {
-    std::vector<std::string> names;
-    std::vector<std::string> matching;
-    for (std::uint32_t i = 0; i < root.joints.size(); ++i) {
-      names.push_back(scoped_name(root, model::Id<model::Joint>{i}));
-      if (names.back() == name) return name;
-      if (root.joints[i].name.value == name) matching.push_back(names.back());
-    }
-    if (matching.size() == 1) return matching.front();
-    std::vector<std::string_view> known(names.begin(), names.end());
-    if (matching.empty()) {
-      for (const model::Joint& joint : root.joints) known.push_back(joint.name.value);
-      throw UsageError("--joint " + name + ": no such joint" + did_you_mean(name, known));
-    }
-    throw UsageError("--joint " + name + ": " + report::counted(matching.size(), "joint") +
-                     " have this name; write " + matching[0] + " or " + matching[1]);
-  }
-
-  static std::array<double, 2> position(const std::string& option, const std::string& value) {
-    std::array<double, 2> result{};
-    const std::size_t comma = value.find(',');
-    result[0] = one(option, value.substr(0, comma));
-    if (comma != std::string::npos) result[1] = one(option, value.substr(comma + 1));
-    return result;
-  }
-
-  static double one(const std::string& option, const std::string& text) {
-    const auto parsed = schema::parse_double(text);
-    const double* value = std::get_if<double>(&parsed);
-    if (value != nullptr && std::isfinite(*value)) return *value;
-    throw UsageError("--joint " + option + ": \"" + text + "\" is no finite number");
-  }
-
   std::string path_;
   OutputOptions output_;
   std::vector<std::string> joints_;

@@ -17,6 +17,7 @@ constexpr std::string_view kGreeting =
 
   rigor validate [PATH...]   check files and folders
   rigor inspect PATH         tree, poses and masses of a model
+  rigor inertia SHAPE|MODEL  mass and inertia, exactly; written into the file
   rigor rules                what is checked
   rigor explain RULE         why, and what to do about it
   rigor schema VERSION       the elements of a format
@@ -57,6 +58,7 @@ std::vector<std::unique_ptr<Command>> all_commands() {
   std::vector<std::unique_ptr<Command>> commands;
   commands.push_back(validate_command());
   commands.push_back(inspect_command());
+  commands.push_back(inertia_command());
   commands.push_back(rules_command());
   commands.push_back(explain_command());
   commands.push_back(schema_command());

@@ -72,6 +72,12 @@ std::vector<Target> OutputOptions::targets() const {
   return targets;
 }
 
+std::vector<Target> OutputOptions::targets_of(std::vector<std::string_view> formats) const {
+  OutputOptions other = *this;
+  other.formats_ = std::move(formats);
+  return other.targets();
+}
+
 void ColorOption::declare(CLI::App& app) {
   app.add_option("--color", when_, "auto, always or never")->type_name("WHEN");
 }

@@ -30,6 +30,10 @@ class OutputOptions {
   /// Where to write what. At most one target is stdout.
   std::vector<Target> targets() const;
 
+  /// The same for a command that has other formats for some of what it does: of these, the first is
+  /// the default.
+  std::vector<Target> targets_of(std::vector<std::string_view> formats) const;
+
  private:
   Target parse(const std::string& text) const;
 

@@ -17,7 +17,7 @@ struct ResolveFormat {
 };
 
 constexpr ResolveFormat kResolveFormats[] = {{"text", report::resolution_text},
-                               {"json", report::resolution_json}};
+                                             {"json", report::resolution_json}};
 
 class Resolve final : public Command {
  public:
@@ -41,7 +41,8 @@ class Resolve final : public Command {
     }
     const read::Resolver resolver(disk, search_.paths());
     const read::Resolution found = resolver.resolve(uri_, from_);
-    for (const Target& target : targets) write(target, kResolveFormats[target.format].emit(uri_, found));
+    for (const Target& target : targets)
+      write(target, kResolveFormats[target.format].emit(uri_, found));
     return found.path ? kClean : kFindings;
   }
 

@@ -15,8 +15,8 @@ struct RulesFormat {
 };
 
 constexpr RulesFormat kRulesFormats[] = {{"text", report::rules_text},
-                               {"json", report::rules_json},
-                               {"markdown", report::rules_markdown}};
+                                         {"json", report::rules_json},
+                                         {"markdown", report::rules_markdown}};
 
 class Rules final : public Command {
  public:

@@ -27,6 +27,18 @@ Verdict::Sign sign(double value, double tolerance) {
   return value < -tolerance ? Verdict::Sign::kNegative : Verdict::Sign::kZero;
 }
 
+/// The axis or its opposite, whichever PrincipalAxes promises.
+Vector3 facing_forward(const Vector3& axis) {
+  for (const double component : {axis.x, axis.y, axis.z}) {
+    if (std::abs(component) > kLeadingComponent) return component < 0 ? -1 * axis : axis;
+  }
+  return axis;
+}
+
+double length_of(double moment, double mass) {
+  return mass > 0 && moment > 0 ? std::sqrt(moment / mass) : 0;
+}
+
 /// The largest of three moments against the sum of the other two.
 Verdict::Triangle triangle(std::array<double, 3> moments, std::array<std::string_view, 3> names,
                            double tolerance) {
@@ -77,6 +89,46 @@ std::array<double, 3> principal_moments(const Inertia& inertia) {
   return {moments[0], moments[1], moments[2]};
 }
 
+PrincipalAxes principal_axes(const Inertia& inertia) {
+  PrincipalAxes result{.moments = principal_moments(inertia)};
+  if (!finite(inertia)) return result;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(to_eigen(inertia));
+  for (int i = 0; i < 3; ++i) {
+    const auto axis = solver.eigenvectors().col(i);
+    const auto k = static_cast<std::size_t>(i);
+    result.moments[k] = solver.eigenvalues()[i];
+    result.axes[k] = facing_forward({axis[0], axis[1], axis[2]});
+  }
+  result.axes[2] = model::cross(result.axes[0], result.axes[1]);
+  return result;
+}
+
+std::array<double, 3> gyration_radii(double mass, const std::array<double, 3>& moments) {
+  return {length_of(moments[0], mass), length_of(moments[1], mass), length_of(moments[2], mass)};
+}
+
+std::array<double, 3> equivalent_box(double mass, const std::array<double, 3>& moments) {
+  const auto [x, y, z] = moments;
+  return {length_of(6 * (y + z - x), mass), length_of(6 * (x + z - y), mass),
+          length_of(6 * (x + y - z), mass)};
+}
+
+MassProperties translated(const Vector3& p, const MassProperties& body) {
+  return {body.mass, body.com + p, body.about_com};
+}
+
+MassProperties scaled_at_density(double factor, const MassProperties& body) {
+  return with_mass(scaled_at_mass(factor, body), factor * factor * factor * body.mass);
+}
+
+MassProperties scaled_at_mass(double factor, const MassProperties& body) {
+  return {body.mass, factor * body.com, factor * factor * body.about_com};
+}
+
+MassProperties with_mass(const MassProperties& body, double mass) {
+  return {mass, body.com, (body.mass == 0 ? 0 : mass / body.mass) * body.about_com};
+}
+
 MassProperties transformed(const model::Pose& X_AB, const MassProperties& in_B) {
   return {in_B.mass, model::transform(X_AB, in_B.com), rotated(X_AB.rotation, in_B.about_com)};
 }
@@ -90,9 +142,15 @@ MassProperties add(const MassProperties& a, const MassProperties& b) {
               point_inertia(b.mass, b.com - com)};
 }
 
-Inertia about_origin(const MassProperties& body) {
-  return body.about_com + point_inertia(body.mass, body.com);
+MassProperties subtract(const MassProperties& whole, const MassProperties& part) {
+  return add(whole, {-part.mass, part.com, -1 * part.about_com});
 }
+
+Inertia about(const Vector3& point, const MassProperties& body) {
+  return body.about_com + point_inertia(body.mass, body.com - point);
+}
+
+Inertia about_origin(const MassProperties& body) { return about({}, body); }
 
 Verdict judge(double mass, const Inertia& inertia) {
   Verdict verdict;
@@ -105,6 +163,7 @@ Verdict judge(double mass, const Inertia& inertia) {
   const double largest = verdict.principal[2];
   const double tolerance = kTolerance * std::max(std::abs(smallest), std::abs(largest));
   verdict.smallest = sign(smallest, tolerance);
+  verdict.gyration = gyration_radii(mass, verdict.principal);
   verdict.triangle =
       triangle({inertia.ixx, inertia.iyy, inertia.izz}, {"ixx", "iyy", "izz"}, tolerance);
   if (verdict.triangle.holds) {

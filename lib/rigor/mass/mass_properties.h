@@ -50,6 +50,30 @@ Inertia point_inertia(double mass, const model::Vector3& p);
 /// Moments about the principal axes, ascending, kg·m²; NaN where an entry is not finite.
 std::array<double, 3> principal_moments(const Inertia& inertia);
 
+/// Of the tensor's frame: Σ moments[i] axes[i] axes[i]ᵀ is the tensor.
+struct PrincipalAxes {
+  std::array<double, 3> moments{};  ///< ascending, kg·m²
+  /// Unit vectors, right-handed. Of the first two the first component above kLeadingComponent in size
+  /// is positive, so that the same tensor always has the same axes; where moments are equal, axes
+  /// are as good as any.
+  std::array<model::Vector3, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+};
+
+/// A unit vector has a component of 0.577 at least, and those of angles that people draw (30°, 45°,
+/// 60°) are not so near to 0.4 that rounding would flip the axis.
+inline constexpr double kLeadingComponent = 0.4;
+
+/// NaN moments where an entry is not finite.
+PrincipalAxes principal_axes(const Inertia& inertia);
+
+/// How far from each of three perpendicular axes the whole mass would have these moments (kg·m²), m:
+/// √(I/m). Zero where there is no mass or the moment is negative.
+std::array<double, 3> gyration_radii(double mass, const std::array<double, 3>& moments);
+
+/// Sides of the box of even density that has these moments about its axes, m: √(6 (Iy + Iz - Ix)/m).
+/// Zero where there is no mass, or the other two moments do not sum up to the third.
+std::array<double, 3> equivalent_box(double mass, const std::array<double, 3>& moments);
+
 struct MassProperties {
   double mass = 0;     ///< kg
   model::Vector3 com;  ///< m, in the link frame
@@ -61,11 +85,26 @@ struct MassProperties {
 /// The same body described in frame A, from its description in frame B.
 MassProperties transformed(const model::Pose& X_AB, const MassProperties& in_B);
 
+/// The same body moved by `p`, m. (To turn it about the origin, transform it.)
+MassProperties translated(const model::Vector3& p, const MassProperties& body);
+
+/// The body with all lengths from the origin multiplied by `factor` > 0: at the same density it has
+/// factor³ of the mass, else the same mass.
+MassProperties scaled_at_density(double factor, const MassProperties& body);
+MassProperties scaled_at_mass(double factor, const MassProperties& body);
+
+/// The body at another density, such that it has this mass (kg). One without mass becomes a point.
+MassProperties with_mass(const MassProperties& body, double mass);
+
 /// Two bodies, described in one frame, as one rigid body. Two bodies without mass are one at the
 /// origin.
 MassProperties add(const MassProperties& a, const MassProperties& b);
 
-/// The tensor about the origin of the frame instead of the centre of mass (parallel axes).
+/// What is left of a body after a part of it is taken out.
+MassProperties subtract(const MassProperties& whole, const MassProperties& part);
+
+/// The tensor about a point of the frame instead of the centre of mass (parallel axes).
+Inertia about(const model::Vector3& point, const MassProperties& body);
 Inertia about_origin(const MassProperties& body);
 
 /// Below this share of the largest moment, a negative moment or a violated inequality is taken for
@@ -96,7 +135,12 @@ struct Verdict {
     double largest = 0;                     ///< kg·m²
   } triangle;
 
-  /// Whether no consumer has a reason to refuse: zero mass and singular tensors included.
+  /// About the principal axes, m; zero without mass.
+  std::array<double, 3> gyration{};
+
+  /// Whether no consumer has a reason to refuse: zero mass and singular tensors included. The same as
+  /// the pseudo-inertia's being positive semidefinite (P. M. Wensing, S. Kim, J.-J. E. Slotine, "Linear
+  /// matrix inequalities for physically consistent inertial parameter identification", RA-L 2018).
   bool possible() const {
     return mass_finite && tensor_finite && mass_sign != Sign::kNegative &&
            smallest != Sign::kNegative && triangle.holds;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace rigor::mass {
 namespace {
@@ -13,6 +14,24 @@ namespace {
 bool complete(const model::Inertial& i) {
   const std::array parts{&i.mass, &i.ixx, &i.ixy, &i.ixz, &i.iyy, &i.iyz, &i.izz};
   return std::all_of(parts.begin(), parts.end(), [](const auto* part) { return part->written; });
+}
+
+/// As libsdformat computes it; nothing when it cannot.
+std::optional<MassProperties> automatic(const model::Root& root, const model::Frames& frames,
+                                        model::Id<model::Link> id, const FindMesh& find_mesh) {
+  const LinkBody solids = link_body(root, frames, id, From::kCollisions, find_mesh);
+  if (!solids.complete()) return std::nullopt;
+  const MassProperties body = of_own_densities(solids);
+  const model::Field<double>& mass = root[id].inertial.mass;
+  return mass.written ? with_mass(body, mass.value) : body;
+}
+
+Taken taken(const model::Inertial& inertial, model::Format format) {
+  if (format == model::Format::kUrdf) {
+    return complete(inertial) ? Taken::kWritten : Taken::kNothing;
+  }
+  if (!inertial.written) return Taken::kDefaults;
+  return inertial.tensor_written ? Taken::kWritten : Taken::kIdentity;
 }
 
 }  // namespace
@@ -24,12 +43,24 @@ Inertia tensor(const model::Inertial& i) {
 MassProperties resolve(const model::Root& root, model::Id<model::Link> id) {
   constexpr Inertia kIdentity{1, 0, 0, 1, 0, 1};
   const model::Inertial& inertial = root[id].inertial;
-  const bool urdf = root[root[id].model].format == model::Format::kUrdf;
-  if (urdf && !complete(inertial)) return {};
-  if (!inertial.written) return {1, {}, kIdentity};
+  switch (taken(inertial, root[root[id].model].format)) {
+    case Taken::kNothing: return {};
+    case Taken::kDefaults: return {1, {}, kIdentity};
+    default: break;
+  }
   const MassProperties in_C{
       inertial.mass.value, {}, inertial.tensor_written ? tensor(inertial) : kIdentity};
   return transformed(inertial.pose.pose.value, in_C);
+}
+
+Resolved resolve(const model::Root& root, const model::Frames& frames, model::Id<model::Link> id,
+                 const FindMesh& find_mesh) {
+  const model::Link& link = root[id];
+  if (!is_automatic(link)) {
+    return {resolve(root, id), taken(link.inertial, root[link.model].format)};
+  }
+  if (const auto body = automatic(root, frames, id, find_mesh)) return {*body, Taken::kAutomatic};
+  return {{1, {}, {1, 0, 0, 1, 0, 1}}, Taken::kAutomaticUnknown};
 }
 
 }  // namespace rigor::mass

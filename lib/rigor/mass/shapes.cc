@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include <rigor/mass/polyline.h>
+
 namespace rigor::mass {
 namespace {
 
@@ -33,6 +35,7 @@ struct Former {
     if (!usable(s.radii.value)) return std::nullopt;
     return ellipsoid(s.radii.value);
   }
+  std::optional<Solid> operator()(const model::Polyline& s) const { return solid_of(s); }
   template <class Other>
   std::optional<Solid> operator()(const Other&) const {
     return std::nullopt;
@@ -92,6 +95,10 @@ std::optional<Solid> solid_of(const model::Shape& shape) { return std::visit(For
 
 MassProperties with_mass(const Solid& solid, double mass) {
   return {mass, solid.com, mass * solid.unit_inertia};
+}
+
+MassProperties of_density(const Solid& solid, double density) {
+  return with_mass(solid, density * solid.volume);
 }
 
 }  // namespace rigor::mass

@@ -39,11 +39,14 @@ Solid cone(double radius, double length);
 /// Semi-axes, m.
 Solid ellipsoid(const model::Vector3& radii);
 
-/// Nothing for a shape without a closed form (mesh, plane, heightmap, image, polyline, none), or
-/// when a size is not positive and finite.
+/// Nothing for a shape without a closed form (mesh, plane, heightmap, image, none), when a size is
+/// not positive and finite, or for an outline that encloses nothing (polyline.h).
 std::optional<Solid> solid_of(const model::Shape& shape);
 
 /// The solid with this mass (kg), in the frame of its shape.
 MassProperties with_mass(const Solid& solid, double mass);
+
+/// The solid at this density (kg/m³), in the frame of its shape.
+MassProperties of_density(const Solid& solid, double density);
 
 }  // namespace rigor::mass

@@ -76,7 +76,7 @@ class FrameSolver {
     Pose X_up;  // this node in the one above
     Pose X_top;
     State state = State::kOpen;
-    Span reference;       // what names the node above, when something does
+    Span reference;  // what names the node above, when something does
   };
 
   std::uint32_t node(Id<Model> id) const { return models_ + id.value; }
@@ -110,8 +110,14 @@ class FrameSolver {
   template <class Entity>
   void problem(FrameProblemKind kind, const Entity& entity, const Field<std::string>& reference,
                ScopeId scope) {
-    frames_.problems_.push_back({kind, reference.span, reference.value, subject(root_, entity), {},
-                                 candidates(scope), scope.model, scope.world});
+    frames_.problems_.push_back({kind,
+                                 reference.span,
+                                 reference.value,
+                                 subject(root_, entity),
+                                 {},
+                                 candidates(scope),
+                                 scope.model,
+                                 scope.world});
   }
 
   /// The node that a `relative_to` means, `fallback` when it says nothing.
@@ -441,8 +447,7 @@ class FrameSolver {
         }
         const double norm = length(axis.xyz.value);
         if (nodes_[frame].state != State::kDone || norm == 0) continue;
-        frames_.axes_[i][k] =
-            (1 / norm) * rotate(nodes_[frame].X_top.rotation, axis.xyz.value);
+        frames_.axes_[i][k] = (1 / norm) * rotate(nodes_[frame].X_top.rotation, axis.xyz.value);
       }
     }
   }

@@ -29,28 +29,28 @@
 namespace rigor::model {
 
 enum class FrameProblemKind : std::uint8_t {
-  kRelativeToMissing,    ///< `name` is nothing in the scope
-  kRelativeToCycle,      ///< `members` are the names, the first again at the end
+  kRelativeToMissing,  ///< `name` is nothing in the scope
+  kRelativeToCycle,    ///< `members` are the names, the first again at the end
   kAttachedToMissing,
   kAttachedToCycle,
   kExpressedInMissing,
-  kParentMissing,        ///< of a joint
+  kParentMissing,  ///< of a joint
   kChildMissing,
   kChildIsWorld,
-  kParentIsChild,        ///< both resolve to one link
+  kParentIsChild,  ///< both resolve to one link
   kCanonicalLinkMissing,
   kPlacementFrameMissing,
-  kReservedReference,    ///< `__root__` or another internal name
+  kReservedReference,  ///< `__root__` or another internal name
 };
 
 struct FrameProblem {
   FrameProblemKind kind{};
-  Span where;              ///< the reference's value
-  std::string name;        ///< what it says
-  std::string subject;     ///< who says it, as in a diagnostic's subject
+  Span where;           ///< the reference's value
+  std::string name;     ///< what it says
+  std::string subject;  ///< who says it, as in a diagnostic's subject
   std::vector<std::string> members;
   std::vector<std::string> candidates;  ///< what exists in the scope
-  Id<Model> model;  ///< the scope that was searched, or
+  Id<Model> model;                      ///< the scope that was searched, or
   Id<World> world;
 };
 

@@ -53,6 +53,7 @@ struct Mesh {
   Field<std::string> uri;  ///< as written: `model://`, `package://`, `file://` or relative
   Field<Vector3> scale;
   Field<std::string> submesh;
+  Field<bool> center;  ///< the submesh is moved so that the middle of its bounds is the origin
 };
 
 struct Heightmap {
@@ -77,7 +78,7 @@ using Shape = std::variant<NoShape, Box, Sphere, Cylinder, Capsule, Cone, Ellips
                            Heightmap, Image, Polyline>;
 
 struct Geometry {
-  Site site;        ///< of the shape's element; of `<geometry>` when there is none
+  Site site;             ///< of the shape's element; of `<geometry>` when there is none
   bool written = false;  ///< whether there is a `<geometry>` element
   Shape shape;
   /// Further shape elements in the same geometry: a consumer takes one and drops the rest.

@@ -13,9 +13,9 @@ std::string joined(std::string scope, const std::string& name) {
 }  // namespace
 
 std::string_view shape_name(const Shape& shape) {
-  constexpr std::string_view kNames[] = {"none",      "box",   "sphere", "cylinder",
-                                         "capsule",   "cone",  "ellipsoid", "plane",
-                                         "mesh",      "heightmap", "image", "polyline"};
+  constexpr std::string_view kNames[] = {"none",    "box",       "sphere",    "cylinder",
+                                         "capsule", "cone",      "ellipsoid", "plane",
+                                         "mesh",    "heightmap", "image",     "polyline"};
   static_assert(std::size(kNames) == std::variant_size_v<Shape>);
   return kNames[shape.index()];
 }

@@ -53,11 +53,11 @@ struct PoseField {
 
 struct Inertial {
   Site site;
-  bool written = false;       ///< whether there is an `<inertial>` element
-  Field<bool> automatic;      ///< SDF 1.11: `auto="true"`
-  Field<double> density;      ///< kg/m³, with `auto`
-  Field<double> mass;         ///< kg
-  PoseField pose;             ///< of the centre of mass frame C in the link frame L
+  bool written = false;         ///< whether there is an `<inertial>` element
+  Field<bool> automatic;        ///< SDF 1.11: `auto="true"`
+  Field<double> density;        ///< kg/m³, with `auto`
+  Field<double> mass;           ///< kg
+  PoseField pose;               ///< of the centre of mass frame C in the link frame L
   bool tensor_written = false;  ///< whether there is an `<inertia>` element
   Site tensor_site;
   /// kg·m² about the centre of mass, in C's axes; matrix entries, so ixy = -∫xy dm.
@@ -81,6 +81,7 @@ struct Collision {
   PoseField pose;  ///< in the link frame
   Geometry geometry;
   Surface surface;
+  Field<double> density;  ///< kg/m³, for an automatic inertial; SDF 1.11
 };
 
 struct Material {
@@ -113,7 +114,7 @@ struct Lidar {
   Site site;
   Field<double> range_min;  ///< m
   Field<double> range_max;
-  Field<double> samples;  ///< horizontal
+  Field<double> samples;    ///< horizontal
   Field<double> angle_min;  ///< rad
   Field<double> angle_max;
 };
@@ -204,8 +205,8 @@ struct Joint {
   Id<World> world;
   Field<std::string> parent;  ///< of a link, joint, model or frame; `world`
   Field<std::string> child;
-  PoseField pose;           ///< SDF: in the child's frame; URDF: in the parent link's frame
-  std::vector<Axis> axes;   ///< at most two
+  PoseField pose;          ///< SDF: in the child's frame; URDF: in the parent link's frame
+  std::vector<Axis> axes;  ///< at most two
   Field<double> thread_pitch;
   Field<double> gearbox_ratio;
   std::optional<SafetyController> safety;  ///< URDF
@@ -215,7 +216,7 @@ struct Frame {
   Site site;
   Field<std::string> name;
   std::string alias;  ///< as of a joint
-  Id<Model> model;  ///< none for a frame of the world
+  Id<Model> model;    ///< none for a frame of the world
   Id<World> world;
   Field<std::string> attached_to;
   PoseField pose;

@@ -12,9 +12,9 @@
 namespace rigor::model {
 
 struct Site {
-  Span span;  ///< the whole element
-  Span tag;   ///< its start tag
-  Span name;  ///< the element's name in the start tag
+  Span span;                            ///< the whole element
+  Span tag;                             ///< its start tag
+  Span name;                            ///< the element's name in the start tag
   std::uint32_t element = 0xffffffffU;  ///< its index in the document of `span.source`
 };
 

@@ -24,20 +24,20 @@ bool same_but_case(std::string_view a, std::string_view b) {
 }
 
 bool is_number(Type type) {
-  return type == Type::kDouble || type == Type::kFloat || type == Type::kInt ||
-         type == Type::kUint;
+  return type == Type::kDouble || type == Type::kFloat || type == Type::kInt || type == Type::kUint;
 }
 
 /// What depends on a sibling's or attribute's value rather than on the place alone.
 schema::RotationFormat rotation_format(xml::Element element) {
   const auto format = element.attribute("rotation_format");
   return format && trimmed(format->value()) == "quat_xyzw" ? schema::RotationFormat::kQuatXyzw
-                                                          : schema::RotationFormat::kEulerRpy;
+                                                           : schema::RotationFormat::kEulerRpy;
 }
 
 class Walk {
  public:
-  explicit Walk(std::vector<SchemaFact>& facts) : facts_(facts) {}
+  Walk(std::vector<SchemaFact>& facts, std::string_view root)
+      : facts_(facts), urdf_(root == "robot") {}
 
   void element(xml::Element element, const Node& node) {
     attributes(element, node);
@@ -61,15 +61,22 @@ class Walk {
     }
     for (const Node required : node.required_attributes()) {
       if (!element.attribute(required.name())) {
-        add({.kind = Kind::kMissingAttribute, .where = element.tag_span(), .element = element,
-             .node = required, .parent = node});
+        add({.kind = Kind::kMissingAttribute,
+             .where = element.tag_span(),
+             .element = element,
+             .node = required,
+             .parent = node});
       }
     }
   }
 
   void attribute_value(xml::Element element, xml::Attribute attribute, const Node& known) {
-    SchemaFact fact{.kind = Kind::kBadValue, .where = attribute.value_span(), .element = element,
-                    .attribute = attribute, .node = known, .text = attribute.value()};
+    SchemaFact fact{.kind = Kind::kBadValue,
+                    .where = attribute.value_span(),
+                    .element = element,
+                    .attribute = attribute,
+                    .node = known,
+                    .text = attribute.value()};
     if (known.deprecated_since()) {
       SchemaFact old = fact;
       old.kind = Kind::kDeprecated;
@@ -81,11 +88,14 @@ class Walk {
 
   void unknown_attribute(xml::Element element, xml::Attribute attribute, const Node& node) {
     const std::string_view name = attribute.name();
-    SchemaFact fact{.kind = Kind::kUnknownAttribute, .where = attribute.name_span(),
-                    .element = element, .attribute = attribute, .parent = node};
+    SchemaFact fact{.kind = Kind::kUnknownAttribute,
+                    .where = attribute.name_span(),
+                    .element = element,
+                    .attribute = attribute,
+                    .parent = node};
     if (const auto other = node.attribute_in_other_version(name)) {
-      fact.kind = other->since() > node.version() ? Kind::kNewerThanVersion
-                                                  : Kind::kRemovedInVersion;
+      fact.kind =
+          other->since() > node.version() ? Kind::kNewerThanVersion : Kind::kRemovedInVersion;
       fact.node = other;
     } else if (const auto child = node.child(name)) {
       fact.kind = Kind::kElementAsAttribute;
@@ -107,8 +117,11 @@ class Walk {
       if (const auto known = node.child(name)) {
         repeated(element, child, *known);
         if (known->deprecated_since()) {
-          add({.kind = Kind::kDeprecated, .where = child.name_span(), .element = child,
-               .node = known, .parent = node});
+          add({.kind = Kind::kDeprecated,
+               .where = child.name_span(),
+               .element = child,
+               .node = known,
+               .parent = node});
         }
         this->element(child, *known);
       } else {
@@ -118,8 +131,11 @@ class Walk {
     if (element.cut()) return;
     for (const Node required : node.required_children()) {
       if (!element.child(required.name())) {
-        add({.kind = Kind::kMissingElement, .where = element.tag_span(), .element = element,
-             .node = required, .parent = node});
+        add({.kind = Kind::kMissingElement,
+             .where = element.tag_span(),
+             .element = element,
+             .node = required,
+             .parent = node});
       }
     }
   }
@@ -135,17 +151,22 @@ class Walk {
       if (other == first || other.name() != child.name()) continue;
       return;
     }
-    add({.kind = Kind::kRepeatedElement, .where = child.name_span(), .element = child,
-         .node = known, .related = first.name_span()});
+    add({.kind = Kind::kRepeatedElement,
+         .where = child.name_span(),
+         .element = child,
+         .node = known,
+         .related = first.name_span()});
   }
 
   void unknown_element(xml::Element child, const Node& node) {
     const std::string_view name = child.name();
-    SchemaFact fact{.kind = Kind::kUnknownElement, .where = child.name_span(), .element = child,
+    SchemaFact fact{.kind = Kind::kUnknownElement,
+                    .where = child.name_span(),
+                    .element = child,
                     .parent = node};
     if (const auto other = node.child_in_other_version(name)) {
-      fact.kind = other->since() > node.version() ? Kind::kNewerThanVersion
-                                                  : Kind::kRemovedInVersion;
+      fact.kind =
+          other->since() > node.version() ? Kind::kNewerThanVersion : Kind::kRemovedInVersion;
       fact.node = other;
     } else if (const auto attribute = node.attribute(name)) {
       fact.kind = Kind::kAttributeAsElement;
@@ -169,13 +190,18 @@ class Walk {
     if (!lost.nowhere()) {
       add({.kind = Kind::kLostText, .where = lost, .element = element, .node = node});
     } else if (!takes_text && !trimmed(text).empty()) {
-      add({.kind = Kind::kLostText, .where = element.text_span(), .element = element,
+      add({.kind = Kind::kLostText,
+           .where = element.text_span(),
+           .element = element,
            .node = node});
     }
     if (!takes_text) return;
     // An element without a value takes its default; whether it may stands with the type.
-    SchemaFact fact{.kind = Kind::kBadValue, .where = element.text_span(), .element = element,
-                    .node = node, .text = text};
+    SchemaFact fact{.kind = Kind::kBadValue,
+                    .where = element.text_span(),
+                    .element = element,
+                    .node = node,
+                    .text = text};
     typed(fact, text, node, element.text_verbatim(), rotation_format(element));
   }
 
@@ -191,6 +217,10 @@ class Walk {
         fact.value_fault = fault;
         return add(fact);
       }
+      if (is_number(type) && !takes_form(schema::classify(text))) {
+        fact.value_fault = {schema::ValueFault::Kind::kNotFinite, 0, text.size()};
+        return add(fact);
+      }
     }
     const std::string_view value = trimmed(text);
     // What the schema writes as its own default is never out of its own bounds or list.
@@ -202,6 +232,12 @@ class Walk {
       fact.kind = Kind::kOutOfRange;
       add(fact);
     }
+  }
+
+  /// Whether consumers take a number of this form. Nobody means nan; urdfdom reads numbers through a
+  /// stream, which knows neither inf nor hexadecimal ones.
+  bool takes_form(const schema::NumberForm& form) const {
+    return !form.nan && !(urdf_ && (form.infinite || form.hexadecimal));
   }
 
   static bool outside(std::string_view value, const Node& node) {
@@ -216,13 +252,14 @@ class Walk {
   }
 
   std::vector<SchemaFact>& facts_;
+  bool urdf_;
 };
 
 }  // namespace
 
 std::vector<SchemaFact> check_conformance(const xml::Document& document, const schema::Node& root) {
   std::vector<SchemaFact> facts;
-  if (const auto element = document.root()) Walk(facts).element(*element, root);
+  if (const auto element = document.root()) Walk(facts, root.name()).element(*element, root);
   return facts;
 }
 

@@ -23,27 +23,27 @@
 namespace rigor::read {
 
 enum class SchemaFactKind : std::uint8_t {
-  kUnknownElement,       ///< to this version, here; it may belong elsewhere
+  kUnknownElement,  ///< to this version, here; it may belong elsewhere
   kUnknownAttribute,
-  kWrongCase,            ///< known here but for letter case; `node` is the right one
-  kNewerThanVersion,     ///< known here in a later version; `node` is that one
-  kRemovedInVersion,     ///< known here in an earlier version; `node` is that one
-  kAttributeAsElement,   ///< an attribute of the parent, written as a child; `node` is the attribute
-  kElementAsAttribute,   ///< a child of the element, written as an attribute; `node` is the child
-  kMissingAttribute,     ///< required; `node` is it
-  kMissingElement,       ///< required; `node` is it
-  kRepeatedElement,      ///< `related` is the first
-  kBadValue,             ///< of an element or attribute: see `value_fault`
+  kWrongCase,           ///< known here but for letter case; `node` is the right one
+  kNewerThanVersion,    ///< known here in a later version; `node` is that one
+  kRemovedInVersion,    ///< known here in an earlier version; `node` is that one
+  kAttributeAsElement,  ///< an attribute of the parent, written as a child; `node` is the attribute
+  kElementAsAttribute,  ///< a child of the element, written as an attribute; `node` is the child
+  kMissingAttribute,    ///< required; `node` is it
+  kMissingElement,      ///< required; `node` is it
+  kRepeatedElement,     ///< `related` is the first
+  kBadValue,            ///< of an element or attribute: see `value_fault`
   kNotInEnumeration,
-  kOutOfRange,           ///< below or above the schema's bounds
+  kOutOfRange,  ///< below or above the schema's bounds
   kDeprecated,
-  kLostText,             ///< characters no consumer reads
+  kLostText,  ///< characters no consumer reads
 };
 
 struct SchemaFact {
   SchemaFactKind kind;
-  Span where;             ///< the name, value or text at fault
-  xml::Element element;   ///< the element at fault, or the one that lacks something
+  Span where;            ///< the name, value or text at fault
+  xml::Element element;  ///< the element at fault, or the one that lacks something
   std::optional<xml::Attribute> attribute;  ///< when the fact is about one
   std::optional<schema::Node> node;         ///< what the schema says; see the kinds
   std::optional<schema::Node> parent;       ///< the schema's node of the parent element

@@ -15,20 +15,20 @@
 namespace rigor::read {
 
 enum class FactKind : std::uint8_t {
-  kUnknownRoot,         ///< the root element is of no format rigor knows; `name` is it
-  kOldRoot,             ///< `<gazebo version="1.0">`
+  kUnknownRoot,  ///< the root element is of no format rigor knows; `name` is it
+  kOldRoot,      ///< `<gazebo version="1.0">`
   kVersionMissing,
-  kVersionUnknown,      ///< no such version was ever published; `name` is it
-  kVersionTooNew,       ///< newer than rigor knows
-  kUnfollowedInclude,   ///< `https://` and not in the cache: not looked at
-  kIncludeNotFound,     ///< `tried` has every place
-  kIncludeUnreadable,   ///< found, but it cannot be parsed, or holds nothing; `name` says why
-  kIncludeCycle,        ///< `tried` has the files of the cycle, the first again at the end
+  kVersionUnknown,     ///< no such version was ever published; `name` is it
+  kVersionTooNew,      ///< newer than rigor knows
+  kUnfollowedInclude,  ///< `https://` and not in the cache: not looked at
+  kIncludeNotFound,    ///< `tried` has every place
+  kIncludeUnreadable,  ///< found, but it cannot be parsed, or holds nothing; `name` says why
+  kIncludeCycle,       ///< `tried` has the files of the cycle, the first again at the end
   kIncludeTooDeep,
-  kIncludeHasErrors,    ///< of an included file; `name` is its path, `tried` the first of `count`
-  kConfigWithoutSdf,    ///< an included model folder whose model.config names no file
-  kMoreAtTopLevel,      ///< a second model, actor or light beside the first; `name` is it
-  kTooMuchIncluded,     ///< the includes bring more parts than rigor holds
+  kIncludeHasErrors,  ///< of an included file; `name` is its path, `tried` the first of `count`
+  kConfigWithoutSdf,  ///< an included model folder whose model.config names no file
+  kMoreAtTopLevel,    ///< a second model, actor or light beside the first; `name` is it
+  kTooMuchIncluded,   ///< the includes bring more parts than rigor holds
   kFileTooLarge,
   kFileUnreadable,
 };

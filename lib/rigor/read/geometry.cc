@@ -20,6 +20,7 @@ model::Mesh sdf_mesh(xml::Element element) {
   mesh.scale = vector_field(child_text(element, "scale"), {1, 1, 1});
   if (const auto submesh = element.child("submesh")) {
     mesh.submesh = string_field(child_text(*submesh, "name"));
+    mesh.center = bool_field(child_text(*submesh, "center"), false);
   }
   return mesh;
 }
@@ -77,8 +78,8 @@ model::Geometry read_geometry(xml::Element parent) {
     auto shape = shape_of(child);
     if (!shape) continue;
     // A polyline may be repeated: it then has holes.
-    const bool another_outline =
-        found && child.name() == "polyline" && std::holds_alternative<model::Polyline>(geometry.shape);
+    const bool another_outline = found && child.name() == "polyline" &&
+                                 std::holds_alternative<model::Polyline>(geometry.shape);
     if (another_outline) continue;
     if (found) {
       geometry.more.push_back(site_of(child));

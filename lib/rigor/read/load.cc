@@ -106,13 +106,12 @@ class FileLoader {
     if (!entry.version.written) {
       facts.push_back({ConfigFactKind::kVersionMissing, entry.site.tag, entry.file.value, {}});
     }
-    const std::string path =
-        join_path(parent_path(loaded_.file->path), entry.file.value);
+    const std::string path = join_path(parent_path(loaded_.file->path), entry.file.value);
     const Disk& disk = reader_.workspace.disk();
     if (entry.file.value.empty() || disk.kind(path) != PathKind::kFile) {
       const Span where = entry.file.value.empty() ? entry.site.tag : entry.file.span;
-      facts.push_back({ConfigFactKind::kFileMissing, where, entry.file.value,
-                       other_case(disk, path)});
+      facts.push_back(
+          {ConfigFactKind::kFileMissing, where, entry.file.value, other_case(disk, path)});
       return;
     }
     const File& file = reader_.workspace.open(path);

@@ -33,11 +33,11 @@ struct SearchPath {
 };
 
 struct SearchPaths {
-  std::vector<SearchPath> given;              ///< from the command line, then the configuration
+  std::vector<SearchPath> given;                ///< from the command line, then the configuration
   std::map<std::string, std::string> packages;  ///< `--package NAME=DIR`
-  std::vector<SearchPath> environment;        ///< model paths, in the order of the contract
-  std::vector<SearchPath> ros;                ///< folders of packages
-  std::string fuel_cache;                     ///< empty when there is none
+  std::vector<SearchPath> environment;          ///< model paths, in the order of the contract
+  std::vector<SearchPath> ros;                  ///< folders of packages
+  std::string fuel_cache;                       ///< empty when there is none
 };
 
 /// The paths that the environment's variables name; `variable` gives a variable's value, empty when

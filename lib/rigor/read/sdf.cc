@@ -28,8 +28,7 @@ model::Pose to_pose(const schema::PoseNumbers& pose, double angle_unit) {
   const auto& n = pose.numbers;
   const model::Vector3 translation{n[0], n[1], n[2]};
   if (pose.count == 7) return {translation, model::normalized({n[6], n[3], n[4], n[5]})};
-  return {translation,
-          model::from_rpy(n[3] * angle_unit, n[4] * angle_unit, n[5] * angle_unit)};
+  return {translation, model::from_rpy(n[3] * angle_unit, n[4] * angle_unit, n[5] * angle_unit)};
 }
 
 constexpr double kDegree = 0.017453292519943295;  // π/180, as libsdformat converts
@@ -59,9 +58,9 @@ model::PoseField SdfReader::read_pose(xml::Element parent) const {
   }
   const auto format = attribute_text(*element, "rotation_format");
   const bool quaternion = format && trimmed(format->text) == "quat_xyzw";
-  const auto parsed = schema::parse_pose(text->text, quaternion
-                                                         ? schema::RotationFormat::kQuatXyzw
-                                                         : schema::RotationFormat::kEulerRpy);
+  const auto parsed =
+      schema::parse_pose(text->text, quaternion ? schema::RotationFormat::kQuatXyzw
+                                                : schema::RotationFormat::kEulerRpy);
   const bool degrees = bool_field(attribute_text(*element, "degrees"), false).value;
   if (const auto* numbers = std::get_if<schema::PoseNumbers>(&parsed)) {
     field.pose = {to_pose(*numbers, degrees ? kDegree : 1), text->span, true};
@@ -231,9 +230,12 @@ bool SdfReader::follow(model::Include& include, Scope scope) {
   const Resolution& found =
       reader_.workspace.resolve(reader_.resolver, include.uri.value, files_.back());
   if (!found.path) {
-    Fact fact{found.remote ? FactKind::kUnfollowedInclude : FactKind::kIncludeNotFound, where,
-              include.uri.value, {}};
-    for (const Tried& tried : found.tried) fact.tried.push_back(tried.path + " (" + tried.origin + ")");
+    Fact fact{found.remote ? FactKind::kUnfollowedInclude : FactKind::kIncludeNotFound,
+              where,
+              include.uri.value,
+              {}};
+    for (const Tried& tried : found.tried)
+      fact.tried.push_back(tried.path + " (" + tried.origin + ")");
     facts_.push_back(std::move(fact));
     return false;
   }
@@ -250,8 +252,7 @@ bool SdfReader::follow(model::Include& include, Scope scope) {
     brought_ += parts() - before;
     return true;
   }
-  const auto version = schema::parse_version(
-      string_field(attribute_text(top, "version")).value);
+  const auto version = schema::parse_version(string_field(attribute_text(top, "version")).value);
   const std::size_t first_fact = facts_.size();
   SdfReader inner(reader_, root_, facts_, std::move(files),
                   version ? version->minor : reader_.sdf.latest().minor, most_);
@@ -304,8 +305,8 @@ void SdfReader::read_frame(xml::Element element, Scope scope) {
   frame.attached_to = string_field(attribute_text(element, "attached_to"));
   frame.pose = read_pose(element);
   root_.frames.push_back(std::move(frame));
-  auto& siblings = scope.model ? root_.models[scope.model.value].frames
-                               : root_.worlds[scope.world.value].frames;
+  auto& siblings =
+      scope.model ? root_.models[scope.model.value].frames : root_.worlds[scope.world.value].frames;
   siblings.push_back(id);
 }
 

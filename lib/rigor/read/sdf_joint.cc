@@ -112,8 +112,8 @@ void SdfReader::read_joint(xml::Element element, Scope scope) {
   joint.thread_pitch = number_field(child_text(element, "thread_pitch"), 1);
   joint.gearbox_ratio = number_field(child_text(element, "gearbox_ratio"), 1);
   root_.joints.push_back(std::move(joint));
-  auto& siblings = scope.model ? root_.models[scope.model.value].joints
-                               : root_.worlds[scope.world.value].joints;
+  auto& siblings =
+      scope.model ? root_.models[scope.model.value].joints : root_.worlds[scope.world.value].joints;
   siblings.push_back(id);
   for (const xml::Element child : element.children()) {
     if (child.name() != "sensor") continue;

@@ -111,6 +111,7 @@ void SdfReader::read_collision(xml::Element element, Id<model::Link> link) {
   collision.pose = read_pose(element);
   collision.geometry = read_geometry(element);
   collision.surface = read_surface(element);
+  collision.density = number_field(child_text(element, "density"), 1000);
   root_.links[link.value].collisions.push_back(
       {static_cast<std::uint32_t>(root_.collisions.size())});
   root_.collisions.push_back(std::move(collision));

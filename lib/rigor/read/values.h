@@ -44,7 +44,6 @@ model::Field<std::string> string_field(const std::optional<Text>& text,
                                        std::string_view fallback = {});
 model::Field<double> number_field(const std::optional<Text>& text, double fallback);
 model::Field<bool> bool_field(const std::optional<Text>& text, bool fallback);
-model::Field<model::Vector3> vector_field(const std::optional<Text>& text,
-                                          model::Vector3 fallback);
+model::Field<model::Vector3> vector_field(const std::optional<Text>& text, model::Vector3 fallback);
 
 }  // namespace rigor::read

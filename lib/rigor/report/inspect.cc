@@ -3,7 +3,7 @@
 
 #include <rigor/report/inspect.h>
 
-#include <rigor/mass/resolve.h>
+#include <rigor/mass/total.h>
 
 namespace rigor::report {
 namespace {
@@ -16,22 +16,15 @@ std::string seen_from(const model::Root& root, Id<model::Model> scope, Id<model:
   return name.starts_with(prefix) ? name.substr(prefix.size()) : name;
 }
 
-/// Adds a model's links up; `body` is lost when one of them has no pose.
-void add_up(const Inspection& inspection, Id<model::Model> id, Totals& sum,
-            std::optional<mass::MassProperties>& body) {
-  const model::Model& model = inspection.root[id];
+void count(const model::Root& root, Id<model::Model> id, Totals& sum) {
+  const model::Model& model = root[id];
   sum.links += model.links.size();
   sum.joints += model.joints.size();
   for (const Id<model::Link> link : model.links) {
-    sum.collisions += inspection.root[link].collisions.size();
-    sum.visuals += inspection.root[link].visuals.size();
-    const mass::MassProperties own = mass::resolve(inspection.root, link);
-    sum.mass += own.mass;
-    const std::optional<model::Pose> X_WL = inspection.frames.pose(link);
-    if (!X_WL) body.reset();
-    if (body) body = mass::add(*body, mass::transformed(*X_WL, own));
+    sum.collisions += root[link].collisions.size();
+    sum.visuals += root[link].visuals.size();
   }
-  for (const Id<model::Model> nested : model.models) add_up(inspection, nested, sum, body);
+  for (const Id<model::Model> nested : model.models) count(root, nested, sum);
 }
 
 }  // namespace
@@ -46,9 +39,13 @@ std::vector<Id<model::Model>> top_models(const model::Root& root) {
 
 Totals totals(const Inspection& inspection, Id<model::Model> model) {
   Totals sum;
-  std::optional<mass::MassProperties> body = mass::MassProperties{};
-  add_up(inspection, model, sum, body);
-  if (body && body->mass > 0) sum.com = body->com;
+  count(inspection.root, model, sum);
+  const auto body_of = [&inspection](Id<model::Link> link) {
+    return inspection.inertial(link).body;
+  };
+  const mass::Total robot = mass::total(inspection.root, inspection.frames, model, body_of);
+  sum.mass = robot.mass;
+  if (robot.body && robot.body->mass > 0) sum.com = robot.body->com;
   return sum;
 }
 

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include <rigor/mass/resolve.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
 
@@ -22,6 +23,11 @@ struct Inspection {
   std::string path;
   const model::Root& root;
   const model::Frames& frames;
+  mass::FindMesh find_mesh = {};  ///< for automatic inertials; without one they are unknown
+
+  mass::Resolved inertial(model::Id<model::Link> link) const {
+    return mass::resolve(root, frames, link, find_mesh);
+  }
 };
 
 /// A tree for people. What the file does not say is marked `(default)`.

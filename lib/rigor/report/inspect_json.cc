@@ -1,29 +1,16 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <cmath>
-
-#include <nlohmann/json.hpp>
-
 #include <rigor/mass/resolve.h>
 #include <rigor/report/inspect.h>
+#include <rigor/report/json_values.h>
 #include <rigor/report/number.h>
 #include <rigor/report/tool.h>
 
 namespace rigor::report {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using model::Id;
-
-Json finite(double value) {
-  if (!std::isfinite(value)) return nullptr;
-  return value == 0 ? 0.0 : value;
-}
-
-Json vector_of(const model::Vector3& v) {
-  return Json::array({finite(v.x), finite(v.y), finite(v.z)});
-}
 
 Json pose_of(const std::optional<model::Pose>& pose) {
   if (!pose) return nullptr;
@@ -153,19 +140,12 @@ class Writer {
 
   Json inertial(Id<model::Link> id) const {
     const model::Inertial& written = root_[id].inertial;
-    const mass::MassProperties body = mass::resolve(root_, id);
-    const mass::Inertia& i = body.about_com;
+    const mass::MassProperties body = inspection_.inertial(id).body;
     return {{"mass", finite(body.mass)},
             {"mass_default", !written.mass.written},
             {"com", vector_of(body.com)},
             {"com_default", !written.pose.pose.written},
-            {"inertia",
-             {{"ixx", finite(i.ixx)},
-              {"ixy", finite(i.ixy)},
-              {"ixz", finite(i.ixz)},
-              {"iyy", finite(i.iyy)},
-              {"iyz", finite(i.iyz)},
-              {"izz", finite(i.izz)}}},
+            {"inertia", tensor_of(body.about_com)},
             {"inertia_default", !written.tensor_written},
             {"automatic", mass::is_automatic(root_[id])}};
   }

@@ -123,15 +123,20 @@ class Tree {
 
   void inertial(Id<model::Link> id, int depth) {
     const model::Inertial& written = root_[id].inertial;
-    const mass::MassProperties body = mass::resolve(root_, id);
+    const auto [body, taken] = inspection_.inertial(id);
     const mass::Inertia& i = body.about_com;
-    if (mass::is_automatic(root_[id])) line(depth, "inertial computed when the model is loaded");
+    const bool computed = taken == mass::Taken::kAutomatic;
+    if (computed) line(depth, "inertial computed from the collisions");
+    if (taken == mass::Taken::kAutomaticUnknown) {
+      line(depth, "inertial to be computed, but a collision is no solid");
+    }
     line(depth, fmt::format("mass {} kg{}, centre of mass {} m{}", number(body.mass),
-                            mark(written.mass.written), numbers(body.com, kDigits),
-                            mark(written.pose.pose.written)));
-    line(depth, fmt::format("inertia ixx {} iyy {} izz {} ixy {} ixz {} iyz {} kg·m²{}",
-                            number(i.ixx), number(i.iyy), number(i.izz), number(i.ixy),
-                            number(i.ixz), number(i.iyz), mark(written.tensor_written)));
+                            mark(computed || written.mass.written), numbers(body.com, kDigits),
+                            mark(computed || written.pose.pose.written)));
+    line(depth,
+         fmt::format("inertia ixx {} iyy {} izz {} ixy {} ixz {} iyz {} kg·m²{}", number(i.ixx),
+                     number(i.iyy), number(i.izz), number(i.ixy), number(i.ixz), number(i.iyz),
+                     mark(computed || written.tensor_written)));
   }
 
   static std::string shape(const model::Geometry& geometry) {

@@ -74,7 +74,7 @@ class Rows {
   }
 
   std::string link_extra(Id<model::Link> link) const {
-    const mass::MassProperties body = mass::resolve(root_, link);
+    const mass::MassProperties body = inspection_.inertial(link).body;
     const mass::Inertia& i = body.about_com;
     std::string out = number(body.mass, kDigits) + ' ' + numbers(body.com, kDigits);
     for (const double value : {i.ixx, i.ixy, i.ixz, i.iyy, i.iyz, i.izz}) {

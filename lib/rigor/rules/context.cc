@@ -46,6 +46,22 @@ const read::Resolution& Context::resolve(const std::string& uri) {
   return resolved_.emplace(uri, inputs_.resolver.resolve(uri, inputs_.path)).first->second;
 }
 
+const mass::MeshSurvey* Context::survey(const model::Mesh& mesh) {
+  if (inputs_.meshes == nullptr || mesh.uri.value.empty()) return nullptr;
+  const read::Resolution& found = resolve(mesh.uri.value);
+  if (!found.path) return nullptr;
+  return &inputs_.meshes->find({*found.path, mesh.submesh.value, mesh.center.value});
+}
+
+const mass::LinkBody& Context::body(const model::Link& link, mass::From from) {
+  const auto known = bodies_.find({&link, from});
+  if (known != bodies_.end()) return known->second;
+  const model::Id<model::Link> id{static_cast<std::uint32_t>(&link - root().links.data())};
+  const auto find = [this](const model::Mesh& mesh) { return survey(mesh); };
+  return bodies_.emplace(std::pair{&link, from}, link_body(root(), frames(), id, from, find))
+      .first->second;
+}
+
 std::string_view Context::folder() const { return parent_path(inputs_.path); }
 
 std::string Context::subject(const model::World& world) const {

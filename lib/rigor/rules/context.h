@@ -8,12 +8,15 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
+#include <rigor/mass/link_body.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
 #include <rigor/read/resolver.h>
@@ -46,6 +49,7 @@ class Context {
     const model::Frames& frames;
     const read::Resolver& resolver;
     const schema::Schema* schema;  ///< of the file's format; null when it has none
+    mass::MeshSurveys* meshes;     ///< null when meshes are not to be opened
   };
 
   Context(const Inputs& inputs, Diagnostics& diagnostics)
@@ -77,6 +81,12 @@ class Context {
   /// Where a URI that stands in this file leads. Looked up once, however many rules ask.
   const read::Resolution& resolve(const std::string& uri);
   const Disk& disk() const { return inputs_.resolver.disk(); }
+
+  /// What the mesh's triangles enclose; null when its file is not found, or meshes are not opened.
+  const mass::MeshSurvey* survey(const model::Mesh& mesh);
+  /// The link's shapes as solids. Computed once, however many rules ask.
+  const mass::LinkBody& body(const model::Link& link, mass::From from);
+
   /// The folder of the file that is checked.
   std::string_view folder() const;
 
@@ -108,6 +118,7 @@ class Context {
   Diagnostics& diagnostics_;
   std::size_t compared_ = 0;
   std::unordered_map<std::string, read::Resolution> resolved_;
+  std::map<std::pair<const model::Link*, mass::From>, mass::LinkBody> bodies_;
   std::string_view rule_;
   std::string_view category_;
   Severity severity_ = Severity::kError;

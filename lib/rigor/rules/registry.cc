@@ -12,8 +12,8 @@ namespace rigor::rules {
 
 std::string_view to_string(Category category) {
   constexpr std::array<std::string_view, 14> kNames{
-      "xml",  "schema",  "naming", "reference", "frame",  "inertia", "kinematics",
-      "geometry", "mesh", "physics", "world",  "plugin", "sensor",  "package"};
+      "xml",      "schema", "naming",  "reference", "frame",  "inertia", "kinematics",
+      "geometry", "mesh",   "physics", "world",     "plugin", "sensor",  "package"};
   static_assert(kNames.size() == static_cast<std::size_t>(Category::kPackage) + 1);
   return kNames[static_cast<std::size_t>(category)];
 }

@@ -95,14 +95,12 @@ struct FactCheck {
 
 using Check = std::variant<
     FactCheck<xml::Fault, xml::FaultKind>, FactCheck<read::SchemaFact, read::SchemaFactKind>,
-    FactCheck<read::Fact, read::FactKind>,
-    FactCheck<model::FrameProblem, model::FrameProblemKind>,
-    FactCheck<read::ConfigFact, read::ConfigFactKind>, CheckOf<model::Root>,
-    CheckOf<model::World>, CheckOf<model::Model>, CheckOf<model::Link>, CheckOf<model::Joint>,
-    CheckOf<model::Frame>, CheckOf<model::Collision>, CheckOf<model::Visual>,
-    CheckOf<model::Sensor>, CheckOf<model::Light>, CheckOf<model::Plugin>, CheckOf<model::Include>,
-    CheckOf<model::Physics>, CheckOf<model::GazeboBlock>, CheckOf<model::ControlledJoint>,
-    CheckOf<MeshUse>>;
+    FactCheck<read::Fact, read::FactKind>, FactCheck<model::FrameProblem, model::FrameProblemKind>,
+    FactCheck<read::ConfigFact, read::ConfigFactKind>, CheckOf<model::Root>, CheckOf<model::World>,
+    CheckOf<model::Model>, CheckOf<model::Link>, CheckOf<model::Joint>, CheckOf<model::Frame>,
+    CheckOf<model::Collision>, CheckOf<model::Visual>, CheckOf<model::Sensor>,
+    CheckOf<model::Light>, CheckOf<model::Plugin>, CheckOf<model::Include>, CheckOf<model::Physics>,
+    CheckOf<model::GazeboBlock>, CheckOf<model::ControlledJoint>, CheckOf<MeshUse>>;
 
 /// The check of every entity of type T that the file itself holds.
 template <class T>

@@ -62,7 +62,7 @@ void Runner::add(const Rule& rule, Severity severity) {
 class Runner::Walk {
  public:
   Walk(const Runner& runner, const Environment& environment, const Sources& sources,
-       const read::Loaded& loaded)
+       const read::Loaded& loaded, mass::MeshSurveys* meshes)
       : runner_(runner),
         loaded_(loaded),
         frames_(loaded.root),
@@ -72,7 +72,8 @@ class Runner::Walk {
                 loaded.root,
                 frames_,
                 environment.resolver,
-                schema_of(environment, loaded.root.format)},
+                schema_of(environment, loaded.root.format),
+                meshes},
         context_(inputs_, diagnostics_) {}
 
   Diagnostics run() {
@@ -184,8 +185,8 @@ class Runner::Walk {
 };
 
 Diagnostics Runner::run(const Environment& environment, const Sources& sources,
-                        const read::Loaded& loaded) const {
-  return Walk(*this, environment, sources, loaded).run();
+                        const read::Loaded& loaded, mass::MeshSurveys* meshes) const {
+  return Walk(*this, environment, sources, loaded, meshes).run();
 }
 
 }  // namespace rigor::rules

@@ -5,7 +5,7 @@
 // ask for its kind.
 //
 //   Runner runner(registry, selection);
-//   runner.run(loaded, sources, resolver, schema, diagnostics);
+//   Diagnostics found = runner.run(environment, sources, loaded, &meshes);
 
 #pragma once
 
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <rigor/environment.h>
+#include <rigor/mass/mesh_survey.h>
 #include <rigor/read/load.h>
 #include <rigor/rules/registry.h>
 #include <rigor/rules/rule.h>
@@ -28,9 +29,9 @@ class Runner {
   /// The registry outlives the runner.
   Runner(const Registry& registry, const Selection& selection);
 
-  /// What the rules find, in the order of their places.
+  /// What the rules find, in the order of their places. Without `meshes`, none is opened.
   Diagnostics run(const Environment& environment, const Sources& sources,
-                  const read::Loaded& loaded) const;
+                  const read::Loaded& loaded, mass::MeshSurveys* meshes) const;
 
  private:
   struct Active {

@@ -25,12 +25,9 @@ std::size_t own_count(const model::Root& root, const auto& entities) {
 
 FileSummary summarize(const read::Loaded& loaded) {
   const model::Root& root = loaded.root;
-  return {loaded.file->path,
-          root.format,
-          root.version_text.value,
-          own_count(root, root.models),
-          own_count(root, root.links),
-          own_count(root, root.joints)};
+  return {loaded.file->path,           root.format,
+          root.version_text.value,     own_count(root, root.models),
+          own_count(root, root.links), own_count(root, root.joints)};
 }
 
 class Run {
@@ -40,7 +37,8 @@ class Run {
         options_(options),
         sources_(sources),
         workspace_(environment.disk, sources),
-        runner_(environment.registry, options.selection) {}
+        runner_(environment.registry, options.selection),
+        meshes_(environment.disk) {}
 
   ValidateResult run() {
     std::vector<const read::File*> named;
@@ -118,7 +116,9 @@ class Run {
       if (!loaded.root.own(include.site) || include.path.empty()) continue;
       checked.includes.push_back({include.uri.span, include.path});
     }
-    checked.diagnostics = runner_.run(environment_, sources_, loaded);
+    const bool open_meshes = options_.meshes == MeshPolicy::kOpen;
+    checked.diagnostics =
+        runner_.run(environment_, sources_, loaded, open_meshes ? &meshes_ : nullptr);
     for (const Diagnostic& found : checked.diagnostics.list()) {
       if (found.severity != Severity::kError || told_by_includer(found.rule)) continue;
       if (checked.errors++ == 0) checked.first_error = found.message;
@@ -147,7 +147,7 @@ class Run {
       about.facts.push_back({read::FactKind::kIncludeHasErrors, included.where, path,
                              {fault.first_error}, fault.errors});
     }
-    return runner_.run(environment_, sources_, about);
+    return runner_.run(environment_, sources_, about, nullptr);
   }
 
   /// The included file, or the first of those that it includes, that has errors of its own; empty
@@ -180,6 +180,7 @@ class Run {
   Sources& sources_;
   read::Workspace workspace_;
   Runner runner_;
+  mass::MeshSurveys meshes_;
   std::map<std::string, Checked> checked_;
   std::map<std::string, std::string> at_fault_;  // what `at_fault` gave
   ValidateResult result_;

@@ -9,16 +9,11 @@ namespace {
 
 std::string count_words(Cardinality cardinality) {
   switch (cardinality) {
-    case Cardinality::kOptional:
-      return "at most one";
-    case Cardinality::kOne:
-      return "exactly one";
-    case Cardinality::kMany:
-      return "any number";
-    case Cardinality::kOneOrMore:
-      return "at least one";
-    case Cardinality::kDeprecated:
-      return "at most one, better none";
+    case Cardinality::kOptional: return "at most one";
+    case Cardinality::kOne: return "exactly one";
+    case Cardinality::kMany: return "any number";
+    case Cardinality::kOneOrMore: return "at least one";
+    case Cardinality::kDeprecated: return "at most one, better none";
   }
   return "";
 }

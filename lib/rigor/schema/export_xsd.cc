@@ -28,34 +28,23 @@ std::string repeated(std::string_view pattern, std::size_t least, std::size_t mo
 std::string pattern_of(Type type) {
   switch (type) {
     case Type::kNone:
-    case Type::kString:
-      return "";
-    case Type::kChar:
-      return ".+";
-    case Type::kBool:
-      return "[tT][rR][uU][eE]|[fF][aA][lL][sS][eE]|0|1";
-    case Type::kInt:
-      return std::string(kInteger);
+    case Type::kString: return "";
+    case Type::kChar: return ".+";
+    case Type::kBool: return "[tT][rR][uU][eE]|[fF][aA][lL][sS][eE]|0|1";
+    case Type::kInt: return std::string(kInteger);
     case Type::kUint:
-    case Type::kUint64:
-      return std::string(kNatural);
+    case Type::kUint64: return std::string(kNatural);
     case Type::kDouble:
     case Type::kFloat:
-    case Type::kAngle:
-      return std::string(kNumber);
-    case Type::kVector2:
-      return repeated(kNumber, 2, 2);
-    case Type::kVector2i:
-      return repeated(kInteger, 2, 2);
+    case Type::kAngle: return std::string(kNumber);
+    case Type::kVector2: return repeated(kNumber, 2, 2);
+    case Type::kVector2i: return repeated(kInteger, 2, 2);
     case Type::kVector3:
-    case Type::kQuaternion:
-      return repeated(kNumber, 3, 3);
+    case Type::kQuaternion: return repeated(kNumber, 3, 3);
     case Type::kPose:  // with a quaternion seven; empty is the identity
       return "(" + repeated(kNumber, 6, 7) + ")?";
-    case Type::kColor:
-      return repeated(kNumber, 3, 4);
-    case Type::kTime:
-      return repeated(kInteger, 2, 2);
+    case Type::kColor: return repeated(kNumber, 3, 4);
+    case Type::kTime: return repeated(kInteger, 2, 2);
   }
   return "";
 }
@@ -64,20 +53,11 @@ std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
     switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '"': out += "&quot;"; break;
+      default: out += c;
     }
   }
   return out;

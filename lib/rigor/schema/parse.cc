@@ -133,7 +133,8 @@ class Parser {
 
   bool read_member(std::string_view line) {
     const std::uint32_t parent = stack_.back();
-    if (tables_.lines[parent].kind == Kind::kAttribute || tables_.lines[parent].kind == Kind::kUse) {
+    if (tables_.lines[parent].kind == Kind::kAttribute ||
+        tables_.lines[parent].kind == Kind::kUse) {
       return fail(number_, "an attribute or a use has nothing inside");
     }
     const std::string_view word = take_word(line);

@@ -301,40 +301,27 @@ Parsed<PoseNumbers> parse_pose(std::string_view text, RotationFormat format) {
 std::optional<ValueFault> check(Type type, std::string_view text, RotationFormat format) {
   switch (type) {
     case Type::kNone:
-    case Type::kString:
-      return std::nullopt;
+    case Type::kString: return std::nullopt;
     case Type::kChar: {
       const Token whole = trim(text);
       if (whole.begin < whole.end) return std::nullopt;
       return ValueFault{Kind::kEmpty, 0, text.size()};
     }
-    case Type::kBool:
-      return fault_of(parse_bool(text));
-    case Type::kInt:
-      return fault_of(parse_int(text));
-    case Type::kUint:
-      return fault_of(parse_uint(text));
-    case Type::kUint64:
-      return fault_of(parse_uint64(text));
-    case Type::kDouble:
-      return fault_of(parse_double(text));
-    case Type::kFloat:
-      return fault_of(parse_float(text));
-    case Type::kAngle:
-      return fault_of(read_one<double>(text, read_finite));
-    case Type::kVector2:
-      return fault_of(parse_vector2(text));
-    case Type::kVector2i:
-      return fault_of(parse_vector2i(text));
+    case Type::kBool: return fault_of(parse_bool(text));
+    case Type::kInt: return fault_of(parse_int(text));
+    case Type::kUint: return fault_of(parse_uint(text));
+    case Type::kUint64: return fault_of(parse_uint64(text));
+    case Type::kDouble: return fault_of(parse_double(text));
+    case Type::kFloat: return fault_of(parse_float(text));
+    case Type::kAngle: return fault_of(read_one<double>(text, read_finite));
+    case Type::kVector2: return fault_of(parse_vector2(text));
+    case Type::kVector2i: return fault_of(parse_vector2i(text));
     case Type::kVector3:
     case Type::kQuaternion:  // SDFormat writes this type as roll, pitch, yaw
       return fault_of(parse_vector3(text));
-    case Type::kPose:
-      return fault_of(parse_pose(text, format));
-    case Type::kColor:
-      return fault_of(parse_color(text));
-    case Type::kTime:
-      return fault_of(parse_time(text));
+    case Type::kPose: return fault_of(parse_pose(text, format));
+    case Type::kColor: return fault_of(parse_color(text));
+    case Type::kTime: return fault_of(parse_time(text));
   }
   return std::nullopt;
 }

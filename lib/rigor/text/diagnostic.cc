@@ -27,9 +27,8 @@ void Diagnostics::sort() {
   const auto key = [](const Diagnostic& d) {
     return std::tie(d.where.source, d.where.begin, d.where.end, d.rule, d.message);
   };
-  std::stable_sort(list_.begin(), list_.end(), [&key](const Diagnostic& a, const Diagnostic& b) {
-    return key(a) < key(b);
-  });
+  std::stable_sort(list_.begin(), list_.end(),
+                   [&key](const Diagnostic& a, const Diagnostic& b) { return key(a) < key(b); });
 }
 
 }  // namespace rigor

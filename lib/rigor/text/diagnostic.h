@@ -43,7 +43,7 @@ struct Diagnostic {
   std::string path;     ///< of the file, when `where` has no source: a mesh, a missing file
   std::string subject;  ///< the entity, for people who think in robots: "arm/joint elbow"
   std::vector<Label> related;
-  std::string help;  ///< what to do, in the imperative; empty when the message says it all
+  std::string help;        ///< what to do, in the imperative; empty when the message says it all
   std::vector<Fix> fixes;  ///< none or one; the first is the one to apply
 };
 

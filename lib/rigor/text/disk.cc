@@ -4,11 +4,16 @@
 #include <rigor/text/disk.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <system_error>
 #include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <rigor/text/path.h>
 
@@ -27,7 +32,60 @@ bool same_but_case(std::string_view a, std::string_view b) {
                               [&](char x, char y) { return lower(x) == lower(y); });
 }
 
+class RealFile final : public OpenFile {
+ public:
+  RealFile(int descriptor, std::uint64_t size) : descriptor_(descriptor), size_(size) {}
+  ~RealFile() override { ::close(descriptor_); }
+  RealFile(const RealFile&) = delete;
+  RealFile& operator=(const RealFile&) = delete;
+
+  std::uint64_t size() const override { return size_; }
+
+  std::size_t read(std::uint64_t offset, char* into, std::size_t count) const override {
+    std::size_t done = 0;
+    while (done < count) {
+      const ssize_t got =
+          ::pread(descriptor_, into + done, count - done, static_cast<off_t>(offset + done));
+      if (got < 0 && errno == EINTR) continue;
+      if (got <= 0) break;
+      done += static_cast<std::size_t>(got);
+    }
+    return done;
+  }
+
+ private:
+  int descriptor_;
+  std::uint64_t size_;
+};
+
+class MemoryFile final : public OpenFile {
+ public:
+  explicit MemoryFile(std::string_view bytes) : bytes_(bytes) {}
+
+  std::uint64_t size() const override { return bytes_.size(); }
+
+  std::size_t read(std::uint64_t offset, char* into, std::size_t count) const override {
+    if (offset >= bytes_.size()) return 0;
+    return bytes_.copy(into, count, static_cast<std::size_t>(offset));
+  }
+
+ private:
+  std::string_view bytes_;
+};
+
 }  // namespace
+
+std::unique_ptr<OpenFile> RealDisk::open(const std::string& path) const {
+  // Without O_NONBLOCK, opening a pipe waits for somebody who writes into it.
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor < 0) return nullptr;
+  struct stat status = {};
+  if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
+    ::close(descriptor);
+    return nullptr;
+  }
+  return std::make_unique<RealFile>(descriptor, static_cast<std::uint64_t>(status.st_size));
+}
 
 ReadResult RealDisk::read(const std::string& path, std::uint64_t max_bytes) const {
   std::error_code error;
@@ -75,6 +133,12 @@ MemoryDisk::MemoryDisk(std::map<std::string, std::string> files) {
 
 void MemoryDisk::put(const std::string& path, std::string bytes) {
   files_[normalize_path(path)] = std::move(bytes);
+}
+
+std::unique_ptr<OpenFile> MemoryDisk::open(const std::string& path) const {
+  const auto found = files_.find(normalize_path(path));
+  if (found == files_.end()) return nullptr;
+  return std::make_unique<MemoryFile>(found->second);
 }
 
 ReadResult MemoryDisk::read(const std::string& path, std::uint64_t max_bytes) const {

@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,9 +28,23 @@ struct ReadResult {
   std::string problem;  ///< why there are no bytes: "no such file", "is a folder", "over 64 MiB"
 };
 
+/// An open file, read piece by piece. Safe across threads.
+class OpenFile {
+ public:
+  virtual ~OpenFile() = default;
+  virtual std::uint64_t size() const = 0;
+
+  /// Up to `count` bytes from `offset` into `into`; how many there were, which is fewer only at the
+  /// end or when the disk fails.
+  virtual std::size_t read(std::uint64_t offset, char* into, std::size_t count) const = 0;
+};
+
 class Disk {
  public:
   virtual ~Disk() = default;
+
+  /// Nothing when it cannot be opened; `read` says why.
+  virtual std::unique_ptr<OpenFile> open(const std::string& path) const = 0;
 
   /// All bytes of a file, or why not. A file over `max_bytes` is refused without being read.
   virtual ReadResult read(const std::string& path, std::uint64_t max_bytes) const = 0;
@@ -43,6 +58,7 @@ class Disk {
 
 class RealDisk final : public Disk {
  public:
+  std::unique_ptr<OpenFile> open(const std::string& path) const override;
   ReadResult read(const std::string& path, std::uint64_t max_bytes) const override;
   PathKind kind(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;
@@ -55,6 +71,7 @@ class MemoryDisk final : public Disk {
   explicit MemoryDisk(std::map<std::string, std::string> files);
   void put(const std::string& path, std::string bytes);
 
+  std::unique_ptr<OpenFile> open(const std::string& path) const override;
   ReadResult read(const std::string& path, std::uint64_t max_bytes) const override;
   PathKind kind(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;

@@ -27,8 +27,8 @@ std::optional<std::string> apply_edits(std::string_view bytes, std::vector<Edit>
   const Edit* previous = nullptr;
   for (const Edit& edit : edits) {
     const bool same_place = previous != nullptr && previous->span.begin == edit.span.begin;
-    if (edit.span.begin < done || edit.span.end < edit.span.begin ||
-        edit.span.end > bytes.size() || same_place) {
+    if (edit.span.begin < done || edit.span.end < edit.span.begin || edit.span.end > bytes.size() ||
+        same_place) {
       return std::nullopt;
     }
     result += bytes.substr(done, edit.span.begin - done);

@@ -31,8 +31,8 @@ bool append_reference(std::string& text, std::string_view inside) {
     const bool hex = inside.substr(1, 1) == "x";
     const std::string_view digits = inside.substr(hex ? 2 : 1);
     std::uint32_t code_point = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(),
-                                              code_point, hex ? 16 : 10);
+    const auto [end, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), code_point, hex ? 16 : 10);
     if (error != std::errc() || end != digits.data() + digits.size()) return false;
     const std::size_t before = text.size();
     append_utf8(text, code_point);

@@ -57,8 +57,7 @@ class Range {
  public:
   class Iterator {
    public:
-    Iterator(const Document* document, std::uint32_t index)
-        : document_(document), index_(index) {}
+    Iterator(const Document* document, std::uint32_t index) : document_(document), index_(index) {}
     View operator*() const { return View(*document_, index_); }
     Iterator& operator++();
     bool operator==(const Iterator& other) const { return index_ == other.index_; }

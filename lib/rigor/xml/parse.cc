@@ -89,7 +89,7 @@ class Builder {
   void note(Fault fault) {
     const auto kind = static_cast<std::size_t>(fault.kind);
     if (kept_[kind].count++ == 0) kept_[kind].first = document_.faults_.size();
-    if (kept_[kind].count > kMaxFaultsOfKind) {
+    if (kept_[kind].count > max_kept(fault.kind)) {
       document_.faults_[kept_[kind].first].count = kept_[kind].count;
     } else {
       document_.faults_.push_back(std::move(fault));
@@ -102,13 +102,12 @@ class Builder {
   }
 
   void find_bad_characters() {
-    for (auto bad = find_bad_character(bytes_, 0); bad; bad = find_bad_character(bytes_, bad->end)) {
+    for (auto bad = find_bad_character(bytes_, 0); bad;
+         bad = find_bad_character(bytes_, bad->end)) {
       note({bad->control ? FaultKind::kControlCharacter : FaultKind::kNotUtf8,
-            span(bad->begin, bad->end), {}, {}});
-      if (kept_[static_cast<std::size_t>(FaultKind::kNotUtf8)].count > kMaxFaultsOfKind ||
-          kept_[static_cast<std::size_t>(FaultKind::kControlCharacter)].count > kMaxFaultsOfKind) {
-        return;  // a binary file: nobody needs the exact number
-      }
+            span(bad->begin, bad->end),
+            {},
+            {}});
     }
   }
 
@@ -320,7 +319,9 @@ class Builder {
     if (open_ == kNone) {
       if (index > 0) {
         const Element first(document_, 0);
-        note({FaultKind::kSecondRoot, span(record.begin + 1, record.name_end), first.name_span(),
+        note({FaultKind::kSecondRoot,
+              span(record.begin + 1, record.name_end),
+              first.name_span(),
               {}});
       }
     } else if (last_child_[static_cast<std::size_t>(depth_)] == kNone) {
@@ -377,18 +378,22 @@ class Builder {
     const std::size_t colon = name.find(':');
     if (colon == std::string_view::npos || colon == 0) return;
     const std::string_view prefix = name.substr(0, colon);
-    const bool known = std::find(known_prefixes_.begin(), known_prefixes_.end(), prefix) !=
-                       known_prefixes_.end();
+    const bool known =
+        std::find(known_prefixes_.begin(), known_prefixes_.end(), prefix) != known_prefixes_.end();
     if (known || known_prefixes_.size() >= kMaxPrefixes) return;
     known_prefixes_.push_back(prefix);  // one fault each
-    note({FaultKind::kUnboundPrefix, span(name_span.begin, name_span.begin + colon), {},
+    note({FaultKind::kUnboundPrefix,
+          span(name_span.begin, name_span.begin + colon),
+          {},
           std::string(prefix)});
   }
 
   void finish() {
     if (document_.complete_ && open_ != kNone) {
       const Element element(document_, open_);
-      fail({FaultKind::kUnclosedElement, span(bytes_.size(), bytes_.size()), element.tag_span(),
+      fail({FaultKind::kUnclosedElement,
+            span(bytes_.size(), bytes_.size()),
+            element.tag_span(),
             {}});
     }
     if (document_.complete_ && document_.elements_.empty()) {

@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/inertia/primitive_solid.h>
+#include <rigor/rules/inertia/solid_body.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
 
@@ -50,7 +50,7 @@ void check(const model::Link& link, Context& context) {
   const mass::Inertia tensor = mass::tensor(link.inertial);
   const auto verdict = mass::judge(mass, tensor);
   if (!verdict.possible() || mass::trace(tensor) == 0 || tensor == kIdentity) return;
-  const auto share = share_of_solid(context.root(), link, mass, tensor);
+  const auto share = share_of_solid(link, mass, tensor, context);
   if (!share || plausible(*share)) return;
   const double solid = mass::trace(tensor) / *share;
   const double factor = std::max(*share, 1 / *share);

@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/inertia/primitive_solid.h>
+#include <rigor/rules/inertia/solid_body.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
 
@@ -21,7 +21,7 @@ void check(const model::Link& link, Context& context) {
   if (!has_tensor(link, context) || mass::tensor(link.inertial) != kIdentity) return;
   const double mass = link.inertial.mass.value;
   if (!(mass > 0) || !is_dynamic(link, context)) return;
-  const auto share = share_of_solid(context.root(), link, mass, kIdentity);
+  const auto share = share_of_solid(link, mass, kIdentity, context);
   if (share ? plausible(*share) : mass > kLight) return;
   std::string message = fmt::format("the moments of a body of {} kg are all 1 kg·m²", mass);
   if (share) message += fmt::format(": {:.4g} times what its shapes have as solids", *share);

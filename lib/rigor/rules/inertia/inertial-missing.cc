@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/inertia/primitive_solid.h>
+#include <rigor/rules/inertia/solid_body.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
 
@@ -14,9 +14,9 @@ namespace rigor::rules::inertial_missing {
 namespace {
 
 /// What the shapes would have in place of the 1 kg·m²; empty when they have no closed form.
-std::string comparison(const model::Link& link, const Context& context) {
-  auto solid = solid_of_all(context.root(), link.collisions);
-  if (!solid) solid = solid_of_all(context.root(), link.visuals);
+std::string comparison(const model::Link& link, Context& context) {
+  auto solid = solid_of_all(link, mass::From::kCollisions, context);
+  if (!solid) solid = solid_of_all(link, mass::From::kVisuals, context);
   if (!solid || !(solid->mass > 0)) return {};
   const mass::Inertia& tensor = solid->about_com;
   const double most = std::max({tensor.ixx, tensor.iyy, tensor.izz}) / solid->mass;

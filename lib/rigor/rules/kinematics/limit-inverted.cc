@@ -16,8 +16,8 @@ void check(const model::Joint& joint, Context& context) {
   for (const model::Axis& axis : joint.axes) {
     // A continuous joint has no limits that anybody reads.
     if (context.is_urdf() && joint.type == model::JointType::kContinuous) continue;
-    if (!axis.lower.written || !axis.upper.written || axis.lower.value <= axis.upper.value)
-      continue;
+    if (!axis.lower.written || !axis.upper.written) continue;
+    if (!(axis.lower.value > axis.upper.value)) continue;  // nan is told as no number
     const std::string lower(context.bytes(axis.lower.span));
     const std::string upper(context.bytes(axis.upper.span));
     context.report(

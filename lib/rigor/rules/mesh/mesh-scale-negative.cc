@@ -27,7 +27,8 @@ Rule rule() {
           "Mirroring turns the triangles' order around: some viewers draw the inside, some "
           "engines see a hollow of negative volume, and others take the absolute value.",
       .what_to_do =
-          "Mirror the mesh file itself, with its triangles turned the right way round, and take the "
+          "Mirror the mesh file itself, with its triangles turned the right way round, and take "
+          "the "
           "minus signs out.",
       .bad = {{R"(<sdf version="1.9">
   <model name="arm">

@@ -22,8 +22,9 @@ Rule rule() {
       .category = Category::kMesh,
       .severity = Severity::kError,
       .summary = "a mesh names no file",
-      .why = "The simulator looks for a file without a name, finds none, and leaves the shape out: "
-             "a visual cannot be seen, a collision is passed through.",
+      .why =
+          "The simulator looks for a file without a name, finds none, and leaves the shape out: "
+          "a visual cannot be seen, a collision is passed through.",
       .what_to_do = "Name the mesh file, or take the visual or collision out.",
       .bad = {{R"(<sdf version="1.9">
   <model name="part">

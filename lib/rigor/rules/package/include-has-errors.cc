@@ -23,10 +23,12 @@ Rule rule() {
       .category = Category::kPackage,
       .severity = Severity::kError,
       .summary = "an included file has errors of its own",
-      .why = "A simulator that refuses or misreads the included file refuses or misreads this one "
-             "with it: libsdformat reports the inner error and drops what was included.",
-      .what_to_do = "Check the included file by itself and put it right there. What is wrong inside "
-                    "it is told only then, so that one fault is not told by every world that uses it.",
+      .why =
+          "A simulator that refuses or misreads the included file refuses or misreads this one "
+          "with it: libsdformat reports the inner error and drops what was included.",
+      .what_to_do =
+          "Check the included file by itself and put it right there. What is wrong inside "
+          "it is told only then, so that one fault is not told by every world that uses it.",
       .bad = {{R"(<sdf version="1.9">
   <world name="lab">
     <include>

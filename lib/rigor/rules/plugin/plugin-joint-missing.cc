@@ -11,9 +11,9 @@
 #include <fmt/core.h>
 
 #include <rigor/model/names.h>
+#include <rigor/read/values.h>
 #include <rigor/rules/plugin/parameters.h>
 #include <rigor/rules/reference/nearest.h>
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_joint_missing {

@@ -24,7 +24,8 @@ Rule rule() {
       .why =
           "libsdformat refuses the model. Where frames lead to one link in the end its check, "
           "which compares names, lets it pass, and a physics engine gets a joint between a body "
-          "and itself. urdfdom takes it and whoever then walks the tree never comes to an end: check_urdf "
+          "and itself. urdfdom takes it and whoever then walks the tree never comes to an end: "
+          "check_urdf "
           "does not return.",
       .what_to_do = "Name two links. If the two were meant to be one body, take the joint out.",
       .bad = {{R"(<sdf version="1.9">

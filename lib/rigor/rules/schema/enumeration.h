@@ -29,8 +29,7 @@ inline ListKeeper keeper_of(const read::SchemaFact& fact) {
   }
   const bool refused = (element == "light" && attribute == "type") ||
                        (element == "shader" && attribute == "type") || element == "format" ||
-                       element == "surface_model" ||
-                       attribute == "rotation_format";
+                       element == "surface_model" || attribute == "rotation_format";
   return refused ? ListKeeper::kRefuses : ListKeeper::kNobody;
 }
 

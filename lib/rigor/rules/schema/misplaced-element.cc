@@ -77,8 +77,7 @@ Rule rule() {
   </model>
 </sdf>
 )"}},
-      .checks = {on_schema(
-          {read::SchemaFactKind::kUnknownElement}, check)},
+      .checks = {on_schema({read::SchemaFactKind::kUnknownElement}, check)},
   };
 }
 

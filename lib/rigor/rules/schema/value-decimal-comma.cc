@@ -32,12 +32,13 @@ std::optional<Fix> write_point(const read::SchemaFact& fact, std::string_view nu
 void check(const read::SchemaFact& fact, Context& context) {
   if (!has_kind(fact, FaultKind::kDecimalComma)) return;
   const std::string_view number = context.bytes(fact.where);
-  context.report({.where = fact.where,
-                  .message = owner_of(fact) + " has a comma in " + quoted_fault(fact) +
-                             ": what follows it is passed over",
-                  .subject = subject_of(fact.element),
-                  .help = "write a decimal point, and spaces between numbers",
-                  .fix = write_point(fact, number)});
+  context.report(
+      {.where = fact.where,
+       .message = owner_of(fact) + " has a comma in " + quoted_fault(fact) +
+                  (context.is_urdf() ? ": urdfdom refuses it" : ": what follows it is passed over"),
+       .subject = subject_of(fact.element),
+       .help = "write a decimal point, and spaces between numbers",
+       .fix = write_point(fact, number)});
 }
 
 }  // namespace

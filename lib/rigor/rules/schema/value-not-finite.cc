@@ -9,8 +9,15 @@ namespace {
 
 using FaultKind = schema::ValueFault::Kind;
 
+/// mass-not-finite and inertia-not-finite speak of those.
+bool of_inertial(const read::SchemaFact& fact) {
+  const auto parent = fact.element.parent();
+  return fact.element.name() == "mass" || fact.element.name() == "inertia" ||
+         (parent && parent->name() == "inertia");
+}
+
 void check(const read::SchemaFact& fact, Context& context) {
-  if (!has_kind(fact, FaultKind::kNotFinite)) return;
+  if (!has_kind(fact, FaultKind::kNotFinite) || of_inertial(fact)) return;
   context.report({.where = fact.where,
                   .message = owner_of(fact) + " has to be finite, not " + quoted_fault(fact),
                   .subject = subject_of(fact.element)});
@@ -23,8 +30,12 @@ Rule rule() {
       .name = "value-not-finite",
       .category = Category::kSchema,
       .severity = Severity::kError,
-      .summary = "a vector, pose, colour or angle is not finite",
-      .why = "libsdformat and urdfdom refuse infinity and nan where they read several numbers.",
+      .summary = "a number is not finite",
+      .why =
+          "libsdformat refuses infinity and nan where it reads several numbers; a single nan it "
+          "takes, "
+          "and every comparison with it fails from then on. urdfdom refuses both, and numbers in "
+          "hexadecimal, and with them the joint, the link or the robot.",
       .what_to_do = "Write a finite number.",
       .bad = {{R"(<sdf version="1.9">
   <model name="box">
@@ -33,6 +44,16 @@ Rule rule() {
     <link name="body"/>
   </model>
 </sdf>
+)"},
+              {R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="«nan»" effort="5" velocity="2"/>
+  </joint>
+</robot>
 )"}},
       .good = {{R"(<sdf version="1.9">
   <model name="box">

@@ -17,7 +17,8 @@ void check(const read::SchemaFact& fact, Context& context) {
   const std::string_view unit = fact.node->unit();
   context.report({.where = fact.where,
                   .message = owner_of(fact) + " takes " + std::string(expected(fact.node->type())) +
-                             ": " + quoted_fault(fact) + " is passed over",
+                             ": " + quoted_fault(fact) +
+                             (context.is_urdf() ? " is refused" : " is passed over"),
                   .subject = subject_of(fact.element),
                   .help = unit.empty() ? "" : "the number is in " + std::string(unit)});
 }

@@ -26,8 +26,9 @@ Rule rule() {
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "the world's gravity points up",
-      .why = "The world's z axis points up, against gravity. With the sign forgotten everything that "
-             "is not static leaves the ground at the first step, in every simulator.",
+      .why =
+          "The world's z axis points up, against gravity. With the sign forgotten everything that "
+          "is not static leaves the ground at the first step, in every simulator.",
       .what_to_do = "Write the vector with a minus sign: 0 0 -9.8.",
       .bad = {{R"(<sdf version="1.9">
   <world name="lab">

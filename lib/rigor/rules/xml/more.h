@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include <rigor/xml/fault.h>
@@ -13,8 +14,9 @@ namespace rigor::rules {
 
 /// " (and 12 more in this file)"; empty when every one of them is reported.
 inline std::string and_more(const xml::Fault& fault) {
-  if (fault.count <= xml::kMaxFaultsOfKind) return {};
-  return " (and " + std::to_string(fault.count - xml::kMaxFaultsOfKind) + " more in this file)";
+  const std::uint32_t kept = xml::max_kept(fault.kind);
+  if (fault.count <= kept) return {};
+  return " (and " + std::to_string(fault.count - kept) + " more in this file)";
 }
 
 }  // namespace rigor::rules

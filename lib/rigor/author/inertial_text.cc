@@ -1,0 +1,135 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/author/inertial_text.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include <rigor/schema/value.h>
+
+namespace rigor::author {
+namespace {
+
+using mass::Inertia;
+using mass::MassProperties;
+
+double rounded(double value, int digits) {
+  std::array<char, 32> buffer;  // sign, 17 digits, point, exponent
+  char* const begin = buffer.data();
+  const auto written =
+      std::to_chars(begin, begin + buffer.size(), value, std::chars_format::scientific, digits - 1);
+  std::from_chars(begin, written.ptr, value);
+  return value + 0.0;  // of -0 this makes 0
+}
+
+Inertia rounded(const Inertia& i, int digits) {
+  return {rounded(i.ixx, digits), rounded(i.ixy, digits), rounded(i.ixz, digits),
+          rounded(i.iyy, digits), rounded(i.iyz, digits), rounded(i.izz, digits)};
+}
+
+/// How far the two smaller principal moments exceed the largest, kg·m²: below zero no body has them,
+/// and a negative moment makes it so too.
+double margin(const Inertia& inertia) {
+  const auto [small, middle, large] = mass::principal_moments(inertia);
+  return small + middle - large;
+}
+
+/// With the fewest digits that take nothing from the body: where rounding leaves a margin, it is one
+/// that libsdformat takes as well, whose tolerance is that of the last bits.
+Inertia rounded(const Inertia& exact) {
+  const double needed = std::min(margin(exact), 0.0);
+  for (int digits = kDigits; digits < std::numeric_limits<double>::max_digits10; ++digits) {
+    const Inertia candidate = rounded(exact, digits);
+    if (margin(candidate) >= needed) return candidate;
+  }
+  return rounded(exact, std::numeric_limits<double>::max_digits10);
+}
+
+double without_noise(double value, double scale) {
+  return std::abs(value) < kNoise * scale ? 0 : value;
+}
+
+Inertia without_noise(Inertia inertia) {
+  const double scale = trace(inertia);
+  for (double* product : {&inertia.ixy, &inertia.ixz, &inertia.iyz}) {
+    *product = without_noise(*product, scale);
+  }
+  // A rod's own moment is zero; what noise leaves of it may be kept, but not below zero.
+  for (double* moment : {&inertia.ixx, &inertia.iyy, &inertia.izz}) {
+    if (*moment < 0) *moment = without_noise(*moment, scale);
+  }
+  return inertia;
+}
+
+/// How far a body reaches from the origin, m: its centre of mass and its radius of gyration.
+double size_of(const MassProperties& body) {
+  const double gyration = body.mass > 0 ? std::sqrt(trace(body.about_com) / 2 / body.mass) : 0;
+  return length(body.com) + gyration;
+}
+
+std::string joined(const std::array<std::string, 3>& parts) {
+  return parts[0] + ' ' + parts[1] + ' ' + parts[2];
+}
+
+std::string sdf(const InertialNumbers& numbers, std::string_view rotation) {
+  std::string text = "<inertial>\n";
+  if (!numbers.com_is_zero() || !rotation.empty()) {
+    text += "  <pose>" + joined(numbers.com) + ' ';
+    text.append(rotation.empty() ? "0 0 0" : rotation).append("</pose>\n");
+  }
+  text += "  <mass>" + numbers.mass + "</mass>\n  <inertia>\n";
+  for (std::size_t i = 0; i < kEntries.size(); ++i) {
+    text.append("    <").append(kEntries[i]).append(">").append(numbers.inertia[i]);
+    text.append("</").append(kEntries[i]).append(">\n");
+  }
+  return text + "  </inertia>\n</inertial>";
+}
+
+std::string urdf(const InertialNumbers& numbers, std::string_view rotation) {
+  std::string text = "<inertial>\n";
+  if (!numbers.com_is_zero() || !rotation.empty()) {
+    text += "  <origin xyz=\"" + joined(numbers.com) + "\" rpy=\"";
+    text.append(rotation.empty() ? "0 0 0" : rotation).append("\"/>\n");
+  }
+  text += "  <mass value=\"" + numbers.mass + "\"/>\n  <inertia";
+  for (std::size_t i = 0; i < kEntries.size(); ++i) {
+    text.append(" ").append(kEntries[i]).append("=\"").append(numbers.inertia[i]).append("\"");
+  }
+  return text + "/>\n</inertial>";
+}
+
+std::string mjcf(const InertialNumbers& numbers) {
+  const auto& [ixx, ixy, ixz, iyy, iyz, izz] = numbers.inertia;
+  return "<inertial pos=\"" + joined(numbers.com) + "\" mass=\"" + numbers.mass +
+         "\" fullinertia=\"" + joined({ixx, iyy, izz}) + ' ' + joined({ixy, ixz, iyz}) + "\"/>";
+}
+
+}  // namespace
+
+InertialNumbers inertial_numbers(const MassProperties& body) {
+  const double size = size_of(body);
+  const auto coordinate = [size](double value) {
+    return schema::to_shortest(rounded(without_noise(value, size), kDigits));
+  };
+  const Inertia i = rounded(without_noise(body.about_com));
+  return {schema::to_shortest(rounded(body.mass, kDigits)),
+          {coordinate(body.com.x), coordinate(body.com.y), coordinate(body.com.z)},
+          {schema::to_shortest(i.ixx), schema::to_shortest(i.ixy), schema::to_shortest(i.ixz),
+           schema::to_shortest(i.iyy), schema::to_shortest(i.iyz), schema::to_shortest(i.izz)}};
+}
+
+std::string inertial_text(const MassProperties& body, BlockFormat format,
+                          std::string_view rotation) {
+  const InertialNumbers numbers = inertial_numbers(body);
+  switch (format) {
+    case BlockFormat::kSdf: return sdf(numbers, rotation);
+    case BlockFormat::kUrdf: return urdf(numbers, rotation);
+    case BlockFormat::kMjcf: break;
+  }
+  return mjcf(numbers);
+}
+
+}  // namespace rigor::author

@@ -1,0 +1,235 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/author/model_inertia.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include <rigor/author/write_inertial.h>
+#include <rigor/model/subject.h>
+#include <rigor/rules/mesh_finder.h>
+#include <rigor/rules/runner.h>
+
+namespace rigor::author {
+namespace {
+
+using mass::From;
+using mass::MassProperties;
+using mass::NoSolid;
+using mass::PartBody;
+using model::Id;
+
+std::string_view words(NoSolid why) {
+  switch (why) {
+    case NoSolid::kNone: return "";
+    case NoSolid::kNoShape: return "it has no shape";
+    case NoSolid::kSize: return "a size is not above zero";
+    case NoSolid::kUnbounded: return "its shape has no volume";
+    case NoSolid::kNoMesh: return "its mesh is not found";
+    case NoSolid::kMesh: return "its mesh cannot be read";
+    case NoSolid::kOutline: return "its outline encloses nothing, or crosses itself";
+    case NoSolid::kFrame: return "its pose cannot be resolved";
+  }
+  return "";
+}
+
+std::string reason_of(const PartBody& part, From from) {
+  const bool flat = part.why == NoSolid::kMesh && part.mesh == mass::MeshState::kFlat;
+  return std::string(from == From::kCollisions ? "collision" : "visual") + " '" + part.name + "': " +
+         std::string(flat ? "its mesh is flat and encloses nothing" : words(part.why));
+}
+
+/// Why a body has no answer; empty when it has one.
+std::string reason_of(const mass::LinkBody& body) {
+  if (body.parts.empty()) {
+    return body.from == From::kCollisions ? "it has no collision" : "it has no visual";
+  }
+  for (const PartBody& part : body.parts) {
+    if (part.why != NoSolid::kNone) return reason_of(part, body.from);
+  }
+  return {};
+}
+
+double volume_of(const mass::LinkBody& body) {
+  double sum = 0;
+  for (const PartBody& part : body.parts) sum += part.unit.mass;
+  return sum;
+}
+
+/// The rules of the category, over one file.
+Diagnostics inertia_findings(const Environment& environment, const Sources& sources,
+                             const read::Loaded& loaded, mass::MeshSurveys& surveys) {
+  const rules::Selection selection{.select = {"inertia"}};
+  return rules::Runner(environment.registry, selection).run(environment, sources, loaded, &surveys);
+}
+
+class Table {
+ public:
+  Table(const Environment& environment, const Sources& sources, const read::Loaded& loaded,
+        mass::MeshSurveys& surveys, const InertiaOptions& options)
+      : root_(loaded.root),
+        document_(*loaded.file->document),
+        frames_(loaded.root),
+        find_mesh_(rules::mesh_finder(environment.resolver, sources, surveys)),
+        options_(options),
+        findings_(inertia_findings(environment, sources, loaded, surveys)) {
+    table_.path = loaded.file->path;
+  }
+
+  ModelInertia make() {
+    for (std::uint32_t i = 0; i < root_.links.size(); ++i) {
+      if (root_.own(root_.links[i].site)) {
+        table_.links.push_back(row({i}));
+        write(table_.links.back());
+      } else {
+        ++table_.included;
+      }
+    }
+    return std::move(table_);
+  }
+
+ private:
+  LinkInertia row(Id<model::Link> id) const {
+    LinkInertia row;
+    row.link = id;
+    row.name = scoped_name(root_, id);
+    row.written = mass::resolve(root_, frames_, id, find_mesh_);
+    row.findings = findings_of(id);
+    row.body = body_of(id);
+    row.overlaps = overlaps_in(root_, frames_, id, row.body.from);
+    row.reason = reason_of(row.body);
+    if (row.body.parts.empty() && !options_.from && root_[id].visuals.empty()) {
+      row.reason = "it has neither collision nor visual";
+    }
+    if (row.reason.empty()) compute(row);
+    choose(row);
+    return row;
+  }
+
+  std::vector<Diagnostic> findings_of(Id<model::Link> id) const {
+    const std::string subject = model::subject(root_, root_[id]);
+    std::vector<Diagnostic> found;
+    for (const Diagnostic& finding : findings_.list()) {
+      if (finding.subject == subject) found.push_back(finding);
+    }
+    return found;
+  }
+
+  mass::LinkBody body_of(Id<model::Link> id) const {
+    const From first = options_.from.value_or(From::kCollisions);
+    mass::LinkBody body = link_body(root_, frames_, id, first, find_mesh_);
+    if (options_.from || body.complete()) return body;
+    mass::LinkBody visuals = link_body(root_, frames_, id, From::kVisuals, find_mesh_);
+    return visuals.complete() ? visuals : body;
+  }
+
+  void compute(LinkInertia& row) const {
+    row.volume = volume_of(row.body);
+    const MassProperties own =
+        options_.density ? of_density(row.body, *options_.density) : of_own_densities(row.body);
+    const double written = row.written.body.mass;
+    const bool has_written = root_[row.link].inertial.mass.written && written > 0;
+    if (const auto given = given_mass(row)) {
+      row.mass_from = MassFrom::kGiven;
+      row.computed = with_mass(own, *given);
+    } else if (!options_.density && has_written && std::isfinite(written)) {
+      row.mass_from = MassFrom::kWritten;
+      row.computed = with_mass(own, written);
+    } else {
+      row.mass_from = MassFrom::kDensity;
+      row.computed = own;
+    }
+    if (!judge(*row.computed).possible() || !(row.computed->mass > 0)) {
+      row.computed.reset();
+      row.reason = "its shapes are too small or too large to compute with";
+    }
+  }
+
+  std::optional<double> given_mass(const LinkInertia& row) const {
+    for (const std::string& name : {row.name, root_[row.link].name.value}) {
+      const auto given = options_.masses.find(name);
+      if (given != options_.masses.end()) return given->second;
+    }
+    return std::nullopt;
+  }
+
+  void choose(LinkInertia& row) const {
+    if (!row.computed) return;
+    const model::Link& link = root_[row.link];
+    if (model::is_static(root_, link.model) && row.findings.empty()) {
+      row.reason = "its model is static: nothing uses its mass";
+    } else if (mass::is_automatic(link)) {
+      row.chosen = options_.bake;
+      if (!row.chosen) row.reason = "it is computed when the model is loaded";
+    } else if (given_mass(row)) {
+      row.chosen = true;
+    } else {
+      row.chosen = wanted(row);
+      if (!row.chosen) row.reason = options_.only == Only::kFaulty ? "" : "not asked for";
+    }
+  }
+
+  bool wanted(const LinkInertia& row) const {
+    const model::Inertial& inertial = root_[row.link].inertial;
+    const bool whole = inertial.mass.written && inertial.tensor_written &&
+                       row.written.taken == mass::Taken::kWritten;
+    switch (options_.only) {
+      case Only::kAll: return true;
+      case Only::kMissing: return !whole;
+      case Only::kImplausible: return whole && !row.findings.empty();
+      case Only::kFaulty: return !row.findings.empty();
+    }
+    return false;
+  }
+
+  void write(const LinkInertia& row) {
+    if (!row.chosen) return;
+    const BlockFormat format =
+        root_.format == model::Format::kUrdf ? BlockFormat::kUrdf : BlockFormat::kSdf;
+    const xml::Element element = document_.element(root_[row.link].site.element);
+    for (Edit& edit : write_inertial(document_, element, *row.computed, format)) {
+      table_.edits.push_back(std::move(edit));
+    }
+  }
+
+  const model::Root& root_;
+  const xml::Document& document_;
+  model::Frames frames_;
+  mass::FindMesh find_mesh_;
+  const InertiaOptions& options_;
+  Diagnostics findings_;
+  ModelInertia table_;
+};
+
+}  // namespace
+
+std::optional<double> LinkInertia::ratio() const {
+  if (!computed || !(written.body.mass > 0)) return std::nullopt;
+  const double shape = written.body.mass / computed->mass * trace(computed->about_com);
+  const double share = trace(written.body.about_com) / shape;
+  return std::isfinite(share) ? std::optional(share) : std::nullopt;
+}
+
+ModelInertia model_inertia(const Environment& environment, const Sources& sources,
+                           const read::Loaded& loaded, mass::MeshSurveys& surveys,
+                           const InertiaOptions& options) {
+  return Table(environment, sources, loaded, surveys, options).make();
+}
+
+std::vector<std::string> unknown_links(const model::Root& root, const InertiaOptions& options) {
+  std::vector<std::string> unknown;
+  for (const auto& [name, mass] : options.masses) {
+    bool known = false;
+    for (std::uint32_t i = 0; i < root.links.size() && !known; ++i) {
+      known = root.links[i].name.value == name ||
+              scoped_name(root, model::Id<model::Link>{i}) == name;
+    }
+    if (!known) unknown.push_back(name);
+  }
+  return unknown;
+}
+
+}  // namespace rigor::author

@@ -1,0 +1,19 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A scene of assimp's as plain triangles: transforms applied, polygons cut into fans from their first
+// corner, instanced meshes repeated, one part for each mesh of each node. Calls nothing of the library.
+//
+//   LoadedMesh loaded = bake(*scene);
+
+#pragma once
+
+#include <rigor/mesh/read.h>
+
+struct aiScene;
+
+namespace rigor::mesh {
+
+LoadedMesh bake(const aiScene& scene);
+
+}  // namespace rigor::mesh

@@ -1,0 +1,147 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/mesh/flat.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+namespace rigor::mesh {
+namespace {
+
+class Writer {
+ public:
+  void number(std::uint64_t value) { append(&value, sizeof value); }
+
+  template <class T>
+  void list(const T& values) {
+    static_assert(std::is_trivially_copyable_v<typename T::value_type>);
+    number(values.size());
+    append(values.data(), values.size() * sizeof(typename T::value_type));
+  }
+
+  std::string take() { return std::move(bytes_); }
+
+ private:
+  void append(const void* data, std::size_t size) {
+    bytes_.append(static_cast<const char*>(data), size);
+  }
+
+  std::string bytes_;
+};
+
+/// Once something does not fit, `good` is false and all that follows is empty.
+class Reader {
+ public:
+  explicit Reader(std::string_view bytes) : bytes_(bytes) {}
+
+  bool good() const { return good_; }
+  bool at_end() const { return bytes_.empty(); }
+
+  std::uint64_t number() {
+    std::uint64_t value = 0;
+    if (fits(1, sizeof value)) take(&value, sizeof value);
+    return value;
+  }
+
+  template <class T>
+  T list() {
+    constexpr std::size_t kSize = sizeof(typename T::value_type);
+    const std::uint64_t count = number();
+    T values;
+    if (!fits(count, kSize)) return values;
+    values.resize(static_cast<std::size_t>(count));
+    take(values.data(), values.size() * kSize);
+    return values;
+  }
+
+  template <class E>
+  E enumerator(E last) {
+    const std::uint64_t value = number();
+    good_ = good_ && value <= static_cast<std::uint64_t>(last);
+    return good_ ? static_cast<E>(value) : E{};
+  }
+
+ private:
+  bool fits(std::uint64_t count, std::size_t size) {
+    good_ = good_ && count <= bytes_.size() / size;
+    return good_;
+  }
+  void take(void* into, std::size_t size) {
+    if (size > 0) std::memcpy(into, bytes_.data(), size);
+    bytes_.remove_prefix(size);
+  }
+
+  std::string_view bytes_;
+  bool good_ = true;
+};
+
+bool corners_exist(const TriangleMesh& mesh) {
+  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
+    return std::max({t[0], t[1], t[2]}) < mesh.positions.size();
+  });
+}
+
+bool parts_cover(const TriangleMesh& mesh) {
+  std::size_t next = 0;
+  for (const Part& part : mesh.parts) {
+    if (part.first != next || part.count > mesh.triangles.size() - next) return false;
+    next += part.count;
+  }
+  return next == mesh.triangles.size();
+}
+
+}  // namespace
+
+std::string flatten(const LoadedMesh& loaded) {
+  Writer writer;
+  writer.number(static_cast<std::uint64_t>(loaded.format));
+  writer.list(loaded.mesh.positions);
+  writer.list(loaded.mesh.triangles);
+  writer.number(loaded.mesh.parts.size());
+  for (const Part& part : loaded.mesh.parts) {
+    writer.list(part.name);
+    writer.list(part.material);
+    writer.number(part.first);
+    writer.number(part.count);
+  }
+  writer.number(loaded.faults.size());
+  for (const Fault& fault : loaded.faults) {
+    writer.number(static_cast<std::uint64_t>(fault.kind));
+    writer.list(fault.detail);
+    writer.number(fault.count);
+    writer.number(fault.line);
+  }
+  return writer.take();
+}
+
+std::optional<LoadedMesh> unflatten(std::string_view bytes) {
+  Reader reader(bytes);
+  LoadedMesh loaded;
+  TriangleMesh& mesh = loaded.mesh;
+  loaded.format = reader.enumerator(Format::kOther);
+  mesh.positions = reader.list<std::vector<Vector3>>();
+  mesh.triangles = reader.list<std::vector<Triangle>>();
+  for (std::uint64_t left = reader.number(); left > 0 && reader.good(); --left) {
+    Part& part = mesh.parts.emplace_back();
+    part.name = reader.list<std::string>();
+    part.material = reader.list<std::string>();
+    part.first = reader.number();
+    part.count = reader.number();
+  }
+  for (std::uint64_t left = reader.number(); left > 0 && reader.good(); --left) {
+    Fault& fault = loaded.faults.emplace_back();
+    fault.kind = reader.enumerator(FaultKind::kExtensionMismatch);
+    fault.detail = reader.list<std::string>();
+    fault.count = reader.number();
+    fault.line = reader.number();
+  }
+  if (!reader.good() || !reader.at_end() || !corners_exist(mesh) || !parts_cover(mesh)) {
+    return std::nullopt;
+  }
+  return loaded;
+}
+
+}  // namespace rigor::mesh

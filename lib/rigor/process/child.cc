@@ -1,0 +1,256 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/process/child.h>
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <string_view>
+#include <system_error>
+
+namespace rigor::process {
+namespace {
+
+using End = ChildResult::End;
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kAddressSanitizer = true;
+#elif defined(__has_feature)
+constexpr bool kAddressSanitizer = __has_feature(address_sanitizer);
+#else
+constexpr bool kAddressSanitizer = false;
+#endif
+
+/// Comes behind the bytes. A child that dies in the middle of writing leaves none that fits.
+struct Trailer {
+  std::uint64_t size = 0;
+  std::uint64_t end = 0;
+};
+
+/// The child's end of the pipe; everything above it is closed.
+constexpr int kResult = STDERR_FILENO + 1;
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() { close(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  int number() const { return number_; }
+  void close() {
+    if (number_ >= 0) ::close(number_);
+    number_ = -1;
+  }
+
+ private:
+  int number_;
+};
+
+/// A started child, which leaves no zombie whatever happens here.
+class Child {
+ public:
+  explicit Child(pid_t pid) : pid_(pid) {}
+  ~Child() {
+    if (pid_ < 0) return;
+    ::kill(pid_, SIGKILL);
+    wait();
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// The signal that killed it; 0 when none did, or when nobody can tell (SIGCHLD is ignored).
+  int wait() {
+    int status = 0;
+    pid_t gone = -1;
+    do {
+      gone = ::waitpid(pid_, &status, 0);
+    } while (gone < 0 && errno == EINTR);
+    pid_ = -1;
+    return gone >= 0 && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  }
+
+ private:
+  pid_t pid_;
+};
+
+// ---- In the child
+
+void send(const void* data, std::size_t size) {
+  const char* bytes = static_cast<const char*>(data);
+  while (size > 0) {
+    const ssize_t sent = ::write(kResult, bytes, size);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent < 0) ::_exit(1);
+    bytes += sent;
+    size -= static_cast<std::size_t>(sent);
+  }
+}
+
+[[noreturn]] void leave(End end, std::string_view bytes) {
+  const Trailer trailer{bytes.size(), static_cast<std::uint64_t>(end)};
+  send(bytes.data(), bytes.size());
+  send(&trailer, sizeof trailer);
+  ::_exit(0);
+}
+
+void keep_only(int result) {
+  if (::dup2(result, kResult) < 0) ::_exit(1);
+  const int nowhere = ::open("/dev/null", O_RDWR);
+  for (int standard = STDIN_FILENO; standard <= STDERR_FILENO; ++standard) {
+    nowhere >= 0 ? ::dup2(nowhere, standard) : ::close(standard);
+  }
+  // Another child's pipe among them would keep its reader waiting for this child. An old kernel
+  // refuses; then the reader waits.
+  ::close_range(kResult + 1, ~0U, 0);
+}
+
+/// The parent's handlers and mask are not the child's: a crash must be a crash.
+void reset_signals() {
+  for (int signal = 1; signal < NSIG; ++signal) ::signal(signal, SIG_DFL);
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
+void lower_limit(decltype(RLIMIT_CPU) resource, rlim_t soft, rlim_t hard) {
+  rlimit limit = {};
+  if (::getrlimit(resource, &limit) != 0) return;
+  limit.rlim_max = std::min(limit.rlim_max, hard);
+  limit.rlim_cur = std::min(limit.rlim_max, soft);
+  ::setrlimit(resource, &limit);
+}
+
+/// Bytes of address space in use: the first number of statm, in pages (man 5 proc). 0 where there is
+/// no such file.
+rlim_t address_space() {
+  const Descriptor file(::open("/proc/self/statm", O_RDONLY | O_CLOEXEC));
+  std::array<char, 64> text = {};
+  const ssize_t size = ::read(file.number(), text.data(), text.size());
+  rlim_t pages = 0;
+  if (size > 0) std::from_chars(text.data(), text.data() + size, pages);
+  return pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE));
+}
+
+void apply(const ChildLimits& limits) {
+  const unsigned seconds = std::max(limits.cpu_seconds, 1U);
+  lower_limit(RLIMIT_CORE, 0, 0);
+  lower_limit(RLIMIT_CPU, seconds, rlim_t{seconds} + 1);
+  ::alarm(seconds * kWallPerCpuSecond);
+  if (kAddressSanitizer) return;
+  const rlim_t bytes = address_space() + limits.memory_bytes;
+  lower_limit(RLIMIT_AS, bytes, bytes);
+}
+
+[[noreturn]] void run(const ChildLimits& limits, const std::function<std::string()>& work,
+                      int result) {
+  keep_only(result);
+  reset_signals();
+  apply(limits);
+  try {
+    leave(End::kDone, work());
+  } catch (const std::bad_alloc&) {
+    leave(End::kOutOfMemory, {});
+  } catch (const std::exception& error) {
+    leave(End::kFailed, error.what());
+  } catch (...) {
+    leave(End::kFailed, "an exception of unknown type");
+  }
+}
+
+// ---- In the parent
+
+std::string read_all(int descriptor) {
+  std::string bytes;
+  std::array<char, 1U << 16U> chunk;  // a pipe holds as much
+  while (true) {
+    const ssize_t got = ::read(descriptor, chunk.data(), chunk.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return bytes;
+    bytes.append(chunk.data(), static_cast<std::size_t>(got));
+  }
+}
+
+End end_by(int signal) {
+  return signal == SIGXCPU || signal == SIGALRM ? End::kOutOfTime : End::kCrashed;
+}
+
+ChildResult result_of(std::string bytes, int signal) {
+  Trailer trailer;
+  if (bytes.size() < sizeof trailer) return {end_by(signal), signal, {}};
+  const std::size_t size = bytes.size() - sizeof trailer;
+  std::memcpy(&trailer, bytes.data() + size, sizeof trailer);
+  if (trailer.size != size) return {end_by(signal), signal, {}};
+  bytes.resize(size);
+  return {static_cast<End>(trailer.end), 0, std::move(bytes)};
+}
+
+ChildResult not_started(int error) {
+  return {End::kNotStarted, 0, std::generic_category().message(error)};
+}
+
+/// "segmentation fault": the C library's words, in any locale in English, but for the capital.
+std::string signal_name(int signal) {
+  const char* known = ::sigdescr_np(signal);
+  std::string name = known ? known : "signal " + std::to_string(signal);
+  const bool word = name.size() > 1 && name[1] >= 'a' && name[1] <= 'z';
+  if (word && name[0] >= 'A' && name[0] <= 'Z') name[0] = static_cast<char>(name[0] - 'A' + 'a');
+  return name;
+}
+
+std::string in_units(std::uint64_t bytes) {
+  constexpr std::uint64_t kMiB = 1U << 20U;
+  constexpr std::uint64_t kGiB = 1U << 30U;
+  if (bytes >= kGiB && bytes % kGiB == 0) return std::to_string(bytes / kGiB) + " GiB";
+  return std::to_string(bytes / kMiB) + " MiB";
+}
+
+}  // namespace
+
+ChildResult run_in_child(const ChildLimits& limits, const std::function<std::string()>& work) {
+  std::array<int, 2> ends;
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return not_started(errno);
+  const Descriptor reading(ends[0]);
+  Descriptor writing(ends[1]);
+
+  const pid_t pid = ::fork();
+  if (pid < 0) return not_started(errno);
+  if (pid == 0) run(limits, work, writing.number());
+  Child child(pid);
+  writing.close();
+  std::string bytes = read_all(reading.number());
+  return result_of(std::move(bytes), child.wait());
+}
+
+std::string describe(const ChildResult& result, const ChildLimits& limits) {
+  const unsigned seconds = std::max(limits.cpu_seconds, 1U);
+  switch (result.end) {
+    case End::kDone: return "ended well";
+    case End::kFailed: return "failed: " + result.bytes;
+    case End::kCrashed:
+      return result.signal == 0 ? "ended before its time"
+                                : "crashed (" + signal_name(result.signal) + ")";
+    case End::kOutOfTime:
+      if (result.signal == SIGALRM) {
+        return "did not end within " + std::to_string(seconds * kWallPerCpuSecond) + " s";
+      }
+      return "took more than " + std::to_string(seconds) + " s of CPU time";
+    case End::kOutOfMemory:
+      return "needed more than " + in_units(limits.memory_bytes) + " of memory";
+    case End::kNotStarted: return "could not be started: " + result.bytes;
+  }
+  return {};
+}
+
+}  // namespace rigor::process

@@ -1,0 +1,209 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include <rigor/mass/material.h>
+#include <rigor/report/inertia.h>
+#include <rigor/report/number.h>
+#include <rigor/report/printable.h>
+#include <rigor/report/summary.h>
+#include <rigor/text/sources.h>
+
+namespace rigor::report {
+namespace {
+
+using author::LinkInertia;
+using author::MassFrom;
+using mass::MassProperties;
+
+constexpr int kDigits = 4;
+
+/// Rows of cells, padded to the width of their column.
+class Grid {
+ public:
+  void row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+
+  /// A line under the last row, as it is.
+  void note(std::string text) { rows_.push_back({"    " + std::move(text)}); }
+
+  std::string text() const {
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows_) {
+      if (row.size() == 1) continue;
+      widths.resize(std::max(widths.size(), row.size()));
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        widths[i] = std::max<std::size_t>(widths[i], count_code_points(row[i]));
+      }
+    }
+    std::string out;
+    for (const auto& row : rows_) {
+      std::string line;
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        line += row[i];
+        if (i + 1 < row.size()) line.append(widths[i] - count_code_points(row[i]) + 2, ' ');
+      }
+      line.erase(line.find_last_not_of(' ') + 1);
+      out += line + '\n';
+    }
+    return out;
+  }
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+std::string moments(const MassProperties& body) {
+  const mass::Inertia& i = body.about_com;
+  return number(i.ixx, kDigits) + ' ' + number(i.iyy, kDigits) + ' ' + number(i.izz, kDigits);
+}
+
+std::string written_mass(const LinkInertia& link) {
+  std::string text = number(link.written.body.mass, kDigits);
+  switch (link.written.taken) {
+    case mass::Taken::kDefaults: return text + " (default)";
+    case mass::Taken::kNothing: return "none";
+    case mass::Taken::kAutomatic: return text + " (auto)";
+    case mass::Taken::kAutomaticUnknown: return text + " (auto fails)";
+    case mass::Taken::kWritten:
+    case mass::Taken::kIdentity: return text;
+  }
+  return text;
+}
+
+std::string written_moments(const LinkInertia& link) {
+  if (link.written.taken == mass::Taken::kNothing) return "none";
+  const bool defaults = link.written.taken == mass::Taken::kIdentity ||
+                        link.written.taken == mass::Taken::kDefaults;
+  return moments(link.written.body) + (defaults ? " (default)" : "");
+}
+
+std::string ratio(const LinkInertia& link) {
+  const auto value = link.ratio();
+  return value ? number(*value, 3) : "-";
+}
+
+std::string verdict(const LinkInertia& link) {
+  std::string names;
+  for (const Diagnostic& finding : link.findings) {
+    names += (names.empty() ? "" : ", ") + std::string(finding.rule);
+  }
+  if (!names.empty()) return names;
+  return link.reason.empty() ? "ok" : "";
+}
+
+std::string parts(const LinkInertia& link) {
+  return counted(link.body.parts.size(),
+                 link.body.from == mass::From::kCollisions ? "collision" : "visual");
+}
+
+std::string mass_origin(const LinkInertia& link) {
+  const double density = link.volume > 0 ? link.computed->mass / link.volume : 0;
+  const std::string how = link.mass_from == MassFrom::kGiven     ? "mass as given"
+                          : link.mass_from == MassFrom::kWritten ? "mass as written"
+                                                                 : "mass from density";
+  return fmt::format("{}, {:.0f} kg/m³ over {} L", how, density, number(link.volume * 1000, 3));
+}
+
+const char* hull_reason(mass::MeshState state) {
+  switch (state) {
+    case mass::MeshState::kOpen: return "is not closed";
+    case mass::MeshState::kOverlapping: return "overlaps itself";
+    case mass::MeshState::kMixed: return "is inside out in parts";
+    case mass::MeshState::kFlat: return "encloses nothing";
+    default: return "is no solid";
+  }
+}
+
+void notes(const LinkInertia& link, Grid& grid) {
+  for (const mass::PartBody& part : link.body.parts) {
+    if (part.why != mass::NoSolid::kNone) continue;
+    if (part.from == mass::BodyFrom::kHull) {
+      grid.note(fmt::format("'{}': the mesh {}; its convex hull is taken", printable(part.name),
+                            hull_reason(part.mesh)));
+    } else if (part.from == mass::BodyFrom::kTurnedMesh) {
+      grid.note(fmt::format("'{}': the mesh is inside out; it is taken the other way round",
+                            printable(part.name)));
+    }
+  }
+  for (const mass::PartOverlap& overlap : link.overlaps) {
+    grid.note(fmt::format("'{}' and '{}' share {:.0f} % of the smaller: it counts twice",
+                          printable(link.body.parts[overlap.first].name),
+                          printable(link.body.parts[overlap.second].name), 100 * overlap.share));
+  }
+  for (const Diagnostic& finding : link.findings) {
+    if (!finding.help.empty()) grid.note(printable(finding.help));
+  }
+  if (!link.reason.empty()) grid.note(printable(link.reason));
+}
+
+void rows(const LinkInertia& link, Grid& grid) {
+  const bool shown = link.computed && (link.chosen || !link.findings.empty() || link.ratio());
+  grid.row({printable(link.name), "written", written_mass(link), written_moments(link), ratio(link),
+            verdict(link)});
+  if (shown) {
+    grid.row({link.chosen ? "  *" : "", "shapes", number(link.computed->mass, kDigits),
+              moments(*link.computed), "", parts(link) + ", " + mass_origin(link)});
+  }
+  notes(link, grid);
+}
+
+std::string total_line(const std::string& what, const MassProperties& body) {
+  return fmt::format("  {:8} {} kg, centre of mass {} m, ixx iyy izz {} kg·m² about it\n", what,
+                     number(body.mass, kDigits), numbers(body.com, kDigits), moments(body));
+}
+
+std::string stance_line(const mass::Stance& stance) {
+  if (!stance.margin) return "  stands on fewer than three points\n";
+  if (*stance.margin < 0) {
+    return fmt::format("  falls over: its centre of mass is {} m outside its support polygon\n",
+                       number(-*stance.margin, 3));
+  }
+  return fmt::format("  stands: its centre of mass is {} m inside its support polygon\n",
+                     number(*stance.margin, 3));
+}
+
+}  // namespace
+
+std::string inertia_text(const InertiaTable& table) {
+  Grid grid;
+  grid.row({"link", "", "mass, kg", "ixx iyy izz, kg·m²", "ratio", "verdict"});
+  std::size_t chosen = 0;
+  for (const LinkInertia& link : table.table.links) {
+    rows(link, grid);
+    chosen += link.chosen ? 1 : 0;
+  }
+  std::string out = printable(table.table.path) + '\n' + grid.text();
+  if (table.table.included > 0) {
+    out += fmt::format("and {} of included files, which are looked at with those\n",
+                       counted(table.table.included, "link"));
+  }
+  for (const RobotTotal& total : table.totals) {
+    out += '\n' + printable(total.model) + '\n';
+    if (total.written) out += total_line("written", *total.written);
+    if (total.computed && chosen > 0) out += total_line("with *", *total.computed);
+    if (total.stance) out += stance_line(*total.stance);
+  }
+  if (chosen > 0) {
+    out += fmt::format("\n* {} would be written: --diff shows it, --write does it\n",
+                       counted(chosen, "inertial"));
+  }
+  return out;
+}
+
+std::string materials_text() {
+  Grid grid;
+  grid.row({"material", "kg/m³", "range", "source"});
+  for (const mass::Material& material : mass::materials()) {
+    grid.row({std::string(material.name), number(material.density),
+              number(material.low) + " to " + number(material.high), std::string(material.source)});
+  }
+  return grid.text();
+}
+
+}  // namespace rigor::report

@@ -1,0 +1,78 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+
+#include <rigor/rules/rule.h>
+#include <rigor/schema/suggest.h>
+
+namespace rigor::rules::geometry_missing {
+namespace {
+
+/// A child that is a misspelt <geometry> is told as an unknown element; a plugin may draw the visual.
+bool has_another_reason(xml::Element part) {
+  for (const xml::Element child : part.children()) {
+    if (child.name() == "plugin" || !schema::near(child.name(), {"geometry"}).empty()) return true;
+  }
+  return false;
+}
+
+template <class Part>
+void check(const Part& part, Context& context) {
+  if (part.geometry.written) return;
+  const xml::Element element = context.element(part.site);
+  if (has_another_reason(element)) return;
+  context.report({.where = part.site.name,
+                  .message = "<" + std::string(element.name()) + "> has no <geometry>",
+                  .subject = context.subject(part)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "geometry-missing",
+      .category = Category::kGeometry,
+      .severity = Severity::kWarning,
+      .summary = "a collision or visual has no <geometry>",
+      .why =
+          "urdfdom says that it could not parse the part, and drops it; libsdformat takes it for a "
+          "part without a shape. Either way nothing is touched, or seen.",
+      .what_to_do = "Add the <geometry> with its shape, or take the part out.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="body">
+      <«collision» name="hull">
+        <pose>0 0 1 0 0 0</pose>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)"},
+              {R"(<robot name="arm">
+  <link name="base">
+    <«visual»>
+      <origin xyz="0 0 1"/>
+    </visual>
+  </link>
+</robot>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="body">
+      <collision name="hull">
+        <geometry>
+          <box><size>1 2 3</size></box>
+        </geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Collision>(check), on<model::Visual>(check)},
+  };
+}
+
+}  // namespace rigor::rules::geometry_missing

@@ -1,0 +1,45 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a link would have were its shapes solid and its mass spread evenly over them.
+
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include <rigor/mass/link_body.h>
+#include <rigor/rules/context.h>
+
+namespace rigor::rules {
+
+// A hollow shape has up to three times the moments of a solid one, and a shape may show only a part
+// of the body; what is off by less than this can be meant.
+inline constexpr double kPlausible = 10;
+
+inline bool plausible(double share) { return share < kPlausible && share > 1 / kPlausible; }
+
+/// Of all collisions, or all visuals, at density 1; nothing unless each of them is a solid.
+inline std::optional<mass::MassProperties> solid_of_all(const model::Link& link, mass::From from,
+                                                        Context& context) {
+  const mass::LinkBody& body = context.body(link, from);
+  if (!body.complete()) return std::nullopt;
+  return mass::of_density(body, 1);
+}
+
+/// How many times larger the moments (their sum) are than those of the solid of the same mass; of
+/// collisions and visuals, whichever agree better. Nothing when neither can be computed.
+inline std::optional<double> share_of_solid(const model::Link& link, double mass,
+                                            const mass::Inertia& tensor, Context& context) {
+  std::optional<double> best;
+  for (const mass::From from : {mass::From::kCollisions, mass::From::kVisuals}) {
+    const auto solid = solid_of_all(link, from, context);
+    if (!solid || !(solid->mass > 0) || !(mass > 0)) continue;
+    const double share = mass::trace(tensor) / (mass / solid->mass * mass::trace(solid->about_com));
+    if (!best || std::abs(std::log(share)) < std::abs(std::log(*best))) best = share;
+    if (plausible(*best)) break;  // the visuals' meshes need not be opened
+  }
+  return best;
+}
+
+}  // namespace rigor::rules

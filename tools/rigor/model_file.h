@@ -1,0 +1,26 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The one model file that a command is about, from what the user named.
+
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <rigor/model/frames.h>
+#include <rigor/model/model.h>
+#include <rigor/read/workspace.h>
+
+namespace rigor::tool {
+
+/// A file, or a folder with a model.config, which names one. A UsageError when it cannot be read.
+const read::File& open_model(read::Workspace& workspace, const std::string& path);
+
+/// Of `--joint NAME=VALUE`: by scoped name; a name without its scope will do when only one joint has
+/// it.
+model::JointPositions joint_positions(const model::Root& root,
+                                      const std::vector<std::string>& assignments);
+
+}  // namespace rigor::tool
