@@ -12,6 +12,7 @@
 
 #include <rigor/environment.h>
 #include <rigor/model/frames.h>
+#include <rigor/read/sdf_reader.h>
 
 namespace rigor::read {
 namespace {
@@ -130,19 +131,67 @@ TEST(Load, ACycleOfIncludesEndsAndIsShown) {
   EXPECT_EQ(one_case.loaded.facts[0].tried, (std::vector<std::string>{"a.sdf", "b.sdf", "a.sdf"}));
 }
 
-TEST(Load, IncludesThatMultiplyEnd) {
-  // Thirty files, each of which includes the next one twice: 2^30 links, if nothing stopped it.
+/// `count` files, each of which includes the next one `times` times, and a last one with a link.
+std::map<std::string, std::string> multiplying(int count, int times, const std::string& last) {
   std::map<std::string, std::string> files;
-  for (int i = 0; i < 30; ++i) {
-    const std::string next = "f" + std::to_string(i + 1) + ".sdf";
-    files[i == 0 ? "a.sdf" : "f" + std::to_string(i) + ".sdf"] =
-        "<sdf version='1.9'><model name='m'><link name='l'/><include><uri>" + next +
-        "</uri><name>x</name></include><include><uri>" + next +
-        "</uri><name>y</name></include></model></sdf>";
+  const auto name = [](int i) { return i == 0 ? "a.sdf" : "f" + std::to_string(i) + ".sdf"; };
+  for (int i = 0; i < count; ++i) {
+    std::string text = "<sdf version='1.9'><model name='m'><link name='l'/>";
+    for (int k = 0; k < times; ++k) {
+      text += "<include><uri>" + name(i + 1) + "</uri><name>x" + std::to_string(k) +
+              "</name></include>";
+    }
+    files[name(i)] = text + "</model></sdf>";
   }
-  files["f30.sdf"] = "<sdf version='1.9'><model name='m'><link name='l'/></model></sdf>";
-  const Case one_case(files);
+  files[name(count)] = "<sdf version='1.9'><model name='m'><link name='l'/>" + last + "</model></sdf>";
+  return files;
+}
+
+std::size_t parts(const model::Root& root) {
+  return root.models.size() + root.links.size() + root.includes.size();
+}
+
+TEST(Load, IncludesThatMultiplyAreNotRead) {
+  // 4^20 links, if nothing stopped it; every file of the chain is loaded on its own.
+  Case one_case(multiplying(20, 4, ""));
+  EXPECT_EQ(one_case.kinds(), std::vector<FactKind>{FactKind::kTooMuchIncluded});
+  const Reader reader{one_case.workspace, one_case.environment.resolver, one_case.environment.sdf,
+                      one_case.environment.urdf};
+  std::size_t all = parts(one_case.root());
+  std::size_t too_large = 1;
+  for (int i = 1; i <= 20; ++i) {
+    const Loaded loaded = load(reader, one_case.workspace.open("f" + std::to_string(i) + ".sdf"));
+    all += parts(loaded.root);
+    too_large += loaded.facts.empty() ? 0 : 1;
+  }
+  // n files from the end bring 2 + 7 + 28 + ... parts: eight of them fit, and cost what they hold.
+  EXPECT_EQ(too_large, 13U);
+  EXPECT_LT(all, 2 * kMaxIncludedParts);
+}
+
+TEST(Load, IncludesThatMultiplyInACircleEnd) {
+  const std::string back = "<include><uri>a.sdf</uri></include>";
+  const Case one_case(multiplying(20, 4, back), "f20.sdf");
   EXPECT_EQ(one_case.kinds().back(), FactKind::kTooMuchIncluded);
+  EXPECT_LT(parts(one_case.root()), 2 * kMaxIncludedParts);
+}
+
+TEST(Load, WhatAFileHoldsItselfIsNotCountedAsIncluded) {
+  std::string text = "<sdf version='1.9'><model name='m'><link name='l'/>";
+  for (std::size_t i = 0; i < kMaxIncludedParts; ++i) text += "<frame name='f'/>";
+  text += "<include><uri>b.sdf</uri></include></model></sdf>";
+  const Case one_case(
+      {{"a.sdf", text}, {"b.sdf", "<sdf version='1.9'><model name='b'><link name='l'/></model></sdf>"}});
+  EXPECT_TRUE(one_case.loaded.facts.empty());
+  EXPECT_EQ(one_case.root().frames.size(), kMaxIncludedParts);
+  EXPECT_EQ(one_case.root().links.size(), 2U);
+}
+
+TEST(Load, IncludesThatNestTooDeepAreToldWhereTheyBegin) {
+  const Case one_case(multiplying(40, 1, ""));
+  ASSERT_EQ(one_case.kinds(), std::vector<FactKind>{FactKind::kIncludeTooDeep});
+  EXPECT_EQ(one_case.loaded.facts[0].where.source, one_case.root().source);
+  EXPECT_EQ(one_case.root().links.size(), kMaxIncludeDepth);
 }
 
 TEST(Load, WhatCannotBeIncludedIsAFact) {

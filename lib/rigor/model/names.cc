@@ -71,6 +71,7 @@ Id<Link> Names::find_link(Id<Model> model, std::string_view name) const {
 Id<Joint> Names::find_joint(Id<Model> model, std::string_view name) const {
   const Named found = find_here({model, {}}, name);
   if (const auto* joint = std::get_if<Id<Joint>>(&found)) return *joint;
+  if (found.index() == 0) return {};  // nothing of any kind has the name
   for (const Id<Joint> id : root_[model].joints) {
     if (root_[id].name.value == name) return id;
   }

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -24,10 +25,10 @@ enum class FactKind : std::uint8_t {
   kIncludeUnreadable,  ///< found, but it cannot be parsed, or holds nothing; `name` says why
   kIncludeCycle,       ///< `tried` has the files of the cycle, the first again at the end
   kIncludeTooDeep,
-  kIncludeHasErrors,  ///< the included file was checked; `name` is its path, `tried` its errors
+  kIncludeHasErrors,  ///< of an included file; `name` is its path, `tried` the first of `count`
   kConfigWithoutSdf,  ///< an included model folder whose model.config names no file
   kMoreAtTopLevel,    ///< a second model, actor or light beside the first; `name` is it
-  kTooMuchIncluded,   ///< the includes bring more entities than rigor holds
+  kTooMuchIncluded,   ///< the includes bring more parts than rigor holds
   kFileTooLarge,
   kFileUnreadable,
 };
@@ -37,6 +38,7 @@ struct Fact {
   Span where;
   std::string name;
   std::vector<std::string> tried;
+  std::size_t count = 0;
 };
 
 }  // namespace rigor::read

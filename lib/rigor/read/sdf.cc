@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <rigor/read/include_size.h>
 #include <rigor/read/merge.h>
 #include <rigor/read/rename.h>
 #include <rigor/read/sdf_reader.h>
@@ -67,15 +68,31 @@ model::PoseField SdfReader::read_pose(xml::Element parent) const {
   return field;
 }
 
-bool SdfReader::too_many(Span where) {
-  const std::size_t count = root_.models.size() + root_.links.size() + root_.joints.size() +
-                            root_.collisions.size() + root_.visuals.size() + root_.frames.size() +
-                            root_.includes.size();
-  if (count < kMaxEntities) return false;
+std::size_t SdfReader::parts() const {
+  return root_.models.size() + root_.links.size() + root_.joints.size() + root_.frames.size() +
+         root_.collisions.size() + root_.visuals.size() + root_.sensors.size() +
+         root_.lights.size() + root_.plugins.size() + root_.includes.size();
+}
+
+void SdfReader::tell_too_much(Span where) {
   const auto is_told = [](const Fact& fact) { return fact.kind == FactKind::kTooMuchIncluded; };
-  if (std::none_of(facts_.begin(), facts_.end(), is_told)) {
-    facts_.push_back({FactKind::kTooMuchIncluded, where, {}, {}});
-  }
+  if (std::any_of(facts_.begin(), facts_.end(), is_told)) return;
+  facts_.push_back({FactKind::kTooMuchIncluded, where, {}, {}});
+}
+
+/// Asked before a file is followed, so that what cannot be held costs nothing.
+bool SdfReader::fits(const File& file, Span where) {
+  const std::size_t now = parts();
+  if (!is_included()) most_ = now + kMaxIncludedParts - std::min(brought_, kMaxIncludedParts);
+  if (now + parts_with_includes(reader_, file) <= most_) return true;
+  tell_too_much(where);
+  return false;
+}
+
+/// Only files that include each other are larger than counted before.
+bool SdfReader::is_full(Span where) {
+  if (!is_included() || parts() < most_) return false;
+  tell_too_much(where);
   return true;
 }
 
@@ -113,7 +130,7 @@ void SdfReader::read_world(xml::Element element) {
   root_.worlds.push_back(std::move(world));
   const Scope scope{{}, id};
   for (const xml::Element child : element.children()) {
-    if (too_many(child.name_span())) return;
+    if (is_full(child.name_span())) return;
     const std::string_view name = child.name();
     if (name == "model") {
       read_model(child, scope);
@@ -160,7 +177,7 @@ Id<model::Model> SdfReader::read_model(xml::Element element, Scope scope) {
 void SdfReader::read_model_parts(xml::Element element, Id<model::Model> id) {
   const Scope scope{id, root_[id].world};
   for (const xml::Element child : element.children()) {
-    if (too_many(child.name_span())) return;
+    if (is_full(child.name_span())) return;
     const std::string_view name = child.name();
     if (name == "link") {
       read_link(child, id);
@@ -179,11 +196,15 @@ void SdfReader::read_model_parts(xml::Element element, Id<model::Model> id) {
   if (version_ < 7) rename_siblings(root_, id);
 }
 
+model::Field<std::string> include_uri(xml::Element include) {
+  if (const auto uri = child_text(include, "uri")) return string_field(uri);
+  return string_field(attribute_text(include, "filename"));  // SDF 1.0
+}
+
 void SdfReader::read_include(xml::Element element, Scope scope) {
   model::Include include;
   include.site = site_of(element);
-  include.uri = string_field(attribute_text(element, "filename"));  // SDF 1.0
-  if (const auto uri = child_text(element, "uri")) include.uri = string_field(uri);
+  include.uri = include_uri(element);
   include.name = string_field(child_text(element, "name"));
   include.placement_frame = string_field(child_text(element, "placement_frame"));
   include.is_static = bool_field(child_text(element, "static"), false);
@@ -206,7 +227,8 @@ void SdfReader::read_include(xml::Element element, Scope scope) {
 bool SdfReader::follow(model::Include& include, Scope scope) {
   if (include.uri.value.empty()) return false;
   const Span where = include.uri.span;
-  const Resolution found = reader_.resolver.resolve(include.uri.value, files_.back());
+  const Resolution& found =
+      reader_.workspace.resolve(reader_.resolver, include.uri.value, files_.back());
   if (!found.path) {
     Fact fact{found.remote ? FactKind::kUnfollowedInclude : FactKind::kIncludeNotFound,
               where,
@@ -218,25 +240,29 @@ bool SdfReader::follow(model::Include& include, Scope scope) {
     return false;
   }
   const File* file = open_model(reader_, *found.path, where, facts_);
-  if (file == nullptr || !may_follow(include, file->path)) return false;
+  if (file == nullptr || !may_follow(include, file->path) || !fits(*file, where)) return false;
   include.path = file->path;
 
   const xml::Element top = *file->document->root();
   std::vector<std::string> files = files_;
   files.push_back(file->path);
+  const std::size_t before = parts();
   if (top.name() == "robot") {
     include.loaded = read_urdf(root_, top, scope);
+    brought_ += parts() - before;
     return true;
   }
   const auto version = schema::parse_version(string_field(attribute_text(top, "version")).value);
   const std::size_t first_fact = facts_.size();
   SdfReader inner(reader_, root_, facts_, std::move(files),
-                  version ? version->minor : reader_.sdf.latest().minor);
+                  version ? version->minor : reader_.sdf.latest().minor, most_);
   include.loaded = inner.read_included(top, scope);
-  // What is wrong inside is told when that file is checked, but for a cycle, which may lie in no
-  // other file that anybody checks.
-  const auto inside = [&](const Fact& fact) {
-    return fact.kind != FactKind::kIncludeCycle && fact.kind != FactKind::kTooMuchIncluded;
+  brought_ += parts() - before;
+  // What is wrong inside is told when that file is checked, but for what follows from where the
+  // includes began: no other file that anybody checks may show it.
+  const auto inside = [](const Fact& fact) {
+    return fact.kind != FactKind::kIncludeCycle && fact.kind != FactKind::kTooMuchIncluded &&
+           fact.kind != FactKind::kIncludeTooDeep;
   };
   facts_.erase(std::remove_if(facts_.begin() + static_cast<std::ptrdiff_t>(first_fact),
                               facts_.end(), inside),

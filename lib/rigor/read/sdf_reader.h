@@ -24,9 +24,9 @@ namespace rigor::read {
 /// Includes may nest this deep; real ones go four levels.
 inline constexpr std::size_t kMaxIncludeDepth = 32;
 
-/// A root may hold this many entities, includes among them, however cleverly these multiply: the
-/// largest real world has 30,000, and every file of a chain of includes is expanded on its own.
-inline constexpr std::size_t kMaxEntities = 200'000;
+/// The includes of a file may bring this many parts, themselves among them, however cleverly they
+/// multiply: the largest real world has 30,000, and a million take a gigabyte.
+inline constexpr std::size_t kMaxIncludedParts = 200'000;
 
 /// Where something is read into: a model, a world, or the top of a file.
 struct Scope {
@@ -36,10 +36,16 @@ struct Scope {
 
 class SdfReader {
  public:
-  /// `files` are the paths of the files that lead here, this one last.
+  /// `files` are the paths of the files that lead here, this one last; of an included file, `most` is
+  /// how many parts the root may have.
   SdfReader(const Reader& reader, model::Root& root, std::vector<Fact>& facts,
-            std::vector<std::string> files, int version)
-      : reader_(reader), root_(root), facts_(facts), files_(std::move(files)), version_(version) {}
+            std::vector<std::string> files, int version, std::size_t most = 0)
+      : reader_(reader),
+        root_(root),
+        facts_(facts),
+        files_(std::move(files)),
+        version_(version),
+        most_(most) {}
 
   /// Worlds, and the models, actors and lights at the top.
   void read_top(xml::Element sdf);
@@ -75,14 +81,24 @@ class SdfReader {
   void read_sensor(xml::Element element, model::Sensor sensor);
 
   model::PoseField read_pose(xml::Element parent) const;
-  bool too_many(Span where);
+  bool is_included() const { return files_.size() > 1; }
+  /// The parts read so far, of all files.
+  std::size_t parts() const;
+  bool fits(const File& file, Span where);
+  bool is_full(Span where);
+  void tell_too_much(Span where);
 
   const Reader& reader_;
   model::Root& root_;
   std::vector<Fact>& facts_;
   std::vector<std::string> files_;
   int version_;
+  std::size_t brought_ = 0;  ///< parts that the includes of the outermost file brought
+  std::size_t most_ = 0;     ///< parts that may have been read when an include ends
 };
+
+/// The URI of an `<include>`, as any version writes it.
+model::Field<std::string> include_uri(xml::Element include);
 
 /// `<geometry>` of a collision or visual, in any version of SDF or URDF (geometry.cc).
 model::Geometry read_geometry(xml::Element parent);

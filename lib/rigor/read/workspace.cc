@@ -20,6 +20,31 @@ const File& Workspace::put(const std::string& path, std::string bytes) {
   return keep(path, {std::move(bytes), {}});
 }
 
+const Resolution& Workspace::resolve(const Resolver& resolver, const std::string& uri,
+                                     const std::string& from) {
+  std::pair key(from, uri);
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = resolved_.find(key);
+    if (found != resolved_.end()) return found->second;
+  }
+  Resolution resolution = resolver.resolve(uri, from);
+  const std::lock_guard lock(mutex_);
+  return resolved_.try_emplace(std::move(key), std::move(resolution)).first->second;
+}
+
+std::optional<std::size_t> Workspace::parts(const std::string& path) {
+  const std::lock_guard lock(mutex_);
+  const auto found = parts_.find(path);
+  if (found == parts_.end()) return std::nullopt;
+  return found->second;
+}
+
+void Workspace::keep_parts(const std::string& path, std::size_t parts) {
+  const std::lock_guard lock(mutex_);
+  parts_.try_emplace(path, parts);
+}
+
 const File& Workspace::keep(const std::string& path, ReadResult read) {
   auto file = std::make_unique<File>();
   file->path = path;

@@ -15,7 +15,9 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include <rigor/read/resolver.h>
 #include <rigor/text/disk.h>
 #include <rigor/text/sources.h>
 #include <rigor/xml/document.h>
@@ -43,6 +45,14 @@ class Workspace {
   /// Takes `bytes` as what the file at `path` holds.
   const File& put(const std::string& path, std::string bytes);
 
+  /// Where a URI that stands in the file `from` leads. Looked up once, however often it is included.
+  const Resolution& resolve(const Resolver& resolver, const std::string& uri,
+                            const std::string& from);
+
+  /// What including the file brings, once that was counted (see include_size.h).
+  std::optional<std::size_t> parts(const std::string& path);
+  void keep_parts(const std::string& path, std::size_t parts);
+
   Sources& sources() { return sources_; }
   const Disk& disk() const { return disk_; }
 
@@ -53,6 +63,8 @@ class Workspace {
   Sources& sources_;
   std::mutex mutex_;
   std::map<std::string, std::unique_ptr<File>> files_;
+  std::map<std::string, std::size_t> parts_;
+  std::map<std::pair<std::string, std::string>, Resolution> resolved_;  // by file and URI
 };
 
 }  // namespace rigor::read

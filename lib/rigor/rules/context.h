@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -55,6 +56,11 @@ class Context {
       : inputs_(inputs), diagnostics_(diagnostics) {}
 
   void report(Finding finding);
+
+  /// Whether a finding may still come with a suggestion. Each compares a name with all that there
+  /// are, and whoever has thousands of wrong ones needs no help with their spelling.
+  bool may_suggest() const { return compared_ < kMostCompared; }
+  void compared(std::size_t names) { compared_ += names; }
 
   const Sources& sources() const { return inputs_.sources; }
   const xml::Document& document() const { return *inputs_.document; }
@@ -105,8 +111,12 @@ class Context {
   }
 
  private:
+  /// Names compared for suggestions in one file: a tenth of a second.
+  static constexpr std::size_t kMostCompared = 300'000;
+
   const Inputs& inputs_;
   Diagnostics& diagnostics_;
+  std::size_t compared_ = 0;
   std::unordered_map<std::string, read::Resolution> resolved_;
   std::map<std::pair<const model::Link*, mass::From>, mass::LinkBody> bodies_;
   std::string_view rule_;

@@ -41,66 +41,138 @@ class Run {
         meshes_(environment.disk) {}
 
   ValidateResult run() {
+    std::vector<const read::File*> named;
     if (options_.buffer) {
-      keep(workspace_.put(options_.buffer->path, options_.buffer->bytes));
+      named.push_back(&workspace_.put(options_.buffer->path, options_.buffer->bytes));
     }
     read::Discovered found = read::discover(environment_.disk, options_.paths);
     result_.unusable = std::move(found.unusable);
     for (read::LeftOut& left : found.left_out) {
       result_.not_looked_at.push_back({std::move(left.path), std::move(left.why)});
     }
-    for (const std::string& path : found.files) keep(workspace_.open(path));
+    for (const std::string& path : found.files) named.push_back(&workspace_.open(path));
+    check_all(named);
+    for (const read::File* file : named) keep(*file);
     return std::move(result_);
   }
 
  private:
-  /// What checking one file gave. A file is checked once, named or included.
-  struct Checked {
-    FileSummary summary;
-    Diagnostics diagnostics;
-    std::vector<NotLookedAt> not_looked_at;
+  struct Included {
+    Span where;
+    std::string path;
   };
 
-  void keep(const read::File& file) {
-    const Checked& checked = check(file);
-    result_.files.push_back(checked.summary);
-    for (const NotLookedAt& item : checked.not_looked_at) result_.not_looked_at.push_back(item);
-    for (const Diagnostic& found : checked.diagnostics.list()) result_.diagnostics.add(found);
+  /// What checking one file gave. A file is checked once, named or included.
+  struct Checked {
+    bool named = false;
+    FileSummary summary;
+    Diagnostics diagnostics;
+    std::size_t errors = 0;   ///< of the file itself
+    std::string first_error;  ///< its message
+    std::vector<NotLookedAt> not_looked_at;
+    std::vector<Included> includes;
+  };
+
+  /// The files that were named and whatever they include. What a file says of those that it includes
+  /// is left to `keep`: then all are checked, so it depends on no order.
+  void check_all(const std::vector<const read::File*>& named) {
+    std::vector<const read::File*> open(named.rbegin(), named.rend());
+    while (!open.empty()) {
+      const read::File& file = *open.back();
+      open.pop_back();
+      const auto [entry, is_new] = checked_.try_emplace(normalize_path(file.path));
+      if (!is_new) continue;
+      entry->second = check(file);
+      for (const Included& included : entry->second.includes) {
+        if (!checked_.contains(normalize_path(included.path))) {
+          open.push_back(&workspace_.open(included.path));
+        }
+      }
+    }
+    for (const read::File* file : named) checked_.at(normalize_path(file->path)).named = true;
   }
 
-  const Checked& check(const read::File& file) {
-    const std::string path = normalize_path(file.path);
-    // Entered before its includes are checked, so that a cycle of includes ends here.
-    const auto [entry, is_new] = checked_.try_emplace(path);
-    Checked& checked = entry->second;
-    if (!is_new) return checked;
+  void keep(const read::File& file) {
+    const Checked& checked = checked_.at(normalize_path(file.path));
+    result_.files.push_back(checked.summary);
+    for (const NotLookedAt& item : checked.not_looked_at) result_.not_looked_at.push_back(item);
+    Diagnostics all = errors_of_includes(file, checked);
+    for (const Diagnostic& found : checked.diagnostics.list()) all.add(found);
+    all.sort();
+    for (const Diagnostic& found : all.list()) result_.diagnostics.add(found);
+  }
+
+  Checked check(const read::File& file) {
+    Checked checked;
     const read::Reader reader{workspace_, environment_.resolver, environment_.sdf,
                               environment_.urdf};
     read::Loaded loaded = read::load(reader, file);
-    add_errors_of_includes(loaded);
     checked.summary = summarize(loaded);
     for (const read::Fact& fact : loaded.facts) {
       if (fact.kind != read::FactKind::kUnfollowedInclude) continue;
       checked.not_looked_at.push_back({file.path, "include of " + fact.name});
     }
+    for (const model::Include& include : loaded.root.includes) {
+      if (!loaded.root.own(include.site) || include.path.empty()) continue;
+      checked.includes.push_back({include.uri.span, include.path});
+    }
     const bool open_meshes = options_.meshes == MeshPolicy::kOpen;
     checked.diagnostics =
         runner_.run(environment_, sources_, loaded, open_meshes ? &meshes_ : nullptr);
+    for (const Diagnostic& found : checked.diagnostics.list()) {
+      if (found.severity != Severity::kError || told_by_includer(found.rule)) continue;
+      if (checked.errors++ == 0) checked.first_error = found.message;
+    }
     return checked;
   }
 
+  /// Where the includes of a file lead, its includers are led too, and say so.
+  static bool told_by_includer(std::string_view rule) {
+    return rule == "include-cycle" || rule == "include-too-large";
+  }
+
   /// What is wrong inside an included file is told when that file is checked; the includer gets one
-  /// fact that points there.
-  void add_errors_of_includes(read::Loaded& loaded) {
-    for (const model::Include& include : loaded.root.includes) {
-      if (!loaded.root.own(include.site) || include.path.empty()) continue;
-      const Checked& included = check(workspace_.open(include.path));
-      read::Fact fact{read::FactKind::kIncludeHasErrors, include.uri.span, include.path, {}};
-      for (const Diagnostic& found : included.diagnostics.list()) {
-        if (found.severity == Severity::kError) fact.tried.push_back(found.message);
-      }
-      if (!fact.tried.empty()) loaded.facts.push_back(std::move(fact));
+  /// finding that points there.
+  Diagnostics errors_of_includes(const read::File& file, const Checked& checked) {
+    read::File bare;  // these facts need nothing of what the file holds
+    bare.path = file.path;
+    bare.source = file.source;
+    read::Loaded about;
+    about.file = &bare;
+    about.root.format = checked.summary.format;
+    for (const Included& included : checked.includes) {
+      const std::string& path = at_fault(included.path);
+      if (path.empty()) continue;
+      const Checked& fault = checked_.at(normalize_path(path));
+      about.facts.push_back({read::FactKind::kIncludeHasErrors, included.where, path,
+                             {fault.first_error}, fault.errors});
     }
+    return runner_.run(environment_, sources_, about, nullptr);
+  }
+
+  /// The included file, or the first of those that it includes, that has errors of its own; empty
+  /// when there is none. A file that was named says itself what is wrong with those it includes.
+  const std::string& at_fault(const std::string& included) {
+    const auto known = at_fault_.find(included);
+    if (known != at_fault_.end()) return known->second;
+    return at_fault_.emplace(included, find_at_fault(included)).first->second;
+  }
+
+  std::string find_at_fault(const std::string& included) const {
+    std::set<std::string> seen;
+    std::vector<std::string> open{included};
+    while (!open.empty()) {
+      const std::string path = std::move(open.back());
+      open.pop_back();
+      if (!seen.insert(normalize_path(path)).second) continue;
+      const Checked& checked = checked_.at(normalize_path(path));
+      if (checked.errors > 0) return path;
+      if (checked.named) continue;
+      for (auto next = checked.includes.rbegin(); next != checked.includes.rend(); ++next) {
+        open.push_back(next->path);
+      }
+    }
+    return {};
   }
 
   const Environment& environment_;
@@ -110,6 +182,7 @@ class Run {
   Runner runner_;
   mass::MeshSurveys meshes_;
   std::map<std::string, Checked> checked_;
+  std::map<std::string, std::string> at_fault_;  // what `at_fault` gave
   ValidateResult result_;
 };
 

@@ -7,11 +7,11 @@ namespace rigor::rules::include_has_errors {
 namespace {
 
 void check(const read::Fact& fact, Context& context) {
-  const std::size_t count = fact.tried.size();
+  const bool one = fact.count == 1;
   context.report({.where = fact.where,
                   .message = "the included file '" + fact.name + "' has " +
-                             (count == 1 ? "an error" : std::to_string(count) + " errors") + ": " +
-                             fact.tried.front() + (count == 1 ? "" : ", …"),
+                             (one ? "an error" : std::to_string(fact.count) + " errors") + ": " +
+                             fact.tried.front() + (one ? "" : ", …"),
                   .help = "check that file: rigor validate " + fact.name});
 }
 

@@ -10,8 +10,8 @@ void check(const read::Fact& fact, Context& context) {
   const bool deep = fact.kind == read::FactKind::kIncludeTooDeep;
   context.report({.where = fact.where,
                   .message = deep ? "includes are nested deeper than 32 levels here"
-                                  : "here the file and its includes have 200,000 parts: the rest "
-                                    "is not read"});
+                                  : "with this the file's includes bring more than 200,000 parts: "
+                                    "it is not read to its end"});
 }
 
 }  // namespace

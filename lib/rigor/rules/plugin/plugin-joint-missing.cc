@@ -63,13 +63,14 @@ void check(const model::Root& root, Context& context) {
       const std::string_view inner = within(root[plugin.model], value);
       if (value.empty() || exists(names, plugin.model, parameter->what, value)) continue;
       if (exists(names, plugin.model, parameter->what, inner)) continue;
+      const auto all = [&] { return names.in({plugin.model, {}}); };
       const char* kind = parameter->what == ParameterOf::kJoint ? "joint" : "link";
       context.report({.where = child.text_span(),
                       .message = fmt::format("the plugin needs the {} '{}', which the model does "
                                              "not have",
                                              kind, value),
                       .subject = context.subject(plugin),
-                      .help = did_you_mean(value, names.in({plugin.model, {}}))});
+                      .help = did_you_mean(value, all, context)});
     }
   }
 }

@@ -1,8 +1,9 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
 #include <string>
+#include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include <rigor/rules/reference/nearest.h>
@@ -12,21 +13,26 @@ namespace rigor::rules::contact_sensor_collision_missing {
 namespace {
 
 void check(const model::Sensor& sensor, Context& context) {
-  if (!sensor.link) return;
+  if (!sensor.link || sensor.contact_collisions.empty()) return;
   const model::Root& root = context.root();
-  std::vector<std::string> names;
-  for (const auto id : root[sensor.link].collisions) names.push_back(root[id].name.value);
+  std::unordered_set<std::string_view> names;
+  for (const auto id : root[sensor.link].collisions) names.insert(root[id].name.value);
+  const auto all = [&root, &sensor] {
+    std::vector<std::string> list;
+    for (const auto id : root[sensor.link].collisions) list.push_back(root[id].name.value);
+    return list;
+  };
   for (const model::Field<std::string>& collision : sensor.contact_collisions) {
     const std::string& name = collision.value;
     // A scoped name leads to another link, which the simulators understand in ways of their own.
     if (name.empty() || name.find("::") != std::string::npos) continue;
-    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    if (names.contains(name)) continue;
     context.report({.where = collision.span,
                     .message = "the contact sensor watches the collision '" + name +
                                "', which its link '" + root[sensor.link].name.value +
                                "' does not have",
                     .subject = context.subject(sensor),
-                    .help = did_you_mean(name, names)});
+                    .help = did_you_mean(name, all, context)});
   }
 }
 

@@ -17,12 +17,15 @@ void check(const model::Root& root, Context& context) {
   for (const model::GazeboBlock& block : root.gazebo_blocks) {
     const std::string& name = block.reference.value;
     if (name.empty() || links.count(name) != 0 || joints.count(name) != 0) continue;
-    std::vector<std::string> names = names_of(root.links);
-    for (std::string& joint : names_of(root.joints)) names.push_back(std::move(joint));
+    const auto all = [&root] {
+      std::vector<std::string> names = names_of(root.links);
+      for (std::string& joint : names_of(root.joints)) names.push_back(std::move(joint));
+      return names;
+    };
     context.report(
         {.where = block.reference.span,
          .message = "refers to '" + name + "', which is no link and no joint of this robot",
-         .help = did_you_mean(name, names)});
+         .help = did_you_mean(name, all, context)});
   }
 }
 

@@ -25,13 +25,16 @@ void check(const model::Root& root, Context& context) {
       if (!axis.mimic || axis.mimic->joint.value.empty()) continue;
       const std::string& leader = axis.mimic->joint.value;
       if (exists(names, joint.model, leader)) continue;
-      std::vector<std::string> others;
-      for (const auto id : root[joint.model].joints) others.push_back(root[id].name.value);
+      const auto others = [&] {
+        std::vector<std::string> all;
+        for (const auto id : root[joint.model].joints) all.push_back(root[id].name.value);
+        return all;
+      };
       context.report(
           {.where = axis.mimic->joint.span,
            .message = "mimics the joint '" + leader + "', which this model does not have",
            .subject = context.subject(joint),
-           .help = did_you_mean(leader, others)});
+           .help = did_you_mean(leader, others, context)});
     }
   }
 }

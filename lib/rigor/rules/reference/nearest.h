@@ -10,6 +10,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include <rigor/rules/context.h>
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules {
@@ -18,6 +19,15 @@ namespace rigor::rules {
 inline std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates) {
   const auto near = schema::near(name, {candidates.begin(), candidates.end()});
   return near.empty() ? std::string() : "did you mean '" + std::string(near.front()) + "'?";
+}
+
+/// The same of what `candidates()` gives, as long as the file is worth the effort.
+template <class Candidates>
+std::string did_you_mean(std::string_view name, const Candidates& candidates, Context& context) {
+  if (!context.may_suggest()) return {};
+  const std::vector<std::string> names = candidates();
+  context.compared(names.size());
+  return did_you_mean(name, names);
 }
 
 /// The names of links, joints or whatever else has one.

@@ -1,0 +1,108 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/validate.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <rigor/environment.h>
+
+namespace rigor::rules {
+namespace {
+
+using Files = std::map<std::string, std::string>;
+
+/// "FILE RULE" of every finding of these files, sorted.
+std::vector<std::string> findings(const Files& files, std::vector<std::string> paths) {
+  const MemoryDisk disk(files);
+  const Environment environment(disk, {});
+  Sources sources;
+  const ValidateResult result = validate(environment, {.paths = std::move(paths)}, sources);
+  std::vector<std::string> found;
+  for (const Diagnostic& diagnostic : result.diagnostics.list()) {
+    found.push_back(std::string(sources.path(diagnostic.where.source)) + " " +
+                    std::string(diagnostic.rule));
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::string model(const std::string& parts) {
+  return "<sdf version='1.9'><model name='m'><static>1</static><link name='l'/>" + parts +
+         "</model></sdf>";
+}
+
+std::string including(const std::string& path) { return "<include><uri>" + path + "</uri></include>"; }
+
+const char* const kFault = "<pose>wide</pose>";  // value-malformed, an error
+
+using Found = std::vector<std::string>;
+
+TEST(IncludeHasErrors, DependsOnNoOrderInACircle) {
+  const Files files{{"a.sdf", model(including("b.sdf"))},
+                    {"b.sdf", model(including("a.sdf") + kFault)}};
+  const Found expected{"a.sdf include-cycle", "a.sdf include-has-errors", "b.sdf include-cycle",
+                       "b.sdf value-malformed"};
+  EXPECT_EQ(findings(files, {"a.sdf", "b.sdf"}), expected);
+  EXPECT_EQ(findings(files, {"b.sdf", "a.sdf"}), expected);
+}
+
+TEST(IncludeHasErrors, IsToldOnceAlongAChain) {
+  const Files files{{"a.sdf", model(including("b.sdf"))},
+                    {"b.sdf", model(including("c.sdf"))},
+                    {"c.sdf", model(including("d.sdf"))},
+                    {"d.sdf", model(kFault)}};
+  EXPECT_EQ(findings(files, {"a.sdf", "b.sdf", "c.sdf", "d.sdf"}),
+            (Found{"c.sdf include-has-errors", "d.sdf value-malformed"}));
+}
+
+TEST(IncludeHasErrors, IsToldByTheNearestFileThatWasNamed) {
+  // Whoever checks the world alone must not be told that all is well.
+  const Files files{{"a.sdf", model(including("b.sdf"))},
+                    {"b.sdf", model(including("c.sdf"))},
+                    {"c.sdf", model(kFault)}};
+  EXPECT_EQ(findings(files, {"a.sdf"}), Found{"a.sdf include-has-errors"});
+  EXPECT_EQ(findings(files, {"a.sdf", "b.sdf"}), Found{"b.sdf include-has-errors"});
+}
+
+/// The help of every finding of a rule, in order.
+std::vector<std::string> helps(const std::string& path, const std::string& text,
+                               std::string_view rule) {
+  const MemoryDisk disk(Files{{path, text}});
+  const Environment environment(disk, {});
+  Sources sources;
+  const ValidateResult result = validate(environment, {.paths = {path}}, sources);
+  std::vector<std::string> found;
+  for (const Diagnostic& diagnostic : result.diagnostics.list()) {
+    if (diagnostic.rule == rule) found.push_back(diagnostic.help);
+  }
+  return found;
+}
+
+/// A robot of n links, and n references that each miss one of them by a letter.
+std::string misspelt(int n) {
+  std::string text = "<robot name='r'>";
+  for (int i = 0; i < n; ++i) text += "<link name='link_" + std::to_string(i) + "'/>";
+  for (int i = 0; i < n; ++i) text += "<gazebo reference='lnk_" + std::to_string(i) + "'/>";
+  return text + "</robot>";
+}
+
+TEST(Suggestions, EndWhereTheyCostMoreThanTheyHelp) {
+  // A hundred of a hundred are compared; of a thousand, a thousand with each would be a million.
+  const std::vector<std::string> few = helps("a.urdf", misspelt(100), "gazebo-reference-missing");
+  ASSERT_EQ(few.size(), 100U);
+  EXPECT_EQ(few.back(), "did you mean 'link_99'?");
+  const std::vector<std::string> many = helps("a.urdf", misspelt(1000), "gazebo-reference-missing");
+  ASSERT_EQ(many.size(), 1000U);
+  EXPECT_EQ(many.front(), "did you mean 'link_0'?");
+  EXPECT_EQ(many.back(), "");
+}
+
+}  // namespace
+}  // namespace rigor::rules
