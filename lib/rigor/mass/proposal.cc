@@ -6,6 +6,18 @@
 #include <cmath>
 
 namespace rigor::mass {
+namespace {
+
+/// Solids have tensors that a body can have, unless their numbers run out of a double's range.
+bool in_range(const MassProperties& body) {
+  const Inertia& i = body.about_com;
+  for (const double positive : {body.mass, i.ixx, i.iyy, i.izz}) {
+    if (!(positive > 0) || !std::isfinite(positive)) return false;
+  }
+  return true;
+}
+
+}  // namespace
 
 std::optional<Proposal> propose(const model::Inertial& written, const LinkBody& shapes,
                                 const MassWish& wish) {
@@ -21,7 +33,7 @@ std::optional<Proposal> propose(const model::Inertial& written, const LinkBody& 
     proposal.mass_from = MassFrom::kWritten;
     proposal.body = with_mass(proposal.body, mass.value);
   }
-  if (!(proposal.body.mass > 0) || !judge(proposal.body).possible()) return std::nullopt;
+  if (!in_range(proposal.body)) return std::nullopt;
   return proposal;
 }
 

@@ -217,7 +217,7 @@ class Walk {
         fact.value_fault = fault;
         return add(fact);
       }
-      if (is_number(type) && !takes_form(schema::classify(text))) {
+      if (is_number(type) && has_a_name(text) && !takes_form(schema::classify(text))) {
         fact.value_fault = {schema::ValueFault::Kind::kNotFinite, 0, text.size()};
         return add(fact);
       }
@@ -232,6 +232,13 @@ class Walk {
       fact.kind = Kind::kOutOfRange;
       add(fact);
     }
+  }
+
+  /// Whether it could be inf, nan or hexadecimal: a quick look, as nearly no number is.
+  static bool has_a_name(std::string_view text) {
+    std::size_t at = 0;
+    while (at < text.size() && (text[at] <= ' ' || text[at] == '+' || text[at] == '-')) ++at;
+    return at + 1 < text.size() && (text[at] > '9' || (text[at + 1] | 0x20) == 'x');
   }
 
   /// Whether consumers take a number of this form. Nobody means nan; urdfdom reads numbers through a

@@ -9,6 +9,13 @@ namespace rigor::read {
 
 using model::Id;
 
+namespace {
+
+/// SDF 1.11 computes inertials from densities.
+constexpr int kDensity = 11;
+
+}  // namespace
+
 void SdfReader::read_link(xml::Element element, Id<model::Model> parent) {
   const Id<model::Link> id{static_cast<std::uint32_t>(root_.links.size())};
   model::Link link;
@@ -50,7 +57,9 @@ model::Inertial SdfReader::read_inertial(xml::Element link) const {
   inertial.site = site_of(*element);
   inertial.written = true;
   inertial.automatic = bool_field(attribute_text(*element, "auto"), false);
-  inertial.density = number_field(child_text(*element, "density"), 1000);
+  if (version_ >= kDensity || inertial.automatic.value) {
+    inertial.density = number_field(child_text(*element, "density"), 1000);
+  }
   inertial.mass = number_field(child_text(*element, "mass"), 1);
   inertial.pose = read_pose(*element);
   const auto tensor = element->child("inertia");
@@ -111,7 +120,9 @@ void SdfReader::read_collision(xml::Element element, Id<model::Link> link) {
   collision.pose = read_pose(element);
   collision.geometry = read_geometry(element);
   collision.surface = read_surface(element);
-  collision.density = number_field(child_text(element, "density"), 1000);
+  if (version_ >= kDensity) {
+    collision.density = number_field(child_text(element, "density"), 1000);
+  }
   root_.links[link.value].collisions.push_back(
       {static_cast<std::uint32_t>(root_.collisions.size())});
   root_.collisions.push_back(std::move(collision));

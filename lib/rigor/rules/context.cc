@@ -46,6 +46,11 @@ const read::Resolution& Context::resolve(const std::string& uri) {
   return resolved_.emplace(uri, inputs_.resolver.resolve(uri, inputs_.path)).first->second;
 }
 
+const std::vector<Uri>& Context::uris() {
+  if (!uris_) uris_ = uris_of(document());
+  return *uris_;
+}
+
 const mass::MeshSurvey* Context::survey(const model::Mesh& mesh) {
   if (inputs_.meshes == nullptr || mesh.uri.value.empty()) return nullptr;
   const read::Resolution& found = resolve(mesh.uri.value);

@@ -20,6 +20,7 @@
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
 #include <rigor/read/resolver.h>
+#include <rigor/rules/uris.h>
 #include <rigor/schema/schema.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/text/disk.h>
@@ -81,6 +82,8 @@ class Context {
   /// Where a URI that stands in this file leads. Looked up once, however many rules ask.
   const read::Resolution& resolve(const std::string& uri);
   const Disk& disk() const { return inputs_.resolver.disk(); }
+  /// The URIs that stand in the file. Collected once.
+  const std::vector<Uri>& uris();
 
   /// What the mesh's triangles enclose; null when its file is not found, or meshes are not opened.
   const mass::MeshSurvey* survey(const model::Mesh& mesh);
@@ -118,6 +121,7 @@ class Context {
   Diagnostics& diagnostics_;
   std::size_t compared_ = 0;
   std::unordered_map<std::string, read::Resolution> resolved_;
+  std::optional<std::vector<Uri>> uris_;
   std::map<std::pair<const model::Link*, mass::From>, mass::LinkBody> bodies_;
   std::string_view rule_;
   std::string_view category_;

@@ -52,7 +52,8 @@ void Runner::add(const Rule& rule, Severity severity) {
   for (const Check& check : rule.checks) {
     std::visit(
         [&](const auto& one) {
-          std::get<Slot<std::decay_t<decltype(one)>>>(slots_).push_back({{&rule, severity}, one});
+          std::get<Slot<std::decay_t<decltype(one)>>>(slots_).push_back(
+              {{&rule, to_string(rule.category), severity}, one});
         },
         check);
   }
@@ -92,9 +93,9 @@ class Runner::Walk {
  private:
   template <class CheckType, class Entity>
   void call(const std::pair<Active, CheckType>& slot, CheckOf<Entity> check, const Entity& entity) {
-    const auto& [rule, severity] = slot.first;
+    const auto& [rule, category, severity] = slot.first;
     if (!applies(rule->formats, loaded_.root.format)) return;
-    context_.begin_rule(rule->name, to_string(rule->category), severity);
+    context_.begin_rule(rule->name, category, severity);
     check(entity, context_);
   }
 

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -36,6 +37,7 @@ class Runner {
  private:
   struct Active {
     const Rule* rule;
+    std::string_view category;
     Severity severity;
   };
   template <class CheckType>

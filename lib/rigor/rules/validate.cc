@@ -93,13 +93,15 @@ class Run {
   }
 
   void keep(const read::File& file) {
-    const Checked& checked = checked_.at(normalize_path(file.path));
+    Checked& checked = checked_.at(normalize_path(file.path));
     result_.files.push_back(checked.summary);
     for (const NotLookedAt& item : checked.not_looked_at) result_.not_looked_at.push_back(item);
-    Diagnostics all = errors_of_includes(file, checked);
-    for (const Diagnostic& found : checked.diagnostics.list()) all.add(found);
-    all.sort();
-    for (const Diagnostic& found : all.list()) result_.diagnostics.add(found);
+    Diagnostics about_includes = errors_of_includes(file, checked);
+    if (!about_includes.list().empty()) {
+      checked.diagnostics.take(std::move(about_includes));
+      checked.diagnostics.sort();
+    }
+    result_.diagnostics.take(std::exchange(checked.diagnostics, {}));
   }
 
   Checked check(const read::File& file) {
@@ -147,6 +149,7 @@ class Run {
       about.facts.push_back({read::FactKind::kIncludeHasErrors, included.where, path,
                              {fault.first_error}, fault.errors});
     }
+    if (about.facts.empty()) return {};
     return runner_.run(environment_, sources_, about, nullptr);
   }
 

@@ -11,6 +11,7 @@
 
 #pragma once
 
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,6 +52,12 @@ struct Diagnostic {
 class Diagnostics {
  public:
   void add(Diagnostic diagnostic) { list_.push_back(std::move(diagnostic)); }
+
+  /// Adds all that another list holds.
+  void take(Diagnostics&& other) {
+    list_.insert(list_.end(), std::make_move_iterator(other.list_.begin()),
+                 std::make_move_iterator(other.list_.end()));
+  }
 
   const std::vector<Diagnostic>& list() const { return list_; }
   std::size_t count(Severity severity) const;

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include <rigor/rules/package/uris.h>
+#include <rigor/rules/uris.h>
 #include <rigor/rules/rule.h>
 #include <rigor/text/path.h>
 
@@ -24,7 +24,7 @@ bool is_of_one_machine(std::string_view uri) {
 }
 
 void check(const model::Root& /*root*/, Context& context) {
-  for (const Uri& uri : uris_of(context.document())) {
+  for (const Uri& uri : context.uris()) {
     if (!is_of_one_machine(uri.text)) continue;
     context.report({.where = uri.where,
                     .message = "'" + std::string(uri.text) + "' is a path of one machine"});

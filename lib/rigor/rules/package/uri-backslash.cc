@@ -6,14 +6,14 @@
 #include <string_view>
 #include <utility>
 
-#include <rigor/rules/package/uris.h>
+#include <rigor/rules/uris.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::uri_backslash {
 namespace {
 
 void check(const model::Root& /*root*/, Context& context) {
-  for (const Uri& uri : uris_of(context.document())) {
+  for (const Uri& uri : context.uris()) {
     if (uri.text.find('\\') == std::string_view::npos) continue;
     Finding finding{.where = uri.where,
                     .message = "'" + std::string(uri.text) + "' has backslashes"};

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include <rigor/rules/package/uris.h>
+#include <rigor/rules/uris.h>
 #include <rigor/rules/rule.h>
 #include <rigor/schema/suggest.h>
 
@@ -28,7 +28,7 @@ std::string_view scheme_of(std::string_view uri) {
 
 void check(const model::Root& /*root*/, Context& context) {
   const std::vector<std::string_view> known(kSchemes.begin(), kSchemes.end());
-  for (const Uri& uri : uris_of(context.document())) {
+  for (const Uri& uri : context.uris()) {
     const std::string_view scheme = scheme_of(uri.text);
     const bool listed = std::find(known.begin(), known.end(), scheme) != known.end();
     const bool slashes = uri.text.substr(scheme.size()).starts_with("://");

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include <rigor/read/values.h>
-#include <rigor/rules/context.h>
 #include <rigor/rules/xml/xacro.h>
+#include <rigor/xml/document.h>
 
 namespace rigor::rules {
 
