@@ -104,5 +104,53 @@ TEST(Suggestions, EndWhereTheyCostMoreThanTheyHelp) {
   EXPECT_EQ(many.back(), "");
 }
 
+TEST(ManyFindings, AreCountedAndNotAllListed) {
+  std::string text = "<sdf version='1.9'><model name='m'><static>1</static><link name='l'/>";
+  for (int i = 0; i < 2500; ++i) text += "<x/>";  // a warning each
+  text += "<y/></model></sdf>";
+  const MemoryDisk disk(Files{{"a.sdf", text}});
+  const Environment environment(disk, {});
+  Sources sources;
+  const Diagnostics found = validate(environment, {.paths = {"a.sdf"}}, sources).diagnostics;
+  ASSERT_EQ(found.list().size(), 1001U);
+  EXPECT_EQ(found.count(Severity::kWarning), 2501U);
+  const Diagnostic& rest = found.list().back();
+  EXPECT_EQ(rest.count, 1501U);
+  EXPECT_EQ(rest.rule, found.list().front().rule);
+  EXPECT_EQ(rest.where.begin, found.list()[999].where.begin + 4) << "the first that is not listed";
+  EXPECT_TRUE(rest.message.find("1501 more") != std::string::npos) << rest.message;
+}
+
+TEST(ManyFindings, OfABinaryFileAreOneOfAKind) {
+  std::string text = "\x7f" "ELF";
+  for (int i = 0; i < 300; ++i) text += "\x01\x02\xff";
+  EXPECT_EQ(findings({{"a.sdf", text}}, {"a.sdf"}),
+            (Found{"a.sdf xml-control-character", "a.sdf xml-empty", "a.sdf xml-not-utf8",
+                   "a.sdf xml-text-outside-root"}));
+  const MemoryDisk disk(Files{{"a.sdf", text}});
+  const Environment environment(disk, {});
+  Sources sources;
+  const Diagnostics found = validate(environment, {.paths = {"a.sdf"}}, sources).diagnostics;
+  for (const Diagnostic& diagnostic : found.list()) {
+    const auto says = [&diagnostic](const char* part) {
+      return diagnostic.message.find(part) != std::string::npos;
+    };
+    if (diagnostic.rule == "xml-control-character") {
+      EXPECT_TRUE(says("(and 599 more"));
+    } else if (diagnostic.rule == "xml-not-utf8") {
+      EXPECT_TRUE(says("(and 299 more"));
+    }
+  }
+}
+
+TEST(ManyFindings, OfRepetitionsBehindOtherElementsTakeOneWalk) {
+  // With a walk to the first for each repetition, ten thousand million steps.
+  std::string text = "<sdf version='1.9'><model name='m'><static>1</static><link name='l'/>";
+  for (int i = 0; i < 100'000; ++i) text += "<frame name='f'/>";
+  for (int i = 0; i < 100'000; ++i) text += "<self_collide>0</self_collide>";
+  text += "</model></sdf>";
+  EXPECT_EQ(helps("a.sdf", text, "repeated-element").size(), 1U);
+}
+
 }  // namespace
 }  // namespace rigor::rules

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -55,7 +56,8 @@ std::string reason_of(const mass::LinkBody& body) {
 /// The rules of the category, over one file.
 Diagnostics inertia_findings(const Environment& environment, const Sources& sources,
                              const read::Loaded& loaded, mass::MeshSurveys& surveys) {
-  const rules::Selection selection{.select = {"inertia"}};
+  constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+  const rules::Selection selection{.select = {"inertia"}, .most_listed = kAll};
   return rules::Runner(environment.registry, selection).run(environment, sources, loaded, &surveys);
 }
 

@@ -4,6 +4,9 @@
 #include <rigor/read/conformance.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 #include <rigor/read/values.h>
 
@@ -36,8 +39,8 @@ schema::RotationFormat rotation_format(xml::Element element) {
 
 class Walk {
  public:
-  Walk(std::vector<SchemaFact>& facts, std::string_view root)
-      : facts_(facts), urdf_(root == "robot") {}
+  Walk(const std::function<void(const SchemaFact&)>& tell, std::string_view root)
+      : tell_(tell), urdf_(root == "robot") {}
 
   void element(xml::Element element, const Node& node) {
     attributes(element, node);
@@ -47,7 +50,7 @@ class Walk {
   }
 
  private:
-  void add(SchemaFact fact) { facts_.push_back(std::move(fact)); }
+  void add(const SchemaFact& fact) { tell_(fact); }
 
   void attributes(xml::Element element, const Node& node) {
     for (const xml::Attribute attribute : element.attributes()) {
@@ -111,11 +114,12 @@ class Walk {
   }
 
   void children(xml::Element element, const Node& node) {
+    const std::size_t others = seen_.size();
     for (const xml::Element child : element.children()) {
       const std::string_view name = child.name();
       if (is_foreign(name)) continue;
       if (const auto known = node.child(name)) {
-        repeated(element, child, *known);
+        repeated(others, child, *known);
         if (known->deprecated_since()) {
           add({.kind = Kind::kDeprecated,
                .where = child.name_span(),
@@ -128,6 +132,7 @@ class Walk {
         unknown_element(child, node);
       }
     }
+    seen_.erase(seen_.begin() + static_cast<std::ptrdiff_t>(others), seen_.end());
     if (element.cut()) return;
     for (const Node required : node.required_children()) {
       if (!element.child(required.name())) {
@@ -141,21 +146,22 @@ class Walk {
   }
 
   /// Only the first of its name can be read where one is allowed; told once, at the second.
-  void repeated(xml::Element parent, xml::Element child, const Node& known) {
+  /// `others` is where those of the same parent begin in `seen_`.
+  void repeated(std::size_t others, xml::Element child, const Node& known) {
     const Cardinality cardinality = known.cardinality();
     if (cardinality == Cardinality::kMany || cardinality == Cardinality::kOneOrMore) return;
-    const xml::Element first = *parent.child(child.name());
-    if (first == child) return;
-    for (const xml::Element other : parent.children()) {
-      if (other == child) break;
-      if (other == first || other.name() != child.name()) continue;
-      return;
+    const auto first = std::find_if(
+        seen_.begin() + static_cast<std::ptrdiff_t>(others), seen_.end(),
+        [&child](const Seen& seen) { return seen.element.name() == child.name(); });
+    if (first == seen_.end()) {
+      seen_.push_back({child});
+    } else if (!std::exchange(first->told, true)) {
+      add({.kind = Kind::kRepeatedElement,
+           .where = child.name_span(),
+           .element = child,
+           .node = known,
+           .related = first->element.name_span()});
     }
-    add({.kind = Kind::kRepeatedElement,
-         .where = child.name_span(),
-         .element = child,
-         .node = known,
-         .related = first.name_span()});
   }
 
   void unknown_element(xml::Element child, const Node& node) {
@@ -258,16 +264,22 @@ class Walk {
            (node.maximum() && given > number(*node.maximum()));
   }
 
-  std::vector<SchemaFact>& facts_;
+  /// The first of a name that may stand once.
+  struct Seen {
+    xml::Element element;
+    bool told = false;
+  };
+
+  const std::function<void(const SchemaFact&)>& tell_;
+  std::vector<Seen> seen_;  // of the elements that are open, one parent's after the other's
   bool urdf_;
 };
 
 }  // namespace
 
-std::vector<SchemaFact> check_conformance(const xml::Document& document, const schema::Node& root) {
-  std::vector<SchemaFact> facts;
-  if (const auto element = document.root()) Walk(facts, root.name()).element(*element, root);
-  return facts;
+void check_conformance(const xml::Document& document, const schema::Node& root,
+                       const std::function<void(const SchemaFact&)>& tell) {
+  if (const auto element = document.root()) Walk(tell, root.name()).element(*element, root);
 }
 
 }  // namespace rigor::read

@@ -7,14 +7,15 @@
 // in their names belong to somebody else, and what stands inside a `<plugin>` to the plugin: neither
 // is looked at.
 //
-//   std::vector<SchemaFact> facts = check_conformance(document, *schema.root("sdf", version));
+//   check_conformance(document, *schema.root("sdf", version),
+//                     [](const SchemaFact& fact) { speak_of(fact); });
 
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 #include <rigor/schema/schema.h>
 #include <rigor/schema/value.h>
@@ -52,8 +53,9 @@ struct SchemaFact {
   std::string_view text;  ///< the value at fault, decoded
 };
 
-/// The facts in document order. Of an element that a fatal XML fault cut, nothing is said to be
-/// missing.
-std::vector<SchemaFact> check_conformance(const xml::Document& document, const schema::Node& root);
+/// Gives `tell` the facts in document order: one at a time, since a file may have as many as it has
+/// elements. Of an element that a fatal XML fault cut, nothing is said to be missing.
+void check_conformance(const xml::Document& document, const schema::Node& root,
+                       const std::function<void(const SchemaFact&)>& tell);
 
 }  // namespace rigor::read

@@ -25,19 +25,40 @@ std::string shortened(std::string message) {
 
 }  // namespace
 
-void Context::report(Finding finding) {
+Diagnostic Context::told_by_rule(Span where) const {
   Diagnostic diagnostic;
   diagnostic.rule = rule_;
   diagnostic.category = category_;
   diagnostic.severity = severity_;
+  diagnostic.where = where;
+  if (where.nowhere()) diagnostic.path = inputs_.path;
+  return diagnostic;
+}
+
+void Context::report(Finding finding) {
+  Tally& tally = tallies_[rule_];
+  if (++tally.found > inputs_.most_listed) {
+    if (tally.found == inputs_.most_listed + 1) tally.rest = told_by_rule(finding.where);
+    return;
+  }
+  Diagnostic diagnostic = told_by_rule(finding.where);
   diagnostic.message = shortened(std::move(finding.message));
-  diagnostic.where = finding.where;
-  if (finding.where.nowhere()) diagnostic.path = inputs_.path;
   diagnostic.subject = std::move(finding.subject);
   diagnostic.related = std::move(finding.related);
   diagnostic.help = std::move(finding.help);
   if (finding.fix) diagnostic.fixes.push_back(std::move(*finding.fix));
   diagnostics_.add(std::move(diagnostic));
+}
+
+void Context::report_counted() {
+  for (auto& [rule, tally] : tallies_) {
+    if (tally.found <= inputs_.most_listed) continue;
+    tally.rest.count = tally.found - inputs_.most_listed;
+    tally.rest.message = "from here on " + std::to_string(tally.rest.count) +
+                         " more of this kind are counted and not listed";
+    diagnostics_.add(std::move(tally.rest));
+  }
+  tallies_.clear();
 }
 
 const read::Resolution& Context::resolve(const std::string& uri) {

@@ -51,12 +51,16 @@ class Context {
     const read::Resolver& resolver;
     const schema::Schema* schema;  ///< of the file's format; null when it has none
     mass::MeshSurveys* meshes;     ///< null when meshes are not to be opened
+    std::size_t most_listed;       ///< findings of one rule
   };
 
   Context(const Inputs& inputs, Diagnostics& diagnostics)
       : inputs_(inputs), diagnostics_(diagnostics) {}
 
+  /// Lists the first `most_listed` of a rule, and counts the others.
   void report(Finding finding);
+  /// Says how many findings of each rule were counted only; when all checks are done.
+  void report_counted();
 
   /// Whether a finding may still come with a suggestion. Each compares a name with all that there
   /// are, and whoever has thousands of wrong ones needs no help with their spelling.
@@ -114,11 +118,20 @@ class Context {
   }
 
  private:
+  /// The findings of a rule: how many, and what says how many are not listed.
+  struct Tally {
+    std::size_t found = 0;
+    Diagnostic rest;
+  };
+
+  Diagnostic told_by_rule(Span where) const;
+
   /// Names compared for suggestions in one file: a tenth of a second.
   static constexpr std::size_t kMostCompared = 300'000;
 
   const Inputs& inputs_;
   Diagnostics& diagnostics_;
+  std::unordered_map<std::string_view, Tally> tallies_;  // by rule
   std::size_t compared_ = 0;
   std::unordered_map<std::string, read::Resolution> resolved_;
   std::optional<std::vector<Uri>> uris_;

@@ -36,7 +36,8 @@ const schema::Schema* schema_of(const Environment& environment, model::Format fo
 
 }  // namespace
 
-Runner::Runner(const Registry& registry, const Selection& selection) {
+Runner::Runner(const Registry& registry, const Selection& selection)
+    : most_listed_(selection.most_listed) {
   for (const Rule& rule : registry.rules()) {
     const bool selected = selection.select.empty() || names(selection.select, rule);
     if (!selected || names(selection.ignore, rule)) continue;
@@ -74,23 +75,29 @@ class Runner::Walk {
                 frames_,
                 environment.resolver,
                 schema_of(environment, loaded.root.format),
-                meshes},
+                meshes,
+                runner.most_listed_},
         context_(inputs_, diagnostics_) {}
 
   Diagnostics run() {
-    for (const read::Fact& fact : loaded_.facts) facts(fact);
-    const auto& document = loaded_.file->document;
-    if (!document) return std::move(diagnostics_);
-    for (const xml::Fault& fault : document->faults()) facts(fault);
-    for (const read::ConfigFact& fact : loaded_.config_facts) facts(fact);
-    check_schema(*document);
-    // What a cut file lacks is not the author's doing: only what is there is spoken of.
-    if (document->complete()) check_model();
+    check_all();
+    context_.report_counted();
     diagnostics_.sort();
     return std::move(diagnostics_);
   }
 
  private:
+  void check_all() {
+    for (const read::Fact& fact : loaded_.facts) facts(fact);
+    const auto& document = loaded_.file->document;
+    if (!document) return;
+    for (const xml::Fault& fault : document->faults()) facts(fault);
+    for (const read::ConfigFact& fact : loaded_.config_facts) facts(fact);
+    check_schema(*document);
+    // What a cut file lacks is not the author's doing: only what is there is spoken of.
+    if (document->complete()) check_model();
+  }
+
   template <class CheckType, class Entity>
   void call(const std::pair<Active, CheckType>& slot, CheckOf<Entity> check, const Entity& entity) {
     const auto& [rule, category, severity] = slot.first;
@@ -126,7 +133,8 @@ class Runner::Walk {
     if (!top || inputs_.schema == nullptr) return;
     const auto node = inputs_.schema->root(top->name(), {loaded_.root.version});
     if (!node) return;
-    for (const read::SchemaFact& fact : read::check_conformance(document, *node)) facts(fact);
+    read::check_conformance(document, *node,
+                            [this](const read::SchemaFact& fact) { facts(fact); });
   }
 
   void check_model() {

@@ -54,6 +54,7 @@ class Runner {
   void add(const Rule& rule, Severity severity);
 
   SlotsOf<Check>::type slots_;
+  std::size_t most_listed_;
 };
 
 }  // namespace rigor::rules

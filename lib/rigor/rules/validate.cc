@@ -123,7 +123,8 @@ class Run {
         runner_.run(environment_, sources_, loaded, open_meshes ? &meshes_ : nullptr);
     for (const Diagnostic& found : checked.diagnostics.list()) {
       if (found.severity != Severity::kError || told_by_includer(found.rule)) continue;
-      if (checked.errors++ == 0) checked.first_error = found.message;
+      if (checked.errors == 0) checked.first_error = found.message;
+      checked.errors += found.count;
     }
     return checked;
   }

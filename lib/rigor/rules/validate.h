@@ -25,6 +25,9 @@ struct Selection {
   std::vector<std::string> select;  ///< rule or category names; all when empty
   std::vector<std::string> ignore;
   std::vector<std::pair<std::string, Severity>> severity;  ///< overrides, by rule name
+  /// Findings of one rule in one file that are listed; one more says how many were counted only.
+  /// Nobody reads a thousand, and a hostile file turns each of its elements into one.
+  std::size_t most_listed = 1000;
 };
 
 /// The first name in the selection that is no rule and no category; nothing when all are known.

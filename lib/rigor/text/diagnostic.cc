@@ -18,9 +18,11 @@ std::string_view to_string(Severity severity) {
 }
 
 std::size_t Diagnostics::count(Severity severity) const {
-  return static_cast<std::size_t>(
-      std::count_if(list_.begin(), list_.end(),
-                    [severity](const Diagnostic& d) { return d.severity == severity; }));
+  std::size_t count = 0;
+  for (const Diagnostic& diagnostic : list_) {
+    if (diagnostic.severity == severity) count += diagnostic.count;
+  }
+  return count;
 }
 
 void Diagnostics::sort() {

@@ -11,6 +11,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -46,6 +47,7 @@ struct Diagnostic {
   std::vector<Label> related;
   std::string help;        ///< what to do, in the imperative; empty when the message says it all
   std::vector<Fix> fixes;  ///< none or one; the first is the one to apply
+  std::size_t count = 1;   ///< findings it stands for: many when it says how many are not listed
 };
 
 /// Append-only. Rules and readers add, nobody removes.
@@ -60,6 +62,7 @@ class Diagnostics {
   }
 
   const std::vector<Diagnostic>& list() const { return list_; }
+  /// Findings, those that are counted and not listed among them.
   std::size_t count(Severity severity) const;
 
   /// By place (source, then offset), then rule, so that output depends on nothing else.
