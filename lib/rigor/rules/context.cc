@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <rigor/model/subject.h>
+#include <rigor/rules/xml/xacro.h>
 #include <rigor/text/path.h>
 
 namespace rigor::rules {
@@ -14,6 +15,8 @@ namespace {
 
 /// A message quotes values; one of a megabyte helps nobody. Longer than any sentence we write.
 constexpr std::size_t kLongestMessage = 1000;
+
+constexpr std::string_view kLeftoverXacro = "xml-leftover-xacro";
 
 std::string shortened(std::string message) {
   if (message.size() <= kLongestMessage) return message;
@@ -36,6 +39,8 @@ Diagnostic Context::told_by_rule(Span where) const {
 }
 
 void Context::report(Finding finding) {
+  // What xacro was to write is told by that rule, and nothing else of it is known.
+  if (has_xacro(bytes(finding.where)) && rule_ != kLeftoverXacro) return;
   Tally& tally = tallies_[rule_];
   if (++tally.found > inputs_.most_listed) {
     if (tally.found == inputs_.most_listed + 1) tally.rest = told_by_rule(finding.where);

@@ -57,7 +57,8 @@ class Context {
   Context(const Inputs& inputs, Diagnostics& diagnostics)
       : inputs_(inputs), diagnostics_(diagnostics) {}
 
-  /// Lists the first `most_listed` of a rule, and counts the others.
+  /// Lists the first `most_listed` of a rule, and counts the others. Of what was left for xacro only
+  /// that is told.
   void report(Finding finding);
   /// Says how many findings of each rule were counted only; when all checks are done.
   void report_counted();

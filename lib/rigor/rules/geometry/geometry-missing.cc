@@ -4,6 +4,7 @@
 #include <string>
 
 #include <rigor/rules/rule.h>
+#include <rigor/rules/xml/xacro.h>
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::geometry_missing {
@@ -21,7 +22,7 @@ template <class Part>
 void check(const Part& part, Context& context) {
   if (part.geometry.written) return;
   const xml::Element element = context.element(part.site);
-  if (has_another_reason(element)) return;
+  if (has_another_reason(element) || has_xacro_child(element)) return;
   context.report({.where = part.site.name,
                   .message = "<" + std::string(element.name()) + "> has no <geometry>",
                   .subject = context.subject(part)});

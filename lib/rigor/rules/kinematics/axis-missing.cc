@@ -5,12 +5,14 @@
 
 #include <rigor/rules/kinematics/motion.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/xml/xacro.h>
 
 namespace rigor::rules::axis_missing {
 namespace {
 
 void check(const model::Joint& joint, Context& context) {
   if (!has_axis(joint.type) || !joint.axes.empty()) return;
+  if (has_xacro_child(context.element(joint.site))) return;
   context.report({.where = joint.site.name,
                   .message = "the " + std::string(to_string(joint.type)) +
                              " joint has no <axis>: it is taken to move along z (0 0 1)",

@@ -21,22 +21,33 @@ std::string instead(const read::SchemaFact& fact, std::string_view name) {
   return "<" + std::string(name) + "> is written as a child: it is an attribute";
 }
 
-/// It takes the default where there is one, passes over a colour or texture without a value, and
+/// urdfdom takes the default where there is one, passes over a colour or texture without a value, and
 /// reads no sensors.
-bool urdfdom_minds_not(const read::SchemaFact& fact) {
-  const std::string_view element = fact.element.name();
-  return fact.node->default_value() || element == "color" || element == "texture" ||
-         element == "sensor";
+bool needed(xml::Element element, const schema::Node& attribute, const Context& context) {
+  const std::string_view name = element.name();
+  if (name == "sdf" || name == "gazebo") return attribute.name() != "version";  // sdf-version-missing
+  if (!context.is_urdf()) return true;
+  return !attribute.default_value() && name != "color" && name != "texture" && name != "sensor";
+}
+
+/// All that the element lacks, each in quotes.
+std::string missing(const read::SchemaFact& fact, const Context& context) {
+  std::string names;
+  for (const schema::Node attribute : fact.parent->required_attributes()) {
+    if (fact.element.attribute(attribute.name())) continue;
+    if (!needed(fact.element, attribute, context)) continue;
+    names += (names.empty() ? "'" : ", '") + std::string(attribute.name()) + "'";
+  }
+  return names;
 }
 
 void check(const read::SchemaFact& fact, Context& context) {
-  const std::string_view element = fact.element.name();
   const std::string_view name = fact.node->name();
-  const bool root = element == "sdf" || element == "gazebo";
-  if (root && name == "version") return;  // sdf-version-missing
-  if (context.is_urdf() && urdfdom_minds_not(fact)) return;
+  if (!needed(fact.element, *fact.node, context)) return;
+  const std::string names = missing(fact, context);
+  if (!names.starts_with("'" + std::string(name) + "'")) return;  // told at the first of them
   context.report({.where = fact.where,
-                  .message = "<" + std::string(element) + "> has no '" + std::string(name) + "'",
+                  .message = "<" + std::string(fact.element.name()) + "> has no " + names,
                   .subject = subject_of(fact.element),
                   .help = instead(fact, name)});
 }
@@ -66,6 +77,15 @@ Rule rule() {
     <collision>
       <geometry>«<sphere/>»</geometry>
     </collision>
+  </link>
+</robot>
+)"},
+              {R"(<robot name="box">
+  <link name="body">
+    <inertial>
+      <mass value="1"/>
+      «<inertia/>»
+    </inertial>
   </link>
 </robot>
 )"}},

@@ -6,6 +6,7 @@
 
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/place.h>
+#include <rigor/rules/xml/xacro.h>
 
 namespace rigor::rules::missing_element {
 namespace {
@@ -23,6 +24,7 @@ void check(const read::SchemaFact& fact, Context& context) {
   const std::string name(fact.node->name());
   if (!needed(fact, context)) return;
   if (fact.element.attribute(name)) return;  // element-as-attribute
+  if (has_xacro_child(fact.element)) return;
   context.report({.where = fact.where,
                   .message = "<" + std::string(fact.element.name()) + "> has no <" + name + ">",
                   .subject = subject_of(fact.element)});

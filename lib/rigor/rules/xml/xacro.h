@@ -7,11 +7,21 @@
 
 #include <string_view>
 
+#include <rigor/xml/document.h>
+
 namespace rigor::rules {
 
 /// Whether a value still has xacro's `${…}` or `$(…)` in it.
 inline bool has_xacro(std::string_view value) {
   return value.find("${") != std::string_view::npos || value.find("$(") != std::string_view::npos;
+}
+
+/// Whether xacro was to put parts into the element: what it lacks may be among them.
+inline bool has_xacro_child(xml::Element element) {
+  for (const xml::Element child : element.children()) {
+    if (child.name().starts_with("xacro:")) return true;
+  }
+  return false;
 }
 
 }  // namespace rigor::rules

@@ -83,6 +83,23 @@ Rule rule() {
     </collision>
   </link>
 </robot>
+)"},
+              // What follows from it is not told: parts that are missing, names and files not found.
+              {R"(<robot name="box">
+  <link name="body">
+    <inertial>
+      <«xacro:cuboid_inertia»/>
+    </inertial>
+    <visual>
+      <geometry><mesh filename="$(find boxes)/box.stl"/></geometry>
+    </visual>
+  </link>
+  <link name="lid"/>
+  <joint name="hinge" type="revolute">
+    <xacro:insert_block name="ends"/>
+    <mimic joint="${prefix}hinge"/>
+  </joint>
+</robot>
 )"}},
       .good = {{R"(<robot name="box">
   <link name="body">
