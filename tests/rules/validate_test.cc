@@ -152,5 +152,37 @@ TEST(ManyFindings, OfRepetitionsBehindOtherElementsTakeOneWalk) {
   EXPECT_EQ(helps("a.sdf", text, "repeated-element").size(), 1U);
 }
 
+TEST(Finding, NamesWhatItIsAbout) {
+  const std::string text =
+      "<robot name='arm'><link name='base'><visual name='shell'><geometry>"
+      "<mesh filename='meshes\\a.stl'/></geometry></visual></link></robot>";
+  const MemoryDisk disk(Files{{"a.urdf", text}});
+  const Environment environment(disk, {});
+  Sources sources;
+  const Diagnostics found =
+      validate(environment, {.paths = {"a.urdf"}, .selection = {.select = {"uri-backslash"}}},
+               sources)
+          .diagnostics;
+  ASSERT_EQ(found.list().size(), 1U);
+  EXPECT_EQ(found.list()[0].subject, "arm/link base/visual shell");
+}
+
+TEST(DeprecatedElement, NamesWhatToWriteInItsPlace) {
+  const std::string text =
+      "<robot name='arm'><link name='a'/><link name='b'/><joint name='j' type='continuous'>"
+      "<parent link='a'/><child link='b'/><axis xyz='0 0 1' rpy='0 0 0'/>"
+      "<joint_properties damping='1'/></joint></robot>";
+  const MemoryDisk disk(Files{{"a.urdf", text}});
+  const Environment environment(disk, {});
+  Sources sources;
+  const Diagnostics found =
+      validate(environment, {.paths = {"a.urdf"}, .selection = {.select = {"deprecated-element"}}},
+               sources)
+          .diagnostics;
+  ASSERT_EQ(found.list().size(), 2U);
+  EXPECT_EQ(found.list()[0].message, "'rpy' is deprecated: it has no effect");
+  EXPECT_EQ(found.list()[1].message, "'joint_properties' is deprecated: write 'dynamics'");
+}
+
 }  // namespace
 }  // namespace rigor::rules

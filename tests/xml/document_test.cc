@@ -61,6 +61,17 @@ TEST(Document, SpansAreTheBytesThatWereWritten) {
   EXPECT_EQ(joined(document), text);
 }
 
+TEST(Document, KnowsTheElementAroundEachByte) {
+  const std::string text = " <a><b x='1'>t</b> <c/><d><e>u";  // and all are cut
+  const Document document = parse(text, {});
+  const std::string around = " aaabbbbbbbbbbbbbbaccccdddeeee";
+  for (std::uint32_t at = 0; at < text.size(); ++at) {
+    const auto element = document.element_at(at);
+    const std::string name = element ? std::string(element->name()) : " ";
+    EXPECT_EQ(name[0], around[at]) << at;
+  }
+}
+
 TEST(Document, ValueIsTheFirstRunOfTextAfterComments) {
   const std::string text = "<a><!-- x -->5<!-- y -->6</a>";
   const Document document = parse(text, {});

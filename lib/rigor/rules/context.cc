@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <rigor/model/subject.h>
+#include <rigor/rules/schema/place.h>
 #include <rigor/rules/xml/xacro.h>
 #include <rigor/text/path.h>
 
@@ -28,6 +29,13 @@ std::string shortened(std::string message) {
 
 }  // namespace
 
+/// What the innermost element around a place is part of.
+std::string Context::subject_at(Span where) const {
+  if (inputs_.document == nullptr || where.source != inputs_.document->source()) return {};
+  const auto element = inputs_.document->element_at(where.begin);
+  return element ? subject_of(*element) : std::string();
+}
+
 Diagnostic Context::told_by_rule(Span where) const {
   Diagnostic diagnostic;
   diagnostic.rule = rule_;
@@ -48,7 +56,7 @@ void Context::report(Finding finding) {
   }
   Diagnostic diagnostic = told_by_rule(finding.where);
   diagnostic.message = shortened(std::move(finding.message));
-  diagnostic.subject = std::move(finding.subject);
+  diagnostic.subject = finding.subject.empty() ? subject_at(finding.where) : std::move(finding.subject);
   diagnostic.related = std::move(finding.related);
   diagnostic.help = std::move(finding.help);
   if (finding.fix) diagnostic.fixes.push_back(std::move(*finding.fix));

@@ -33,7 +33,7 @@ namespace rigor::rules {
 struct Finding {
   Span where;
   std::string message;
-  std::string subject = {};
+  std::string subject = {};  ///< when empty, what the elements around the place are called
   std::vector<Label> related = {};
   std::string help = {};
   std::optional<Fix> fix = std::nullopt;
@@ -126,6 +126,7 @@ class Context {
   };
 
   Diagnostic told_by_rule(Span where) const;
+  std::string subject_at(Span where) const;
 
   /// Names compared for suggestions in one file: a tenth of a second.
   static constexpr std::size_t kMostCompared = 300'000;

@@ -128,6 +128,9 @@ class Document {
   std::uint32_t element_count() const { return static_cast<std::uint32_t>(elements_.size()); }
   Element element(std::uint32_t index) const { return {*this, index}; }
 
+  /// The innermost element that a byte is part of; nothing outside the root.
+  std::optional<Element> element_at(std::uint32_t offset) const;
+
   const std::vector<Token>& tokens() const { return tokens_; }
   const std::vector<Fault>& faults() const { return faults_; }
   /// False when a fatal fault ended the reading.

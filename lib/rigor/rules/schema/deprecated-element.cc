@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <string>
-#include <string_view>
-#include <utility>
 
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/place.h>
@@ -11,15 +9,19 @@
 namespace rigor::rules::deprecated_element {
 namespace {
 
+/// What to do about it: the concise report has the message alone.
+std::string instead_of(const schema::Node& node) {
+  if (!node.instead().empty()) return ": write '" + std::string(node.instead()) + "'";
+  return node.doc().starts_with("Without effect") ? ": it has no effect" : "";
+}
+
 void check(const read::SchemaFact& fact, Context& context) {
-  const std::string_view instead = fact.node->instead();
   const auto since = fact.node->deprecated_since();
   std::string message = "'" + std::string(fact.node->name()) + "' is deprecated";
   if (context.is_sdf() && since) message += " since SDF " + schema::to_string(*since);
   context.report({.where = fact.where,
-                  .message = std::move(message),
-                  .subject = subject_of(fact.element),
-                  .help = instead.empty() ? "" : "write " + std::string(instead)});
+                  .message = message + instead_of(*fact.node),
+                  .subject = subject_of(fact.element)});
 }
 
 }  // namespace
