@@ -142,6 +142,18 @@ TEST_F(Excerpt, CutsALongLineAroundTheMark) {
                 "  |\n");
 }
 
+TEST_F(Excerpt, MarksOnALongLineShareItToo) {
+  source("<a x='1'" + std::string(10, ' ') + "x='2'" + std::string(200, ' ') + "y='3'/>");
+  EXPECT_EQ(draw({{find("x='2'")}, {find("x='1'"), '-', "first"}}),
+            "  |\n"
+            "1 | <a x='1'          x='2'" +
+                std::string(97, ' ') +
+                "…\n"
+                "  |    ----- first\n"
+                "  |                   ^^^^^\n"
+                "  |\n");
+}
+
 TEST_F(Excerpt, LongSpanEndsWithTheWindow) {
   source(std::string(5000, 'a'));
   EXPECT_EQ(draw({{{source_, 0, 5000}}}),

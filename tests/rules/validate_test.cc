@@ -167,6 +167,19 @@ TEST(Finding, NamesWhatItIsAbout) {
   EXPECT_EQ(found.list()[0].subject, "arm/link base/visual shell");
 }
 
+TEST(Finding, PointsAtWhatIsWrittenBetweenLines) {
+  const std::string text =
+      "<sdf version='1.9'><model name='m'><static>1</static><link name='l'><visual name='v'>"
+      "<geometry><mesh><uri>\n  meshes/a.stl\n</uri></mesh></geometry></visual></link></model></sdf>";
+  const MemoryDisk disk(Files{{"a.sdf", text}});
+  const Environment environment(disk, {});
+  Sources sources;
+  const Diagnostics found = validate(environment, {.paths = {"a.sdf"}}, sources).diagnostics;
+  ASSERT_EQ(found.list().size(), 1U);
+  EXPECT_EQ(found.list()[0].rule, "mesh-not-found");
+  EXPECT_EQ(sources.bytes(found.list()[0].where), "meshes/a.stl");
+}
+
 TEST(DeprecatedElement, NamesWhatToWriteInItsPlace) {
   const std::string text =
       "<robot name='arm'><link name='a'/><link name='b'/><joint name='j' type='continuous'>"

@@ -27,15 +27,6 @@ struct Cell {
   std::uint32_t offset;  // of the character in the source; all cells of a tab have the same
 };
 
-/// What is shown of a line, and which columns are marked.
-struct View {
-  std::string text;
-  std::size_t first = 0;
-  std::size_t last = 0;  // exclusive
-  bool goes_on = false;  // the span reaches beyond what is shown
-  bool operator==(const View&) const = default;
-};
-
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
 /// The bytes of a line as far as kReach around a position shows them.
@@ -83,33 +74,61 @@ std::size_t column_of(const std::vector<Cell>& cells, std::uint32_t offset) {
                                   cells.begin());
 }
 
-View view_of(std::string_view bytes, Span span) {
-  const Stretch stretch = stretch_around(bytes, span.begin);
-  const std::vector<Cell> cells = cells_of(bytes, stretch);
-  const std::size_t first = column_of(cells, span.begin);
-  const std::size_t last = std::max(first + 1, column_of(cells, span.end));
+/// What is shown of a line.
+struct Window {
+  std::vector<Cell> cells;  // of the stretch around the first mark
+  std::size_t begin = 0;    // those that are shown, half-open
+  std::size_t end = 0;
+  bool cut_before = false;
+  bool cut_after = false;
+  std::uint32_t stretch_end = 0;
+};
 
-  std::size_t begin = 0;
-  std::size_t end = cells.size();
-  bool cut_before = stretch.cut_before;
-  bool cut_after = stretch.cut_after;
-  if (cut_before || cut_after || cells.size() > kMaxColumns) {
-    begin = first > kColumnsBefore ? first - kColumnsBefore : 0;
-    end = std::min(cells.size(), begin + kMaxColumns);
-    cut_before = cut_before || begin > 0;
-    cut_after = cut_after || end < cells.size();
+Window window_around(std::string_view bytes, std::uint32_t offset) {
+  const Stretch stretch = stretch_around(bytes, offset);
+  Window window{cells_of(bytes, stretch)};
+  window.stretch_end = stretch.end;
+  window.end = window.cells.size();
+  window.cut_before = stretch.cut_before;
+  window.cut_after = stretch.cut_after;
+  if (window.cut_before || window.cut_after || window.end > kMaxColumns) {
+    const std::size_t first = column_of(window.cells, offset);
+    window.begin = first > kColumnsBefore ? first - kColumnsBefore : 0;
+    window.end = std::min(window.cells.size(), window.begin + kMaxColumns);
+    window.cut_before = window.cut_before || window.begin > 0;
+    window.cut_after = window.cut_after || window.end < window.cells.size();
   }
+  return window;
+}
 
-  View view;
-  if (cut_before) view.text = "…";
-  for (std::size_t i = begin; i < end; ++i) view.text += cells[i].shown;
-  if (cut_after) view.text += "…";
-  view.text.erase(view.text.find_last_not_of(' ') + 1);
-  const std::size_t shift = cut_before ? 1 : 0;
-  view.first = first - begin + shift;
-  view.last = std::max(first + 1, std::min(last, end)) - begin + shift;
-  view.goes_on = span.end > stretch.end || last > std::max(end, first + 1);
-  return view;
+/// Whether a mark that begins here can be drawn under the window; it may reach beyond.
+bool shows(const Window& window, std::uint32_t offset) {
+  if (window.begin == window.end || offset < window.cells[window.begin].offset) return false;
+  return !window.cut_after || offset <= window.cells[window.end - 1].offset;
+}
+
+std::string text_of(const Window& window) {
+  std::string text = window.cut_before ? "…" : "";
+  for (std::size_t i = window.begin; i < window.end; ++i) text += window.cells[i].shown;
+  if (window.cut_after) text += "…";
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text;
+}
+
+/// The columns of a span, counted from the window's first; the last one exclusive.
+struct Columns {
+  std::size_t first;
+  std::size_t last;
+  bool goes_on;  // the span reaches beyond what is shown
+};
+
+Columns columns_of(const Window& window, Span span) {
+  const std::size_t first = column_of(window.cells, span.begin);
+  const std::size_t last = std::max(first + 1, column_of(window.cells, span.end));
+  const std::size_t shown = std::max(first + 1, std::min(last, window.end));
+  const std::size_t shift = window.cut_before ? 1 : 0;
+  return {first - window.begin + shift, shown - window.begin + shift,
+          span.end > window.stretch_end || last > std::max(window.end, first + 1)};
 }
 
 class Drawing {
@@ -118,9 +137,11 @@ class Drawing {
 
   void draw(const Mark& mark, Paint paint) {
     const std::uint32_t line = places_.begin(mark.where).line;
-    const View view = view_of(places_.bytes(mark.where.source), mark.where);
-    if (line_ != line || text_ != view.text) source_line(line, view.text);
-    mark_line(mark, view, paint);
+    if (line_ != line || !shows(window_, mark.where.begin)) {
+      window_ = window_around(places_.bytes(mark.where.source), mark.where.begin);
+      source_line(line, text_of(window_));
+    }
+    mark_line(mark, columns_of(window_, mark.where), paint);
   }
 
   std::string finish() {
@@ -145,15 +166,14 @@ class Drawing {
     if (!text.empty()) out_ += ' ' + text;
     out_ += '\n';
     line_ = line;
-    text_ = text;
   }
 
-  void mark_line(const Mark& mark, const View& view, Paint paint) {
-    std::string signs(view.last - view.first, mark.sign);
-    if (view.goes_on) signs += "…";
+  void mark_line(const Mark& mark, const Columns& columns, Paint paint) {
+    std::string signs(columns.last - columns.first, mark.sign);
+    if (columns.goes_on) signs += "…";
     if (!mark.message.empty()) signs += ' ' + printable(mark.message, kMaxMessage);
     gutter("");
-    out_ += std::string(view.first + 1, ' ') + report::paint(signs, paint, style_.color) + '\n';
+    out_ += std::string(columns.first + 1, ' ') + report::paint(signs, paint, style_.color) + '\n';
   }
 
   /// Characters of a label shown at most: a value quoted in it may be as long as the file.
@@ -163,7 +183,7 @@ class Drawing {
   ExcerptStyle style_;
   std::string out_;
   std::optional<std::uint32_t> line_;  // the source line drawn last
-  std::string text_;                   // and what it showed
+  Window window_;                      // and what of it
 };
 
 }  // namespace

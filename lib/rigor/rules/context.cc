@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <rigor/model/subject.h>
+#include <rigor/read/values.h>
 #include <rigor/rules/schema/place.h>
 #include <rigor/rules/xml/xacro.h>
 #include <rigor/text/path.h>
@@ -46,7 +47,20 @@ Diagnostic Context::told_by_rule(Span where) const {
   return diagnostic;
 }
 
+/// Without the white space around it, which belongs to an element's value: a URI on a line of its own
+/// is marked there, and not behind the tag before it.
+Span Context::written(Span where) const {
+  const std::string_view all = bytes(where);
+  const std::string_view part = read::trimmed(all);
+  if (part.empty()) return where;
+  where.begin += static_cast<std::uint32_t>(part.data() - all.data());
+  where.end = where.begin + static_cast<std::uint32_t>(part.size());
+  return where;
+}
+
 void Context::report(Finding finding) {
+  finding.where = written(finding.where);
+  for (Label& label : finding.related) label.where = written(label.where);
   // What xacro was to write is told by that rule, and nothing else of it is known.
   if (has_xacro(bytes(finding.where)) && rule_ != kLeftoverXacro) return;
   Tally& tally = tallies_[rule_];

@@ -127,6 +127,7 @@ class Context {
 
   Diagnostic told_by_rule(Span where) const;
   std::string subject_at(Span where) const;
+  Span written(Span where) const;
 
   /// Names compared for suggestions in one file: a tenth of a second.
   static constexpr std::size_t kMostCompared = 300'000;
