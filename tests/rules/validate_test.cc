@@ -38,7 +38,9 @@ std::string model(const std::string& parts) {
          "</model></sdf>";
 }
 
-std::string including(const std::string& path) { return "<include><uri>" + path + "</uri></include>"; }
+std::string including(const std::string& path) {
+  return "<include><uri>" + path + "</uri></include>";
+}
 
 const char* const kFault = "<pose>wide</pose>";  // value-malformed, an error
 
@@ -122,7 +124,9 @@ TEST(ManyFindings, AreCountedAndNotAllListed) {
 }
 
 TEST(ManyFindings, OfABinaryFileAreOneOfAKind) {
-  std::string text = "\x7f" "ELF";
+  std::string text =
+      "\x7f"
+      "ELF";
   for (int i = 0; i < 300; ++i) text += "\x01\x02\xff";
   EXPECT_EQ(findings({{"a.sdf", text}}, {"a.sdf"}),
             (Found{"a.sdf xml-control-character", "a.sdf xml-empty", "a.sdf xml-not-utf8",
@@ -170,7 +174,8 @@ TEST(Finding, NamesWhatItIsAbout) {
 TEST(Finding, PointsAtWhatIsWrittenBetweenLines) {
   const std::string text =
       "<sdf version='1.9'><model name='m'><static>1</static><link name='l'><visual name='v'>"
-      "<geometry><mesh><uri>\n  meshes/a.stl\n</uri></mesh></geometry></visual></link></model></sdf>";
+      "<geometry><mesh><uri>\n  "
+      "meshes/a.stl\n</uri></mesh></geometry></visual></link></model></sdf>";
   const MemoryDisk disk(Files{{"a.sdf", text}});
   const Environment environment(disk, {});
   Sources sources;

@@ -70,7 +70,8 @@ void Context::report(Finding finding) {
   }
   Diagnostic diagnostic = told_by_rule(finding.where);
   diagnostic.message = shortened(std::move(finding.message));
-  diagnostic.subject = finding.subject.empty() ? subject_at(finding.where) : std::move(finding.subject);
+  diagnostic.subject =
+      finding.subject.empty() ? subject_at(finding.where) : std::move(finding.subject);
   diagnostic.related = std::move(finding.related);
   diagnostic.help = std::move(finding.help);
   if (finding.fix) diagnostic.fixes.push_back(std::move(*finding.fix));
