@@ -122,6 +122,7 @@ TEST(InertiaCli, RefusesWhatNoBodyCanBe) {
   expect_refused(folder, "sphere --radius 0.5", 2, "--mass");
   expect_refused(folder, "sphere --radius 5000 --mass 1", 2, "longer than 1000 m");
   expect_refused(folder, "cylinder --radius 0.1 --length 0.05 --mass 3000", 2, "denser than osmium");
+  expect_refused(folder, "box --size 1 1 1 --hollow 0.6 --mass 1", 2, "fills the whole box");
   expect_refused(folder, "sphere --radius 0.1 --size 1 1 1 --mass 1", 2, "does not belong");
   expect_refused(folder, "sphere --radius 0.1 --material unobtainium", 2, "no such material");
   expect_refused(folder, "sfere --radius 0.1 --mass 1", 2, "did you mean \"sphere\"");
@@ -160,6 +161,10 @@ TEST(InertiaCli, RefusesMeshesThatAreNoSolid) {
   expect_refused(folder, "mesh pointer.stl --mass 1", 1, "Git LFS");
   EXPECT_NE(folder.rigor("inertia mesh cut.stl --mass 1").exit, 0);
   EXPECT_EQ(folder.rigor("inertia mesh open.stl --hull --mass 1").exit, 0);
+  EXPECT_EQ(folder.rigor("inertia mesh turned.stl --hull --mass 1").exit, 0);
+  expect_refused(folder, "mesh open.stl --hull --hollow 0.1 --mass 1", 2, "give one of them");
+  expect_refused(folder, "open.stl", 2, "did you mean rigor inertia mesh");
+  expect_refused(folder, "mesh . --mass 1", 2, "is a folder");
   EXPECT_EQ(folder.rigor("inertia mesh millimetres.stl --scale 1 --mass 1").exit, 0);
 }
 
@@ -234,6 +239,32 @@ TEST_F(InertiaOfModel, AGivenMassIsWritten) {
   expect_refused(folder_, "my_robot/model.sdf --radius 1", 2, "belongs to a shape");
 }
 
+TEST_F(InertiaOfModel, ShapesThatCannotBeTheBodyProposeNothing) {
+  // A ball of 1 mm stands for a screen of 0.44 kg.
+  const std::string robot = R"(<robot name="r">
+  <link name="screen">
+    <inertial>
+      <mass value="0.44"/>
+      <inertia ixx="0.004" ixy="0" ixz="0" iyy="0.003" iyz="0" izz="0.002"/>
+    </inertial>
+    <collision>
+      <geometry><sphere radius="0.001"/></geometry>
+    </collision>
+  </link>
+</robot>
+)";
+  folder_.put("r.urdf", robot);
+  EXPECT_EQ(folder_.rigor("inertia r.urdf --only all --diff").exit, 0);
+  EXPECT_EQ(folder_.rigor("validate r.urdf --fail-on info").exit, 0);
+}
+
+TEST_F(InertiaOfModel, WritingAllTwiceIsWritingOnce) {
+  EXPECT_EQ(folder_.rigor("inertia my_robot/model.sdf --only all --write --density 1234.5").exit, 0);
+  const std::string once = folder_.get("my_robot/model.sdf");
+  EXPECT_EQ(folder_.rigor("inertia my_robot/model.sdf --only all --write").exit, 0);
+  EXPECT_EQ(folder_.get("my_robot/model.sdf"), once);
+}
+
 TEST_F(InertiaOfModel, JsonGivesTheTable) {
   const json found = parsed(folder_.rigor("inertia my_robot/model.sdf --format json"));
   EXPECT_EQ(found["links"].size(), 3U);
@@ -245,7 +276,7 @@ TEST_F(InertiaOfModel, JsonGivesTheTable) {
   EXPECT_EQ(chassis["overlaps"].size(), 1U);
   EXPECT_NEAR(chassis["overlaps"][0]["share"].get<double>(), 0.5, 0.02);
   const double mass = found["totals"][0]["computed"]["mass"].get<double>();
-  EXPECT_NEAR(mass, 1000 * (0.008 + 4.0 / 3 * M_PI * 125e-6 + 2 * M_PI * 0.0005), 1e-9);
+  EXPECT_NEAR(mass, 1000 * (0.008 + 4.0 / 3 * M_PI * 125e-6 + 2 * M_PI * 0.0005), 1e-7);
   EXPECT_GT(found["totals"][0]["stance"]["margin"].get<double>(), 0);
 }
 

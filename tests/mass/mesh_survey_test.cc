@@ -3,6 +3,8 @@
 
 #include <rigor/mass/mesh_survey.h>
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include <rigor/mass/facet_stream.h>
@@ -69,6 +71,17 @@ TEST(MeshSurvey, States) {
   disk.put("m.stl", "no mesh");
   EXPECT_EQ(body_of(survey_mesh(disk, {"m.stl"}), {1, 1, 1}).state, MeshState::kUnusable);
   EXPECT_EQ(body_of(survey_mesh(disk, {"none.stl"}), {1, 1, 1}).state, MeshState::kUnusable);
+}
+
+TEST(MeshSurvey, ACoordinateThatIsNoNumberIsAFault) {
+  for (const double bad : {std::nan(""), HUGE_VAL}) {
+    mesh::TriangleMesh box = box_mesh({1, 1, 1});
+    box.positions[3].y = bad;
+    const MeshSurvey found = survey(box);
+    ASSERT_EQ(found.faults.size(), 1U);
+    EXPECT_EQ(found.faults.front().kind, mesh::FaultKind::kNotFinite);
+    EXPECT_EQ(body_of(found, {1, 1, 1}).state, MeshState::kUnusable);
+  }
 }
 
 TEST(MeshSurvey, AnInsideOutMeshIsTakenTheOtherWayRound) {

@@ -3,6 +3,8 @@
 //
 // `rigor inertia MODEL`: a model's inertials beside what its shapes say, and written into the file.
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <string>
 #include <utility>
@@ -16,6 +18,7 @@
 #include <rigor/report/summary.h>
 #include <rigor/rules/mesh_finder.h>
 #include <rigor/text/diff.h>
+#include <rigor/text/path.h>
 
 #include "atomic_file.h"
 #include "command.h"
@@ -30,6 +33,8 @@ namespace {
 using author::InertiaOptions;
 using author::ModelInertia;
 using model::Id;
+
+constexpr std::string_view kMeshes[] = {".stl", ".obj", ".dae", ".glb", ".gltf", ".ply"};
 
 void refuse_shape_options(const InertiaArguments& a) {
   const auto refuse = [](bool given, const char* option) {
@@ -65,9 +70,26 @@ InertiaOptions options_of(const InertiaArguments& a) {
       throw UsageError("--mass " + text + ": of a model it is LINK=KG");
     }
     const auto [link, mass] = split_assignment("--mass", text);
+    if (options.masses.contains(link)) throw UsageError("--mass " + link + " is given twice");
     options.masses[link] = positive_number("--mass " + link, mass, "kg");
   }
   return options;
+}
+
+/// A bare name that several links have.
+void refuse_ambiguous_links(const model::Root& root, const InertiaOptions& options) {
+  for (const auto& [name, mass] : options.masses) {
+    std::vector<std::string> named;
+    for (std::uint32_t i = 0; i < root.links.size(); ++i) {
+      const std::string scoped = scoped_name(root, Id<model::Link>{i});
+      if (scoped == name) return;
+      if (root.links[i].name.value == name) named.push_back(scoped);
+    }
+    if (named.size() > 1) {
+      throw UsageError("--mass " + name + ": " + report::counted(named.size(), "link") +
+                       " have this name; write " + named[0] + " or " + named[1]);
+    }
+  }
 }
 
 /// What keeps the file from being looked at as a whole; empty when nothing does.
@@ -152,7 +174,15 @@ int run_model_inertia(const InertiaArguments& a) {
                      did_you_mean(a.what, {"box", "sphere", "cylinder", "capsule", "ellipsoid",
                                            "cone", "mesh"}));
   }
+  const std::string ending = extension(a.what);
+  if (disk.kind(a.what) == PathKind::kFile && std::find(std::begin(kMeshes), std::end(kMeshes),
+                                                        ending) != std::end(kMeshes)) {
+    throw UsageError(a.what + " is a mesh; did you mean rigor inertia mesh " + a.what + "?");
+  }
   const std::vector<Target> targets = a.output.targets_of({"text", "json"});
+  if ((a.diff || a.write) && targets.front().format != 0) {
+    throw UsageError("--diff and --write print no table: leave out --format json");
+  }
   refuse_shape_options(a);
   const InertiaOptions options = options_of(a);
   const Environment environment(disk, a.search.paths());
@@ -165,6 +195,7 @@ int run_model_inertia(const InertiaArguments& a) {
     say("rigor: " + report::printable(path) + " " + why + "; `rigor validate` says more");
     return kFindings;
   }
+  refuse_ambiguous_links(loaded.root, options);
   for (const std::string& name : unknown_links(loaded.root, options)) {
     std::vector<std::string_view> known;
     for (const model::Link& link : loaded.root.links) known.push_back(link.name.value);

@@ -13,6 +13,7 @@
 #include <rigor/write/inertial_text.h>
 #include <rigor/mass/hollow.h>
 #include <rigor/mass/mesh_survey.h>
+#include <rigor/mass/proposal.h>
 #include <rigor/mass/shapes.h>
 #include <rigor/mass/shell.h>
 #include <rigor/mesh/fault.h>
@@ -31,9 +32,6 @@ namespace {
 
 using mass::MeshState;
 using mass::Solid;
-
-// Denser than osmium (22,590 kg/m³) is nothing: the mass or a size is wrong.
-constexpr double kDensest = 25'000;  // kg/m³
 
 // A part of a robot is neither smaller nor larger; what is has its unit wrong.
 constexpr double kSmallest = 1e-6;  // m
@@ -114,8 +112,9 @@ Solid primitive_solid(const InertiaArguments& a) {
   const model::Shape shape = primitive(a);
   if (a.hollow.empty()) return *mass::solid_of(shape);
   const double wall = positive_number("--hollow", a.hollow, "m");
-  if (const auto solid = mass::hollow(shape, wall)) return *solid;
-  throw UsageError("--hollow " + a.hollow + " m: no wall of this thickness fits into the " + a.what);
+  const auto solid = mass::hollow(shape, wall);
+  if (solid && solid->volume < mass::solid_of(shape)->volume) return *solid;
+  throw UsageError("--hollow " + a.hollow + " m: a wall this thick fills the whole " + a.what);
 }
 
 model::Vector3 scale_of(const InertiaArguments& a) {
@@ -168,6 +167,7 @@ std::string problem(const mass::MeshSurvey& survey, MeshState state) {
 }
 
 Solid shell(const InertiaArguments& a, const model::Vector3& scale) {
+  if (a.hull) throw UsageError("--hull and --hollow: give one of them");
   const double wall = positive_number("--hollow", a.hollow, "m");
   mesh::TriangleMesh mesh = mesh::read_mesh(RealDisk(), a.mesh).mesh;
   for (model::Vector3& p : mesh.positions) p = {p.x * scale.x, p.y * scale.y, p.z * scale.z};
@@ -179,7 +179,12 @@ Solid mesh_solid(const InertiaArguments& a) {
   if (a.mesh.empty()) throw UsageError("mesh needs a file");
   const model::Vector3 scale = scale_of(a);
   const RealDisk disk;
-  if (disk.kind(a.mesh) != PathKind::kFile) throw UsageError(a.mesh + ": no such file");
+  switch (disk.kind(a.mesh)) {
+    case PathKind::kFile: break;
+    case PathKind::kMissing: throw UsageError(a.mesh + ": no such file");
+    case PathKind::kFolder: throw UsageError(a.mesh + ": is a folder");
+    case PathKind::kOther: throw UsageError(a.mesh + ": is not a regular file");
+  }
   const mass::MeshSurvey survey = mass::survey_mesh(disk, {a.mesh}, 0);
   for (const mesh::Fault& fault : survey.faults) {
     const std::string text = a.mesh + ": " + report::fault_text(fault);
@@ -191,13 +196,14 @@ Solid mesh_solid(const InertiaArguments& a) {
   const mass::MeshBody body = mass::body_of(survey, scale);
   const std::string why = problem(survey, body.state);
   if (why.empty()) return *body.solid;
-  if (a.hull && body.from == mass::BodyFrom::kHull && body.solid) {
-    say("rigor: " + report::printable(a.mesh) + " " + why + "; its convex hull is taken");
+  const bool turned = body.from == mass::BodyFrom::kTurnedMesh;
+  if (a.hull && body.solid) {
+    say("rigor: " + report::printable(a.mesh) + " " + why +
+        (turned ? "; it is taken the other way round" : "; its convex hull is taken"));
     return *body.solid;
   }
-  if (body.state == MeshState::kInverted) {
-    throw NoAnswer(a.mesh + " " + why + "; turn it, or mirror it with a negative --scale");
-  }
+  if (turned) throw NoAnswer(a.mesh + " " + why + "; --hull takes it the other way round");
+  if (!body.solid) throw NoAnswer(a.mesh + " " + why + "; --hollow T takes it for a sheet of T m");
   throw NoAnswer(a.mesh + " " + why + "; --hull takes its convex hull, --hollow T a sheet of T m");
 }
 
@@ -216,7 +222,7 @@ double mass_of(const InertiaArguments& a, const Solid& solid) {
 
 void require_possible(double mass, const Solid& solid) {
   const double density = mass / solid.volume;
-  if (density > kDensest) {
+  if (density > mass::kDensest) {
     throw UsageError(fmt::format(
         "{} kg in {} m³ is {} kg/m³: no material is denser than osmium, 22590 kg/m³; is a size in "
         "the wrong unit?",

@@ -123,7 +123,7 @@ class Table {
 
   void compute(LinkInertia& row) const {
     row.computed = propose(root_[row.link].inertial, row.body, {given_mass(row), options_.density});
-    if (!row.computed) row.reason = "its shapes are too small or too large to compute with";
+    if (!row.computed) row.reason = "its shapes are too small for its mass, or too large for a robot";
   }
 
   std::optional<double> given_mass(const LinkInertia& row) const {

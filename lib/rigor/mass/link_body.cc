@@ -76,6 +76,10 @@ struct Parts {
     return compose(inverse(*X_WL), *X_WP);
   }
 
+  static std::string kind() {
+    return std::is_same_v<Part, model::Collision> ? "collision" : "visual";
+  }
+
   double density(const Part& part) const {
     if constexpr (std::is_same_v<Part, model::Collision>) {
       if (part.density.written) return part.density.value;
@@ -104,7 +108,11 @@ struct Parts {
 
   std::vector<PartBody> bodies(const FindMesh& find_mesh) const {
     std::vector<PartBody> result;
-    for (const model::Id<Part> id : ids) result.push_back(body(id, find_mesh));
+    for (const model::Id<Part> id : ids) {
+      result.push_back(body(id, find_mesh));
+      std::string& name = result.back().name;
+      if (name.empty()) name = kind() + ' ' + std::to_string(result.size());
+    }
     return result;
   }
 

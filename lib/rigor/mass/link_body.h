@@ -44,7 +44,7 @@ enum class NoSolid : std::uint8_t {
 };
 
 struct PartBody {
-  std::string name;  ///< of the collision or visual
+  std::string name;  ///< of the collision or visual; "visual 2" for one without
   Span where;        ///< the name of the shape's element
   NoSolid why = NoSolid::kNone;
   MeshState mesh = MeshState::kSolid;  ///< of a mesh

@@ -3,18 +3,32 @@
 
 #include <rigor/mass/proposal.h>
 
+#include <array>
+#include <charconv>
 #include <cmath>
 
 namespace rigor::mass {
 namespace {
 
-/// Solids have tensors that a body can have, unless their numbers run out of a double's range.
-bool in_range(const MassProperties& body) {
+/// Whether the shapes can be the body. Solids have tensors that a body can have, unless their numbers
+/// run out of a double's range.
+bool can_be(const Proposal& proposal) {
+  const MassProperties& body = proposal.body;
   const Inertia& i = body.about_com;
   for (const double positive : {body.mass, i.ixx, i.iyy, i.izz}) {
     if (!(positive > 0) || !std::isfinite(positive)) return false;
   }
-  return true;
+  return body.mass <= kDensest * proposal.volume &&
+         trace(i) <= 2 * kFarthest * kFarthest * body.mass;
+}
+
+/// To nine significant digits, as masses are written.
+double as_written(double mass) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), mass,
+                                 std::chars_format::scientific, 8);
+  std::from_chars(text.data(), end.ptr, mass);
+  return mass;
 }
 
 }  // namespace
@@ -32,8 +46,10 @@ std::optional<Proposal> propose(const model::Inertial& written, const LinkBody& 
   } else if (!wish.density && mass.written && mass.value > 0 && std::isfinite(mass.value)) {
     proposal.mass_from = MassFrom::kWritten;
     proposal.body = with_mass(proposal.body, mass.value);
+  } else {
+    proposal.body = with_mass(proposal.body, as_written(proposal.body.mass));
   }
-  if (!in_range(proposal.body)) return std::nullopt;
+  if (!can_be(proposal)) return std::nullopt;
   return proposal;
 }
 

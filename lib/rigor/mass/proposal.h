@@ -31,9 +31,16 @@ struct Proposal {
   double volume = 0;  ///< m³, the sum of the parts'
 };
 
+/// Denser than osmium (22,590 kg/m³) is nothing: shapes with so much mass are not the whole body.
+inline constexpr double kDensest = 25'000;  // kg/m³
+
+/// No part of a robot reaches this far: a mesh that does is in millimetres.
+inline constexpr double kFarthest = 100;  // m, radius of gyration
+
 /// Without a wish, the written mass when it is above zero; else the parts' own densities, which are
-/// water's unless the file says otherwise. Nothing when a part is no solid, or when the numbers are too
-/// small or too large to compute with.
+/// water's unless the file says otherwise. A mass from a density is rounded to the digits that are
+/// written, so that what is computed from the written one is the same. Nothing when a part is no solid,
+/// or when the shapes are too small or too large to be the body: kDensest, kFarthest.
 std::optional<Proposal> propose(const model::Inertial& written, const LinkBody& shapes,
                                 const MassWish& wish);
 

@@ -27,6 +27,7 @@ struct Range {
 Range lines_within(double low, double high, double start, double step) {
   const double first = std::ceil((low - start) / step);
   const double last = std::floor((high - start) / step);
+  if (!(first <= last)) return {0, -1};  // none, or a coordinate that is no number
   return {static_cast<int>(std::clamp(first, 0.0, double{kLines})),
           static_cast<int>(std::clamp(last, -1.0, double{kLines - 1}))};
 }

@@ -107,9 +107,11 @@ std::string mass_origin(const LinkInertia& link) {
   const std::string how = computed.mass_from == MassFrom::kGiven     ? "mass as given"
                           : computed.mass_from == MassFrom::kWritten ? "mass as written"
                                                                      : "mass from density";
-  return fmt::format("{}, {} kg/m³ over {} L", how,
+  const bool large = computed.volume >= 1;
+  return fmt::format("{}, {} kg/m³ over {} {}", how,
                      number(computed.body.mass / computed.volume, 4),
-                     number(computed.volume * 1000, 3));
+                     number(large ? computed.volume : computed.volume * 1000, 3),
+                     large ? "m³" : "L");
 }
 
 const char* hull_reason(mass::MeshState state) {

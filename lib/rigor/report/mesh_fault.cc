@@ -20,7 +20,7 @@ std::string words(const mesh::Fault& fault) {
     case Kind::kImporterCrashed: return "cannot be read: the importer " + fault.detail;
     case Kind::kImporterMissing: return "cannot be read: assimp is not installed";
     case Kind::kIndexOutOfRange: return "a face names a vertex that there is not";
-    case Kind::kNotFinite: return counted(fault.count, "coordinate") + " that is no finite number";
+    case Kind::kNotFinite: return "a coordinate is no finite number" + (fault.detail.empty() ? "" : ": " + fault.detail);
     case Kind::kTruncated: return counted(fault.count, "triangle") + " fewer than it promises";
     case Kind::kTrailingBytes: return counted(fault.count, "byte") + " behind the last triangle";
     case Kind::kSolidHeader:

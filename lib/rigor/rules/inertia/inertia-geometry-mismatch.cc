@@ -75,7 +75,7 @@ Rule rule() {
       .fix = FixGrade::kUnsafe,
       .summary = "moments of inertia do not fit the mass and the shapes of the link",
       .why =
-          "The link's shapes are all boxes, balls, cylinders and the like, so what a solid of "
+          "The link's shapes are all boxes, balls, closed meshes and the like, so what a solid of "
           "the same mass has is known. Hollow bodies have up to three times as much; a factor "
           "of ten and more is mostly a slip of units. Too small moments make a simulation "
           "shake, too large ones make it sluggish.",

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include <rigor/mass/link_body.h>
+#include <rigor/mass/proposal.h>
 #include <rigor/rules/context.h>
 
 namespace rigor::rules {
@@ -35,6 +36,7 @@ inline std::optional<double> share_of_solid(const model::Link& link, double mass
   for (const mass::From from : {mass::From::kCollisions, mass::From::kVisuals}) {
     const auto solid = solid_of_all(link, from, context);
     if (!solid || !(solid->mass > 0) || !(mass > 0)) continue;
+    if (mass > mass::kDensest * solid->mass) continue;  // a placeholder, not the body
     const double share = mass::trace(tensor) / (mass / solid->mass * mass::trace(solid->about_com));
     if (!best || std::abs(std::log(share)) < std::abs(std::log(*best))) best = share;
     if (plausible(*best)) break;  // the visuals' meshes need not be opened
