@@ -3,111 +3,82 @@
 
 #include <rigor/mesh/topology.h>
 
-#include <algorithm>
-#include <numeric>
-#include <vector>
+#include <utility>
+
+#include <rigor/mesh/nesting.h>
+#include <rigor/mesh/rings.h>
+#include <rigor/mesh/thinness.h>
+#include <rigor/mesh/weld.h>
 
 namespace rigor::mesh {
 namespace {
 
-bool before(const Vector3& a, const Vector3& b) {
-  if (a.x != b.x) return a.x < b.x;
-  if (a.y != b.y) return a.y < b.y;
-  return a.z < b.z;
+void look_at_faces(const TriangleMesh& mesh, const Weld& welded, DefectTally& tally) {
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Facet corners = facet(mesh, mesh.triangles[i]);
+    const auto where = [&corners] { return middle(corners); };
+    if (degenerate(places_of(welded, mesh.triangles[i]))) {
+      tally.add(Defect::kDegenerateFace, i, where);
+      continue;
+    }
+    const Thinness thin = thinness(corners);
+    if (thin == Thinness::kLine) tally.add(Defect::kZeroAreaFace, i, where);
+    if (thin == Thinness::kSliver) tally.add(Defect::kSliver, i, where);
+  }
 }
 
-/// Of each position, the number of its place: equal positions have the same.
-std::vector<std::uint32_t> weld(const std::vector<Vector3>& positions) {
-  std::vector<std::uint32_t> order(positions.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&positions](std::uint32_t a, std::uint32_t b) {
-    return before(positions[a], positions[b]);
-  });
-  std::vector<std::uint32_t> place(positions.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && !before(positions[order[i - 1]], positions[order[i]]);
-    place[order[i]] = same ? place[order[i - 1]] : order[i];
+void look_for_unreferenced(const TriangleMesh& mesh, DefectTally& tally) {
+  std::vector<bool> used(mesh.positions.size());
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::uint32_t corner : t) used[corner] = true;
   }
-  return place;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (!used[i]) tally.add(Defect::kUnreferencedVertex, i, [&] { return mesh.positions[i]; });
+  }
 }
 
-/// Sets of places that edges join.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
+void take_counts(const DefectTally& tally, Topology& topology) {
+  topology.boundary_edges = tally.count(Defect::kBoundaryEdge);
+  topology.nonmanifold_edges = tally.count(Defect::kNonmanifoldEdge);
+  topology.inconsistent_edges = tally.count(Defect::kInconsistentEdge);
+  topology.nonmanifold_vertices = tally.count(Defect::kNonmanifoldVertex);
+  topology.degenerate = tally.count(Defect::kDegenerateFace);
+  topology.zero_area = tally.count(Defect::kZeroAreaFace);
+  topology.slivers = tally.count(Defect::kSliver);
+  topology.duplicates = tally.count(Defect::kDuplicateFace);
+  topology.unreferenced = tally.count(Defect::kUnreferencedVertex);
+  topology.examples = tally.examples();
+}
+
+void take_components(std::vector<Component> components, Topology& topology) {
+  topology.components = components.size();
+  for (const Component& component : components) {
+    topology.triangles += component.triangles;
+    topology.inverted += component.inverted() ? 1 : 0;
+    topology.cavities += component.nesting == Nesting::kCavity ? 1 : 0;
+    topology.doubled += component.nesting == Nesting::kDoubled ? 1 : 0;
+    topology.not_nested += component.nesting == Nesting::kUnknown ? 1 : 0;
   }
-
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) {
-      parent_[i] = parent_[parent_[i]];
-      i = parent_[i];
-    }
-    return i;
-  }
-
-  void join(std::uint32_t a, std::uint32_t b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
-/// An edge of a triangle, its ends in order; `forward` when the triangle runs from low to high.
-struct Edge {
-  std::uint32_t low;
-  std::uint32_t high;
-  std::uint32_t forward;
-
-  bool joins_same(const Edge& other) const { return low == other.low && high == other.high; }
-};
-
-void count_edges(std::vector<Edge>& edges, Topology& topology) {
-  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
-    return a.low != b.low ? a.low < b.low : a.high < b.high;
-  });
-  for (std::size_t begin = 0; begin < edges.size();) {
-    std::size_t end = begin;
-    std::size_t forward = 0;
-    for (; end < edges.size() && edges[end].joins_same(edges[begin]); ++end) {
-      forward += edges[end].forward;
-    }
-    ++topology.edges;
-    if (end - begin == 1) ++topology.boundary_edges;
-    if (end - begin > 2) ++topology.nonmanifold_edges;
-    if (end - begin == 2 && forward != 1) ++topology.inconsistent_edges;
-    begin = end;
-  }
+  topology.component_list = std::move(components);
 }
 
 }  // namespace
 
 Topology topology_of(const TriangleMesh& mesh) {
+  DefectTally tally;
+  look_for_unreferenced(mesh, tally);
+  const Weld welded = weld(mesh.positions);
+  look_at_faces(mesh, welded, tally);
+  Rings rings = look_round(mesh, welded, tally);
+
   Topology topology;
-  const std::vector<std::uint32_t> place = weld(mesh.positions);
-  std::vector<Edge> edges;
-  edges.reserve(mesh.triangles.size() * 3);
-  std::vector<bool> used(mesh.positions.size(), false);
-  Groups groups(mesh.positions.size());
-  for (const Triangle& t : mesh.triangles) {
-    const Triangle p{place[t[0]], place[t[1]], place[t[2]]};
-    if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) {
-      ++topology.degenerate;
-      continue;
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t a = p[i];
-      const std::uint32_t b = p[(i + 1) % 3];
-      edges.push_back({std::min(a, b), std::max(a, b), a < b ? 1U : 0U});
-      used[a] = true;
-      groups.join(a, b);
-    }
-  }
-  count_edges(edges, topology);
-  for (std::uint32_t i = 0; i < used.size(); ++i) {
-    if (!used[i]) continue;
-    ++topology.vertices;
-    if (groups.find(i) == i) ++topology.components;
-  }
+  topology.vertices = rings.vertices;
+  topology.edges = rings.edges;
+  topology.boundary = boundary_of(mesh, welded, rings.bad_edges);
+  Components components = components_of(mesh, welded, rings);
+  nest(mesh, components);
+  take_counts(tally, topology);
+  take_components(std::move(components.list), topology);
   return topology;
 }
 
