@@ -48,13 +48,16 @@ const std::map<std::string, Names>& rooms() {
 
 /// The rooms a third party's headers may be named in.
 const std::map<std::string, Names>& third_parties() {
-  static const std::map<std::string, Names> kParties{{"tinyxml2.h", {"xml", "tools"}},
-                                                     {"Eigen/", {"mass", "report"}},
-                                                     {"fmt/", {"rules", "report", "tools"}},
-                                                     {"nlohmann/", {"report", "tools"}},
-                                                     {"CLI/", {"tools"}},
-                                                     {"toml++", {"config"}}, {"assimp/", {"mesh"}},
-                                                     {"libqhull", {"mesh"}}};
+  static const std::map<std::string, Names> kParties{
+      {"tinyxml2.h", {"xml", "tools"}},
+      {"Eigen/", {"mass", "report"}},
+      {"fmt/", {"rules", "author", "report", "tools"}},
+      {"nlohmann/", {"report", "tools"}},
+      {"CLI/", {"tools"}},
+      {"toml++", {"config"}},
+      {"assimp/", {"mesh"}},
+      {"libqhull", {"mesh"}},
+      {"meshoptimizer", {"mesh", "tools"}}};
   return kParties;
 }
 

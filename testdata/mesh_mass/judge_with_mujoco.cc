@@ -21,10 +21,10 @@ int main() {
   std::string path;
   while (std::getline(std::cin, path)) {
     const std::string scene = "judge_scene.xml";
-    std::ofstream(scene) << "<mujoco><compiler exactmeshinertia='true'/><asset><mesh name='m' file='"
-                         << path
-                         << "'/></asset><worldbody><body><freejoint/><geom type='mesh' mesh='m' "
-                            "density='1000'/></body></worldbody></mujoco>";
+    std::ofstream(scene)
+        << "<mujoco><compiler exactmeshinertia='true'/><asset><mesh name='m' file='" << path
+        << "'/></asset><worldbody><body><freejoint/><geom type='mesh' mesh='m' "
+           "density='1000'/></body></worldbody></mujoco>";
     char error[1000] = "";
     mjModel* model = mj_loadXML(scene.c_str(), nullptr, error, sizeof error);
     if (model == nullptr) continue;

@@ -61,7 +61,8 @@ TEST(InertiaCli, EveryShape) {
   EXPECT_GT(moments("capsule --radius 0.1 --length 0.2").first, 0);
   const double inner = 0.499;
   EXPECT_NEAR(moments("sphere --radius 0.5 --hollow 0.001").first,
-              0.4 * 2 * (std::pow(0.5, 5) - std::pow(inner, 5)) / (0.125 - std::pow(inner, 3)), 1e-9);
+              0.4 * 2 * (std::pow(0.5, 5) - std::pow(inner, 5)) / (0.125 - std::pow(inner, 3)),
+              1e-9);
 }
 
 TEST(InertiaCli, ThePoseMovesTheCentreOfMass) {
@@ -121,7 +122,8 @@ TEST(InertiaCli, RefusesWhatNoBodyCanBe) {
   expect_refused(folder, "sphere --radius 0.5 --mass inf", 2, "no finite number");
   expect_refused(folder, "sphere --radius 0.5", 2, "--mass");
   expect_refused(folder, "sphere --radius 5000 --mass 1", 2, "longer than 1000 m");
-  expect_refused(folder, "cylinder --radius 0.1 --length 0.05 --mass 3000", 2, "denser than osmium");
+  expect_refused(folder, "cylinder --radius 0.1 --length 0.05 --mass 3000", 2,
+                 "denser than osmium");
   expect_refused(folder, "box --size 1 1 1 --hollow 0.6 --mass 1", 2, "fills the whole box");
   expect_refused(folder, "sphere --radius 0.1 --size 1 1 1 --mass 1", 2, "does not belong");
   expect_refused(folder, "sphere --radius 0.1 --material unobtainium", 2, "no such material");
@@ -136,7 +138,8 @@ TEST(InertiaCli, AMesh) {
   EXPECT_NEAR(found["volume"].get<double>(), 1, 1e-9);
   EXPECT_NEAR(found["com"][0].get<double>(), 10, 1e-9);
   EXPECT_NEAR(found["inertia"]["ixx"].get<double>(), 1.25, 1e-9);
-  const json small = parsed(folder.rigor("inertia mesh box.stl --scale 0.1 --mass 12 --format json"));
+  const json small =
+      parsed(folder.rigor("inertia mesh box.stl --scale 0.1 --mass 12 --format json"));
   EXPECT_NEAR(small["volume"].get<double>(), 1e-3, 1e-12);
 }
 
@@ -193,8 +196,8 @@ TEST_F(InertiaOfModel, WheelsTurnAsCylindersDo) {
     const double mass = link["inertial"]["mass"].get<double>();
     EXPECT_NEAR(mass, 1040 * M_PI * 0.01 * 0.05, 1e-8);
     EXPECT_NEAR(link["inertial"]["inertia"]["izz"].get<double>(), mass * 0.01 / 2, 1e-9);
-    EXPECT_NEAR(link["inertial"]["inertia"]["ixx"].get<double>(),
-                mass * (3 * 0.01 + 0.0025) / 12, 1e-9);
+    EXPECT_NEAR(link["inertial"]["inertia"]["ixx"].get<double>(), mass * (3 * 0.01 + 0.0025) / 12,
+                1e-9);
   }
 }
 
@@ -259,7 +262,8 @@ TEST_F(InertiaOfModel, ShapesThatCannotBeTheBodyProposeNothing) {
 }
 
 TEST_F(InertiaOfModel, WritingAllTwiceIsWritingOnce) {
-  EXPECT_EQ(folder_.rigor("inertia my_robot/model.sdf --only all --write --density 1234.5").exit, 0);
+  EXPECT_EQ(folder_.rigor("inertia my_robot/model.sdf --only all --write --density 1234.5").exit,
+            0);
   const std::string once = folder_.get("my_robot/model.sdf");
   EXPECT_EQ(folder_.rigor("inertia my_robot/model.sdf --only all --write").exit, 0);
   EXPECT_EQ(folder_.get("my_robot/model.sdf"), once);
@@ -339,8 +343,8 @@ TEST_F(InertiaOfModel, JointPositionsMoveTheTotals) {
 </robot>
 )");
   const auto com = [this](const std::string& options) {
-    return parsed(folder_.rigor("inertia arm.urdf --format json " + options))["totals"][0]["written"]
-                                                                             ["com"];
+    return parsed(
+        folder_.rigor("inertia arm.urdf --format json " + options))["totals"][0]["written"]["com"];
   };
   EXPECT_NEAR(com("")[0].get<double>(), 0.5, kTight);
   const json turned = com("--joint elbow=1.5707963267948966");

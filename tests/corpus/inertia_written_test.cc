@@ -44,7 +44,8 @@ std::string without_inertials(std::string text) {
   for (std::size_t begin; (begin = text.find("<inertial")) != std::string::npos;) {
     const std::size_t tag_end = text.find('>', begin);
     const bool empty = text[tag_end - 1] == '/';
-    const std::size_t end = empty ? tag_end + 1 : text.find('>', text.find("</inertial", tag_end)) + 1;
+    const std::size_t end =
+        empty ? tag_end + 1 : text.find('>', text.find("</inertial", tag_end)) + 1;
     text.erase(begin, end - begin);
   }
   std::erase_if(text, [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; });

@@ -78,8 +78,7 @@ TEST(CorpusMeshes, VolumeCentreAndInertiaAgree) {
     EXPECT_TRUE(mass::survey_mesh(disk, {path}).closed) << fact.path;
     const mass::PolyhedronMoments moments =
         mass::moments_of(as_judged(mesh::read_mesh(disk, path).mesh));
-    const mass::PolyhedronMoments outward =
-        moments.volume < 0 ? mass::inverted(moments) : moments;
+    const mass::PolyhedronMoments outward = moments.volume < 0 ? mass::inverted(moments) : moments;
     const mass::Solid solid = mass::solid_of(outward);
     const double size = std::cbrt(fact.volume);
     EXPECT_NEAR(solid.volume, fact.volume, kTolerance * fact.volume) << fact.path;

@@ -64,7 +64,8 @@ class Robot {
 
 std::string collision(const std::string& name, const std::string& shape,
                       const std::string& more = "") {
-  return "<collision name='" + name + "'>" + more + "<geometry>" + shape + "</geometry></collision>";
+  return "<collision name='" + name + "'>" + more + "<geometry>" + shape +
+         "</geometry></collision>";
 }
 
 std::string box(const std::string& size) { return "<box><size>" + size + "</size></box>"; }
@@ -101,22 +102,20 @@ TEST(LinkBody, AMeshIsWhatItEncloses) {
 }
 
 TEST(LinkBody, APoseRelativeToAnotherFrameIsResolved) {
-  const Robot robot(
-      "<link name='l'><pose>5 0 0 0 0 0</pose>" +
-      collision("a", box("1 1 1"), "<pose relative_to='f'>0 0 1 0 0 0</pose>") +
-      "</link><frame name='f'><pose>7 0 0 0 0 0</pose></frame>");
+  const Robot robot("<link name='l'><pose>5 0 0 0 0 0</pose>" +
+                    collision("a", box("1 1 1"), "<pose relative_to='f'>0 0 1 0 0 0</pose>") +
+                    "</link><frame name='f'><pose>7 0 0 0 0 0</pose></frame>");
   const MassProperties body = of_density(robot.body(), 1);
   EXPECT_NEAR(body.com.x, 2, kTight);
   EXPECT_NEAR(body.com.z, 1, kTight);
 }
 
 TEST(Overlap, HalfABallInABox) {
-  const Robot robot("<link name='l'>" + collision("a", box("1 1 1")) +
-                    collision("b", "<sphere><radius>0.1</radius></sphere>",
-                              "<pose>0 0 0.5 0 0 0</pose>") +
-                    collision("c", "<sphere><radius>0.1</radius></sphere>",
-                              "<pose>0 0 5 0 0 0</pose>") +
-                    "</link>");
+  const Robot robot(
+      "<link name='l'>" + collision("a", box("1 1 1")) +
+      collision("b", "<sphere><radius>0.1</radius></sphere>", "<pose>0 0 0.5 0 0 0</pose>") +
+      collision("c", "<sphere><radius>0.1</radius></sphere>", "<pose>0 0 5 0 0 0</pose>") +
+      "</link>");
   ASSERT_EQ(robot.overlaps().size(), 1U);
   EXPECT_NEAR(robot.overlaps()[0].share, 0.5, 0.01);
 }
@@ -154,8 +153,7 @@ TEST(ResolveAutomatic, DensityOfTheCollisionThenOfTheLinkThenWater) {
 }
 
 TEST(ResolveAutomatic, WithoutASolidItStaysAtTheDefaults) {
-  const Resolved found =
-      Robot("<link name='l'><inertial auto='true'/></link>").resolved();
+  const Resolved found = Robot("<link name='l'><inertial auto='true'/></link>").resolved();
   EXPECT_EQ(found.taken, Taken::kAutomaticUnknown);
   EXPECT_EQ(found.body.mass, 1);
 }
@@ -163,11 +161,10 @@ TEST(ResolveAutomatic, WithoutASolidItStaysAtTheDefaults) {
 TEST(Total, LinksAreAddedWhereTheyAre) {
   const std::string inertial =
       "<inertial><mass>1</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>";
-  const Robot robot("<link name='a'>" + inertial + "</link><link name='b'><pose>0 2 0 0 0 0</pose>" +
-                    inertial + "</link>");
-  const Total sum = total(robot.root(), robot.frames(), {0}, [&](model::Id<model::Link> link) {
-    return resolve(robot.root(), link);
-  });
+  const Robot robot("<link name='a'>" + inertial +
+                    "</link><link name='b'><pose>0 2 0 0 0 0</pose>" + inertial + "</link>");
+  const Total sum = total(robot.root(), robot.frames(), {0},
+                          [&](model::Id<model::Link> link) { return resolve(robot.root(), link); });
   ASSERT_TRUE(sum.body);
   EXPECT_EQ(sum.mass, 2);
   EXPECT_NEAR(sum.body->com.y, 1, kTight);

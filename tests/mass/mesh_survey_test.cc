@@ -64,7 +64,8 @@ TEST(MeshSurvey, States) {
   const mesh::TriangleMesh box = box_mesh({1, 1, 1});
   EXPECT_EQ(state(turned(box)), MeshState::kInverted);
   EXPECT_EQ(state(joined(box, box)), MeshState::kOverlapping);
-  EXPECT_EQ(state(joined(box, turned(box_mesh({0.5, 0.5, 0.5}, {3, 0.1, 0.1})))), MeshState::kMixed);
+  EXPECT_EQ(state(joined(box, turned(box_mesh({0.5, 0.5, 0.5}, {3, 0.1, 0.1})))),
+            MeshState::kMixed);
   EXPECT_EQ(state(joined(box_mesh({4, 4, 4}), turned(box))), MeshState::kSolid) << "a cavity";
   EXPECT_EQ(state(box_mesh({1, 1, 0})), MeshState::kFlat);
   MemoryDisk disk;

@@ -96,9 +96,7 @@ TEST(Winding, ACavityIsNoOverlap) {
   EXPECT_EQ(found.inverted, 0);
 }
 
-TEST(Winding, InsideOut) {
-  EXPECT_EQ(winding(turned(torus_mesh(0.2, 0.06, 40, 24))).inverted, 1);
-}
+TEST(Winding, InsideOut) { EXPECT_EQ(winding(turned(torus_mesh(0.2, 0.06, 40, 24))).inverted, 1); }
 
 TEST(Topology, ABoxIsClosed) {
   const Topology box = topology_of(box_mesh({1, 2, 3}));
@@ -126,7 +124,8 @@ TEST(Topology, TwoBoxesAtAnEdge) {
   const Topology found = topology_of(joined(box_mesh({1, 1, 1}), box_mesh({1, 1, 1}, {1, 1, 0})));
   EXPECT_EQ(found.nonmanifold_edges, 1U);
   EXPECT_EQ(found.vertices, 14U);
-  EXPECT_EQ(topology_of(joined(box_mesh({1, 1, 1}), box_mesh({1, 1, 1}, {5, 0, 0}))).components, 2U);
+  EXPECT_EQ(topology_of(joined(box_mesh({1, 1, 1}), box_mesh({1, 1, 1}, {5, 0, 0}))).components,
+            2U);
 }
 
 }  // namespace

@@ -27,7 +27,8 @@ TEST(Hull, OfABoxAndWhatIsInsideIsTheBox) {
   std::vector<Vector3> points = test::box_mesh({1, 2, 3}, {10, 0, 0}).positions;
   std::mt19937 random(3);
   std::uniform_real_distribution<double> inside(-0.4, 0.4);
-  for (int i = 0; i < 500; ++i) points.push_back({10 + inside(random), inside(random), inside(random)});
+  for (int i = 0; i < 500; ++i)
+    points.push_back({10 + inside(random), inside(random), inside(random)});
   const auto hull = convex_hull(points);
   ASSERT_TRUE(hull);
   EXPECT_EQ(hull->positions.size(), 8U);

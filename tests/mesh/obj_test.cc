@@ -56,7 +56,7 @@ TEST(Obj, RandomTrianglesReadBackExactly) {
 TEST(Obj, DamageIsSurvived) {
   std::string text = "o box\nusemtl steel\n" + obj(test::box_mesh({1, 2, 3}));
   text += "g top\nusemtl paint\nf -1 -2 \\\n -3\nf 1/1/1 2//2 3/3 4\nl 1 2\nv 1,5 2 3\n";
-  test::expect_survives_damage(text, read_obj);
+  test::expect_survives_damage(text, [](std::string_view bytes) { return read_obj(bytes); });
 }
 
 TEST(Obj, PolygonsAreFansFromTheirFirstCorner) {

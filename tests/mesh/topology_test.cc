@@ -83,6 +83,22 @@ TEST(Topology, ABoxOnTheFloorOfAnotherIsInIt) {
   EXPECT_EQ(topology_of(mesh).doubled, 1U);
 }
 
+TriangleMesh tetrahedron(double size, const Vector3& corner) {
+  return {.positions = {corner, corner + Vector3{size, 0, 0}, corner + Vector3{0, size, 0},
+                        corner + Vector3{0, 0, size}},
+          .triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+}
+
+TEST(Topology, ATetrahedronInATetrahedron) {
+  const TriangleMesh outer = tetrahedron(1, {});
+  const TriangleMesh inner = tetrahedron(0.2, {0.1, 0.1, 0.1});
+  EXPECT_EQ(topology_of(joined(outer, inner)).doubled, 1U);
+  EXPECT_EQ(topology_of(joined(outer, turned(inner))).cavities, 1U);
+  const TriangleMesh beside = tetrahedron(0.2, {0.6, 0.6, 0.1});  // in its bounds only
+  EXPECT_EQ(topology_of(joined(outer, beside)).doubled, 0U);
+  EXPECT_EQ(topology_of(joined(outer, turned(beside))).inverted, 1U);
+}
+
 TEST(Topology, ExamplesAreFewAndNameTheirPlace) {
   TriangleMesh mesh = torus_mesh(2, 0.6, 24, 16);
   for (std::size_t i = 0; i < 20; ++i) mesh.triangles.push_back({7, 7, 8});

@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <rigor/mass/polyhedron.h>
+#include <rigor/mesh/normals.h>
 #include <rigor/mesh/stl.h>
 #include <rigor/mesh/write.h>
 
@@ -101,7 +102,72 @@ TEST(Transform, MirrorsSwapTheWinding) {
   EXPECT_EQ(winding(1e-200, {-1e-200, 1e-200, 1e-200}), swapped);  // the product is zero
 }
 
+// ---- What corners carry
+
+TriangleMesh dressed_triangle() {
+  TriangleMesh mesh = one_triangle();
+  mesh.corners.texture = {{{{0, 0}, {1, 0}, {0, 1}}}};
+  mesh.corners.colors = {{{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}}}};
+  mesh.corners.normals = {{{{0.6F, 0, 0.8F}, {0, 0, 1}, {0, 1, 0}}}};
+  return mesh;
+}
+
+/// A slope of 3 in 4 along x is one of 3 in 8 when x is doubled, whatever the unit.
+TEST(Transform, NormalsStayPerpendicular) {
+  const TriangleMesh mesh =
+      transformed(dressed_triangle(), {.unit = 0.001, .scale = {2, 1, 1}}).mesh;
+  const auto& normals = mesh.corners.normals[0];
+  EXPECT_FLOAT_EQ(normals[0][0], 3 / std::sqrt(73.0F));
+  EXPECT_FLOAT_EQ(normals[0][2], 8 / std::sqrt(73.0F));
+  EXPECT_EQ(normals[1], (Corners::Normal{0, 0, 1}));
+  EXPECT_EQ(mesh.corners.texture, dressed_triangle().corners.texture);
+  EXPECT_EQ(mesh.corners.colors, dressed_triangle().corners.colors);
+}
+
+TEST(Transform, NormalsAreExactWhenNothingIsStretched) {
+  const TriangleMesh mesh = dressed_triangle();
+  EXPECT_EQ(transformed(mesh, {.unit = 0.0254, .scale = {3, 3, 3}, .center = Center::kBounds})
+                .mesh.corners.normals,
+            mesh.corners.normals);
+  const TriangleMesh turned = transformed(mesh, {.up = UpAxis::kY}).mesh;
+  EXPECT_EQ(turned.corners.normals[0],
+            (std::array<Corners::Normal, 3>{{{0.6F, -0.8F, 0}, {0, -1, 0}, {0, 0, 1}}}));
+  EXPECT_FALSE(std::signbit(turned.corners.normals[0][2][1]));
+}
+
+TEST(Transform, MirrorsSwapWhatCornersCarry) {
+  const TriangleMesh mesh = transformed(dressed_triangle(), {.scale = {1, 1, -1}}).mesh;
+  EXPECT_EQ(mesh.triangles[0], (Triangle{0, 2, 1}));
+  EXPECT_EQ(mesh.corners.texture[0], (std::array<Corners::Texture, 3>{{{0, 0}, {0, 1}, {1, 0}}}));
+  EXPECT_EQ(mesh.corners.colors[0][1], (Corners::Color{0, 0, 1, 1}));
+  EXPECT_EQ(mesh.corners.normals[0],
+            (std::array<Corners::Normal, 3>{{{0.6F, 0, -0.8F}, {0, 1, 0}, {0, 0, -1}}}));
+  const TriangleMesh turned = transformed(dressed_triangle(), {.unit = -1}).mesh;
+  EXPECT_EQ(turned.corners.normals[0][0], (Corners::Normal{-0.6F, 0, -0.8F}));
+}
+
 // ---- Properties
+
+/// Face normals and corner normals go the same way.
+TEST(Transform, FlatNormalsStayThoseOfTheirTriangles) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(0.1, 3);
+  for (int round = 0; round < 100; ++round) {
+    const auto factor = [&] { return random() % 2 == 0 ? any(random) : -any(random); };
+    const Transform by{.unit = 0.01,
+                       .scale = {factor(), factor(), factor()},
+                       .up = random() % 2 == 0 ? UpAxis::kZ : UpAxis::kY};
+    TriangleMesh mesh = box_mesh({1, 2, 3});
+    for (Vector3& p : mesh.positions) p = p + Vector3{0.1 * p.y * p.z, any(random) / 9, 0};
+    const TriangleMesh result = transformed(recomputed_normals(mesh, kFlat), by).mesh;
+    for (std::size_t i = 0; i < result.triangles.size(); ++i) {
+      const auto [a, b, c] = facet(result, result.triangles[i]);
+      const Vector3 out = cross(b - a, c - a);
+      const Vector3 normal = as_vector(result.corners.normals[i][0]);
+      EXPECT_LE(length(normal - (1 / length(out)) * out), 1e-5);
+    }
+  }
+}
 
 struct Case {
   TriangleMesh mesh;

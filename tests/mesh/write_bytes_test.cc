@@ -153,13 +153,19 @@ TEST(WriteMeshBytes, ColladaHoldsEachDoubleAndEachName) {
     EXPECT_EQ(geometry->Attribute("name"), part.name);
     const auto* source = geometry->FirstChildElement("mesh")->FirstChildElement("source");
     const std::vector<double> positions = numbers(*source->FirstChildElement("float_array"));
+    const auto* normal_source = source->NextSiblingElement("source");
+    const std::vector<double> normals = numbers(*normal_source->FirstChildElement("float_array"));
     const auto* triangles = geometry->FirstChildElement("mesh")->FirstChildElement("triangles");
     const std::vector<double> indices = numbers(*triangles->FirstChildElement("p"));
     ASSERT_EQ(indices.size(), 6 * part.count);  // of a position and a normal
     for (std::size_t i = 0; i < indices.size(); i += 2) {
       const auto* p = &positions.at(3 * static_cast<std::size_t>(indices[i]));
       read.insert(read.end(), {p[0], p[1], p[2]});
-      EXPECT_EQ(indices[i + 1], static_cast<double>(i / 6));
+      const auto* n = &normals.at(3 * static_cast<std::size_t>(indices[i + 1]));
+      const auto [a, b, c] = facet(mesh, mesh.triangles[part.first + i / 6]);
+      const Vector3 out = cross(b - a, c - a);
+      // Across the triangle, of length 1 or, when it has no area, 0.
+      EXPECT_NEAR(dot(out, {n[0], n[1], n[2]}), length(out), 1e-6 * length(out));
     }
     geometry = geometry->NextSiblingElement();
   }

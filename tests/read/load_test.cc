@@ -143,7 +143,8 @@ std::map<std::string, std::string> multiplying(int count, int times, const std::
     }
     files[name(i)] = text + "</model></sdf>";
   }
-  files[name(count)] = "<sdf version='1.9'><model name='m'><link name='l'/>" + last + "</model></sdf>";
+  files[name(count)] =
+      "<sdf version='1.9'><model name='m'><link name='l'/>" + last + "</model></sdf>";
   return files;
 }
 
@@ -181,7 +182,8 @@ TEST(Load, WhatAFileHoldsItselfIsNotCountedAsIncluded) {
   for (std::size_t i = 0; i < kMaxIncludedParts; ++i) text += "<frame name='f'/>";
   text += "<include><uri>b.sdf</uri></include></model></sdf>";
   const Case one_case(
-      {{"a.sdf", text}, {"b.sdf", "<sdf version='1.9'><model name='b'><link name='l'/></model></sdf>"}});
+      {{"a.sdf", text},
+       {"b.sdf", "<sdf version='1.9'><model name='b'><link name='l'/></model></sdf>"}});
   EXPECT_TRUE(one_case.loaded.facts.empty());
   EXPECT_EQ(one_case.root().frames.size(), kMaxIncludedParts);
   EXPECT_EQ(one_case.root().links.size(), 2U);

@@ -25,7 +25,8 @@ inline TriangleMesh box_mesh(const Vector3& size, const Vector3& center = {}) {
   TriangleMesh mesh;
   for (int i = 0; i < 8; ++i) {
     const auto half = [](bool upper, double side) { return upper ? side / 2 : -side / 2; };
-    mesh.positions.push_back(center + Vector3{half((i & 1) != 0, size.x), half((i & 2) != 0, size.y),
+    mesh.positions.push_back(center + Vector3{half((i & 1) != 0, size.x),
+                                              half((i & 2) != 0, size.y),
                                               half((i & 4) != 0, size.z)});
   }
   mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},

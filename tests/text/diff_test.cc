@@ -47,7 +47,8 @@ TEST(Diff, NothingToDo) {
 
 /// `patch` is the judge: it must make of the old text what `apply_edits` does.
 TEST(Diff, PatchUnderstandsIt) {
-  if (std::system("patch --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "patch is not installed";
+  if (std::system("patch --version > /dev/null 2>&1") != 0)
+    GTEST_SKIP() << "patch is not installed";
   const fs::path folder = fs::path(testing::TempDir()) / "rigor_diff_test";
   fs::create_directories(folder);
   std::mt19937 random(7);

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "write/bodies.h"
 #include "support/corpus.h"
+#include "write/bodies.h"
 
 namespace rigor::write {
 namespace {

@@ -41,6 +41,7 @@ class Command {
 std::unique_ptr<Command> validate_command();
 std::unique_ptr<Command> inspect_command();
 std::unique_ptr<Command> inertia_command();
+std::unique_ptr<Command> mesh_check_command();
 std::unique_ptr<Command> rules_command();
 std::unique_ptr<Command> explain_command();
 std::unique_ptr<Command> schema_command();

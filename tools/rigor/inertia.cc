@@ -16,11 +16,11 @@ namespace {
 class InertiaCommand final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
-    CLI::App* app = add_command(program, "inertia", "Mass, centre of mass and inertia, exactly",
-                                {"rigor inertia cylinder --radius 0.1 --length 0.05 --mass 0.4",
-                                 "rigor inertia mesh hull.stl --scale 0.001 --material aluminium",
-                                 "rigor inertia my_robot",
-                                 "rigor inertia my_robot --material abs --write"});
+    CLI::App* app =
+        add_command(program, "inertia", "Mass, centre of mass and inertia, exactly",
+                    {"rigor inertia cylinder --radius 0.1 --length 0.05 --mass 0.4",
+                     "rigor inertia mesh hull.stl --scale 0.001 --material aluminium",
+                     "rigor inertia my_robot", "rigor inertia my_robot --material abs --write"});
     app->add_option("what", a_.what,
                     "box, sphere, cylinder, capsule, ellipsoid, cone, mesh FILE; or a model")
         ->type_name("SHAPE|MODEL");
@@ -72,9 +72,10 @@ class InertiaCommand final : public Command {
     const std::string group = "Of a model";
     word(app, "--only", a_.only, "missing, implausible or all links; else those with a finding",
          "WHICH", group);
-    word(app, "--from", a_.from, "collision or visual shapes; else whichever have an answer", "SHAPES",
-         group);
-    app.add_flag("--bake", a_.bake, "Also turn <inertial auto=\"true\"> into numbers")->group(group);
+    word(app, "--from", a_.from, "collision or visual shapes; else whichever have an answer",
+         "SHAPES", group);
+    app.add_flag("--bake", a_.bake, "Also turn <inertial auto=\"true\"> into numbers")
+        ->group(group);
     app.add_option("--joint", a_.joints, "Position of a joint, rad or m, for the totals")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false)
@@ -98,8 +99,7 @@ class InertiaCommand final : public Command {
   int print_materials() const {
     for (const Target& target : a_.output.targets_of({"text", "json"})) {
       const auto own = config_for(".").materials;
-      write(target,
-            target.format == 0 ? report::materials_text(own) : report::materials_json(own));
+      write(target, target.format == 0 ? report::materials_text(own) : report::materials_json(own));
     }
     return kClean;
   }
@@ -128,7 +128,8 @@ std::optional<double> density_of(const InertiaArguments& arguments, const std::s
   for (const auto& [name, density] : config.materials) known.push_back(name);
   for (const mass::Material& material : mass::materials()) known.push_back(material.name);
   throw UsageError("--material " + arguments.material + ": no such material" +
-                   did_you_mean(arguments.material, known) + "; `rigor inertia --materials` lists them");
+                   did_you_mean(arguments.material, known) +
+                   "; `rigor inertia --materials` lists them");
 }
 
 std::unique_ptr<Command> inertia_command() { return std::make_unique<InertiaCommand>(); }

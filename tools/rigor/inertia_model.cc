@@ -175,8 +175,8 @@ int run_model_inertia(const InertiaArguments& a) {
                                            "cone", "mesh"}));
   }
   const std::string ending = extension(a.what);
-  if (disk.kind(a.what) == PathKind::kFile && std::find(std::begin(kMeshes), std::end(kMeshes),
-                                                        ending) != std::end(kMeshes)) {
+  if (disk.kind(a.what) == PathKind::kFile &&
+      std::find(std::begin(kMeshes), std::end(kMeshes), ending) != std::end(kMeshes)) {
     throw UsageError(a.what + " is a mesh; did you mean rigor inertia mesh " + a.what + "?");
   }
   const std::vector<Target> targets = a.output.targets_of({"text", "json"});

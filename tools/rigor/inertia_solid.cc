@@ -10,7 +10,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/write/inertial_text.h>
 #include <rigor/mass/hollow.h>
 #include <rigor/mass/mesh_survey.h>
 #include <rigor/mass/proposal.h>
@@ -22,6 +21,7 @@
 #include <rigor/report/number.h>
 #include <rigor/report/printable.h>
 #include <rigor/report/summary.h>
+#include <rigor/write/inertial_text.h>
 
 #include "command.h"
 #include "inertia.h"
@@ -56,7 +56,8 @@ void require_size(const std::string& option, double value) {
                                report::number(value > kLargest ? kLargest : kSmallest)));
 }
 
-double length_option(const InertiaArguments& a, const std::string& option, const std::string& text) {
+double length_option(const InertiaArguments& a, const std::string& option,
+                     const std::string& text) {
   if (text.empty()) throw UsageError(a.what + " needs " + option);
   const double value = positive_number(option, text, "m");
   require_size(option, value);
@@ -133,14 +134,16 @@ void require_plausible_unit(const InertiaArguments& a, const mass::MeshSurvey& s
   const model::Vector3 size = survey.bounds.max - survey.bounds.min;
   const double longest = std::max({size.x, size.y, size.z});
   if (longest <= kLongMesh) return;
-  throw NoAnswer(fmt::format("{} is {} m long: if it is in millimetres, add --scale 0.001; if it "
-                             "is meant, --scale 1",
-                             a.mesh, report::number(longest)));
+  throw NoAnswer(
+      fmt::format("{} is {} m long: if it is in millimetres, add --scale 0.001; if it "
+                  "is meant, --scale 1",
+                  a.mesh, report::number(longest)));
 }
 
 std::string open_text(const mass::MeshSurvey& survey) {
   const mesh::Topology& t = *survey.topology;
-  std::string text = "is not closed: " + report::counted(t.boundary_edges, "edge") + " of one triangle";
+  std::string text =
+      "is not closed: " + report::counted(t.boundary_edges, "edge") + " of one triangle";
   if (t.nonmanifold_edges > 0) {
     text += fmt::format(", {} of more than two", t.nonmanifold_edges);
   }
@@ -269,8 +272,8 @@ int run_solid_inertia(const InertiaArguments& a) try {
   mass::MassProperties body = with_mass(solid, mass);
   body.com = transform(X_LS.pose, body.com);
 
-  constexpr write::BlockFormat kFormats[] = {
-      write::BlockFormat::kSdf, write::BlockFormat::kUrdf, write::BlockFormat::kMjcf};
+  constexpr write::BlockFormat kFormats[] = {write::BlockFormat::kSdf, write::BlockFormat::kUrdf,
+                                             write::BlockFormat::kMjcf};
   for (const Target& target : targets) {
     if (target.format == 3) {
       write(target, report::solid_json({body, solid.volume, mass / solid.volume}));

@@ -15,13 +15,14 @@ namespace {
 constexpr std::string_view kGreeting =
     R"(rigor checks robot models (SDFormat, URDF) before a simulator loads them.
 
-  rigor validate [PATH...]   check files and folders
-  rigor inspect PATH         tree, poses and masses of a model
-  rigor inertia SHAPE|MODEL  mass and inertia, exactly; written into the file
-  rigor rules                what is checked
-  rigor explain RULE         why, and what to do about it
-  rigor schema VERSION       the elements of a format
-  rigor resolve URI          where a URI leads
+  rigor validate [PATH...]     check files and folders
+  rigor inspect PATH           tree, poses and masses of a model
+  rigor inertia SHAPE|MODEL    mass and inertia, exactly; written into the file
+  rigor mesh-check FILE|MODEL  check, repair, centre, reduce and convert meshes
+  rigor rules                  what is checked
+  rigor explain RULE           why, and what to do about it
+  rigor schema VERSION         the elements of a format
+  rigor resolve URI            where a URI leads
 
   rigor validate my_robot                  check all models in a folder
   rigor validate --format json robot.urdf  the same for a program
@@ -59,6 +60,7 @@ std::vector<std::unique_ptr<Command>> all_commands() {
   commands.push_back(validate_command());
   commands.push_back(inspect_command());
   commands.push_back(inertia_command());
+  commands.push_back(mesh_check_command());
   commands.push_back(rules_command());
   commands.push_back(explain_command());
   commands.push_back(schema_command());

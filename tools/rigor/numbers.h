@@ -19,7 +19,8 @@ double finite_number(const std::string& option, const std::string& text);
 double positive_number(const std::string& option, const std::string& text, const char* unit);
 
 /// From words that each hold one or more numbers: `1 1 1` and `"1 1 1"` are the same.
-std::vector<double> finite_numbers(const std::string& option, const std::vector<std::string>& words);
+std::vector<double> finite_numbers(const std::string& option,
+                                   const std::vector<std::string>& words);
 
 /// Three numbers above zero.
 model::Vector3 positive_vector(const std::string& option, const std::vector<std::string>& words,

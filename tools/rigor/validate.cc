@@ -17,6 +17,7 @@
 #include "command.h"
 #include "output.h"
 #include "search.h"
+#include "selection.h"
 
 namespace rigor::tool {
 namespace {
@@ -55,25 +56,6 @@ std::string read_stdin() {
   return bytes;
 }
 
-Severity severity_named(const std::string& name) {
-  constexpr Severity kAll[] = {Severity::kError, Severity::kWarning, Severity::kInfo};
-  return kAll[choice("severity", name, {"error", "warning", "info"})];
-}
-
-void require_known(const rules::Selection& selection, const rules::Registry& registry) {
-  const std::optional<std::string> unknown = unknown_name(selection, registry);
-  if (!unknown) return;
-  std::vector<std::string_view> known;
-  for (const rules::Rule& rule : registry.rules()) {
-    known.push_back(rule.name);
-    const std::string_view category = to_string(rule.category);
-    if (std::find(known.begin(), known.end(), category) == known.end()) known.push_back(category);
-  }
-  const std::string hint = did_you_mean(*unknown, known);
-  throw UsageError("unknown rule \"" + *unknown + '"' +
-                   (hint.empty() ? "; `rigor rules` lists them" : hint));
-}
-
 class Validate final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
@@ -85,15 +67,7 @@ class Validate final : public Command {
         ->type_name("PATH");
     output_.declare(*app, format_names());
     color_.declare(*app);
-    app->add_option("--fail-on", fail_on_,
-                    "Least severity that makes the exit code 1: "
-                    "error (default), warning, info, never")
-        ->type_name("LEVEL");
-    list_option(*app, "--select", select_, "Only these rules or categories");
-    list_option(*app, "--ignore", ignore_, "Not these rules or categories");
-    app->add_option("--severity", severity_, "Give a rule another severity: error, warning, info")
-        ->type_name("RULE=LEVEL")
-        ->allow_extra_args(false);
+    selection_.declare(*app);
     app->add_flag("--no-mesh", no_mesh_, "Do not open meshes");
     app->add_option("--stdin-filename", stdin_filename_, "Name of what - reads")->type_name("PATH");
     search_.declare(*app);
@@ -102,8 +76,6 @@ class Validate final : public Command {
 
   int run() override {
     const std::vector<Target> targets = output_.targets();
-    const std::size_t fail_on =
-        choice("--fail-on level", fail_on_, {"error", "warning", "info", "never"});
     const RealDisk disk;
     const Environment environment(disk, search_.paths());
     const rules::ValidateOptions options = validate_options();
@@ -115,18 +87,10 @@ class Validate final : public Command {
       write(target, kValidateFormats[target.format].emit(result, sources, color_.of(target)));
     }
     conclude(result);
-    return exit_code(result, fail_on);
+    return exit_code(result);
   }
 
  private:
-  static void list_option(CLI::App& app, const std::string& name, std::vector<std::string>& list,
-                          const std::string& description) {
-    app.add_option(name, list, description)
-        ->type_name("RULE,...")
-        ->delimiter(',')
-        ->allow_extra_args(false);
-  }
-
   rules::ValidateOptions validate_options() const {
     rules::ValidateOptions options;
     for (const std::string& path : paths_) {
@@ -143,12 +107,7 @@ class Validate final : public Command {
       throw UsageError("--stdin-filename names what - reads, and there is no - among the paths");
     }
     if (options.paths.empty() && !options.buffer) options.paths.push_back(".");
-    options.selection.select = select_;
-    options.selection.ignore = ignore_;
-    for (const std::string& text : severity_) {
-      auto [rule, level] = split_assignment("--severity", text);
-      options.selection.severity.emplace_back(std::move(rule), severity_named(level));
-    }
+    options.selection = selection_.selection();
     options.meshes = no_mesh_ ? rules::MeshPolicy::kDoNotOpen : rules::MeshPolicy::kOpen;
     return options;
   }
@@ -163,24 +122,15 @@ class Validate final : public Command {
     say(report::summary(result));
   }
 
-  static int exit_code(const rules::ValidateResult& result, std::size_t fail_on) {
+  int exit_code(const rules::ValidateResult& result) const {
     if (!result.unusable.empty()) return kUsage;
-    // "error" fails on one severity, "warning" on two, "info" on three, "never" on none.
-    const std::size_t failing = fail_on == 3 ? 0 : fail_on + 1;
-    constexpr Severity kAll[] = {Severity::kError, Severity::kWarning, Severity::kInfo};
-    for (std::size_t i = 0; i < failing; ++i) {
-      if (result.diagnostics.count(kAll[i]) > 0) return kFindings;
-    }
-    return kClean;
+    return selection_.fails(result.diagnostics) ? kFindings : kClean;
   }
 
   std::vector<std::string> paths_;
   OutputOptions output_;
   ColorOption color_;
-  std::string fail_on_ = "error";
-  std::vector<std::string> select_;
-  std::vector<std::string> ignore_;
-  std::vector<std::string> severity_;
+  SelectionOptions selection_;
   bool no_mesh_ = false;
   std::string stdin_filename_;
   SearchOptions search_;

@@ -9,10 +9,10 @@
 #include <string_view>
 #include <utility>
 
-#include <rigor/write/write_inertial.h>
 #include <rigor/model/subject.h>
 #include <rigor/rules/mesh_finder.h>
 #include <rigor/rules/runner.h>
+#include <rigor/write/write_inertial.h>
 
 namespace rigor::author {
 namespace {
@@ -38,8 +38,8 @@ std::string_view words(NoSolid why) {
 
 std::string reason_of(const PartBody& part, From from) {
   const bool flat = part.why == NoSolid::kMesh && part.mesh == mass::MeshState::kFlat;
-  return std::string(from == From::kCollisions ? "collision" : "visual") + " '" + part.name + "': " +
-         std::string(flat ? "its mesh is flat and encloses nothing" : words(part.why));
+  return std::string(from == From::kCollisions ? "collision" : "visual") + " '" + part.name +
+         "': " + std::string(flat ? "its mesh is flat and encloses nothing" : words(part.why));
 }
 
 /// Why a body has no answer; empty when it has one.
@@ -58,7 +58,8 @@ Diagnostics inertia_findings(const Environment& environment, const Sources& sour
                              const read::Loaded& loaded, mass::MeshSurveys& surveys) {
   constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
   const rules::Selection selection{.select = {"inertia"}, .most_listed = kAll};
-  return rules::Runner(environment.registry, selection).run(environment, sources, loaded, &surveys);
+  return rules::Runner(environment.registry, selection)
+      .run(environment, sources, loaded, {.surveys = &surveys});
 }
 
 class Table {
@@ -123,7 +124,8 @@ class Table {
 
   void compute(LinkInertia& row) const {
     row.computed = propose(root_[row.link].inertial, row.body, {given_mass(row), options_.density});
-    if (!row.computed) row.reason = "its shapes are too small for its mass, or too large for a robot";
+    if (!row.computed)
+      row.reason = "its shapes are too small for its mass, or too large for a robot";
   }
 
   std::optional<double> given_mass(const LinkInertia& row) const {
@@ -203,8 +205,8 @@ std::vector<std::string> unknown_links(const model::Root& root, const InertiaOpt
   for (const auto& [name, mass] : options.masses) {
     bool known = false;
     for (std::uint32_t i = 0; i < root.links.size() && !known; ++i) {
-      known = root.links[i].name.value == name ||
-              scoped_name(root, model::Id<model::Link>{i}) == name;
+      known =
+          root.links[i].name.value == name || scoped_name(root, model::Id<model::Link>{i}) == name;
     }
     if (!known) unknown.push_back(name);
   }

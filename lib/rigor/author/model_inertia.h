@@ -53,13 +53,13 @@ struct InertiaOptions {
 
 struct LinkInertia {
   model::Id<model::Link> link;
-  std::string name;                ///< scoped
-  mass::Resolved written;          ///< what a consumer takes today
-  mass::LinkBody body;             ///< the shapes that were looked at
+  std::string name;        ///< scoped
+  mass::Resolved written;  ///< what a consumer takes today
+  mass::LinkBody body;     ///< the shapes that were looked at
   std::vector<mass::PartOverlap> overlaps;
   std::optional<mass::Proposal> computed;  ///< nothing when the shapes have no answer
-  std::vector<Diagnostic> findings;  ///< what the rules find in it as it stands
-  bool chosen = false;               ///< whether `edits` write it
+  std::vector<Diagnostic> findings;        ///< what the rules find in it as it stands
+  bool chosen = false;                     ///< whether `edits` write it
   /// Why it is not chosen, or has no answer: "collision 'hull': the mesh is not found".
   std::string reason;
 

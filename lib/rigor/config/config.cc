@@ -20,9 +20,9 @@ void read_materials(const toml::table& table, Config& config) {
     if (density && *density > 0 && std::isfinite(*density)) {
       config.materials.emplace(name.str(), *density);
     } else {
-      config.problems.push_back({node.source().begin.line,
-                                 "the density of '" + std::string(name.str()) +
-                                     "' must be a number above 0 kg/m³"});
+      config.problems.push_back(
+          {node.source().begin.line,
+           "the density of '" + std::string(name.str()) + "' must be a number above 0 kg/m³"});
     }
   }
 }

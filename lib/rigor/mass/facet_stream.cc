@@ -26,12 +26,11 @@ constexpr std::uint64_t kBlock = 4096;
 // Facets looked at, all over the file, to learn where the mesh is.
 constexpr std::uint64_t kSamples = 1024;
 
-constexpr Bounds kNowhere{{std::numeric_limits<double>::infinity(),
-                           std::numeric_limits<double>::infinity(),
-                           std::numeric_limits<double>::infinity()},
-                          {-std::numeric_limits<double>::infinity(),
-                           -std::numeric_limits<double>::infinity(),
-                           -std::numeric_limits<double>::infinity()}};
+constexpr Bounds kNowhere{
+    {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+     std::numeric_limits<double>::infinity()},
+    {-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+     -std::numeric_limits<double>::infinity()}};
 
 void include(Bounds& bounds, const Vector3& p) {
   bounds.min = {std::min(bounds.min.x, p.x), std::min(bounds.min.y, p.y),
@@ -59,8 +58,7 @@ Bounds sampled_bounds(const OpenFile& file, std::uint64_t count) {
 FacetSums block_sums(const OpenFile& file, std::uint64_t first, std::uint64_t count,
                      const Bounds& around, std::vector<char>& buffer) {
   const std::uint64_t wanted = std::min(kBlock, count - first);
-  const std::size_t got =
-      file.read(offset_of(first), buffer.data(), wanted * mesh::kStlFacetBytes);
+  const std::size_t got = file.read(offset_of(first), buffer.data(), wanted * mesh::kStlFacetBytes);
   FacetSums sums(around);
   for (std::size_t at = 0; at + mesh::kStlFacetBytes <= got; at += mesh::kStlFacetBytes) {
     sums.add(mesh::stl_facet(buffer.data() + at));

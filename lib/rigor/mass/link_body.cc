@@ -149,8 +149,8 @@ bool LinkBody::complete() const {
   });
 }
 
-LinkBody link_body(const model::Root& root, const model::Frames& frames, model::Id<model::Link> link,
-                   From from, const FindMesh& find_mesh) {
+LinkBody link_body(const model::Root& root, const model::Frames& frames,
+                   model::Id<model::Link> link, From from, const FindMesh& find_mesh) {
   const auto bodies = [&find_mesh](const auto& parts) { return parts.bodies(find_mesh); };
   return {from, with_parts(root, frames, link, from, bodies)};
 }
@@ -162,7 +162,8 @@ std::vector<PartOverlap> overlaps_in(const model::Root& root, const model::Frame
 
 MassProperties of_density(const LinkBody& body, double density) {
   MassProperties sum;
-  for (const PartBody& part : body.parts) sum = add(sum, with_mass(part.unit, density * part.unit.mass));
+  for (const PartBody& part : body.parts)
+    sum = add(sum, with_mass(part.unit, density * part.unit.mass));
   return sum;
 }
 

@@ -49,7 +49,7 @@ struct PartBody {
   NoSolid why = NoSolid::kNone;
   MeshState mesh = MeshState::kSolid;  ///< of a mesh
   BodyFrom from = BodyFrom::kMesh;     ///< of a mesh
-  double density = 1000;               ///< kg/m³: SDF 1.11's `<density>`, else the link's, else 1000
+  double density = 1000;  ///< kg/m³: SDF 1.11's `<density>`, else the link's, else 1000
   /// At density 1 (so that its mass is its volume, m³), in the link frame.
   MassProperties unit;
 };
@@ -62,8 +62,8 @@ struct LinkBody {
   bool complete() const;
 };
 
-LinkBody link_body(const model::Root& root, const model::Frames& frames, model::Id<model::Link> link,
-                   From from, const FindMesh& find_mesh);
+LinkBody link_body(const model::Root& root, const model::Frames& frames,
+                   model::Id<model::Link> link, From from, const FindMesh& find_mesh);
 
 /// Two parts that share space.
 struct PartOverlap {

@@ -45,7 +45,8 @@ struct Contains {
   const Vector3& p;
 
   bool operator()(const model::Box& s) const {
-    return within(p.x, s.size.value.x) && within(p.y, s.size.value.y) && within(p.z, s.size.value.z);
+    return within(p.x, s.size.value.x) && within(p.y, s.size.value.y) &&
+           within(p.z, s.size.value.z);
   }
   bool operator()(const model::Sphere& s) const { return dot(p, p) <= square(s.radius.value); }
   bool operator()(const model::Cylinder& s) const {

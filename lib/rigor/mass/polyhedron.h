@@ -80,6 +80,11 @@ PolyhedronMoments scaled(const PolyhedronMoments& moments, const model::Vector3&
 /// The same body with the mesh's winding swapped.
 PolyhedronMoments inverted(const PolyhedronMoments& moments);
 
+/// The centre of volume, in the mesh's frame. The volume must not be zero.
+inline model::Vector3 centroid(const PolyhedronMoments& moments) {
+  return moments.reference + (1 / moments.volume) * moments.first;
+}
+
 /// The enclosed body as a solid, in the mesh's frame. The volume must be positive.
 Solid solid_of(const PolyhedronMoments& moments);
 

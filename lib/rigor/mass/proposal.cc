@@ -25,8 +25,8 @@ bool can_be(const Proposal& proposal) {
 /// To nine significant digits, as masses are written.
 double as_written(double mass) {
   std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), mass,
-                                 std::chars_format::scientific, 8);
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), mass, std::chars_format::scientific, 8);
   std::from_chars(text.data(), end.ptr, mass);
   return mass;
 }

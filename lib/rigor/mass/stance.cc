@@ -103,8 +103,7 @@ void add_feet(const model::Root& root, const model::Frames& frames, Id<model::Mo
     for (const Id<model::Collision> collision : root[link].collisions) {
       const auto X_WS = frames.pose(collision);
       if (!X_WS) continue;
-      for (const Vector3& p :
-           std::visit(Feet{*X_WS, find_mesh}, root[collision].geometry.shape)) {
+      for (const Vector3& p : std::visit(Feet{*X_WS, find_mesh}, root[collision].geometry.shape)) {
         points.push_back(transform(*X_WS, p));
       }
     }

@@ -9,6 +9,7 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <charconv>
 #include <memory>
 #include <new>
 #include <optional>
@@ -132,6 +133,35 @@ class Files {
   aiFileIO face_ = {};
 };
 
+// ---- What assimp leaves as it is
+
+/// With each %xx as the byte that it stands for (RFC 3986, 2.1).
+std::string decoded(std::string_view uri) {
+  std::string path;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    unsigned byte = 0;
+    const char* const digits = uri.data() + i + 1;
+    if (uri[i] == '%' && i + 2 < uri.size() &&
+        std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2) {
+      path += static_cast<char>(byte);
+      i += 2;
+    } else {
+      path += uri[i];
+    }
+  }
+  return path;
+}
+
+/// Collada's surfaces have a colour or a picture; for those with a picture assimp makes up a grey.
+/// The names of glTF's pictures are URIs, which assimp hands on undecoded.
+void mend(std::vector<Material>& materials, const std::string& ending) {
+  for (Material& material : materials) {
+    if (material.texture.empty()) continue;
+    if (ending == ".dae") material.diffuse = {1, 1, 1, material.diffuse.back()};
+    if (ending == ".gltf" || ending == ".glb") material.texture = decoded(material.texture);
+  }
+}
+
 }  // namespace
 
 LoadedMesh import_with_assimp(const Disk& disk, const std::string& path, std::string_view bytes) {
@@ -148,8 +178,11 @@ LoadedMesh import_with_assimp(const Disk& disk, const std::string& path, std::st
   constexpr unsigned kNoPostProcessing = 0;
   const aiScene* scene =
       library.import_file(path.c_str(), kNoPostProcessing, files.face(), properties);
-  if (scene) return bake(*scene);
-
+  if (scene) {
+    LoadedMesh loaded = bake(*scene);
+    mend(loaded.mesh.materials, extension(path));
+    return loaded;
+  }
   const std::string error = library.error();
   if (error.find("bad_alloc") != std::string::npos) throw std::bad_alloc();  // it caught one
   return {.faults = {{FaultKind::kMalformed, error}}};

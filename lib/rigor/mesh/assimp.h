@@ -16,8 +16,8 @@
 
 namespace rigor::mesh {
 
-/// `bytes` are those of the file at `path`. Files that it names are read through `disk` when they lie
-/// in its folder or below; others are not there. Throws std::bad_alloc.
+/// `bytes` are those of the file at `path`. Files that it names are read through `disk` when they
+/// lie in its folder or below; others are not there. Throws std::bad_alloc.
 LoadedMesh import_with_assimp(const Disk& disk, const std::string& path, std::string_view bytes);
 
 }  // namespace rigor::mesh

@@ -13,39 +13,19 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include <rigor/mesh/affine.h>
+#include <rigor/mesh/normals.h>
+
 namespace rigor::mesh {
 namespace {
 
 // ---- Transforms
-
-/// p ↦ x·p.x + y·p.y + z·p.z + origin.
-struct Affine {
-  Vector3 x{1, 0, 0};
-  Vector3 y{0, 1, 0};
-  Vector3 z{0, 0, 1};
-  Vector3 origin;
-};
-
-Vector3 turned(const Affine& by, const Vector3& v) {
-  return {by.x.x * v.x + by.y.x * v.y + by.z.x * v.z, by.x.y * v.x + by.y.y * v.y + by.z.y * v.z,
-          by.x.z * v.x + by.y.z * v.y + by.z.z * v.z};
-}
-
-Vector3 moved(const Affine& by, const Vector3& p) {
-  const Vector3 q = turned(by, p);
-  return {q.x + by.origin.x, q.y + by.origin.y, q.z + by.origin.z};
-}
-
-Affine operator*(const Affine& a, const Affine& b) {
-  return {turned(a, b.x), turned(a, b.y), turned(a, b.z), moved(a, b.origin)};
-}
-
-bool mirrors(const Affine& a) { return model::dot(model::cross(a.x, a.y), a.z) < 0; }
 
 /// The shortest decimal that is this float: what the file said, most likely. So a unit of 0.0254 m
 /// is just that, not the 0.025399999693… that assimp keeps of it; else it is within the float's own
@@ -74,6 +54,9 @@ struct Census {
   std::uint64_t triangles = 0;
   std::uint64_t passed_over = 0;   ///< lines and points
   std::uint64_t out_of_range = 0;  ///< corners
+  std::uint64_t with_texture = 0;  ///< triangles whose corners carry it
+  std::uint64_t with_normals = 0;
+  std::uint64_t with_colors = 0;
 };
 
 Census census(const aiMesh& mesh) {
@@ -88,6 +71,9 @@ Census census(const aiMesh& mesh) {
   }
   if (mesh.mNumFaces == 0) counts.passed_over = mesh.mNumVertices;  // a cloud of points
   if (counts.triangles > 0) counts.vertices = mesh.mNumVertices;
+  if (mesh.mTextureCoords[0]) counts.with_texture = counts.triangles;
+  if (mesh.mNormals) counts.with_normals = counts.triangles;
+  if (mesh.mColors[0]) counts.with_colors = counts.triangles;
   return counts;
 }
 
@@ -107,29 +93,144 @@ std::string part_name(const aiNode& node, const aiMesh& mesh) {
   return std::string(invented ? text(mesh.mName) : own);
 }
 
-/// A string property is its length in 32 bits, then the characters and a zero.
-std::string material_name(const aiMaterial& material) {
+// ---- Materials
+
+const aiMaterialProperty* find(const aiMaterial& material, std::string_view key,
+                               aiTextureType semantic = aiTextureType_NONE) {
   for (unsigned i = 0; i < material.mNumProperties; ++i) {
     const aiMaterialProperty& property = *material.mProperties[i];
-    std::uint32_t length = 0;
-    if (text(property.mKey) != "?mat.name" || property.mDataLength < sizeof length) continue;
-    std::memcpy(&length, property.mData, sizeof length);
-    const std::string_view rest(property.mData, property.mDataLength);
-    return std::string(rest.substr(sizeof length, length));
+    if (text(property.mKey) == key && property.mSemantic == semantic && property.mIndex == 0) {
+      return &property;
+    }
   }
-  return {};
+  return nullptr;
 }
+
+/// A string property is its length in 32 bits, then the characters and a zero.
+std::string string_of(const aiMaterialProperty* property) {
+  std::uint32_t length = 0;
+  if (!property || property->mDataLength < sizeof length) return {};
+  std::memcpy(&length, property->mData, sizeof length);
+  const std::string_view rest(property->mData, property->mDataLength);
+  return std::string(rest.substr(sizeof length, length));
+}
+
+/// Into as many numbers as there are, from 0 to 1.
+void read_numbers(const aiMaterialProperty* property, float* into, std::size_t count) {
+  if (!property || property->mType != aiPTI_Float) return;
+  count = std::min<std::size_t>(count, property->mDataLength / sizeof(float));
+  for (std::size_t i = 0; i < count; ++i) {
+    float number = 0;
+    std::memcpy(&number, property->mData + i * sizeof number, sizeof number);
+    if (std::isfinite(number)) into[i] = std::clamp(number, 0.0F, 1.0F);
+  }
+}
+
+/// Pictures within the file are numbered "*0", "*1", …: they have no name.
+std::string texture_of(const aiMaterial& material) {
+  std::string name = string_of(find(material, "$tex.file", aiTextureType_DIFFUSE));
+  if (name.starts_with('*')) name.clear();
+  return name;
+}
+
+Material material_of(const aiMaterial& material) {
+  Material look{.name = string_of(find(material, "?mat.name")), .texture = texture_of(material)};
+  read_numbers(find(material, "$clr.diffuse"), look.diffuse.data(), look.diffuse.size());
+  read_numbers(find(material, "$mat.opacity"), &look.diffuse.back(), 1);
+  return look;
+}
+
+/// What assimp gives to shapes of which the file says nothing: grey or white.
+bool is_invented(const Material& material) {
+  const bool named = !material.name.empty() && material.name != AI_DEFAULT_MATERIAL_NAME;
+  const std::array<float, 4>& color = material.diffuse;
+  const bool plain = color[0] == color[1] && color[0] == color[2] && color[3] == 1 &&
+                     (color[0] == 0.6F || color[0] == 1);
+  return !named && plain && material.texture.empty();
+}
+
+bool look_alike(const Material& a, const Material& b) {
+  return a.diffuse == b.diffuse && a.texture == b.texture;
+}
+
+/// The materials of a scene that its shapes use, in order of their use.
+class UsedMaterials {
+ public:
+  explicit UsedMaterials(const aiScene& scene) : scene_(scene) {}
+
+  /// Of the material with this index, its name: when another one that looks different has the same,
+  /// one with a number.
+  const std::string& name(unsigned index) {
+    const auto [at, is_new] = names_.try_emplace(index);
+    if (is_new && index < scene_.mNumMaterials) {
+      at->second = added(material_of(*scene_.mMaterials[index]));
+    }
+    return at->second;
+  }
+
+  std::vector<Material> take() { return std::move(materials_); }
+
+ private:
+  std::string added(Material material) {
+    if (is_invented(material)) return material.name;
+    const std::string own = material.name;
+    for (unsigned number = 2;; ++number) {
+      const auto [at, is_new] = by_name_.try_emplace(material.name, materials_.size());
+      if (is_new) materials_.push_back(material);
+      if (look_alike(materials_[at->second], material)) return material.name;
+      material.name = own + '-' + std::to_string(number);
+    }
+  }
+
+  const aiScene& scene_;
+  std::vector<Material> materials_;
+  std::map<std::string, std::size_t> by_name_;
+  std::map<unsigned, std::string> names_;  ///< by index
+};
+
+// ---- What corners carry
+
+Corners::Texture texture_point(const aiVector3D& from) {
+  return std::isfinite(from.x) && std::isfinite(from.y) ? Corners::Texture{from.x, from.y}
+                                                        : Corners::Texture{};
+}
+
+constexpr Corners::Color kWhite{1, 1, 1, 1};
+
+Corners::Color color(const aiColor4D& from) {
+  const Corners::Color read{from.r, from.g, from.b, from.a};
+  return std::all_of(read.begin(), read.end(), [](float part) { return std::isfinite(part); })
+             ? read
+             : kWhite;
+}
+
+/// Takes normals of a node's mesh to the whole mesh's frame. (The cofactors of a matrix take the
+/// cross product of two vectors to that of their images.)
+class NormalTurn {
+ public:
+  explicit NormalTurn(const Affine& by)
+      : cofactors_{cross(by.y, by.z), cross(by.z, by.x), cross(by.x, by.y), {}},
+        sign_(determinant(by) < 0 ? -1 : 1) {}
+
+  Corners::Normal operator()(const aiVector3D& n) const {
+    return normal_along(sign_ * turned(cofactors_, {n.x, n.y, n.z}));
+  }
+
+ private:
+  Affine cofactors_;
+  double sign_;  ///< the sides of a mirrored surface are exchanged
+};
 
 class Baker {
  public:
-  explicit Baker(const aiScene& scene) : scene_(scene) {
+  explicit Baker(const aiScene& scene) : scene_(scene), materials_(scene) {
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) census_.push_back(census(*scene.mMeshes[i]));
   }
 
   LoadedMesh run() {
     if (!scene_.mRootNode) return {.faults = {{FaultKind::kEmpty}}};
     // Counted before anything is allocated: a few nodes can repeat a mesh a billion times.
-    const Census all = total();
+    const Census& all = all_ = total();
     LoadedMesh loaded;
     if (all.passed_over > 0) {
       loaded.faults.push_back({.kind = FaultKind::kNotTriangles, .count = all.passed_over});
@@ -141,7 +242,7 @@ class Baker {
     } else if (std::max(all.triangles, all.vertices) > kMaxTriangles) {
       loaded.faults.push_back({.kind = FaultKind::kTooLarge, .count = all.triangles});
     } else {
-      fill(loaded, all);
+      fill(loaded);
     }
     return loaded;
   }
@@ -155,18 +256,25 @@ class Baker {
       all.triangles += one.triangles;
       all.passed_over += one.passed_over;
       all.out_of_range += one.out_of_range;
+      all.with_texture += one.with_texture;
+      all.with_normals += one.with_normals;
+      all.with_colors += one.with_colors;
     });
     return all;
   }
 
-  void fill(LoadedMesh& loaded, const Census& all) const {
+  void fill(LoadedMesh& loaded) {
     TriangleMesh& mesh = loaded.mesh;
-    mesh.positions.reserve(all.vertices);
-    mesh.triangles.reserve(all.triangles);
+    mesh.positions.reserve(all_.vertices);
+    mesh.triangles.reserve(all_.triangles);
+    if (all_.with_texture > 0) mesh.corners.texture.reserve(all_.triangles);
+    if (all_.with_normals > 0) mesh.corners.normals.reserve(all_.triangles);
+    if (all_.with_colors > 0) mesh.corners.colors.reserve(all_.triangles);
     for_each_instance(*scene_.mRootNode, {},
                       [&](const aiNode& node, const Affine& X_WN, unsigned index) {
                         if (census_[index].triangles > 0) add(mesh, node, X_WN, index);
                       });
+    mesh.materials = materials_.take();
     std::uint64_t bad = 0;
     for (const Vector3& p : mesh.positions) {
       bad += !std::isfinite(p.x) + !std::isfinite(p.y) + !std::isfinite(p.z);
@@ -176,18 +284,18 @@ class Baker {
     loaded.faults.push_back({.kind = FaultKind::kNotFinite, .count = bad});
   }
 
-  void add(TriangleMesh& into, const aiNode& node, const Affine& X_WN, unsigned index) const {
+  void add(TriangleMesh& into, const aiNode& node, const Affine& X_WN, unsigned index) {
     const aiMesh& mesh = *scene_.mMeshes[index];
-    const bool known = mesh.mMaterialIndex < scene_.mNumMaterials;
-    std::string material = known ? material_name(*scene_.mMaterials[mesh.mMaterialIndex]) : "";
-    into.parts.push_back({part_name(node, mesh), std::move(material), into.triangles.size(),
+    into.parts.push_back({part_name(node, mesh), materials_.name(mesh.mMaterialIndex),
+                          into.triangles.size(),
                           static_cast<std::size_t>(census_[index].triangles)});
     const auto base = static_cast<std::uint32_t>(into.positions.size());
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
       const aiVector3D& p = mesh.mVertices[v];
       into.positions.push_back(moved(X_WN, {p.x, p.y, p.z}));
     }
-    const bool mirrored = mirrors(X_WN);
+    const std::size_t first = into.triangles.size();
+    const bool mirrored = determinant(X_WN) < 0;
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       const aiFace& face = mesh.mFaces[f];
       for (unsigned i = 2; i < face.mNumIndices; ++i) {
@@ -196,10 +304,34 @@ class Baker {
         into.triangles.push_back(t);
       }
     }
+    add_corners(into, mesh, NormalTurn(X_WN), first);
+  }
+
+  /// Of the triangles from `first` on, which are those of this mesh.
+  void add_corners(TriangleMesh& into, const aiMesh& mesh, const NormalTurn& turn,
+                   std::size_t first) const {
+    const auto base = static_cast<std::uint32_t>(into.positions.size() - mesh.mNumVertices);
+    const auto add = [&](auto& list, std::uint64_t carried, const auto* from, const auto& convert,
+                         const auto& otherwise) {
+      if (carried == 0) return;
+      for (std::size_t i = first; i < into.triangles.size(); ++i) {
+        auto& corners = list.emplace_back();
+        for (std::size_t c = 0; c < 3; ++c) {
+          corners[c] = from ? convert(from[into.triangles[i][c] - base]) : otherwise;
+        }
+      }
+    };
+    Corners& corners = into.corners;
+    add(corners.texture, all_.with_texture, mesh.mTextureCoords[0], texture_point,
+        Corners::Texture{});
+    add(corners.normals, all_.with_normals, mesh.mNormals, turn, Corners::Normal{});
+    add(corners.colors, all_.with_colors, mesh.mColors[0], color, kWhite);
   }
 
   const aiScene& scene_;
-  std::vector<Census> census_;
+  std::vector<Census> census_;  ///< of each mesh
+  Census all_;
+  UsedMaterials materials_;
 };
 
 }  // namespace

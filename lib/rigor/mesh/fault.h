@@ -13,16 +13,16 @@ namespace rigor::mesh {
 
 enum class FaultKind : std::uint8_t {
   // There is no mesh: the rest of what was read is empty.
-  kUnreadable,         ///< the disk said no; `detail` is its reason
-  kTooLarge,           ///< over kMaxMeshBytes, or more vertices or triangles than the bounds
-  kLfsPointer,         ///< a Git LFS pointer stands in place of the file
-  kUnknownFormat,      ///< neither by its ending nor by its bytes; `detail` is the ending
-  kEmpty,              ///< no bytes, or no triangles
-  kMalformed,          ///< cannot be parsed; `detail` says at what, `line` where
-  kImporterCrashed,    ///< the scene importer died or ran out of time or memory; `detail` says which
-  kImporterMissing,    ///< no importer for scenes is installed
-  kIndexOutOfRange,    ///< a face names a vertex that there is not
-  kNotFinite,          ///< a coordinate is NaN or infinite; `count` of them, `line` of the first
+  kUnreadable,       ///< the disk said no; `detail` is its reason
+  kTooLarge,         ///< over kMaxMeshBytes, or more vertices or triangles than the bounds
+  kLfsPointer,       ///< a Git LFS pointer stands in place of the file
+  kUnknownFormat,    ///< neither by its ending nor by its bytes; `detail` is the ending
+  kEmpty,            ///< no bytes, or no triangles
+  kMalformed,        ///< cannot be parsed; `detail` says at what, `line` where
+  kImporterCrashed,  ///< the scene importer died or ran out of time or memory; `detail` says which
+  kImporterMissing,  ///< no importer for scenes is installed
+  kIndexOutOfRange,  ///< a face names a vertex that there is not
+  kNotFinite,        ///< a coordinate is NaN or infinite; `count` of them, `line` of the first
   // The mesh could be read all the same.
   kTruncated,          ///< fewer triangles than the file promises; `count` are missing
   kTrailingBytes,      ///< `count` bytes behind the last triangle

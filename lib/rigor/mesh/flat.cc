@@ -7,13 +7,19 @@
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 namespace rigor::mesh {
 namespace {
 
 class Writer {
  public:
-  void number(std::uint64_t value) { append(&value, sizeof value); }
+  template <class T>
+  void value(T value) {
+    append(&value, sizeof value);
+  }
+
+  void number(std::uint64_t number) { value(number); }
 
   template <class T>
   void list(const T& values) {
@@ -40,11 +46,14 @@ class Reader {
   bool good() const { return good_; }
   bool at_end() const { return bytes_.empty(); }
 
-  std::uint64_t number() {
-    std::uint64_t value = 0;
+  template <class T>
+  T value() {
+    T value{};
     if (fits(1, sizeof value)) take(&value, sizeof value);
     return value;
   }
+
+  std::uint64_t number() { return value<std::uint64_t>(); }
 
   template <class T>
   T list() {
@@ -84,6 +93,15 @@ bool corners_exist(const TriangleMesh& mesh) {
   });
 }
 
+/// Each list of the corners is empty or as long as the triangles'.
+bool lists_fit(const TriangleMesh& mesh) {
+  const auto fits = [&mesh](const auto& list) {
+    return list.empty() || list.size() == mesh.triangles.size();
+  };
+  const Corners& corners = mesh.corners;
+  return fits(corners.texture) && fits(corners.normals) && fits(corners.colors);
+}
+
 bool parts_cover(const TriangleMesh& mesh) {
   std::size_t next = 0;
   for (const Part& part : mesh.parts) {
@@ -107,6 +125,15 @@ std::string flatten(const LoadedMesh& loaded) {
     writer.number(part.first);
     writer.number(part.count);
   }
+  writer.number(loaded.mesh.materials.size());
+  for (const Material& material : loaded.mesh.materials) {
+    writer.list(material.name);
+    for (const float part : material.diffuse) writer.value(part);
+    writer.list(material.texture);
+  }
+  writer.list(loaded.mesh.corners.texture);
+  writer.list(loaded.mesh.corners.normals);
+  writer.list(loaded.mesh.corners.colors);
   writer.number(loaded.faults.size());
   for (const Fault& fault : loaded.faults) {
     writer.number(static_cast<std::uint64_t>(fault.kind));
@@ -132,16 +159,24 @@ std::optional<LoadedMesh> unflatten(std::string_view bytes) {
     part.count = reader.number();
   }
   for (std::uint64_t left = reader.number(); left > 0 && reader.good(); --left) {
+    Material& material = mesh.materials.emplace_back();
+    material.name = reader.list<std::string>();
+    for (float& part : material.diffuse) part = reader.value<float>();
+    material.texture = reader.list<std::string>();
+  }
+  mesh.corners.texture = reader.list<decltype(Corners::texture)>();
+  mesh.corners.normals = reader.list<decltype(Corners::normals)>();
+  mesh.corners.colors = reader.list<decltype(Corners::colors)>();
+  for (std::uint64_t left = reader.number(); left > 0 && reader.good(); --left) {
     Fault& fault = loaded.faults.emplace_back();
     fault.kind = reader.enumerator(FaultKind::kExtensionMismatch);
     fault.detail = reader.list<std::string>();
     fault.count = reader.number();
     fault.line = reader.number();
   }
-  if (!reader.good() || !reader.at_end() || !corners_exist(mesh) || !parts_cover(mesh)) {
-    return std::nullopt;
-  }
-  return loaded;
+  const bool whole = reader.good() && reader.at_end() && corners_exist(mesh) && parts_cover(mesh) &&
+                     lists_fit(mesh);
+  return whole ? std::optional(std::move(loaded)) : std::nullopt;
 }
 
 }  // namespace rigor::mesh

@@ -19,7 +19,8 @@ namespace rigor::mesh {
 std::string flatten(const LoadedMesh& loaded);
 
 /// Believes nothing, since a damaged process may have written the bytes: nothing comes back unless
-/// all lengths fit, every corner names a vertex, and the parts cover the triangles.
+/// all lengths fit, every corner names a vertex, the parts cover the triangles, and what corners
+/// carry is there for each or none.
 std::optional<LoadedMesh> unflatten(std::string_view bytes);
 
 }  // namespace rigor::mesh

@@ -36,7 +36,8 @@ bool passes(const Vector3& a, const Vector3& b, const Vector3& p) {
 }
 
 bool is_above(const Facet& f, const Vector3& p) {
-  if (passes(f[0], f[1], p) == (passes(f[1], f[2], p) == passes(f[2], f[0], p))) return false;
+  const int passing = passes(f[0], f[1], p) + passes(f[1], f[2], p) + passes(f[2], f[0], p);
+  if (passing != 1) return false;  // seen along z, p lies beside the triangle
   const Vector3 normal = cross(f[1] - f[0], f[2] - f[0]);
   return dot(normal, p - f[0]) * normal.z < 0;
 }

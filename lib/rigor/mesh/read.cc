@@ -91,9 +91,12 @@ LoadedMesh read_as(Format format, const OpenFile& file, const Disk& disk, const 
   if (format == Format::kUnknown) return no_mesh(FaultKind::kUnknownFormat, extension(path));
   const bool is_stl = format == Format::kStlBinary || format == Format::kStlAscii;
   if (!is_stl && format != Format::kObj) return read_scene(disk, path);
+  if (format == Format::kStlBinary) {
+    if (std::optional<LoadedMesh> loaded = read_plain_stl(file)) return std::move(*loaded);
+  }
   const std::string bytes = read(file, file.size());
   if (bytes.size() < file.size()) return no_mesh(FaultKind::kUnreadable, "cannot be read");
-  return is_stl ? read_stl(bytes) : read_obj(bytes);
+  return is_stl ? read_stl(bytes) : read_obj(bytes, disk, path);
 }
 
 }  // namespace

@@ -23,7 +23,17 @@
 
 namespace rigor::mesh {
 
-enum class Format : std::uint8_t { kUnknown, kStlBinary, kStlAscii, kObj, kCollada, kGltf, kGlb, kPly, kOther };
+enum class Format : std::uint8_t {
+  kUnknown,
+  kStlBinary,
+  kStlAscii,
+  kObj,
+  kCollada,
+  kGltf,
+  kGlb,
+  kPly,
+  kOther
+};
 
 /// "stl", "obj", "dae", "gltf", "glb", "ply", "other" and "unknown".
 std::string_view to_string(Format format);

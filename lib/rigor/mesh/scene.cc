@@ -3,11 +3,13 @@
 
 #include <rigor/mesh/scene.h>
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include <rigor/mesh/assimp.h>
+#include <rigor/mesh/collada.h>
 #include <rigor/mesh/flat.h>
 #include <rigor/process/child.h>
 #include <rigor/text/path.h>
@@ -18,12 +20,15 @@ namespace {
 using process::ChildLimits;
 using process::ChildResult;
 
-Format format_by_ending(const std::string& path) {
-  const std::string ending = extension(path);
-  for (const Format format : {Format::kCollada, Format::kGltf, Format::kGlb, Format::kPly}) {
-    if (ending.substr(ending.empty() ? 0 : 1) == to_string(format)) return format;
-  }
-  return Format::kOther;
+// So much of a file tells its format.
+constexpr std::size_t kProbe = 512;
+
+/// The importer goes by the ending first; one that lies gets the true one behind it.
+std::string honest_path(const std::string& path, Format format) {
+  const bool known = format == Format::kCollada || format == Format::kGltf ||
+                     format == Format::kGlb || format == Format::kPly;
+  const std::string ending = '.' + std::string(to_string(format));
+  return known && extension(path) != ending ? path + ending : path;
 }
 
 LoadedMesh import_in_child(const Disk& disk, const std::string& path, std::string_view bytes) {
@@ -37,26 +42,42 @@ LoadedMesh import_in_child(const Disk& disk, const std::string& path, std::strin
   return {.faults = {{FaultKind::kImporterCrashed, "gave back a damaged mesh"}}};
 }
 
-/// assimp's reader of PLY looks for the header's end for ever.
-bool header_never_ends(const std::string& path, std::string_view bytes) {
-  return extension(path) == ".ply" && bytes.find("end_header") == std::string_view::npos;
+/// Whether the importer said no to what another reader may well understand.
+bool importer_failed(const LoadedMesh& loaded) {
+  return std::any_of(loaded.faults.begin(), loaded.faults.end(), [](const Fault& fault) {
+    return fault.kind == FaultKind::kMalformed || fault.kind == FaultKind::kImporterCrashed ||
+           fault.kind == FaultKind::kImporterMissing;
+  });
 }
 
-LoadedMesh load(const Disk& disk, const std::string& path) {
-  const ReadResult file = disk.read(path, kMaxMeshBytes);
-  if (!file.bytes) return {.faults = {{FaultKind::kUnreadable, file.problem}}};
-  if (file.bytes->empty()) return {.faults = {{FaultKind::kEmpty}}};
-  if (header_never_ends(path, *file.bytes)) {
+/// When both readers say no, the importer's reason counts.
+LoadedMesh load_collada(const Disk& disk, const std::string& path, std::string_view bytes) {
+  LoadedMesh imported = import_in_child(disk, path, bytes);
+  if (!importer_failed(imported)) return imported;
+  LoadedMesh own = read_collada(bytes);
+  return own.usable() ? std::move(own) : std::move(imported);
+}
+
+LoadedMesh load(const Disk& disk, const std::string& path, std::string_view bytes, Format format) {
+  // assimp's reader of PLY looks for the header's end for ever.
+  if (format == Format::kPly && bytes.find("end_header") == std::string_view::npos) {
     return {.faults = {{FaultKind::kMalformed, "the header has no end_header"}}};
   }
-  return import_in_child(disk, path, *file.bytes);
+  const std::string honest = honest_path(path, format);
+  return format == Format::kCollada ? load_collada(disk, honest, bytes)
+                                    : import_in_child(disk, honest, bytes);
 }
 
 }  // namespace
 
 LoadedMesh read_scene(const Disk& disk, const std::string& path) {
-  LoadedMesh loaded = load(disk, path);
-  loaded.format = format_by_ending(path);
+  const ReadResult file = disk.read(path, kMaxMeshBytes);
+  if (!file.bytes) return {.faults = {{FaultKind::kUnreadable, file.problem}}};
+  if (file.bytes->empty()) return {.faults = {{FaultKind::kEmpty}}};
+  const std::string_view bytes = *file.bytes;
+  const Format format = format_of(bytes.substr(0, kProbe), bytes.size(), path);
+  LoadedMesh loaded = load(disk, path, bytes, format);
+  loaded.format = format;
   return loaded;
 }
 

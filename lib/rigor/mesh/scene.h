@@ -3,7 +3,11 @@
 //
 // Collada, glTF, PLY and other scenes, by assimp in a child process: its 5.2.5 crashed or ran away on
 // 17 of 764 damaged files, and a child's death is only a fault of the file here. The library is
-// opened in the child alone, when it is first needed, so that no other run pays for it.
+// opened in the child alone, when it is first needed, so that no other run pays for it. A Collada
+// file that it refuses, or dies of, is read by rigor's own reader (collada.h), which knows shapes
+// only and so is never in the way of textures that are not defined.
+//
+// What a file is, its bytes say before its ending does.
 //
 // The scene's transforms are applied. A Collada file's `<unit>` is applied, its `<up_axis>` is not, as
 // Gazebo does (other consumers turn Y-up files). Mirrored nodes keep their outside outside: the

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <rigor/mesh/stl_ascii.h>
 #include <rigor/mesh/text_cursor.h>
@@ -42,40 +43,44 @@ bool is_text(std::string_view first_bytes) {
   return static_cast<std::size_t>(odd) * 4 <= body.size();
 }
 
-/// What header and size say.
-std::vector<Fault> frame_faults(std::string_view bytes) {
-  if (bytes.size() < kStlHeaderBytes) {
+/// What header and size say. `first_bytes` are 512 or all.
+std::vector<Fault> frame_faults(std::string_view first_bytes, std::uint64_t size) {
+  if (size < kStlHeaderBytes) {
     return {{FaultKind::kMalformed, "a binary STL has 84 bytes at least"}};
   }
-  if (!stl_size_fits(bytes, bytes.size()) && is_text(bytes.substr(0, kProbe))) {
+  if (!stl_size_fits(first_bytes, size) && is_text(first_bytes)) {
     return {{FaultKind::kMalformed, "it is neither a binary STL nor text that begins with solid"}};
   }
-  const std::uint64_t promised = u32(bytes.data() + kCountOffset);
-  const std::uint64_t held = stl_triangles(bytes, bytes.size());
+  const std::uint64_t promised = u32(first_bytes.data() + kCountOffset);
+  const std::uint64_t held = stl_triangles(first_bytes, size);
   const std::uint64_t used = kStlHeaderBytes + held * kStlFacetBytes;
   std::vector<Fault> faults;
   if (held == 0) faults.push_back({FaultKind::kEmpty});
   if (held > kMaxTriangles) faults.push_back({FaultKind::kTooLarge});
   if (held < promised) faults.push_back({FaultKind::kTruncated, {}, promised - held});
-  if (held == promised && used < bytes.size()) {
-    faults.push_back({FaultKind::kTrailingBytes, {}, bytes.size() - used});
+  if (held == promised && used < size) {
+    faults.push_back({FaultKind::kTrailingBytes, {}, size - used});
   }
-  if (bytes.starts_with("solid")) faults.push_back({FaultKind::kSolidHeader});
+  if (first_bytes.starts_with("solid")) faults.push_back({FaultKind::kSolidHeader});
   return faults;
 }
 
-TriangleMesh read_facets(std::string_view bytes, std::size_t count) {
+TriangleMesh mesh_for(std::size_t count) {
   TriangleMesh mesh;
   mesh.positions.reserve(3 * count);
   mesh.triangles.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Facet corners = stl_facet(bytes.data() + kStlHeaderBytes + i * kStlFacetBytes);
-    mesh.positions.insert(mesh.positions.end(), corners.begin(), corners.end());
-    const auto base = static_cast<std::uint32_t>(3 * i);
-    mesh.triangles.push_back({base, base + 1, base + 2});
-  }
   mesh.parts = {{{}, {}, 0, count}};
   return mesh;
+}
+
+/// The facets whose bytes these are.
+void append_facets(std::string_view bytes, TriangleMesh& mesh) {
+  for (std::size_t at = 0; at < bytes.size(); at += kStlFacetBytes) {
+    const Facet corners = stl_facet(bytes.data() + at);
+    const auto base = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), corners.begin(), corners.end());
+    mesh.triangles.push_back({base, base + 1, base + 2});
+  }
 }
 
 /// In `first`, which facet is the first.
@@ -90,16 +95,23 @@ Tally not_finite(const std::vector<Vector3>& positions) {
   return bad;
 }
 
-LoadedMesh read_binary_stl(std::string_view bytes) {
-  LoadedMesh loaded{.format = Format::kStlBinary, .faults = frame_faults(bytes)};
-  if (!loaded.usable()) return loaded;
-  loaded.mesh = read_facets(bytes, static_cast<std::size_t>(stl_triangles(bytes, bytes.size())));
+LoadedMesh finished(LoadedMesh loaded) {
   const Tally bad = not_finite(loaded.mesh.positions);
   if (bad.count == 0) return loaded;
   loaded.mesh = {};
   loaded.faults.push_back(
       {FaultKind::kNotFinite, "facet " + std::to_string(bad.first + 1), bad.count});
   return loaded;
+}
+
+LoadedMesh read_binary_stl(std::string_view bytes) {
+  LoadedMesh loaded{.format = Format::kStlBinary,
+                    .faults = frame_faults(bytes.substr(0, kProbe), bytes.size())};
+  if (!loaded.usable()) return loaded;
+  const auto count = static_cast<std::size_t>(stl_triangles(bytes, bytes.size()));
+  loaded.mesh = mesh_for(count);
+  append_facets(bytes.substr(kStlHeaderBytes, count * kStlFacetBytes), loaded.mesh);
+  return finished(std::move(loaded));
 }
 
 }  // namespace
@@ -124,6 +136,22 @@ std::uint64_t stl_triangles(std::string_view header, std::uint64_t size) {
 Facet stl_facet(const char* bytes) {
   const char* const corners = bytes + kNormalBytes;
   return {corner(corners), corner(corners + 12), corner(corners + 24)};
+}
+
+std::optional<LoadedMesh> read_plain_stl(const OpenFile& file) {
+  constexpr std::size_t kBlock = 20'000 * kStlFacetBytes;  // a megabyte
+  std::string block(kProbe, '\0');
+  block.resize(file.read(0, block.data(), block.size()));
+  if (!stl_size_fits(block, file.size())) return std::nullopt;
+  LoadedMesh loaded{.format = Format::kStlBinary, .faults = frame_faults(block, file.size())};
+  if (!loaded.usable()) return loaded;
+  loaded.mesh = mesh_for(static_cast<std::size_t>(stl_triangles(block, file.size())));
+  for (std::uint64_t at = kStlHeaderBytes; at < file.size(); at += block.size()) {
+    block.resize(static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, file.size() - at)));
+    if (file.read(at, block.data(), block.size()) < block.size()) return std::nullopt;
+    append_facets(block, loaded.mesh);
+  }
+  return finished(std::move(loaded));
 }
 
 LoadedMesh read_stl(std::string_view bytes) {

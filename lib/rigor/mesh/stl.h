@@ -7,7 +7,8 @@
 //
 // The reader believes nothing: the count is checked against the size before anything is allocated,
 // "solid" in a binary header is no ASCII file, keywords may be in any case, lines may end with CR,
-// LF or both.
+// LF or both. What is beside the corners is not read: consumers take normals from the corners, and
+// the colours that some writers put in the attributes follow no common rule.
 //
 //   LoadedMesh loaded = read_stl(bytes);
 
@@ -15,9 +16,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include <rigor/mesh/read.h>
+#include <rigor/text/disk.h>
 
 namespace rigor::mesh {
 
@@ -39,5 +42,9 @@ std::uint64_t stl_triangles(std::string_view header, std::uint64_t size);
 Facet stl_facet(const char* bytes);
 
 LoadedMesh read_stl(std::string_view bytes);
+
+/// The same in blocks, of a binary STL that has the size that its count says; nothing when it is
+/// something else, or the disk fails.
+std::optional<LoadedMesh> read_plain_stl(const OpenFile& file);
 
 }  // namespace rigor::mesh

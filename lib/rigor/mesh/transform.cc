@@ -3,8 +3,13 @@
 
 #include <rigor/mesh/transform.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
+
+#include <rigor/mesh/normals.h>
+#include <rigor/mesh/select.h>
 
 namespace rigor::mesh {
 namespace {
@@ -43,19 +48,41 @@ Vector3 center_of(const TriangleMesh& mesh, const Transform& by) {
   return center;
 }
 
+/// From the axes of the mesh to those of the result.
+Vector3 turned(UpAxis up, const Vector3& v) {
+  return up == UpAxis::kZ ? v : Vector3{v.x, 0 - v.z, v.y};  // of a zero no -0
+}
+
+/// The cofactors of the scale, which take the normals of a surface to those of the scaled one, but
+/// for their lengths. Of factors of 1 at most, so that no product is too large.
+Vector3 cofactors(const Vector3& scale) {
+  const double most = std::max({std::abs(scale.x), std::abs(scale.y), std::abs(scale.z)});
+  const Vector3 s{scale.x / most, scale.y / most, scale.z / most};
+  return {s.y * s.z, s.z * s.x, s.x * s.y};
+}
+
+void turn_normals(TriangleMesh& mesh, const Transform& by) {
+  const Vector3 factors = cofactors(by.scale);
+  for (std::array<Corners::Normal, 3>& corners : mesh.corners.normals) {
+    for (Corners::Normal& n : corners) {
+      n = normal_along(turned(
+          by.up, {factors.x * double{n[0]}, factors.y * double{n[1]}, factors.z * double{n[2]}}));
+    }
+  }
+}
+
 }  // namespace
 
 Vector3 before_centering(const Transform& by, const Vector3& p) {
-  const Vector3 q{p.x * by.unit * by.scale.x, p.y * by.unit * by.scale.y,
-                  p.z * by.unit * by.scale.z};
-  if (by.up == UpAxis::kZ) return q;
-  return {q.x, 0 - q.z, q.y};  // of a zero no -0
+  return turned(
+      by.up, {p.x * by.unit * by.scale.x, p.y * by.unit * by.scale.y, p.z * by.unit * by.scale.z});
 }
 
 Transformed transformed(TriangleMesh mesh, const Transform& by) {
   for (Vector3& p : mesh.positions) p = before_centering(by, p);
+  turn_normals(mesh, by);
   if (mirrors(by)) {
-    for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+    for (std::size_t face = 0; face < mesh.triangles.size(); ++face) turn_over(mesh, face);
   }
   const Vector3 translation = Vector3{} - center_of(mesh, by);
   for (Vector3& p : mesh.positions) p = p + translation;

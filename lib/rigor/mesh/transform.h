@@ -48,7 +48,8 @@ struct Transformed {
   Vector3 translation;  ///< of the centring, which was added to each vertex: metres, z up
 };
 
-/// A transform that mirrors swaps each triangle's winding, so that its outside stays outside. The
+/// A transform that mirrors swaps each triangle's winding, so that its outside stays outside;
+/// normals stay perpendicular to what they were, and lean to the same side of the surface. The
 /// centring looks only at positions that triangles use; without any there is no translation.
 Transformed transformed(TriangleMesh mesh, const Transform& by);
 

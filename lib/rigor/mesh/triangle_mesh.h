@@ -34,13 +34,34 @@ struct Part {
   std::size_t count = 0;
 };
 
+/// How a part looks. Parts name it by `Part::material`.
+struct Material {
+  std::string name;
+  std::array<float, 4> diffuse{0.7F, 0.7F, 0.7F, 1};  ///< red, green, blue, opacity: 0 to 1
+  std::string texture = {};  ///< the picture of its colour, as the file names it; empty without one
+};
+
+/// What the corners of triangles carry besides their positions. Each list is empty, when nothing of
+/// the mesh carries that, or has one entry a triangle.
+struct Corners {
+  using Texture = std::array<float, 2>;  ///< u to the right, v up, from the picture's lower left
+  using Normal = std::array<float, 3>;   ///< of length 1, or 0 when there is none
+  using Color = std::array<float, 4>;    ///< red, green, blue, opacity: 0 to 1
+
+  std::vector<std::array<Texture, 3>> texture;
+  std::vector<std::array<Normal, 3>> normals;
+  std::vector<std::array<Color, 3>> colors;
+};
+
 struct TriangleMesh {
   std::vector<Vector3> positions;
   std::vector<Triangle> triangles;
-  std::vector<Part> parts;  ///< in the order of their triangles, which they cover
+  std::vector<Part> parts;          ///< in the order of their triangles, which they cover
+  std::vector<Material> materials;  ///< of different names
+  Corners corners;
 };
 
-/// The corners of one triangle.
+/// The places of one triangle's corners.
 using Facet = std::array<Vector3, 3>;
 
 inline Facet facet(const TriangleMesh& mesh, const Triangle& t) {

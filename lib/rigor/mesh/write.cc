@@ -6,28 +6,53 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <utility>
 
+#include <rigor/mesh/obj_materials.h>
 #include <rigor/mesh/read.h>
+#include <rigor/mesh/write_parts.h>
 #include <rigor/text/path.h>
 
 namespace rigor::mesh {
 namespace {
 
 constexpr double kMaxFloat = std::numeric_limits<float>::max();
+constexpr std::uint64_t kMaxGlbBytes = std::numeric_limits<std::uint32_t>::max();
 constexpr double kMaxDouble = std::numeric_limits<double>::max();
 
 struct Writer {
   std::string_view ending;
   double largest;  ///< coordinate
-  std::string (*write)(const TriangleMesh& mesh);
+  WrittenMesh (*write)(const TriangleMesh& mesh, std::string_view path);
 };
 
-constexpr std::array<Writer, 5> kWriters{{{".dae", kMaxDouble, write_collada},
-                                          {".glb", kMaxFloat, write_glb},
-                                          {".obj", kMaxDouble, write_obj},
-                                          {".ply", kMaxDouble, write_ply},
-                                          {".stl", kMaxFloat, write_stl}}};
+template <std::string (*kWrite)(const TriangleMesh& mesh)>
+WrittenMesh one_file(const TriangleMesh& mesh, std::string_view /*path*/) {
+  return {kWrite(mesh), {}};
+}
+
+/// The .mtl, named as the file but for its ending, if there is anything to be said in it.
+WrittenMesh obj_files(const TriangleMesh& mesh, std::string_view path) {
+  std::string materials = write_obj_materials(mesh);
+  if (materials.empty()) return {write_obj(mesh), {}};
+  const std::string_view name = file_name(path);
+  const std::string library = clean(std::string(name.substr(0, name.rfind('.'))) + ".mtl");
+  return {write_obj(mesh, library), {}, {{library, std::move(materials)}}};
+}
+
+WrittenMesh glb_file(const TriangleMesh& mesh, std::string_view /*path*/) {
+  std::string bytes = write_glb(mesh);
+  if (bytes.size() > kMaxGlbBytes) return {{}, "over 4 GiB, the most that .glb can hold"};
+  return {std::move(bytes), {}};
+}
+
+constexpr std::array<Writer, 5> kWriters{{{".dae", kMaxDouble, one_file<write_collada>},
+                                          {".glb", kMaxFloat, glb_file},
+                                          {".obj", kMaxDouble, obj_files},
+                                          {".ply", kMaxDouble, one_file<write_ply>},
+                                          {".stl", kMaxFloat, one_file<write_stl>}}};
 
 /// Not for NaN either.
 bool fits(const std::vector<Vector3>& positions, double largest) {
@@ -50,7 +75,7 @@ WrittenMesh write_mesh(const TriangleMesh& mesh, std::string_view path) {
   if (!fits(mesh.positions, writer->largest)) {
     return {{}, "a coordinate is over 3.4e38, the most that " + ending + " can hold"};
   }
-  return {writer->write(mesh), {}};
+  return writer->write(mesh, path);
 }
 
 }  // namespace rigor::mesh

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // glTF 2.0 in one binary file (Khronos, "glTF 2.0 specification", 4.4): a header, a chunk of JSON,
-// and a chunk of bytes in which each part has its positions, then its indices.
+// and a chunk of bytes in which each part has what its vertices carry, then its indices.
 
 #include <array>
 #include <string>
@@ -44,33 +44,47 @@ std::string array(const std::vector<std::string>& items) {
   return text + ']';
 }
 
-std::string array(const Vector3& p) {
-  std::array<std::string, 3> numbers;
-  append_number(numbers[0], p.x);
-  append_number(numbers[1], p.y);
-  append_number(numbers[2], p.z);
-  return array({numbers.begin(), numbers.end()});
+template <class Number, std::size_t kSize>
+std::string array(const std::array<Number, kSize>& numbers) {
+  std::vector<std::string> items(kSize);
+  for (std::size_t i = 0; i < kSize; ++i) append_number(items[i], double{numbers[i]});
+  return array(items);
 }
+
+std::string array(const Vector3& p) { return array(std::array<double, 3>{p.x, p.y, p.z}); }
 
 class Glb {
  public:
   void add(const Part& part, const Welded& shape, std::size_t material) {
     const std::string mesh = std::to_string(nodes_.size());
-    const std::size_t positions = add_positions(shape.positions);
+    std::string attributes = "\"POSITION\":" + std::to_string(add_positions(shape.positions));
+    const auto add_attribute = [&](const char* name, const char* type, const auto& values) {
+      if (values.empty()) return;
+      attributes += std::string(",\"") + name + "\":" + std::to_string(add_values(type, values));
+    };
+    add_attribute("NORMAL", "VEC3", shape.normals);
+    add_attribute("TEXCOORD_0", "VEC2", turned(shape.texture));
+    add_attribute("COLOR_0", "VEC4", shape.colors);
     const std::size_t indices = add_indices(shape.triangles);
     roots_.push_back(mesh);
     nodes_.push_back("{\"mesh\":" + mesh + name_member(part.name) + '}');
-    meshes_.push_back(
-        "{\"primitives\":[{\"attributes\":{\"POSITION\":" + std::to_string(positions) +
-        "},\"indices\":" + std::to_string(indices) + ",\"material\":" + std::to_string(material) +
-        "}]" + name_member(part.name) + '}');
+    meshes_.push_back("{\"primitives\":[{\"attributes\":{" + attributes + "},\"indices\":" +
+                      std::to_string(indices) + ",\"material\":" + std::to_string(material) + "}]" +
+                      name_member(part.name) + '}');
   }
 
-  /// Of a material only the name is known. The format's default would be bare metal, which is black
-  /// where nothing is around to be mirrored.
-  void add_material(const std::string& name) {
-    materials_.push_back("{\"pbrMetallicRoughness\":{\"metallicFactor\":0}" + name_member(name) +
-                         '}');
+  /// The format's default would be bare metal, which is black where nothing is around to be
+  /// mirrored.
+  void add_material(const Look& look) {
+    std::string surface = "\"metallicFactor\":0";
+    std::string rest;
+    if (look.material) {
+      surface += ",\"baseColorFactor\":" + array(look.material->diffuse);
+      if (!look.material->texture.empty()) surface += add_picture(look.material->texture);
+      if (look.material->diffuse.back() != 1) rest = ",\"alphaMode\":\"BLEND\"";
+    }
+    materials_.push_back("{\"pbrMetallicRoughness\":{" + surface + '}' + rest +
+                         name_member(look.name) + '}');
   }
 
   std::string bytes() const {
@@ -91,6 +105,29 @@ class Glb {
     append_bytes(into, static_cast<std::uint32_t>(content.size()));
     append_bytes(into, kind);
     into += content;
+  }
+
+  /// Returns the member of a surface that names it.
+  std::string add_picture(const std::string& path) {
+    const std::string index = std::to_string(images_.size());
+    images_.push_back("{\"uri\":" + quoted(uri(path)) + '}');
+    textures_.push_back("{\"source\":" + index + '}');
+    return ",\"baseColorTexture\":{\"index\":" + index + '}';
+  }
+
+  /// With v down from the picture's upper edge, as the format has it.
+  static std::vector<Corners::Texture> turned(std::vector<Corners::Texture> texture) {
+    for (auto& [u, v] : texture) v = 1 - v;
+    return texture;
+  }
+
+  template <class Value>
+  std::size_t add_values(const std::string& type, const std::vector<Value>& values) {
+    const std::size_t begin = binary_.size();
+    for (const Value& value : values) append_bytes(binary_, value);
+    return add_accessor(begin, "34962",
+                        "\"componentType\":5126,\"count\":" + std::to_string(values.size()) +
+                            ",\"type\":\"" + type + '"');
   }
 
   std::size_t add_positions(const std::vector<Vector3>& positions) {
@@ -128,18 +165,28 @@ class Glb {
 
   /// The format has no empty lists.
   std::string json() const {
-    if (nodes_.empty()) return R"({"asset":{"version":"2.0"}})";
-    return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":)" + array(roots_) +
-           "}],\"nodes\":" + array(nodes_) + ",\"meshes\":" + array(meshes_) +
-           ",\"materials\":" + array(materials_) + ",\"accessors\":" + array(accessors_) +
-           ",\"bufferViews\":" + array(views_) +
-           ",\"buffers\":[{\"byteLength\":" + std::to_string(binary_.size()) + "}]}";
+    std::string text = R"({"asset":{"version":"2.0"})";
+    if (nodes_.empty()) return text + '}';
+    text += R"(,"scene":0,"scenes":[{"nodes":)" + array(roots_) + "}]";
+    const auto add = [&text](const char* name, const std::vector<std::string>& items) {
+      if (!items.empty()) text += std::string(",\"") + name + "\":" + array(items);
+    };
+    add("nodes", nodes_);
+    add("meshes", meshes_);
+    add("materials", materials_);
+    add("textures", textures_);
+    add("images", images_);
+    add("accessors", accessors_);
+    add("bufferViews", views_);
+    return text + ",\"buffers\":[{\"byteLength\":" + std::to_string(binary_.size()) + "}]}";
   }
 
   std::vector<std::string> roots_;
   std::vector<std::string> nodes_;
   std::vector<std::string> meshes_;
   std::vector<std::string> materials_;
+  std::vector<std::string> textures_;
+  std::vector<std::string> images_;
   std::vector<std::string> accessors_;
   std::vector<std::string> views_;
   std::string binary_;
@@ -149,11 +196,13 @@ class Glb {
 
 std::string write_glb(const TriangleMesh& mesh) {
   const std::vector<Part> parts = parts_with_triangles(mesh);
-  const Materials materials = materials_of(parts);
+  const Looks looks = looks_of(mesh, parts);
+  const PartCorners corners(mesh);
   Glb glb;
-  for (const std::string& name : materials.names) glb.add_material(name);
+  for (const Look& look : looks.looks) glb.add_material(look);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    glb.add(parts[i], welded(mesh, parts[i], Precision::kFloat), materials.of_part[i]);
+    glb.add(parts[i], welded(mesh, parts[i], corners.of(parts[i]), Precision::kFloat),
+            looks.of_part[i]);
   }
   return glb.bytes();
 }

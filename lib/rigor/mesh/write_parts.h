@@ -1,11 +1,14 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the writers of meshes share: numbers as text and as bytes, names, welded parts.
+// What the writers of meshes share: numbers as text and as bytes, names, welded parts with what
+// their corners carry.
 
 #pragma once
 
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <type_traits>
@@ -20,6 +23,15 @@ namespace rigor::mesh {
 void append_number(std::string& text, double value);
 void append_number(std::string& text, const Vector3& p);  ///< x, y and z with spaces between
 
+/// Each of a corner's numbers with a blank before it.
+template <std::size_t kSize>
+void append_numbers(std::string& text, const std::array<float, kSize>& values) {
+  for (const float value : values) {
+    text += ' ';
+    append_number(text, double{value});
+  }
+}
+
 /// In little-endian bytes.
 template <class Number>
 void append_bytes(std::string& bytes, Number value) {
@@ -30,42 +42,94 @@ void append_bytes(std::string& bytes, Number value) {
   }
 }
 
-/// The nearest 32-bit number; -0 becomes 0. A function of one number on purpose: of three
-/// conversions there and back side by side gcc 12.2 -O2 leaves some out.
-inline double as_float(double value) { return static_cast<float>(value) + 0.0; }
+template <std::size_t kSize>
+void append_bytes(std::string& bytes, const std::array<float, kSize>& values) {
+  for (const float value : values) append_bytes(bytes, value);
+}
+
+/// The nearest 32-bit number; -0 becomes 0.
+double as_float(double value);
 
 /// In one line of UTF-8: tabs and line ends become spaces, what XML and UTF-8 do not allow becomes
 /// U+FFFD.
 std::string clean(std::string name);
 
-/// Perpendicular to a triangle, of length 1, in 32-bit numbers, as it only lights a picture; zero
-/// when the triangle has no area.
-Vector3 unit_normal(const Facet& f);
+/// A path as a relative reference: what has a meaning in one, and what is not ASCII, becomes %xx
+/// (RFC 3986, 2).
+std::string uri(const std::string& path);
 
 /// The parts that have triangles; the whole mesh as one without a name when it has no parts.
 std::vector<Part> parts_with_triangles(const TriangleMesh& mesh);
 
-/// The different names of materials, in order of appearance, and the one of each part.
-struct Materials {
-  std::vector<std::string> names;
+/// A material that parts name, and how it looks when the mesh knows.
+struct Look {
+  std::string name;
+  const Material* material;
+};
+
+/// The different ones, in order of appearance, and the one of each part.
+struct Looks {
+  std::vector<Look> looks;
   std::vector<std::size_t> of_part;
 };
 
-Materials materials_of(const std::vector<Part>& parts);
+Looks looks_of(const TriangleMesh& mesh, const std::vector<Part>& parts);
 
-/// Some triangles with only the positions that they use, each once, in order of appearance.
-struct Welded {
-  std::vector<Vector3> positions;
+/// The whole mesh as one part.
+Part whole(const TriangleMesh& mesh);
+
+/// What the corners of a mesh's parts carry, without -0. Texture points that are all zero and
+/// colours that are all white count as not carried when others of the mesh are not so. Where a part
+/// carries normals, corners without one get their triangle's.
+class PartCorners {
+ public:
+  explicit PartCorners(const TriangleMesh& mesh);
+
+  Corners of(const Part& part) const;  ///< with entries for its triangles only
+
+ private:
+  const TriangleMesh& mesh_;
+  bool any_texture_;
+  bool any_color_;
+};
+
+/// For each corner of a part its triangle's normal.
+std::vector<std::array<Corners::Normal, 3>> flat_normals(const TriangleMesh& mesh,
+                                                         const Part& part);
+
+/// Values of corners, each once in order of appearance, and which ones each triangle's corners
+/// have.
+template <class Value>
+struct Indexed {
+  std::vector<Value> values;
   std::vector<Triangle> triangles;
 };
+
+Indexed<Corners::Texture> indexed(const std::vector<std::array<Corners::Texture, 3>>& corners);
+Indexed<Corners::Normal> indexed(const std::vector<std::array<Corners::Normal, 3>>& corners);
+Indexed<Corners::Color> indexed(const std::vector<std::array<Corners::Color, 3>>& corners);
 
 enum class Precision : std::uint8_t {
   kFloat,  ///< coordinates are rounded first, so that what becomes equal is one
   kDouble
 };
 
-/// `part` with a range of triangles.
-Welded welded(const TriangleMesh& mesh, const Part& part, Precision precision);
-Welded welded(const TriangleMesh& mesh);
+/// The same of the places of a part's corners.
+Indexed<Vector3> indexed_positions(const TriangleMesh& mesh, const Part& part, Precision precision);
+
+/// Some triangles with only the vertices that they use, each once, in order of appearance. Those of
+/// one place that carry different things are different ones.
+struct Welded {
+  std::vector<Vector3> positions;
+  std::vector<Triangle> triangles;
+  // One for each position, or none:
+  std::vector<Corners::Texture> texture;
+  std::vector<Corners::Normal> normals;
+  std::vector<Corners::Color> colors;
+};
+
+/// The part's triangles with what their corners carry: `corners` has entries for just these.
+Welded welded(const TriangleMesh& mesh, const Part& part, const Corners& corners,
+              Precision precision);
 
 }  // namespace rigor::mesh

@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include <rigor/mesh/normals.h>
 #include <rigor/mesh/stl.h>
 #include <rigor/mesh/write.h>
 #include <rigor/mesh/write_parts.h>
@@ -28,7 +29,7 @@ std::string write_stl(const TriangleMesh& mesh) {
   append_bytes(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
   for (const Triangle& t : mesh.triangles) {
     const Facet corners = facet(mesh, t);
-    append(bytes, unit_normal(corners));
+    append_bytes(bytes, normal_of(corners));
     for (const Vector3& corner : corners) append(bytes, corner);
     bytes.append(2, '\0');  // attributes
   }

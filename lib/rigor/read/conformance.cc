@@ -150,9 +150,9 @@ class Walk {
   void repeated(std::size_t others, xml::Element child, const Node& known) {
     const Cardinality cardinality = known.cardinality();
     if (cardinality == Cardinality::kMany || cardinality == Cardinality::kOneOrMore) return;
-    const auto first = std::find_if(
-        seen_.begin() + static_cast<std::ptrdiff_t>(others), seen_.end(),
-        [&child](const Seen& seen) { return seen.element.name() == child.name(); });
+    const auto first =
+        std::find_if(seen_.begin() + static_cast<std::ptrdiff_t>(others), seen_.end(),
+                     [&child](const Seen& seen) { return seen.element.name() == child.name(); });
     if (first == seen_.end()) {
       seen_.push_back({child});
     } else if (!std::exchange(first->told, true)) {

@@ -18,9 +18,9 @@ namespace {
 constexpr std::size_t kTooMany = kMaxIncludedParts + 1;
 
 bool is_part(std::string_view name) {
-  constexpr std::array<std::string_view, 10> kParts{
-      "link",   "joint", "collision", "visual", "model",
-      "sensor", "light", "plugin",    "frame",  "include"};
+  constexpr std::array<std::string_view, 10> kParts{"link",  "joint",  "collision", "visual",
+                                                    "model", "sensor", "light",     "plugin",
+                                                    "frame", "include"};
   return std::find(kParts.begin(), kParts.end(), name) != kParts.end();
 }
 

@@ -119,7 +119,8 @@ std::string solid_json(const SolidInertia& solid) {
   const mass::PrincipalAxes principal = mass::principal_axes(solid.body.about_com);
   json["principal_moments"] = principal.moments;
   json["principal_axes"] = Json::array();
-  for (const model::Vector3& axis : principal.axes) json["principal_axes"].push_back(vector_of(axis));
+  for (const model::Vector3& axis : principal.axes)
+    json["principal_axes"].push_back(vector_of(axis));
   return text_of(json);
 }
 

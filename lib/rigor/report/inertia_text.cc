@@ -78,8 +78,8 @@ std::string written_mass(const LinkInertia& link) {
 
 std::string written_moments(const LinkInertia& link) {
   if (link.written.taken == mass::Taken::kNothing) return "none";
-  const bool defaults = link.written.taken == mass::Taken::kIdentity ||
-                        link.written.taken == mass::Taken::kDefaults;
+  const bool defaults =
+      link.written.taken == mass::Taken::kIdentity || link.written.taken == mass::Taken::kDefaults;
   return moments(link.written.body) + (defaults ? " (default)" : "");
 }
 
@@ -108,10 +108,9 @@ std::string mass_origin(const LinkInertia& link) {
                           : computed.mass_from == MassFrom::kWritten ? "mass as written"
                                                                      : "mass from density";
   const bool large = computed.volume >= 1;
-  return fmt::format("{}, {} kg/m³ over {} {}", how,
-                     number(computed.body.mass / computed.volume, 4),
-                     number(large ? computed.volume : computed.volume * 1000, 3),
-                     large ? "m³" : "L");
+  return fmt::format(
+      "{}, {} kg/m³ over {} {}", how, number(computed.body.mass / computed.volume, 4),
+      number(large ? computed.volume : computed.volume * 1000, 3), large ? "m³" : "L");
 }
 
 const char* hull_reason(mass::MeshState state) {

@@ -15,12 +15,14 @@ std::string words(const mesh::Fault& fault) {
     case Kind::kTooLarge: return "is too large" + (fault.detail.empty() ? "" : ": " + fault.detail);
     case Kind::kLfsPointer: return "is a Git LFS pointer, not the file: run git lfs pull";
     case Kind::kUnknownFormat: return "has no known mesh format";
-    case Kind::kEmpty: return "holds no triangles" + (fault.detail.empty() ? "" : ": " + fault.detail);
+    case Kind::kEmpty:
+      return "holds no triangles" + (fault.detail.empty() ? "" : ": " + fault.detail);
     case Kind::kMalformed: return "cannot be read: " + fault.detail;
     case Kind::kImporterCrashed: return "cannot be read: the importer " + fault.detail;
     case Kind::kImporterMissing: return "cannot be read: assimp is not installed";
     case Kind::kIndexOutOfRange: return "a face names a vertex that there is not";
-    case Kind::kNotFinite: return "a coordinate is no finite number" + (fault.detail.empty() ? "" : ": " + fault.detail);
+    case Kind::kNotFinite:
+      return "a coordinate is no finite number" + (fault.detail.empty() ? "" : ": " + fault.detail);
     case Kind::kTruncated: return counted(fault.count, "triangle") + " fewer than it promises";
     case Kind::kTrailingBytes: return counted(fault.count, "byte") + " behind the last triangle";
     case Kind::kSolidHeader:

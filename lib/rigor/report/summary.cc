@@ -47,15 +47,6 @@ std::string joined(const std::vector<std::string>& parts, std::string_view betwe
   return text;
 }
 
-std::string findings(const Diagnostics& diagnostics) {
-  std::vector<std::string> parts;
-  for (const Severity severity : {Severity::kError, Severity::kWarning, Severity::kInfo}) {
-    const std::size_t count = diagnostics.count(severity);
-    if (count > 0) parts.push_back(counted(count, to_string(severity)));
-  }
-  return parts.empty() ? ", no problems" : ": " + joined(parts, ", ");
-}
-
 std::string not_looked_at(const NotChecked& found) {
   std::vector<std::string> parts;
   if (found.includes > 0) parts.push_back(counted(found.includes, "include"));
@@ -65,9 +56,19 @@ std::string not_looked_at(const NotChecked& found) {
 
 }  // namespace
 
-std::string counted(std::size_t count, std::string_view noun) {
+std::string findings(const Diagnostics& diagnostics) {
+  std::vector<std::string> parts;
+  for (const Severity severity : {Severity::kError, Severity::kWarning, Severity::kInfo}) {
+    const std::size_t count = diagnostics.count(severity);
+    if (count > 0) parts.push_back(counted(count, to_string(severity)));
+  }
+  return parts.empty() ? ", no problems" : ": " + joined(parts, ", ");
+}
+
+std::string counted(std::size_t count, std::string_view noun, std::string_view plural) {
   std::string digits = fmt::format("{}", count);
   for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
+  if (count != 1 && !plural.empty()) return fmt::format("{} {}", digits, plural);
   return fmt::format("{} {}{}", digits, noun, count == 1 ? "" : "s");
 }
 

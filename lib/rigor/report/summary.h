@@ -21,7 +21,10 @@ std::string summary(const rules::ValidateResult& result);
 /// many. Includes that were not followed are findings of their own.
 std::string left_out(const rules::ValidateResult& result);
 
-/// "1 link", "1,204 links".
-std::string counted(std::size_t count, std::string_view noun);
+/// ": 1 error, 2 warnings", or ", no problems".
+std::string findings(const Diagnostics& diagnostics);
+
+/// "1 link", "1,204 links"; the plural where it is irregular: "2 vertices".
+std::string counted(std::size_t count, std::string_view noun, std::string_view plural = {});
 
 }  // namespace rigor::report

@@ -63,6 +63,7 @@ void Context::report(Finding finding) {
   for (Label& label : finding.related) label.where = written(label.where);
   // What xacro was to write is told by that rule, and nothing else of it is known.
   if (has_xacro(bytes(finding.where)) && rule_ != kLeftoverXacro) return;
+  if (!mesh_.empty() && !told_of_meshes_.insert({rule_, mesh_, finding.message}).second) return;
   Tally& tally = tallies_[rule_];
   if (++tally.found > inputs_.most_listed) {
     if (tally.found == inputs_.most_listed + 1) tally.rest = told_by_rule(finding.where);

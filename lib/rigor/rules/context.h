@@ -10,8 +10,10 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -58,7 +60,7 @@ class Context {
       : inputs_(inputs), diagnostics_(diagnostics) {}
 
   /// Lists the first `most_listed` of a rule, and counts the others. Of what was left for xacro only
-  /// that is told.
+  /// that is told. What a rule says of a mesh file is told once, however many shapes use it.
   void report(Finding finding);
   /// Says how many findings of each rule were counted only; when all checks are done.
   void report_counted();
@@ -111,6 +113,10 @@ class Context {
   std::string subject(const model::Light& light) const;
   std::string subject(const model::Plugin& plugin) const;
 
+  /// The mesh file that rules are looking at; set by the runner.
+  void begin_mesh(const std::string& path) { mesh_ = path; }
+  void end_mesh() { mesh_.clear(); }
+
   /// The rule that is at work; set by the runner.
   void begin_rule(std::string_view name, std::string_view category, Severity severity) {
     rule_ = name;
@@ -139,6 +145,8 @@ class Context {
   std::unordered_map<std::string, read::Resolution> resolved_;
   std::optional<std::vector<Uri>> uris_;
   std::map<std::pair<const model::Link*, mass::From>, mass::LinkBody> bodies_;
+  std::string mesh_;  // empty when none is looked at
+  std::set<std::tuple<std::string_view, std::string, std::string>> told_of_meshes_;
   std::string_view rule_;
   std::string_view category_;
   Severity severity_ = Severity::kError;

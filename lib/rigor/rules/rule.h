@@ -28,6 +28,7 @@
 #include <variant>
 #include <vector>
 
+#include <rigor/mass/mesh_facts.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
 #include <rigor/read/conformance.h>
@@ -83,6 +84,20 @@ struct MeshUse {
   bool collision;
 };
 
+/// A mesh file, by itself or as a model places it. Of several uses with the same role and scale the
+/// first is asked: what is wrong with a file is told once.
+struct MeshFile {
+  const mass::MeshFacts& facts;
+  const MeshUse* use = nullptr;  ///< null when the file is checked by itself
+
+  /// The URI that names it; nowhere for the file itself.
+  Span where() const { return use ? use->mesh.uri.span : Span{}; }
+  model::Vector3 scale() const { return use ? use->mesh.scale.value : model::Vector3{1, 1, 1}; }
+  bool visual() const { return use && !use->collision; }
+  bool collision() const { return use && use->collision; }
+  std::string subject() const { return use ? use->subject : std::string(); }
+};
+
 template <class T>
 using CheckOf = void (*)(const T&, Context&);
 
@@ -100,7 +115,8 @@ using Check = std::variant<
     CheckOf<model::Model>, CheckOf<model::Link>, CheckOf<model::Joint>, CheckOf<model::Frame>,
     CheckOf<model::Collision>, CheckOf<model::Visual>, CheckOf<model::Sensor>,
     CheckOf<model::Light>, CheckOf<model::Plugin>, CheckOf<model::Include>, CheckOf<model::Physics>,
-    CheckOf<model::GazeboBlock>, CheckOf<model::ControlledJoint>, CheckOf<MeshUse>>;
+    CheckOf<model::GazeboBlock>, CheckOf<model::ControlledJoint>, CheckOf<MeshUse>,
+    CheckOf<MeshFile>>;
 
 /// The check of every entity of type T that the file itself holds.
 template <class T>

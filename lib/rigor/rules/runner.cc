@@ -4,7 +4,9 @@
 #include <rigor/rules/runner.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
+#include <tuple>
 
 #include <rigor/model/subject.h>
 #include <rigor/rules/context.h>
@@ -64,9 +66,10 @@ void Runner::add(const Rule& rule, Severity severity) {
 class Runner::Walk {
  public:
   Walk(const Runner& runner, const Environment& environment, const Sources& sources,
-       const read::Loaded& loaded, mass::MeshSurveys* meshes)
+       const read::Loaded& loaded, const Meshes& meshes)
       : runner_(runner),
         loaded_(loaded),
+        files_(meshes.files),
         frames_(loaded.root),
         inputs_{loaded.file->path,
                 sources,
@@ -75,18 +78,27 @@ class Runner::Walk {
                 frames_,
                 environment.resolver,
                 schema_of(environment, loaded.root.format),
-                meshes,
+                meshes.surveys,
                 runner.most_listed_},
         context_(inputs_, diagnostics_) {}
 
   Diagnostics run() {
     check_all();
+    return taken();
+  }
+
+  Diagnostics run(const mass::MeshFacts& mesh) {
+    check_file({mesh});
+    return taken();
+  }
+
+ private:
+  Diagnostics taken() {
     context_.report_counted();
     diagnostics_.sort();
     return std::move(diagnostics_);
   }
 
- private:
   void check_all() {
     for (const read::Fact& fact : loaded_.facts) facts(fact);
     const auto& document = loaded_.file->document;
@@ -133,8 +145,7 @@ class Runner::Walk {
     if (!top || inputs_.schema == nullptr) return;
     const auto node = inputs_.schema->root(top->name(), {loaded_.root.version});
     if (!node) return;
-    read::check_conformance(document, *node,
-                            [this](const read::SchemaFact& fact) { facts(fact); });
+    read::check_conformance(document, *node, [this](const read::SchemaFact& fact) { facts(fact); });
   }
 
   void check_model() {
@@ -174,7 +185,27 @@ class Runner::Walk {
       const MeshUse use{*mesh, entity.geometry, context_.subject(entity),
                         role == MeshRole::kCollision};
       for (const auto& slot : slots) call(slot, slot.second, use);
+      check_file_of(use);
     }
+  }
+
+  void check_file_of(const MeshUse& use) {
+    if (files_ == nullptr || std::get<Slot<CheckOf<MeshFile>>>(runner_.slots_).empty()) return;
+    if (use.mesh.uri.value.empty()) return;
+    const read::Resolution& found = context_.resolve(use.mesh.uri.value);
+    if (!found.path) return;
+    const auto& [x, y, z] = use.mesh.scale.value;
+    if (!looked_at_.insert({*found.path, use.collision, x, y, z}).second) return;
+    const auto depth = use.collision ? mass::MeshDepth::kShape : mass::MeshDepth::kFile;
+    check_file({files_->find(*found.path, depth), &use});
+  }
+
+  void check_file(const MeshFile& file) {
+    context_.begin_mesh(file.facts.path);
+    for (const auto& slot : std::get<Slot<CheckOf<MeshFile>>>(runner_.slots_)) {
+      call(slot, slot.second, file);
+    }
+    context_.end_mesh();
   }
 
   /// A name may be missing only because the file that has it could not be included.
@@ -187,6 +218,8 @@ class Runner::Walk {
 
   const Runner& runner_;
   const read::Loaded& loaded_;
+  mass::MeshFiles* files_;
+  std::set<std::tuple<std::string, bool, double, double, double>> looked_at_;
   model::Frames frames_;
   Diagnostics diagnostics_;
   Context::Inputs inputs_;
@@ -194,8 +227,17 @@ class Runner::Walk {
 };
 
 Diagnostics Runner::run(const Environment& environment, const Sources& sources,
-                        const read::Loaded& loaded, mass::MeshSurveys* meshes) const {
+                        const read::Loaded& loaded, const Meshes& meshes) const {
   return Walk(*this, environment, sources, loaded, meshes).run();
+}
+
+Diagnostics Runner::run(const Environment& environment, const Sources& sources,
+                        const mass::MeshFacts& mesh) const {
+  read::File file;  // no model: what rules on mesh files ask of one is its path
+  file.path = mesh.path;
+  read::Loaded loaded;
+  loaded.file = &file;
+  return Walk(*this, environment, sources, loaded, {}).run(mesh);
 }
 
 }  // namespace rigor::rules

@@ -5,7 +5,7 @@
 // ask for its kind.
 //
 //   Runner runner(registry, selection);
-//   Diagnostics found = runner.run(environment, sources, loaded, &meshes);
+//   Diagnostics found = runner.run(environment, sources, loaded, {&surveys, &files});
 
 #pragma once
 
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include <rigor/environment.h>
+#include <rigor/mass/mesh_facts.h>
 #include <rigor/mass/mesh_survey.h>
 #include <rigor/read/load.h>
 #include <rigor/rules/registry.h>
@@ -25,14 +26,24 @@
 
 namespace rigor::rules {
 
+/// What is known of meshes so far. Without one or the other, no mesh is opened for that.
+struct Meshes {
+  mass::MeshSurveys* surveys = nullptr;  ///< as solids
+  mass::MeshFiles* files = nullptr;      ///< as files
+};
+
 class Runner {
  public:
   /// The registry outlives the runner.
   Runner(const Registry& registry, const Selection& selection);
 
-  /// What the rules find, in the order of their places. Without `meshes`, none is opened.
+  /// What the rules find, in the order of their places.
   Diagnostics run(const Environment& environment, const Sources& sources,
-                  const read::Loaded& loaded, mass::MeshSurveys* meshes) const;
+                  const read::Loaded& loaded, const Meshes& meshes) const;
+
+  /// What the rules on mesh files find of one that no model names.
+  Diagnostics run(const Environment& environment, const Sources& sources,
+                  const mass::MeshFacts& mesh) const;
 
  private:
   struct Active {

@@ -38,7 +38,8 @@ class Run {
         sources_(sources),
         workspace_(environment.disk, sources),
         runner_(environment.registry, options.selection),
-        meshes_(environment.disk) {}
+        surveys_(environment.disk),
+        mesh_files_(environment.disk) {}
 
   ValidateResult run() {
     std::vector<const read::File*> named;
@@ -118,9 +119,9 @@ class Run {
       if (!loaded.root.own(include.site) || include.path.empty()) continue;
       checked.includes.push_back({include.uri.span, include.path});
     }
-    const bool open_meshes = options_.meshes == MeshPolicy::kOpen;
-    checked.diagnostics =
-        runner_.run(environment_, sources_, loaded, open_meshes ? &meshes_ : nullptr);
+    const Meshes meshes =
+        options_.meshes == MeshPolicy::kOpen ? Meshes{&surveys_, &mesh_files_} : Meshes{};
+    checked.diagnostics = runner_.run(environment_, sources_, loaded, meshes);
     for (const Diagnostic& found : checked.diagnostics.list()) {
       if (found.severity != Severity::kError || told_by_includer(found.rule)) continue;
       if (checked.errors == 0) checked.first_error = found.message;
@@ -147,11 +148,14 @@ class Run {
       const std::string& path = at_fault(included.path);
       if (path.empty()) continue;
       const Checked& fault = checked_.at(normalize_path(path));
-      about.facts.push_back({read::FactKind::kIncludeHasErrors, included.where, path,
-                             {fault.first_error}, fault.errors});
+      about.facts.push_back({read::FactKind::kIncludeHasErrors,
+                             included.where,
+                             path,
+                             {fault.first_error},
+                             fault.errors});
     }
     if (about.facts.empty()) return {};
-    return runner_.run(environment_, sources_, about, nullptr);
+    return runner_.run(environment_, sources_, about, {});
   }
 
   /// The included file, or the first of those that it includes, that has errors of its own; empty
@@ -184,7 +188,8 @@ class Run {
   Sources& sources_;
   read::Workspace workspace_;
   Runner runner_;
-  mass::MeshSurveys meshes_;
+  mass::MeshSurveys surveys_;
+  mass::MeshFiles mesh_files_;
   std::map<std::string, Checked> checked_;
   std::map<std::string, std::string> at_fault_;  // what `at_fault` gave
   ValidateResult result_;

@@ -55,9 +55,8 @@ class Differ {
  public:
   Differ(std::string_view bytes, std::vector<Edit> edits)
       : bytes_(bytes), lines_(lines_of(bytes)), edits_(std::move(edits)) {
-    std::stable_sort(edits_.begin(), edits_.end(), [](const Edit& a, const Edit& b) {
-      return a.span.begin < b.span.begin;
-    });
+    std::stable_sort(edits_.begin(), edits_.end(),
+                     [](const Edit& a, const Edit& b) { return a.span.begin < b.span.begin; });
     std::size_t at = 0;
     for (const std::string& line : lines_) starts_.push_back(std::exchange(at, at + line.size()));
     starts_.push_back(at);
@@ -148,7 +147,8 @@ std::string unified_diff(std::string_view path, std::string_view bytes, std::vec
   std::ptrdiff_t shift = 0;
   for (std::size_t i = 0; i < changes.size();) {
     std::size_t end = i + 1;
-    while (end < changes.size() && changes[end].first <= changes[end - 1].end() + 2 * kContext) ++end;
+    while (end < changes.size() && changes[end].first <= changes[end - 1].end() + 2 * kContext)
+      ++end;
     out += hunk(differ.lines(), &changes[i], &changes[i] + (end - i), shift);
     for (; i < end; ++i) {
       shift += static_cast<std::ptrdiff_t>(changes[i].added.size()) -

@@ -12,9 +12,9 @@
 
 #include <vector>
 
-#include <rigor/write/inertial_text.h>
 #include <rigor/mass/mass_properties.h>
 #include <rigor/text/edit.h>
+#include <rigor/write/inertial_text.h>
 #include <rigor/xml/document.h>
 
 namespace rigor::write {

@@ -80,7 +80,8 @@ Rule rule() {
           "of ten and more is mostly a slip of units. Too small moments make a simulation "
           "shake, too large ones make it sluggish.",
       .what_to_do =
-          "`rigor inertia MODEL` shows what the mass has in the link's shapes, in kg·m², and writes it "
+          "`rigor inertia MODEL` shows what the mass has in the link's shapes, in kg·m², and "
+          "writes it "
           "with --write.",
       .bad = {{R"(<sdf version="1.9">
   <model name="arm">

@@ -45,7 +45,8 @@ Rule rule() {
           "Ones on the diagonal are what a template holds before anybody fills it in. The link "
           "then turns far too slowly or too fast, and the motors are tuned to that.",
       .what_to_do =
-          "`rigor inertia MODEL --write` computes the moments that the mass has in the link's shapes.",
+          "`rigor inertia MODEL --write` computes the moments that the mass has in the link's "
+          "shapes.",
       .bad = {{R"(<sdf version="1.9">
   <model name="arm">
     <link name="body">

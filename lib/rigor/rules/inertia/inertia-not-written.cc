@@ -38,7 +38,8 @@ Rule rule() {
           "SDF then takes the identity as the tensor, whatever the mass: a wheel of 100 g "
           "turns as hard as a door.",
       .what_to_do =
-          "`rigor inertia MODEL --write` computes the tensor that the mass has in the link's shapes.",
+          "`rigor inertia MODEL --write` computes the tensor that the mass has in the link's "
+          "shapes.",
       .bad = {{R"(<sdf version="1.9">
   <model name="arm">
     <link name="body">

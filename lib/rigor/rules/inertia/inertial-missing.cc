@@ -51,7 +51,8 @@ Rule rule() {
           "a ball of 1 kg and more than three metres across has: joints on it move like in "
           "honey, and what rests on it is thrown about.",
       .what_to_do =
-          "`rigor inertia MODEL --mass LINK=KG --write` computes the tensor from the link's shapes and "
+          "`rigor inertia MODEL --mass LINK=KG --write` computes the tensor from the link's shapes "
+          "and "
           "meshes, and writes it; without a mass it takes that of water. If the link never moves, "
           "make the model static.",
       .bad = {{R"(<sdf version="1.9">

@@ -21,8 +21,7 @@ inline std::optional<Fix> fix_from_shapes(const model::Link& link, Context& cont
   for (const mass::From from : {mass::From::kCollisions, mass::From::kVisuals}) {
     const auto proposal = mass::propose(link.inertial, context.body(link, from), {});
     if (!proposal) continue;
-    const auto format =
-        context.is_urdf() ? write::BlockFormat::kUrdf : write::BlockFormat::kSdf;
+    const auto format = context.is_urdf() ? write::BlockFormat::kUrdf : write::BlockFormat::kSdf;
     auto edits = write::write_inertial(context.document(), context.element(link.site),
                                        proposal->body, format);
     if (edits.empty()) return std::nullopt;

@@ -67,14 +67,22 @@ Rule rule() {
       <visual name="hull">
         <geometry>
           <mesh>
-            <uri>«meshes/Hull.stl»</uri>
+            <uri>«meshes/Hull.obj»</uri>
           </mesh>
         </geometry>
       </visual>
     </link>
   </model>
 </sdf>
-=== meshes/hull.stl
+=== meshes/hull.obj
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+f 1 3 2
+f 1 2 4
+f 1 4 3
+f 2 3 4
 )",
                R"(<sdf version="1.9">
   <model name="arm">
@@ -83,7 +91,7 @@ Rule rule() {
       <visual name="hull">
         <geometry>
           <mesh>
-            <uri>meshes/hull.stl</uri>
+            <uri>meshes/hull.obj</uri>
           </mesh>
         </geometry>
       </visual>
@@ -98,14 +106,22 @@ Rule rule() {
       <visual name="hull">
         <geometry>
           <mesh>
-            <uri>meshes/hull.stl</uri>
+            <uri>meshes/hull.obj</uri>
           </mesh>
         </geometry>
       </visual>
     </link>
   </model>
 </sdf>
-=== meshes/hull.stl
+=== meshes/hull.obj
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+f 1 3 2
+f 1 2 4
+f 1 4 3
+f 2 3 4
 )"}},
       .checks = {on<MeshUse>(check)},
   };

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include <rigor/rules/mesh/file_fault.h>
 #include <rigor/rules/rule.h>
 #include <rigor/schema/suggest.h>
 
@@ -29,6 +30,12 @@ void check(const MeshUse& use, Context& context) {
        .message = none ? "the mesh has no file extension: nobody knows its format"
                        : "no simulator is known to read meshes of the format '" + extension + "'",
        .subject = use.subject});
+}
+
+/// Of a file by itself there is no URI: then it is its bytes that nobody knows.
+void check_file(const MeshFile& file, Context& context) {
+  if (file.use != nullptr || !fault_of(file, mesh::FaultKind::kUnknownFormat)) return;
+  report_mesh(file, context, "the format is none that simulators are known to read");
 }
 
 }  // namespace
@@ -59,6 +66,7 @@ Rule rule() {
   </model>
 </sdf>
 === meshes/hull.step
+ISO-10303-21;
 )"}},
       .good = {{R"(<sdf version="1.9">
   <model name="arm">
@@ -67,16 +75,24 @@ Rule rule() {
       <visual name="hull">
         <geometry>
           <mesh>
-            <uri>meshes/hull.STL</uri>
+            <uri>meshes/hull.OBJ</uri>
           </mesh>
         </geometry>
       </visual>
     </link>
   </model>
 </sdf>
-=== meshes/hull.STL
+=== meshes/hull.OBJ
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+f 1 3 2
+f 1 2 4
+f 1 4 3
+f 2 3 4
 )"}},
-      .checks = {on<MeshUse>(check)},
+      .checks = {on<MeshUse>(check), on<MeshFile>(check_file)},
   };
 }
 

@@ -49,14 +49,22 @@ Rule rule() {
       <visual name="hull">
         <geometry>
           <mesh>
-            <uri>«meshes/hul.stl»</uri>
+            <uri>«meshes/hul.obj»</uri>
           </mesh>
         </geometry>
       </visual>
     </link>
   </model>
 </sdf>
-=== meshes/hull.stl
+=== meshes/hull.obj
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+f 1 3 2
+f 1 2 4
+f 1 4 3
+f 2 3 4
 )"}},
       .good = {{R"(<sdf version="1.9">
   <model name="arm">
@@ -65,14 +73,22 @@ Rule rule() {
       <visual name="hull">
         <geometry>
           <mesh>
-            <uri>meshes/hull.stl</uri>
+            <uri>meshes/hull.obj</uri>
           </mesh>
         </geometry>
       </visual>
     </link>
   </model>
 </sdf>
-=== meshes/hull.stl
+=== meshes/hull.obj
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+f 1 3 2
+f 1 2 4
+f 1 4 3
+f 2 3 4
 )"}},
       .checks = {on<MeshUse>(check)},
   };

@@ -37,7 +37,7 @@ Rule rule() {
       <visual name="hull">
         <geometry>
           <mesh>
-            <uri>meshes/hull.stl</uri>
+            <uri>meshes/hull.obj</uri>
             <scale>«1 -1 1»</scale>
           </mesh>
         </geometry>
@@ -45,7 +45,15 @@ Rule rule() {
     </link>
   </model>
 </sdf>
-=== meshes/hull.stl
+=== meshes/hull.obj
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+f 1 3 2
+f 1 2 4
+f 1 4 3
+f 2 3 4
 )"}},
       .good = {{R"(<sdf version="1.9">
   <model name="arm">
@@ -54,7 +62,7 @@ Rule rule() {
       <visual name="hull">
         <geometry>
           <mesh>
-            <uri>meshes/hull.stl</uri>
+            <uri>meshes/hull.obj</uri>
             <scale>1 1 1</scale>
           </mesh>
         </geometry>
@@ -62,7 +70,15 @@ Rule rule() {
     </link>
   </model>
 </sdf>
-=== meshes/hull.stl
+=== meshes/hull.obj
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+f 1 3 2
+f 1 2 4
+f 1 4 3
+f 2 3 4
 )"}},
       .checks = {on<MeshUse>(check)},
   };

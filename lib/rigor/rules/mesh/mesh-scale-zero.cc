@@ -34,7 +34,7 @@ Rule rule() {
       <visual name="hull">
         <geometry>
           <mesh>
-            <uri>meshes/hull.stl</uri>
+            <uri>meshes/hull.obj</uri>
             <scale>«1 1 0»</scale>
           </mesh>
         </geometry>
@@ -42,7 +42,15 @@ Rule rule() {
     </link>
   </model>
 </sdf>
-=== meshes/hull.stl
+=== meshes/hull.obj
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+f 1 3 2
+f 1 2 4
+f 1 4 3
+f 2 3 4
 )"}},
       .good = {{R"(<sdf version="1.9">
   <model name="arm">
@@ -51,7 +59,7 @@ Rule rule() {
       <visual name="hull">
         <geometry>
           <mesh>
-            <uri>meshes/hull.stl</uri>
+            <uri>meshes/hull.obj</uri>
             <scale>0.001 0.001 0.001</scale>
           </mesh>
         </geometry>
@@ -59,7 +67,15 @@ Rule rule() {
     </link>
   </model>
 </sdf>
-=== meshes/hull.stl
+=== meshes/hull.obj
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+f 1 3 2
+f 1 2 4
+f 1 4 3
+f 2 3 4
 )"}},
       .checks = {on<MeshUse>(check)},
   };

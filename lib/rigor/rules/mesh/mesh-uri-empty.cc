@@ -42,12 +42,20 @@ Rule rule() {
     <static>true</static>
     <link name="body">
       <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.stl</uri></mesh></geometry>
+        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
       </visual>
     </link>
   </model>
 </sdf>
-=== meshes/shell.stl
+=== meshes/shell.obj
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+f 1 3 2
+f 1 2 4
+f 1 4 3
+f 2 3 4
 )"}},
       .checks = {on<MeshUse>(check)},
   };

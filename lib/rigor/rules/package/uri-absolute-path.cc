@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include <rigor/rules/uris.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/uris.h>
 #include <rigor/text/path.h>
 
 namespace rigor::rules::uri_absolute_path {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include <rigor/rules/uris.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/uris.h>
 
 namespace rigor::rules::uri_backslash {
 namespace {

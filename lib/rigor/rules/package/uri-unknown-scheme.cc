@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include <rigor/rules/uris.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/uris.h>
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::uri_unknown_scheme {

@@ -18,7 +18,8 @@ void check(const model::Root& root, Context& context) {
     context.report(
         {.where = controlled.joint.span,
          .message = who + " drives the joint '" + name + "', which this robot does not have",
-         .help = did_you_mean(name, [&] { return names_of(root.joints); }, context)});
+         .help = did_you_mean(
+             name, [&] { return names_of(root.joints); }, context)});
   }
 }
 

@@ -21,7 +21,8 @@ void check(const model::Root& root, Context& context) {
     context.report({.where = material.name.span,
                     .message = "the material '" + name + "' is defined nowhere in this robot",
                     .subject = context.subject(visual),
-                    .help = did_you_mean(name, [&] { return names_of(root.materials); }, context)});
+                    .help = did_you_mean(
+                        name, [&] { return names_of(root.materials); }, context)});
   }
 }
 

@@ -25,7 +25,8 @@ std::string instead(const read::SchemaFact& fact, std::string_view name) {
 /// reads no sensors.
 bool needed(xml::Element element, const schema::Node& attribute, const Context& context) {
   const std::string_view name = element.name();
-  if (name == "sdf" || name == "gazebo") return attribute.name() != "version";  // sdf-version-missing
+  if (name == "sdf" || name == "gazebo")
+    return attribute.name() != "version";  // sdf-version-missing
   if (!context.is_urdf()) return true;
   return !attribute.default_value() && name != "color" && name != "texture" && name != "sensor";
 }

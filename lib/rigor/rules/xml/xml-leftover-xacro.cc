@@ -71,12 +71,13 @@ Rule rule() {
           "a word, so that links and joints are missing, and read '${…}' as text where a number "
           "is due.",
       .what_to_do = "Run xacro and check what it writes, or name the file .xacro.",
-      .bad = {{R"(<robot name="box" xmlns:xacro="http://www.ros.org/wiki/xacro">
+      .bad =
+          {{R"(<robot name="box" xmlns:xacro="http://www.ros.org/wiki/xacro">
   <«xacro:property» name="size" value="1"/>
   <link name="body"/>
 </robot>
 )"},
-              {R"(<robot name="box">
+           {R"(<robot name="box">
   <link name="body">
     <collision>
       <geometry><box size="«${size} 1 1»"/></geometry>
@@ -84,8 +85,8 @@ Rule rule() {
   </link>
 </robot>
 )"},
-              // What follows from it is not told: parts that are missing, names and files not found.
-              {R"(<robot name="box">
+           // What follows from it is not told: parts that are missing, names and files not found.
+           {R"(<robot name="box">
   <link name="body">
     <inertial>
       <«xacro:cuboid_inertia»/>

@@ -1,0 +1,151 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/author/mesh_uri.h>
+
+#include <algorithm>
+#include <vector>
+
+#include <rigor/read/values.h>
+#include <rigor/text/disk.h>
+#include <rigor/text/path.h>
+#include <rigor/xml/document.h>
+
+namespace rigor::author {
+namespace {
+
+/// Folders above a file that are looked at for a model.config or package.xml, as the resolver does.
+constexpr int kMaxAncestors = 16;
+
+/// Largest package.xml that is read for its name, as in the resolver.
+constexpr std::uint64_t kMaxPackageXml = std::uint64_t{1} << 20U;
+
+std::vector<std::string_view> parts_of(std::string_view path) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0; begin < path.size();) {
+    const std::size_t end = std::min(path.find('/', begin), path.size());
+    const std::string_view part = path.substr(begin, end - begin);
+    if (!part.empty() && part != ".") parts.push_back(part);
+    begin = end + 1;
+  }
+  return parts;
+}
+
+std::string joined(const std::vector<std::string_view>& parts, std::size_t from) {
+  std::string path;
+  for (std::size_t i = from; i < parts.size(); ++i) {
+    path += (path.empty() ? "" : "/") + std::string(parts[i]);
+  }
+  return path;
+}
+
+std::size_t common(const std::vector<std::string_view>& a, const std::vector<std::string_view>& b) {
+  return static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first -
+                                  a.begin());
+}
+
+/// Once there is such a file: those that are tried before it are not there.
+bool leads_to(const read::Resolver& resolver, const std::string& uri, const std::string& file,
+              const std::string& path) {
+  const read::Resolution found = resolver.resolve(uri, file);
+  return std::any_of(found.tried.begin(), found.tried.end(),
+                     [&path](const read::Tried& tried) { return tried.path == path; });
+}
+
+/// The URI with the parts in which the paths differ exchanged.
+std::optional<std::string> with_last_parts(std::string_view uri, std::string_view from,
+                                           std::string_view to) {
+  const std::vector<std::string_view> old_parts = parts_of(from);
+  const std::vector<std::string_view> new_parts = parts_of(to);
+  // A file's own name differs even where the folder of the one has the name of the other.
+  const std::size_t same =
+      std::min({common(old_parts, new_parts), old_parts.size() - 1, new_parts.size() - 1});
+  const std::string tail = joined(old_parts, same);
+  if (!uri.ends_with(tail)) return std::nullopt;
+  const std::string_view head = uri.substr(0, uri.size() - tail.size());
+  if (!head.empty() && !head.ends_with('/')) return std::nullopt;
+  return std::string(head) + joined(new_parts, same);
+}
+
+std::string seen_from(const std::string& file, const std::string& mesh) {
+  return relative_path(parent_path(file), mesh).value_or(mesh);
+}
+
+/// The nearest folder at or above the file's that holds a file of this name.
+std::optional<std::string> folder_with(const Disk& disk, const std::string& file,
+                                       std::string_view name) {
+  std::string folder = normalize_path(parent_path(file));
+  for (int i = 0; i < kMaxAncestors; ++i) {
+    if (disk.kind(join_path(folder, name)) == PathKind::kFile) return folder;
+    const bool relative_top = folder == "." || file_name(folder) == "..";
+    const std::string above =
+        relative_top ? join_path(folder, "..") : std::string(parent_path(folder));
+    if (above == folder) break;
+    folder = above;
+  }
+  return std::nullopt;
+}
+
+std::string package_name(const Disk& disk, const std::string& folder) {
+  const ReadResult read = disk.read(join_path(folder, "package.xml"), kMaxPackageXml);
+  if (!read.bytes) return {};
+  const xml::Document document = xml::parse(*read.bytes, kNoSource);
+  const auto name = document.root() ? document.root()->child("name") : std::nullopt;
+  return name ? std::string(read::trimmed(name->text())) : std::string();
+}
+
+}  // namespace
+
+std::optional<std::string> relative_path(std::string_view folder, std::string_view path) {
+  if (is_absolute(folder) != is_absolute(path)) return std::nullopt;
+  const std::string from = normalize_path(folder);
+  const std::string to = normalize_path(path);
+  const std::vector<std::string_view> above = parts_of(from);
+  const std::vector<std::string_view> below = parts_of(to);
+  const std::size_t same = common(above, below);
+  std::string result;
+  for (std::size_t i = same; i < above.size(); ++i) {
+    if (above[i] == "..") return std::nullopt;
+    result += "../";
+  }
+  return result + joined(below, same);
+}
+
+std::optional<std::string> renamed_uri(const read::Resolver& resolver, const std::string& uri,
+                                       const std::string& file, const std::string& from,
+                                       const std::string& to) {
+  std::vector<std::string> candidates;
+  if (auto renamed = with_last_parts(uri, normalize_path(from), normalize_path(to))) {
+    candidates.push_back(*std::move(renamed));
+  }
+  const bool is_path = uri.find("://") == std::string::npos;
+  if (is_path) candidates.push_back(seen_from(file, to));
+  if (uri.starts_with("file://") && is_absolute(to)) candidates.push_back("file://" + to);
+  for (std::string& candidate : candidates) {
+    if (leads_to(resolver, candidate, file, normalize_path(to))) return std::move(candidate);
+  }
+  return std::nullopt;
+}
+
+NewUri new_uri(const read::Resolver& resolver, model::Format format, const std::string& file,
+               const std::string& mesh) {
+  const bool urdf = format == model::Format::kUrdf;
+  const auto folder = folder_with(resolver.disk(), file, urdf ? "package.xml" : "model.config");
+  if (!folder) return {seen_from(file, mesh), std::nullopt};
+
+  NewUri result;
+  std::optional<std::string> inside = relative_path(*folder, mesh);
+  if (!inside || inside->starts_with("../")) {
+    inside = "meshes/" + std::string(file_name(mesh));
+    result.copy = MeshCopy{mesh, join_path(*folder, *inside)};
+  }
+  const std::string path = join_path(*folder, *inside);
+  const std::string name =
+      urdf ? package_name(resolver.disk(), *folder) : std::string(file_name(*folder));
+  result.uri = std::string(urdf ? "package://" : "model://") + name + '/' + *inside;
+  const bool named = !name.empty() && name != "." && name != "..";
+  if (!named || !leads_to(resolver, result.uri, file, path)) result.uri = seen_from(file, path);
+  return result;
+}
+
+}  // namespace rigor::author

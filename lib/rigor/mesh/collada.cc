@@ -1,0 +1,212 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/mesh/collada.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <rigor/mesh/affine.h>
+#include <rigor/mesh/collada_geometry.h>
+#include <rigor/mesh/collada_index.h>
+#include <rigor/mesh/collada_scene.h>
+#include <rigor/xml/document.h>
+
+namespace rigor::mesh {
+namespace {
+
+// Each part repeats its names: of a longer one this much is kept.
+constexpr std::size_t kMaxNameBytes = 256;
+
+std::string short_name(std::string_view name) { return std::string(name.substr(0, kMaxNameBytes)); }
+
+/// Metres that a unit is: 1 when nothing is said.
+std::optional<double> unit_of(xml::Element root) {
+  const std::optional<xml::Element> unit = descend(root, {"asset", "unit"});
+  const auto meter = unit ? unit->attribute("meter") : std::nullopt;
+  if (!meter) return 1;
+  const std::string_view text = value(*unit, "meter");
+  double metres = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), metres);
+  const bool good = error == std::errc() && end == text.data() + text.size();
+  if (!good || !std::isfinite(metres) || metres <= 0) return std::nullopt;
+  return metres;
+}
+
+/// One geometry where a node puts it.
+struct Placement {
+  std::uint32_t node;
+  std::uint32_t instance;
+  Affine X_WN;
+};
+
+class Reader {
+ public:
+  explicit Reader(const xml::Document& document) : index_(document), scene_(index_) {}
+
+  LoadedMesh run() {
+    const xml::Element root = *index_.document().root();
+    const std::optional<double> unit = unit_of(root);
+    if (!unit) {
+      fail(FaultKind::kMalformed, "the unit is no positive number of metres", root);
+    } else if (!scene_.root()) {
+      fail(FaultKind::kMalformed, "there is no scene", root);
+    } else {
+      walk({{*unit, 0, 0}, {0, *unit, 0}, {0, 0, *unit}, {}});
+    }
+    if (loaded_.usable()) bake();
+    return std::move(loaded_);
+  }
+
+ private:
+  // ---- Placing
+
+  struct Visit {
+    std::uint32_t node;
+    std::optional<Affine> X_WN;
+    std::size_t next = 0;  ///< item
+  };
+
+  /// Counts before anything is allocated. Depth first, without recursion: instances of nodes make
+  /// the depth whatever the file wants.
+  void walk(const Affine& unit) {
+    std::vector<char> inside(scene_.nodes().size(), 0);
+    std::vector<Visit> path{{*scene_.root(), unit}};
+    inside[*scene_.root()] = 1;
+    while (!path.empty() && loaded_.usable()) {
+      Visit& visit = path.back();
+      const ColladaNode& node = scene_.nodes()[visit.node];
+      if (visit.next == node.items.size()) {
+        inside[visit.node] = 0;
+        path.pop_back();
+        continue;
+      }
+      const ColladaItem item = node.items[visit.next++];
+      if (++visits_ > kMaxColladaVisits) {
+        fail(FaultKind::kTooLarge, "over a million nodes", node.element);
+      } else if (item.kind == ColladaItem::Kind::kInstance) {
+        place(visit, item.index);
+      } else if (inside[item.index] != 0) {
+        fail(FaultKind::kMalformed, "a node holds itself", node.element);
+      } else {
+        inside[item.index] = 1;
+        const std::optional<Affine>& X_PN = scene_.nodes()[item.index].X_PN;
+        path.push_back(
+            {item.index, visit.X_WN && X_PN ? std::optional(*visit.X_WN * *X_PN) : std::nullopt});
+      }
+    }
+  }
+
+  void place(const Visit& visit, std::uint32_t instance) {
+    const ColladaGeometry& shape = shape_of(scene_.instances()[instance]);
+    if (!loaded_.usable()) return;
+    passed_over_ += shape.passed_over;
+    if (shape.triangles == 0) return;
+    const xml::Element node = scene_.nodes()[visit.node].element;
+    if (!visit.X_WN) return fail(FaultKind::kMalformed, "a transform is not understood", node);
+    triangles_ += shape.triangles;
+    vertices_ += shape.positions.size();
+    parts_ += shape.groups.size();
+    if (std::max(triangles_, vertices_) > kMaxTriangles) {
+      return fail(FaultKind::kTooLarge, "over 50 million triangles", node);
+    }
+    if (parts_ > kMaxColladaVisits) return fail(FaultKind::kTooLarge, "over a million parts", node);
+    placements_.push_back({visit.node, instance, *visit.X_WN});
+  }
+
+  /// Read when it is first placed; its faults count once.
+  const ColladaGeometry& shape_of(const ColladaInstance& instance) {
+    const std::uint32_t key = instance.geometry.index();
+    const auto found = shapes_.find(key);
+    if (found != shapes_.end()) return found->second;
+    ColladaGeometry shape = read_collada_geometry(index_, instance.geometry);
+    bytes_read_ += shape.bytes_read;
+    if (bytes_read_ > kMaxColladaReading) {
+      fail(FaultKind::kTooLarge, "the same numbers are read over and over", instance.geometry);
+    }
+    loaded_.faults.insert(loaded_.faults.end(), shape.faults.begin(), shape.faults.end());
+    return shapes_.emplace(key, std::move(shape)).first->second;
+  }
+
+  // ---- Baking
+
+  void bake() {
+    if (passed_over_ > 0) loaded_.faults.push_back({FaultKind::kNotTriangles, {}, passed_over_});
+    if (placements_.empty()) loaded_.faults.push_back({FaultKind::kEmpty});
+    loaded_.mesh.positions.reserve(vertices_);
+    loaded_.mesh.triangles.reserve(triangles_);
+    for (const Placement& placement : placements_) bake(placement);
+    std::uint64_t bad = 0;
+    for (const Vector3& p : loaded_.mesh.positions) {
+      bad += !std::isfinite(p.x) + !std::isfinite(p.y) + !std::isfinite(p.z);
+    }
+    if (bad == 0) return;
+    loaded_.mesh = {};
+    loaded_.faults.push_back({FaultKind::kNotFinite, {}, bad});
+  }
+
+  void bake(const Placement& placement) {
+    const ColladaInstance& instance = scene_.instances()[placement.instance];
+    const ColladaGeometry& shape = shapes_.at(instance.geometry.index());
+    TriangleMesh& mesh = loaded_.mesh;
+    const auto base = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const Vector3& p : shape.positions) mesh.positions.push_back(moved(placement.X_WN, p));
+    const bool mirrored = determinant(placement.X_WN) < 0;
+    std::string_view name = scene_.nodes()[placement.node].name;
+    if (name.empty()) name = shape.name;
+    for (const ColladaGroup& group : shape.groups) {
+      const auto bound = instance.materials.find(group.material);
+      const std::string_view material =
+          bound == instance.materials.end() ? group.material : bound->second;
+      mesh.parts.push_back(
+          {short_name(name), short_name(material), mesh.triangles.size(), group.triangles.size()});
+      for (Triangle t : group.triangles) {
+        if (mirrored) std::swap(t[1], t[2]);
+        mesh.triangles.push_back({base + t[0], base + t[1], base + t[2]});
+      }
+    }
+  }
+
+  void fail(FaultKind kind, const char* detail, xml::Element at) {
+    loaded_.faults.push_back({kind, detail, 0, index_.line(at)});
+  }
+
+  ColladaIndex index_;
+  ColladaScene scene_;
+  std::map<std::uint32_t, ColladaGeometry> shapes_;  ///< by the index of the element
+  std::vector<Placement> placements_;
+  std::uint64_t visits_ = 0;
+  std::uint64_t triangles_ = 0;
+  std::uint64_t vertices_ = 0;
+  std::uint64_t parts_ = 0;
+  std::uint64_t passed_over_ = 0;
+  std::uint64_t bytes_read_ = 0;
+  LoadedMesh loaded_{.format = Format::kCollada};
+};
+
+LoadedMesh no_mesh(FaultKind kind, const char* detail) {
+  return {.format = Format::kCollada, .faults = {{kind, detail}}};
+}
+
+}  // namespace
+
+LoadedMesh read_collada(std::string_view bytes) {
+  if (bytes.empty()) return no_mesh(FaultKind::kEmpty, "");
+  if (bytes.size() > kMaxColladaBytes) return no_mesh(FaultKind::kTooLarge, "over 256 MiB");
+  const xml::Document document = xml::parse(bytes, kNoSource);
+  if (!document.complete() || !document.root()) {
+    return no_mesh(FaultKind::kMalformed, "it is no well-formed XML");
+  }
+  if (document.root()->name() != "COLLADA") {
+    return no_mesh(FaultKind::kMalformed, "it is no Collada file");
+  }
+  return Reader(document).run();
+}
+
+}  // namespace rigor::mesh

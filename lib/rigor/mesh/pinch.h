@@ -1,0 +1,54 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Mends what collapsing edges does to a surface when nobody asks whether the two ends have more
+// neighbours in common than their triangles show (the link condition; T. Dey, H. Edelsbrunner,
+// S. Guha, D. Nekhayev, "Topology preserving edge contraction", 1999). Two triangles come to
+// lie back to back, or a tetrahedron hangs on an edge: these are taken away. Or four triangles meet at
+// an edge: two of them are turned to the other diagonal of their quadrangle. None of that opens an
+// edge that was closed.
+//
+//   PinchedSurface surface(positions_of_places, place_of_vertex);
+//   surface.take(faces);
+//   surface.mend([&](const BadEdge& edge) { return is_new(edge); });
+
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include <rigor/mesh/rings.h>
+#include <rigor/mesh/triangle_mesh.h>
+#include <rigor/mesh/weld.h>
+
+namespace rigor::mesh {
+
+/// Triangles of vertices, of which several may be in one place: along a seam.
+class PinchedSurface {
+ public:
+  using Chosen = std::function<bool(const BadEdge&)>;
+
+  PinchedSurface(std::vector<Vector3> places, std::vector<std::uint32_t> place_of_vertex);
+
+  /// Triangles with two corners in one place are left out.
+  void take(std::vector<Triangle> faces);
+
+  /// Mends the chosen of the bad edges, as far as that goes.
+  void mend(const Chosen& chosen);
+
+  const std::vector<Triangle>& faces() const { return faces_; }
+  const std::vector<Vector3>& places() const { return mesh_.positions; }
+  std::uint32_t place_of(std::uint32_t vertex) const { return place_[vertex]; }
+
+  std::vector<BadEdge> bad_edges() const;
+  std::uint64_t holes(const std::vector<BadEdge>& edges) const;
+
+ private:
+  std::vector<std::uint32_t> place_;  // of each vertex
+  std::vector<Triangle> faces_;       // of vertices
+  TriangleMesh mesh_;                 // the same of places
+  Weld apart_;                        // welds no place to another
+};
+
+}  // namespace rigor::mesh

@@ -1,0 +1,43 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the rules on a mesh file's faults share: which fault is told, and its words.
+
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <rigor/mesh/fault.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules {
+
+/// The first fault of that kind, if it is to be told: of a file that cannot be read, what else is odd
+/// about it comes from the same cause.
+inline const mesh::Fault* fault_of(const MeshFile& file, mesh::FaultKind kind) {
+  if (!mesh::fatal(kind) && !file.facts.usable()) return nullptr;
+  const auto& faults = file.facts.faults;
+  const auto found = std::find_if(faults.begin(), faults.end(),
+                                  [kind](const mesh::Fault& fault) { return fault.kind == kind; });
+  return found == faults.end() ? nullptr : &*found;
+}
+
+inline void report_mesh(const MeshFile& file, Context& context, std::string message) {
+  context.report({.where = file.where(), .message = std::move(message), .subject = file.subject()});
+}
+
+/// "1 facet", "3 facets".
+inline std::string how_many(std::uint64_t count, std::string_view one) {
+  return std::to_string(count) + ' ' + std::string(one) + (count == 1 ? "" : "s");
+}
+
+/// " (line 12)"; nothing when the format has no lines.
+inline std::string in_line(std::uint64_t line) {
+  return line == 0 ? "" : " (line " + std::to_string(line) + ')';
+}
+
+}  // namespace rigor::rules

@@ -1,0 +1,59 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cstdint>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/mesh/places.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::mesh_mujoco_faces {
+namespace {
+
+constexpr std::uint64_t kMost = 200'000;
+
+void check(const MeshFile& file, Context& context) {
+  const bool stl =
+      file.facts.format == mesh::Format::kStlBinary || file.facts.format == mesh::Format::kStlAscii;
+  if (!stl || file.facts.triangles <= kMost) return;
+  report_mesh(file, context,
+              fmt::format("the STL has {} triangles, and MuJoCo reads {} at most",
+                          file.facts.triangles, kMost));
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "mesh-mujoco-faces",
+      .category = Category::kMesh,
+      .severity = Severity::kInfo,
+      .summary = "an STL has more triangles than MuJoCo reads",
+      .why = "MuJoCo refuses an STL with more than 200 000 facets.",
+      .what_to_do = "Reduce it: `rigor mesh-check FILE --reduce 50000 -o OUT`.",
+      .good = {{R"(<sdf version="1.9">
+  <model name="part">
+    <static>true</static>
+    <link name="body">
+      <collision name="shell">
+        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+=== meshes/shell.obj
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+f 1 3 2
+f 1 2 4
+f 1 4 3
+f 2 3 4
+)"}},
+      .checks = {on<MeshFile>(check)},
+  };
+}
+
+}  // namespace rigor::rules::mesh_mujoco_faces

@@ -1,0 +1,203 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/mesh/file_fault.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::mesh_unit_contradicts_name {
+namespace {
+
+struct Unit {
+  std::string_view name;
+  double meter;
+};
+constexpr Unit kUnits[] = {
+    {"meter", 1},           {"metre", 1},       {"meters", 1},         {"m", 1},
+    {"decimeter", 0.1},     {"dm", 0.1},        {"centimeter", 0.01},  {"centimetre", 0.01},
+    {"centimeters", 0.01},  {"cm", 0.01},       {"millimeter", 0.001}, {"millimetre", 0.001},
+    {"millimeters", 0.001}, {"mm", 0.001},      {"kilometer", 1000},   {"km", 1000},
+    {"inch", 0.0254},       {"inches", 0.0254}, {"in", 0.0254},        {"foot", 0.3048},
+    {"feet", 0.3048},       {"ft", 0.3048},     {"yard", 0.9144}};
+
+// Exporters write 0.0254 with few digits or many; two units differ by 8 % at least.
+constexpr double kRounded = 0.01;
+
+std::optional<double> meter_of(std::string name) {
+  for (char& c : name) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + ('a' - 'A'));
+  }
+  for (const Unit& unit : kUnits) {
+    if (unit.name == name) return unit.meter;
+  }
+  return std::nullopt;
+}
+
+void check(const MeshFile& file, Context& context) {
+  const auto& collada = file.facts.asset.collada;
+  if (!collada || collada->unit_line == 0) return;
+  const std::optional<double> named = meter_of(collada->unit_name);
+  const double written = collada->meter.value_or(1);  // the default, by Collada's definition
+  if (!named || std::abs(written - *named) <= kRounded * *named) return;
+  report_mesh(file, context,
+              fmt::format("the unit is named {}, which is {} m, but is given as {} m{}",
+                          collada->unit_name, *named, written, in_line(collada->unit_line)));
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "mesh-unit-contradicts-name",
+      .category = Category::kMesh,
+      .severity = Severity::kWarning,
+      .summary = "a unit's name and size contradict each other",
+      .why =
+          "Who reads the name gets another size than who reads the number. Simulators read the "
+          "number; which of the two was meant, only the size of the part can tell.",
+      .what_to_do =
+          "Say what a unit is: `rigor mesh-check FILE --unit cm -o OUT.dae` writes metres and "
+          "says so.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="part">
+    <static>true</static>
+    <link name="body">
+      <visual name="shell">
+        <geometry><mesh><uri>«meshes/shell.dae»</uri></mesh></geometry>
+      </visual>
+    </link>
+  </model>
+</sdf>
+=== meshes/shell.dae
+<COLLADA version="1.4.1">
+  <asset><unit name="centimeter" meter="1"/><up_axis>Z_UP</up_axis></asset>
+  <library_geometries>
+    <geometry id="g">
+      <mesh>
+        <source id="p">
+          <float_array id="a" count="12">0 0 0 1 0 0 0 1 0 0 0 1</float_array>
+          <technique_common>
+            <accessor source="#a" count="4" stride="3">
+              <param name="X" type="float"/>
+              <param name="Y" type="float"/>
+              <param name="Z" type="float"/>
+            </accessor>
+          </technique_common>
+        </source>
+        <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+        <triangles count="4">
+          <input semantic="VERTEX" source="#v" offset="0"/>
+          <p>0 2 1 0 1 3 0 3 2 1 2 3</p>
+        </triangles>
+      </mesh>
+    </geometry>
+  </library_geometries>
+  <library_visual_scenes>
+    <visual_scene id="s">
+      <node id="n">
+        <instance_geometry url="#g"/>
+      </node>
+    </visual_scene>
+  </library_visual_scenes>
+  <scene><instance_visual_scene url="#s"/></scene>
+</COLLADA>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="part">
+    <static>true</static>
+    <link name="body">
+      <visual name="shell">
+        <geometry><mesh><uri>meshes/shell.dae</uri></mesh></geometry>
+      </visual>
+    </link>
+  </model>
+</sdf>
+=== meshes/shell.dae
+<COLLADA version="1.4.1">
+  <asset><unit name="meter" meter="1"/><up_axis>Z_UP</up_axis></asset>
+  <library_geometries>
+    <geometry id="g">
+      <mesh>
+        <source id="p">
+          <float_array id="a" count="12">0 0 0 1 0 0 0 1 0 0 0 1</float_array>
+          <technique_common>
+            <accessor source="#a" count="4" stride="3">
+              <param name="X" type="float"/>
+              <param name="Y" type="float"/>
+              <param name="Z" type="float"/>
+            </accessor>
+          </technique_common>
+        </source>
+        <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+        <triangles count="4">
+          <input semantic="VERTEX" source="#v" offset="0"/>
+          <p>0 2 1 0 1 3 0 3 2 1 2 3</p>
+        </triangles>
+      </mesh>
+    </geometry>
+  </library_geometries>
+  <library_visual_scenes>
+    <visual_scene id="s">
+      <node id="n">
+        <instance_geometry url="#g"/>
+      </node>
+    </visual_scene>
+  </library_visual_scenes>
+  <scene><instance_visual_scene url="#s"/></scene>
+</COLLADA>
+)"},
+               {R"(<sdf version="1.9">
+  <model name="part">
+    <static>true</static>
+    <link name="body">
+      <visual name="shell">
+        <geometry><mesh><uri>meshes/shell.dae</uri></mesh></geometry>
+      </visual>
+    </link>
+  </model>
+</sdf>
+=== meshes/shell.dae
+<COLLADA version="1.4.1">
+  <asset><unit name="inch" meter="0.02539999969303608"/><up_axis>Z_UP</up_axis></asset>
+  <library_geometries>
+    <geometry id="g">
+      <mesh>
+        <source id="p">
+          <float_array id="a" count="12">0 0 0 1 0 0 0 1 0 0 0 1</float_array>
+          <technique_common>
+            <accessor source="#a" count="4" stride="3">
+              <param name="X" type="float"/>
+              <param name="Y" type="float"/>
+              <param name="Z" type="float"/>
+            </accessor>
+          </technique_common>
+        </source>
+        <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+        <triangles count="4">
+          <input semantic="VERTEX" source="#v" offset="0"/>
+          <p>0 2 1 0 1 3 0 3 2 1 2 3</p>
+        </triangles>
+      </mesh>
+    </geometry>
+  </library_geometries>
+  <library_visual_scenes>
+    <visual_scene id="s">
+      <node id="n">
+        <instance_geometry url="#g"/>
+      </node>
+    </visual_scene>
+  </library_visual_scenes>
+  <scene><instance_visual_scene url="#s"/></scene>
+</COLLADA>
+)"}},
+      .checks = {on<MeshFile>(check)},
+  };
+}
+
+}  // namespace rigor::rules::mesh_unit_contradicts_name

@@ -1,0 +1,119 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/mesh_check.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+#include <variant>
+
+#include <rigor/model/subject.h>
+#include <rigor/read/discover.h>
+#include <rigor/read/load.h>
+#include <rigor/read/workspace.h>
+#include <rigor/rules/runner.h>
+#include <rigor/text/path.h>
+
+namespace rigor::rules {
+namespace {
+
+constexpr std::string_view kModels[] = {".sdf",   ".world", ".urdf",  ".config",
+                                        ".xacro", ".erb",   ".jinja", ".xml"};
+
+Selection meshes_unless_selected(Selection selection) {
+  if (selection.select.empty()) selection.select = {std::string(to_string(Category::kMesh))};
+  return selection;
+}
+
+class MeshRun {
+ public:
+  MeshRun(const Environment& environment, const MeshCheckOptions& options, mass::MeshFiles& files,
+          Sources& sources)
+      : environment_(environment),
+        options_(options),
+        files_(files),
+        sources_(sources),
+        workspace_(environment.disk, sources),
+        runner_(environment.registry, meshes_unless_selected(options.selection)) {}
+
+  MeshCheckResult run() {
+    for (const std::string& path : options_.paths) {
+      const bool is_file = environment_.disk.kind(path) == PathKind::kFile;
+      if (is_file && !names_model(path)) {
+        check_file(path);
+      } else {
+        check_models(path);
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void check_file(const std::string& path) {
+    const mass::MeshFacts& facts = files_.find(path, mass::MeshDepth::kFile);
+    result_.meshes.push_back({&facts});
+    result_.diagnostics.take(runner_.run(environment_, sources_, facts));
+  }
+
+  void check_models(const std::string& path) {
+    read::Discovered found = read::discover(environment_.disk, {path});
+    std::move(found.unusable.begin(), found.unusable.end(), std::back_inserter(result_.unusable));
+    for (const std::string& file : found.files) check_model(file);
+  }
+
+  void check_model(const std::string& path) {
+    const read::Reader reader{workspace_, environment_.resolver, environment_.sdf,
+                              environment_.urdf};
+    const read::Loaded loaded = read::load(reader, workspace_.open(path));
+    first_of_model_ = result_.meshes.size();
+    list_meshes(loaded, loaded.root.collisions);
+    list_meshes(loaded, loaded.root.visuals);
+    result_.diagnostics.take(runner_.run(environment_, sources_, loaded, {.files = &files_}));
+  }
+
+  template <class Entity>
+  void list_meshes(const read::Loaded& loaded, const std::vector<Entity>& entities) {
+    for (const Entity& entity : entities) {
+      const auto* mesh = std::get_if<model::Mesh>(&entity.geometry.shape);
+      if (mesh == nullptr || !loaded.root.own(entity.site) || mesh->uri.value.empty()) continue;
+      const auto found = environment_.resolver.resolve(mesh->uri.value, loaded.file->path);
+      if (!found.path) continue;
+      const mass::MeshFacts& facts = files_.find(*found.path, mass::MeshDepth::kFile);
+      entry(facts, mesh->scale.value).uses.push_back(model::subject(loaded.root, entity));
+    }
+  }
+
+  CheckedMesh& entry(const mass::MeshFacts& facts, const model::Vector3& scale) {
+    auto& meshes = result_.meshes;
+    const auto begin = meshes.begin() + static_cast<std::ptrdiff_t>(first_of_model_);
+    const auto known = std::find_if(begin, meshes.end(), [&](const CheckedMesh& mesh) {
+      return mesh.facts == &facts && mesh.scale == scale;
+    });
+    if (known != meshes.end()) return *known;
+    return meshes.emplace_back(CheckedMesh{&facts, scale, {}});
+  }
+
+  const Environment& environment_;
+  const MeshCheckOptions& options_;
+  mass::MeshFiles& files_;
+  Sources& sources_;
+  read::Workspace workspace_;
+  Runner runner_;
+  std::size_t first_of_model_ = 0;
+  MeshCheckResult result_;
+};
+
+}  // namespace
+
+bool names_model(std::string_view path) {
+  const std::string ending = extension(path);
+  return std::find(std::begin(kModels), std::end(kModels), ending) != std::end(kModels);
+}
+
+MeshCheckResult mesh_check(const Environment& environment, const MeshCheckOptions& options,
+                           mass::MeshFiles& files, Sources& sources) {
+  return MeshRun(environment, options, files, sources).run();
+}
+
+}  // namespace rigor::rules

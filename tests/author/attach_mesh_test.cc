@@ -1,0 +1,218 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Against texts written by hand.
+
+#include <rigor/author/attach_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "author/model_text.h"
+
+namespace rigor::author {
+namespace {
+
+using test::ModelText;
+using Strings = std::vector<std::string>;
+
+/// Around (0.5, 0, 0.25) m when scaled by a thousandth.
+const NewMesh kMesh{
+    "w/arm/meshes/hull.stl", {{0, -100, 0}, {1000, 100, 500}}, {0.001, 0.001, 0.001}};
+const NewMesh kCentred{"w/arm/meshes/hull.stl", {{-1, -1, -1}, {1, 1, 1}}, {1, 1, 1}};
+
+std::string sdf(std::string_view parts, std::string_view version = "1.9") {
+  return "<sdf version=\"" + std::string(version) +
+         "\">\n  <model name=\"arm\">\n    <link name=\"base\">\n" + std::string(parts) +
+         "    </link>\n  </model>\n</sdf>\n";
+}
+
+AttachedMesh attached(const std::string& text, std::string_view name, const NewMesh& mesh,
+                      const std::string& path = "w/arm/model.sdf",
+                      std::map<std::string, std::string> files = {}) {
+  if (path == "w/arm/model.sdf") files["w/arm/model.config"] = "<model/>";
+  files[mesh.path] = "";
+  const ModelText model(files, path, text);
+  return attach_mesh(model.environment, model.sources, model.loaded, name, mesh);
+}
+
+std::string attached_text(const std::string& text, const NewMesh& mesh,
+                          std::string_view name = "arm::base::hull") {
+  const AttachedMesh result = attached(text, name, mesh);
+  EXPECT_EQ(result.problem, AttachProblem::kNone);
+  EXPECT_FALSE(result.copy);
+  return apply_edits(text, result.edits).value_or("");
+}
+
+TEST(AttachMesh, ItsMiddleComesToTheMiddleOfTheShape) {
+  EXPECT_EQ(attached_text(sdf("      <visual name=\"hull\">\n"
+                              "        <pose>1 2 3 0 0 1.5707963267948966</pose>\n"
+                              "        <geometry>\n"
+                              "          <box>  <!-- of cardboard -->\n"
+                              "            <size>1 1 1</size>\n"
+                              "          </box>\n"
+                              "        </geometry>\n"
+                              "      </visual>\n"),
+                          kMesh),
+            sdf("      <visual name=\"hull\">\n"
+                "        <pose>1 1.5 2.75 0 0 1.5707963267948966</pose>\n"
+                "        <geometry>\n"
+                "          <mesh>\n"
+                "            <uri>model://arm/meshes/hull.stl</uri>\n"
+                "            <scale>0.001 0.001 0.001</scale>\n"
+                "          </mesh>\n"
+                "        </geometry>\n"
+                "      </visual>\n"));
+}
+
+TEST(AttachMesh, AnExtrudedOutlineHasItsMiddleAtHalfItsHeight) {
+  EXPECT_EQ(attached_text(sdf("      <collision name=\"hull\">\n"
+                              "        <geometry>\n"
+                              "          <polyline>\n"
+                              "            <point>0 0</point><point>4 0</point><point>0 2</point>\n"
+                              "            <height>3</height>\n"
+                              "          </polyline>\n"
+                              "          <polyline><point>1 1</point></polyline>\n"
+                              "        </geometry>\n"
+                              "      </collision>\n"),
+                          kCentred),
+            sdf("      <collision name=\"hull\">\n"
+                "        <pose>2 1 1.5 0 0 0</pose>\n"
+                "        <geometry>\n"
+                "          <mesh>\n"
+                "            <uri>model://arm/meshes/hull.stl</uri>\n"
+                "          </mesh>\n"
+                "        </geometry>\n"
+                "      </collision>\n"));
+}
+
+TEST(AttachMesh, AMeshForAMeshKeepsThePose) {
+  EXPECT_EQ(attached_text(sdf("<visual name='hull'><pose>1 0 0 0 0 0</pose><geometry><mesh>"
+                              "<uri>old.dae</uri><submesh><name>x</name></submesh></mesh>"
+                              "</geometry></visual>\n"),
+                          kMesh),
+            sdf("<visual name='hull'><pose>1 0 0 0 0 0</pose><geometry><mesh>"
+                "<uri>model://arm/meshes/hull.stl</uri><scale>0.001 0.001 0.001</scale></mesh>"
+                "</geometry></visual>\n"));
+}
+
+TEST(AttachMesh, GeometryIsAddedWhereThereIsNone) {
+  const std::string whole =
+      "<geometry><mesh><uri>model://arm/meshes/hull.stl</uri></mesh></geometry>";
+  EXPECT_EQ(attached_text(sdf("<visual name='hull'><geometry/></visual>\n"), kCentred),
+            sdf("<visual name='hull'>" + whole + "</visual>\n"));
+  EXPECT_EQ(attached_text(sdf("      <visual name='hull'>\n"
+                              "        <pose/>\n"
+                              "      </visual>\n"),
+                          kCentred),
+            sdf("      <visual name='hull'>\n"
+                "        <pose/>\n"
+                "        <geometry>\n"
+                "          <mesh>\n"
+                "            <uri>model://arm/meshes/hull.stl</uri>\n"
+                "          </mesh>\n"
+                "        </geometry>\n"
+                "      </visual>\n"));
+}
+
+TEST(AttachMesh, TheOldestSdfHasAttributes) {
+  EXPECT_EQ(attached_text(sdf("<visual name='hull'><geometry><sphere radius='1'/></geometry>"
+                              "</visual>\n",
+                              "1.0"),
+                          kMesh),
+            sdf("<visual name='hull'><origin pose='-0.5 0 -0.25 0 0 0'/><geometry>"
+                "<mesh filename='model://arm/meshes/hull.stl' scale='0.001 0.001 0.001'/>"
+                "</geometry></visual>\n",
+                "1.0"));
+}
+
+TEST(AttachMesh, AUrdfInAPackageNamesThePackage) {
+  const auto robot = [](std::string_view visual) {
+    return "<robot name=\"arm\"><link name=\"base\"><visual>" + std::string(visual) +
+           "</visual></link></robot>";
+  };
+  const std::string text = robot("<geometry><box size=\"1 1 1\"/></geometry>");
+  const AttachedMesh result =
+      attached(text, "base::visual", kMesh, "w/arm/urdf/arm.urdf",
+               {{"w/arm/package.xml", "<package><name>arm_description</name></package>"}});
+  EXPECT_EQ(apply_edits(text, result.edits),
+            robot("<origin xyz=\"-0.5 0 -0.25\" rpy=\"0 0 0\"/><geometry>"
+                  "<mesh filename=\"package://arm_description/meshes/hull.stl\" "
+                  "scale=\"0.001 0.001 0.001\"/></geometry>"));
+}
+
+TEST(AttachMesh, AMeshFromElsewhereIsToBeCopied) {
+  const std::string text = sdf("<visual name='hull'/>\n");
+  const NewMesh outside{"downloads/hull.stl", {}};
+  const AttachedMesh result = attached(text, "hull", outside);
+  EXPECT_EQ(result.uri, "model://arm/meshes/hull.stl");
+  ASSERT_TRUE(result.copy);
+  EXPECT_EQ(result.copy->from, "downloads/hull.stl");
+  EXPECT_EQ(result.copy->to, "w/arm/meshes/hull.stl");
+
+  const AttachedMesh loose = attached(text, "hull", outside, "w/loose.sdf");
+  EXPECT_EQ(loose.uri, "../downloads/hull.stl");
+  EXPECT_FALSE(loose.copy);
+}
+
+TEST(AttachMesh, WithoutTheFoldersNameThePathIsRelative) {
+  const ModelText model({{"model.config", ""}, {"meshes/a.stl", ""}}, "model.sdf",
+                        sdf("<visual name='hull'/>\n"));
+  EXPECT_EQ(
+      attach_mesh(model.environment, model.sources, model.loaded, "hull", {"meshes/a.stl", {}}).uri,
+      "meshes/a.stl");
+}
+
+TEST(AttachMesh, NamesThatMeanSeveralOrNothingGetCandidates) {
+  const std::string text =
+      sdf("<visual name='hull'/><collision name='hull'/><visual name='lid'/>\n");
+  const AttachedMesh several = attached(text, "base::hull", kCentred);
+  EXPECT_EQ(several.problem, AttachProblem::kAmbiguous);
+  EXPECT_EQ(several.candidates, (Strings{"arm::base::collision hull", "arm::base::visual hull"}));
+  EXPECT_TRUE(several.edits.empty());
+  const AttachedMesh one = attached(text, several.candidates[1], kCentred);
+  EXPECT_EQ(one.problem, AttachProblem::kNone);
+  EXPECT_EQ(one.subject, "arm/link base/visual hull");
+
+  const AttachedMesh mistyped = attached(text, "bose::lid", kCentred);
+  EXPECT_EQ(mistyped.problem, AttachProblem::kNotFound);
+  EXPECT_EQ(mistyped.candidates, Strings{"base::lid"});
+  EXPECT_EQ(attached(text, "arm::base::unheard_of", kCentred).candidates.size(), 3U);
+  EXPECT_EQ(attached(text, "base::collision", kCentred).subject, "arm/link base/collision hull");
+  EXPECT_EQ(attached(text, "gripper", kCentred).candidates,
+            (Strings{"arm::base::collision hull", "arm::base::visual hull", "arm::base::lid"}));
+}
+
+TEST(AttachMesh, NamesReachIntoNestedModels) {
+  const std::string text =
+      "<sdf version='1.9'><model name='arm'><model name='hand'><link name='palm'>"
+      "<visual name='skin'/></link></model></model></sdf>";
+  for (const std::string_view name : {"arm::hand::palm::skin", "palm::skin", "palm::visual skin"}) {
+    EXPECT_EQ(attached(text, name, kCentred).problem, AttachProblem::kNone) << name;
+  }
+  EXPECT_EQ(attached(text, "m::skin", kCentred).problem, AttachProblem::kNotFound);
+}
+
+TEST(AttachMesh, WhatCannotBeEditedIsSaid) {
+  EXPECT_EQ(
+      attached(sdf("<visual name='hull'><pose>1 2</pose><geometry><box/></geometry></visual>\n"),
+               "hull", kCentred)
+          .problem,
+      AttachProblem::kPose);
+  const AttachedMesh included = attached(
+      "<sdf version='1.9'><world name='w'><include><uri>model://arm</uri></include>"
+      "</world></sdf>",
+      "arm::base::hull", kCentred, "w/lab.sdf",
+      {{"w/arm/model.config", "<model><sdf>model.sdf</sdf></model>"},
+       {"w/arm/model.sdf", sdf("<visual name='hull'/>")}});
+  EXPECT_EQ(included.problem, AttachProblem::kIncluded);
+  EXPECT_EQ(included.path, "w/arm/model.sdf");
+  EXPECT_TRUE(included.edits.empty());
+}
+
+}  // namespace
+}  // namespace rigor::author

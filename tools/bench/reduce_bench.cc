@@ -1,0 +1,124 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// `tools/dev bench reduce`: bringing a mesh to a tenth of its triangles, as a ratio to the library's
+// own call on the same mesh, which is given to it welded. The mesh is a file or, without one, a bumpy
+// ball of a million triangles.
+//
+//   rigor_reduce_bench [MESH]
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <vector>
+
+#include <fmt/core.h>
+#include <meshoptimizer.h>
+
+#include <rigor/mesh/read.h>
+#include <rigor/mesh/reduce.h>
+#include <rigor/mesh/topology.h>
+#include <rigor/mesh/weld.h>
+#include <rigor/text/disk.h>
+
+namespace {
+
+using rigor::mesh::TriangleMesh;
+
+constexpr int kRounds = 7;
+
+TriangleMesh bumpy_ball() {
+  constexpr std::uint32_t kAround = 1000;
+  constexpr std::uint32_t kDown = 501;
+  constexpr double kPi = 3.141592653589793;
+  TriangleMesh mesh;
+  const auto add = [&mesh](double u, double v) {
+    const double r = 1 + 0.1 * std::sin(8 * u) * std::sin(v) * std::sin(9 * v) +
+                     0.02 * std::sin(40 * u) * std::pow(std::sin(v), 3) * std::cos(37 * v);
+    mesh.positions.push_back(
+        {r * std::sin(v) * std::cos(u), r * std::sin(v) * std::sin(u), r * std::cos(v)});
+  };
+  for (std::uint32_t j = 1; j < kDown; ++j) {
+    for (std::uint32_t i = 0; i < kAround; ++i) add(2 * kPi * i / kAround, kPi * j / kDown);
+  }
+  add(0, 0);
+  add(0, kPi);
+  const std::uint32_t top = kAround * (kDown - 1);
+  const auto at = [](std::uint32_t j, std::uint32_t i) { return (j - 1) * kAround + i % kAround; };
+  for (std::uint32_t i = 0; i < kAround; ++i) {
+    mesh.triangles.push_back({top, at(1, i), at(1, i + 1)});
+    mesh.triangles.push_back({top + 1, at(kDown - 1, i + 1), at(kDown - 1, i)});
+    for (std::uint32_t j = 1; j + 1 < kDown; ++j) {
+      mesh.triangles.push_back({at(j, i), at(j + 1, i), at(j + 1, i + 1)});
+      mesh.triangles.push_back({at(j, i), at(j + 1, i + 1), at(j, i + 1)});
+    }
+  }
+  return mesh;
+}
+
+double seconds(const std::function<void()>& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// What the library wants, made ready beforehand.
+struct Bare {
+  std::vector<std::uint32_t> index;
+  std::vector<std::array<float, 3>> points;
+
+  explicit Bare(const TriangleMesh& mesh) {
+    const rigor::mesh::Weld welded = rigor::mesh::weld(mesh.positions);
+    for (const std::uint32_t first : welded.first) {
+      const rigor::mesh::Vector3& p = mesh.positions[first];
+      points.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+    }
+    for (const rigor::mesh::Triangle& t : mesh.triangles) {
+      for (const std::uint32_t corner : t) index.push_back(welded.place[corner]);
+    }
+  }
+
+  void run(std::size_t triangles) const {
+    std::vector<std::uint32_t> result(index.size());
+    meshopt_simplify(result.data(), index.data(), index.size(), points.front().data(),
+                     points.size(), sizeof(points.front()), 3 * triangles, 1, 0, nullptr);
+  }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  TriangleMesh mesh =
+      argc > 1 ? rigor::mesh::read_mesh(rigor::RealDisk(), argv[1]).mesh : bumpy_ball();
+  if (mesh.triangles.empty()) {
+    fmt::print(stderr, "no triangles\n");
+    return 1;
+  }
+  const std::size_t target = mesh.triangles.size() / 10;
+  const Bare bare(mesh);
+  rigor::mesh::Reduced reduced;
+  std::vector<double> library;
+  std::vector<double> whole;
+  std::vector<double> ratio;
+  for (int round = 0; round < kRounds; ++round) {  // in turns: the machine is not alone
+    library.push_back(seconds([&] { bare.run(target); }));
+    whole.push_back(seconds([&] { reduced = rigor::mesh::reduce(mesh, {.triangles = target}); }));
+    ratio.push_back(whole.back() / library.back());
+  }
+  const rigor::mesh::Topology topology = rigor::mesh::topology_of(reduced.mesh);
+  fmt::print("{} triangles to {}: {}\n", mesh.triangles.size(), target,
+             reduced.mesh.triangles.size());
+  fmt::print("library {:.1f} ms, reduce {:.1f} ms, ratio {:.2f} ({} runs)\n", 1e3 * median(library),
+             1e3 * median(whole), median(ratio), reduced.runs);
+  fmt::print("open edges {}, of more than two triangles {}, error {:.3g}\n",
+             topology.boundary_edges, topology.nonmanifold_edges, reduced.error);
+}

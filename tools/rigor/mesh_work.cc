@@ -1,0 +1,102 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// `rigor mesh-check FILE -o OUT`: one mesh changed, and written to one file or several.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <rigor/mesh/read.h>
+#include <rigor/mesh/write.h>
+#include <rigor/report/printable.h>
+#include <rigor/text/path.h>
+
+#include "atomic_file.h"
+#include "command.h"
+#include "mesh_check.h"
+
+namespace rigor::tool {
+namespace {
+
+/// "hull.stl" and "2" make "hull-2.stl".
+std::string numbered(const std::string& path, const std::string& name) {
+  const std::size_t dot = path.size() - extension(path).size();
+  return path.substr(0, dot) + '-' + name + path.substr(dot);
+}
+
+struct OutputFile {
+  std::string path;
+  std::string bytes;
+};
+
+/// All bytes before any file: one that cannot be written costs nothing.
+std::vector<OutputFile> files_of(const author::OperatedMesh& done, const std::string& out) {
+  std::vector<OutputFile> files;
+  for (const author::NamedMesh& each : done.meshes) {
+    const std::string path = each.name.empty() ? out : numbered(out, each.name);
+    mesh::WrittenMesh written = mesh::write_mesh(each.mesh, path);
+    if (!written.bytes) throw UsageError(out + ": " + written.problem);
+    files.push_back({path, std::move(*written.bytes)});
+    for (mesh::SideFile& side : written.side_files) {
+      files.push_back({join_path(parent_path(path), side.name), std::move(side.bytes)});
+    }
+  }
+  return files;
+}
+
+}  // namespace
+
+std::vector<report::WrittenFile> write_meshes(const author::OperatedMesh& done,
+                                              const std::string& out) {
+  for (const OutputFile& file : files_of(done, out)) replace_file(file.path, file.bytes);
+  std::vector<report::WrittenFile> written;
+  for (const author::NamedMesh& each : done.meshes) {
+    written.push_back({each.name.empty() ? out : numbered(out, each.name),
+                       each.mesh.triangles.size(), done.hausdorff});
+  }
+  return written;
+}
+
+author::MeshOperations operations_of(const MeshCheckArguments& a, const mass::MeshFacts& facts) {
+  author::MeshOperations operations = a.operations.operations();
+  // Reading has applied the unit that the file says; it gives way to the one that the user says.
+  const auto& collada = facts.asset.collada;
+  if (a.operations.says_unit() && collada) operations.unit /= collada->meter.value_or(1);
+  return operations;
+}
+
+int work_on_mesh(const MeshCheckArguments& a) {
+  if (a.paths.size() != 1 || rules::names_model(a.paths.front())) {
+    throw UsageError("what changes a mesh needs one mesh file; for those of a model there is --apply");
+  }
+  if (a.test_world && !a.operations.given().empty()) {
+    throw UsageError("--test-world shows the mesh as it is: write it with -o OUT first");
+  }
+  const MeshChecking checking(a);
+  if (!checking.whole()) return checking.conclude();
+  if (a.test_world) return write_test_world(a, checking);
+
+  MeshWork work;
+  std::string mesh_path = a.paths.front();
+  if (!a.out.empty() || !a.operations.given().empty()) {
+    mesh::LoadedMesh loaded = mesh::read_mesh(checking.disk(), mesh_path);
+    const mass::MeshFacts& facts = *checking.result().meshes.front().facts;
+    author::OperatedMesh done = author::operate(std::move(loaded.mesh), operations_of(a, facts));
+    if (!done.problem.empty()) {
+      checking.conclude();
+      say("rigor: " + report::printable(mesh_path) + ": " + done.problem);
+      return kFindings;
+    }
+    if (!a.out.empty()) {
+      work.written = write_meshes(done, a.out);
+      mesh_path = a.out;
+    }
+    work.steps = std::move(done.steps);
+    work.fit = std::move(done.primitive);
+  }
+  if (!a.attach.empty()) attach(a, checking, mesh_path);
+  return checking.conclude(work);
+}
+
+}  // namespace rigor::tool
