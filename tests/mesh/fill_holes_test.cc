@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -101,8 +102,7 @@ TEST(LoopFilling, AStarIsFilledWithinItsBorder) {
       const Workpiece work(open_prism(polygon));
       const std::vector<Hole> holes = holes_of(work);
       ASSERT_EQ(holes.size(), 1U);
-      for (const auto& triangles :
-           {best_filling(work, holes[0]), ear_filling(work, holes[0])}) {
+      for (const auto& triangles : {best_filling(work, holes[0]), ear_filling(work, holes[0])}) {
         ASSERT_EQ(triangles.size(), n - 2);
         EXPECT_NEAR(area_of(work, triangles), area_of(polygon), 1e-12);
         for (const Triangle& t : triangles) {
@@ -111,6 +111,15 @@ TEST(LoopFilling, AStarIsFilledWithinItsBorder) {
         }
       }
     }
+  }
+}
+
+TEST(LoopFilling, ADartIsNotFoldedThoughThatIsSmaller) {
+  const std::vector<std::pair<double, double>> dart = {{0, 5}, {-1, -5}, {0, -4}, {1, -5}};
+  const Workpiece work(open_prism(dart));
+  for (const Hole& hole : holes_of(work)) {
+    EXPECT_NEAR(area_of(work, best_filling(work, hole)), area_of(dart), 1e-12);
+    EXPECT_NEAR(area_of(work, ear_filling(work, hole)), area_of(dart), 1e-12);
   }
 }
 
@@ -143,8 +152,8 @@ TEST(LoopFilling, OnFlatGroundNoFillingIsSmaller) {
     const Hole hole = holes_of(work).at(0);
     double size = 0;
     for (const Triangle& t : best_filling(work, hole)) {
-      size += std::max({square(work, t[0], t[1]), square(work, t[1], t[2]),
-                        square(work, t[2], t[0])});
+      size +=
+          std::max({square(work, t[0], t[1]), square(work, t[1], t[2]), square(work, t[2], t[0])});
     }
     EXPECT_NEAR(size, least(work, hole.vertices, 0, n - 1), 1e-12);
   }
@@ -201,21 +210,34 @@ TEST(FillHoles, HolesThatTouchAreFilledApart) {
   const TriangleMesh torus = torus_mesh(2, 0.6, 24, 16);
   const std::vector<std::size_t> round = faces_at(torus, 100);
   ASSERT_EQ(round.size(), 6U);
-  for (const std::vector<std::size_t>& faces :
-       {std::vector{round[0], round[3]}, {round[0], round[5]}, {round[0], round[2], round[4]},
-        {round[1], round[2], round[5]}}) {
-    Workpiece work(without(torus, faces));
-    fill_holes(work, {});
-    const TriangleMesh mesh = std::move(work).finished();
-    EXPECT_EQ(counts(topology_of(mesh)), counts(topology_of(torus)));
-    EXPECT_NEAR(volume(mesh), volume(torus), 0.01 * area(facet(torus, torus.triangles[0])));
+  for (const std::vector<std::size_t>& faces : {std::vector{round[0], round[3]},
+                                                {round[0], round[5]},
+                                                {round[0], round[2], round[4]},
+                                                {round[1], round[2], round[5]}}) {
+    TriangleMesh open = without(torus, faces);
+    for (unsigned seed = 0; seed < 20; ++seed) {  // walks begin anywhere
+      std::mt19937 random(seed);
+      std::shuffle(open.triangles.begin(), open.triangles.end(), random);
+      Workpiece work(open);
+      std::size_t edges = 0;
+      for (const Hole& hole : holes_of(work)) {
+        edges += hole.vertices.size();
+        const std::set<std::uint32_t> different(hole.vertices.begin(), hole.vertices.end());
+        EXPECT_EQ(different.size(), hole.vertices.size());
+      }
+      EXPECT_EQ(edges, work.defects().boundary_edges);
+      fill_holes(work, {});
+      const TriangleMesh mesh = std::move(work).finished();
+      EXPECT_EQ(counts(topology_of(mesh)), counts(topology_of(torus)));
+      EXPECT_NEAR(volume(mesh), volume(torus), 0.01 * area(facet(torus, torus.triangles[0])));
+    }
   }
 }
 
 TEST(FillHoles, BodiesThatTouchInAVertexStayTwo) {
   // Each misses a triangle at their common corner.
-  const TriangleMesh mesh = joined(without(box_mesh({1, 1, 1}), {11}),
-                                   without(box_mesh({1, 1, 1}, {1, 1, 1}), {0}));
+  const TriangleMesh mesh =
+      joined(without(box_mesh({1, 1, 1}), {11}), without(box_mesh({1, 1, 1}, {1, 1, 1}), {0}));
   ASSERT_EQ(topology_of(mesh).nonmanifold_vertices, 1U);
   Workpiece work(mesh);
   EXPECT_EQ(fill_holes(work, kAnySize).filled, 2U);

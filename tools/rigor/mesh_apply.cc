@@ -34,15 +34,18 @@ std::string name_of_result(const std::string& path) {
   constexpr std::string_view kWritten[] = {".stl", ".obj", ".dae", ".glb", ".ply"};
   const std::string ending = extension(path);
   const std::string stem = path.substr(0, path.size() - ending.size());
-  const bool known = std::find(std::begin(kWritten), std::end(kWritten), ending) != std::end(kWritten);
+  const bool known =
+      std::find(std::begin(kWritten), std::end(kWritten), ending) != std::end(kWritten);
   return stem + (stem.ends_with(kMark) ? "" : std::string(kMark)) + (known ? ending : ".glb");
 }
 
 void refuse_products(const author::MeshOperations& operations) {
   using author::MeshProduct;
-  const bool one = operations.product == MeshProduct::kMesh ||
-                   operations.product == MeshProduct::kConvexHull;
-  if (!one) throw UsageError("--apply puts one mesh in the place of one: not with --convex-pieces, --fit or --split");
+  const bool one =
+      operations.product == MeshProduct::kMesh || operations.product == MeshProduct::kConvexHull;
+  if (!one)
+    throw UsageError(
+        "--apply puts one mesh in the place of one: not with --convex-pieces, --fit or --split");
 }
 
 struct Result {
@@ -57,8 +60,7 @@ class Application {
 
   int run() {
     const Environment& environment = checking_.environment();
-    const read::Reader reader{workspace_, environment.resolver, environment.sdf,
-                              environment.urdf};
+    const read::Reader reader{workspace_, environment.resolver, environment.sdf, environment.urdf};
     const std::string model =
         std::filesystem::absolute(a_.paths.front()).lexically_normal().generic_string();
     const read::Loaded loaded = load(reader, open_model(workspace_, model));
@@ -81,8 +83,7 @@ class Application {
         std::filesystem::absolute(facts.path).lexically_normal().generic_string();
     if (!facts.whole() || !seen_.insert(path).second) return;
     mesh::LoadedMesh loaded = mesh::read_mesh(checking_.disk(), facts.path);
-    author::OperatedMesh done =
-        author::operate(std::move(loaded.mesh), operations_of(a_, facts));
+    author::OperatedMesh done = author::operate(std::move(loaded.mesh), operations_of(a_, facts));
     if (!done.problem.empty()) {
       say("rigor: " + report::printable(facts.path) + " stays as it is: " + done.problem);
       return;
@@ -93,8 +94,10 @@ class Application {
   }
 
   void write_all(const author::ModelEdits& edits) {
+    const std::filesystem::path here = std::filesystem::current_path();
     for (const Result& result : results_) {
       for (report::WrittenFile& file : write_meshes(result.done, result.replacement.new_file)) {
+        file.path = std::filesystem::path(file.path).lexically_proximate(here).generic_string();
         work_.written.push_back(std::move(file));
       }
       const std::string name(file_name(result.replacement.new_file));
@@ -109,7 +112,7 @@ class Application {
     replace_file(edits.path, *text);
     say("rigor: " + report::counted(edits.uses, "use") + " of " +
         report::counted(results_.size(), "mesh", "meshes") + " fitted in " +
-        report::printable(edits.path));
+        report::printable(a_.paths.front()));
   }
 
   const MeshCheckArguments& a_;

@@ -33,6 +33,25 @@ std::string triangles_text(std::uint64_t before, std::uint64_t after) {
   return fmt::format("{} triangles, {} before", after, before);
 }
 
+std::string_view noun_of(mesh::RepairStep step) {
+  using mesh::RepairStep;
+  switch (step) {
+    case RepairStep::kWeld:
+    case RepairStep::kCloseSeams: return "vertices";
+    case RepairStep::kFillHoles: return "holes";
+    case RepairStep::kFaceOutward:
+    case RepairStep::kDropSpecks: return "components";
+    default: return "triangles";
+  }
+}
+
+/// "drop duplicates: 12 triangles".
+std::string changed_text(const mesh::StepDone& step) {
+  std::string_view noun = noun_of(step.step);
+  if (step.changed == 1) noun = noun == "vertices" ? "vertex" : noun.substr(0, noun.size() - 1);
+  return fmt::format("{} {}", step.changed, noun);
+}
+
 class Operation {
  public:
   explicit Operation(const MeshOperations& asked) : asked_(asked) {}
@@ -58,10 +77,9 @@ class Operation {
     if (asked_.repair) {
       mesh::Repaired repaired = mesh::repair(std::move(mesh), {});
       for (const mesh::StepDone& one : repaired.report.steps) {
-        if (one.changed > 0) {
-          step(std::string(mesh::to_string(one.step)),
-               one.undone ? "undone, as something would get worse" : fmt::format("{}", one.changed));
-        }
+        if (one.changed == 0) continue;
+        step(std::string(mesh::to_string(one.step)),
+             one.undone ? "undone, as something would get worse" : changed_text(one));
       }
       return std::move(repaired.mesh);
     }
@@ -80,9 +98,7 @@ class Operation {
       case MeshCenter::kNone: break;
       case MeshCenter::kBounds: by.center = mesh::Center::kBounds; break;
       case MeshCenter::kBottom: by.center = mesh::Center::kBottom; break;
-      case MeshCenter::kCom:
-        by.center = mesh::Center::kPoint;
-        by.point = center_of_mass(mesh);
+      case MeshCenter::kCom: by.center = mesh::Center::kPoint; by.point = center_of_mass(mesh);
     }
     mesh::Transformed result = mesh::transformed(std::move(mesh), by);
     done_.translation = result.translation;
@@ -113,7 +129,8 @@ class Operation {
     const std::uint64_t before = mesh.triangles.size();
     std::uint64_t target = asked_.triangles.value_or(before);
     if (asked_.share) {
-      target = static_cast<std::uint64_t>(std::llround(*asked_.share * static_cast<double>(before)));
+      target =
+          static_cast<std::uint64_t>(std::llround(*asked_.share * static_cast<double>(before)));
     }
     if (target >= before) return mesh;
     mesh::Reduction to{.triangles = target};
@@ -187,8 +204,8 @@ class Operation {
     }
     step("split", fmt::format("{} parts", split.pieces.size()));
     for (mesh::SplitPiece& piece : split.pieces) {
-      done_.meshes.push_back({piece.name.empty() ? "rest" : std::move(piece.name),
-                              std::move(piece.mesh)});
+      done_.meshes.push_back(
+          {piece.name.empty() ? "rest" : std::move(piece.name), std::move(piece.mesh)});
     }
   }
 

@@ -62,8 +62,7 @@ bool face_each_other(const Workpiece& work, const std::vector<std::uint32_t>& gr
 /// two others meet at every edge of the rim.
 class Walls {
  public:
-  explicit Walls(Workpiece& work)
-      : work_(work), twin_(work.size(), kNone), taken_(work.size()) {}
+  explicit Walls(Workpiece& work) : work_(work), twin_(work.size(), kNone), taken_(work.size()) {}
 
   std::uint64_t drop() {
     const std::vector<std::vector<std::uint32_t>> groups = copies(work_);

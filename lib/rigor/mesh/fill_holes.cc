@@ -65,7 +65,7 @@ class Filler {
     for (const Filling& filling : fillings()) {
       if (!fits(filling)) {
         ++done_.too_large;
-      } else if (!fill(filling)) {
+      } else if (work_.tired() || !fill(filling)) {
         ++done_.left;
       }
     }

@@ -31,7 +31,7 @@ struct HolesFilled {
   std::uint64_t filled = 0;
   std::uint64_t triangles = 0;  ///< that were added for it
   std::uint64_t too_large = 0;  ///< holes left for their area or edges, or as the border of a sheet
-  std::uint64_t left = 0;       ///< holes that cannot be filled without making something worse
+  std::uint64_t left = 0;       ///< that cannot be filled without making something worse, or soon
   double area = 0;              ///< that was filled, in the mesh's unit squared
   double mesh_area = 0;         ///< before
 };

@@ -33,9 +33,9 @@ int bend(const Vector3& a, const Vector3& b) {
 
 /// What is wrong with a filling, the worst first.
 struct Cost {
-  int taken = 0;  ///< edges that the mesh has already
-  int thin = 0;   ///< slivers and lines
-  int bend = 0;  ///< the sharpest, in steps
+  int taken = 0;    ///< edges that the mesh has already
+  int thin = 0;     ///< slivers and lines
+  int bend = 0;     ///< the sharpest, in steps
   double size = 0;  ///< sum of squared longest edges: small for small areas and round triangles
 
   void add(const Cost& other) {
@@ -98,11 +98,10 @@ class BestFilling {
     whole.cost.add(left.cost);
     whole.cost.add(right.cost);
     whole.cost.thin += thin == Thinness::kNone ? 0 : 1;
-    whole.cost.bend = std::max({whole.cost.bend, bend(whole.normal, left.normal),
-                                bend(whole.normal, right.normal)});
+    whole.cost.bend = std::max(
+        {whole.cost.bend, bend(whole.normal, left.normal), bend(whole.normal, right.normal)});
     const auto square = [](const Vector3& v) { return dot(v, v); };
-    whole.cost.size +=
-        std::max({square(f[1] - f[0]), square(f[2] - f[1]), square(f[0] - f[2])});
+    whole.cost.size += std::max({square(f[1] - f[0]), square(f[2] - f[1]), square(f[0] - f[2])});
     return whole;
   }
 

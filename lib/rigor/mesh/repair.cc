@@ -180,8 +180,8 @@ Repaired repair_welded(TriangleMesh mesh, const RepairOptions& options) {
 
 std::string_view to_string(RepairStep step) {
   constexpr std::array<std::string_view, 10> kNames = {
-      "weld",            "drop degenerate", "drop duplicates", "drop lines",   "drop fins",
-      "close seams",     "turn consistent", "fill holes",      "face outward", "drop specks"};
+      "weld",        "drop degenerate", "drop duplicates", "drop lines",   "drop fins",
+      "close seams", "turn consistent", "fill holes",      "face outward", "drop specks"};
   return kNames[static_cast<std::size_t>(step)];
 }
 

@@ -96,6 +96,7 @@ std::vector<std::vector<Join>> seams(const Workpiece& work) {
 std::uint64_t close_once(Workpiece& work) {
   std::uint64_t joined = 0;
   for (const std::vector<Join>& seam : seams(work)) {
+    if (work.tired()) break;
     const bool whole = work.attempt([&] {
       for (const Join& j : seam) join(work, j);
     });

@@ -22,8 +22,7 @@ std::uint64_t drop_specks(TriangleMesh& mesh, double share) {
   // With all positions in use, their box is that of the triangles.
   const double limit = share * diagonal(bounds_of(mesh.positions));
   const auto is_speck = [&](const Component& c) { return diagonal(c.bounds) < limit; };
-  const auto specks =
-      std::count_if(components.list.begin(), components.list.end(), is_speck);
+  const auto specks = std::count_if(components.list.begin(), components.list.end(), is_speck);
   if (specks == 0 || specks == std::ssize(components.list)) return 0;
   std::vector<std::uint32_t> kept;
   for (std::uint32_t face = 0; face < mesh.triangles.size(); ++face) {

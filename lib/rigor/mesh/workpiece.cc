@@ -30,8 +30,14 @@ std::pair<std::uint32_t, std::uint32_t> others(const Triangle& t, std::uint32_t 
 }  // namespace
 
 DefectCounts counts_of(const Topology& t) {
-  return {t.boundary_edges, t.nonmanifold_edges, t.inconsistent_edges, t.nonmanifold_vertices,
-          t.degenerate,     t.zero_area,         t.slivers,            t.duplicates};
+  return {t.boundary_edges,
+          t.nonmanifold_edges,
+          t.inconsistent_edges,
+          t.nonmanifold_vertices,
+          t.degenerate,
+          t.zero_area,
+          t.slivers,
+          t.duplicates};
 }
 
 bool worse(const DefectCounts& before, const DefectCounts& after, Care care) {

@@ -122,7 +122,9 @@ std::string round_text(double radius, double length) {
 }
 
 struct PrimitiveText {
-  std::string operator()(const mesh::Box& s) const { return "box, size " + numbers(s.size, kDigits); }
+  std::string operator()(const mesh::Box& s) const {
+    return "box, size " + numbers(s.size, kDigits);
+  }
   std::string operator()(const mesh::Sphere& s) const {
     return "sphere, radius " + number(s.radius, kDigits);
   }
@@ -152,7 +154,9 @@ std::string mesh_check_text(const MeshCheckReport& report, Color color) {
     text += '\n' + pretty(report.result.diagnostics, report.sources, color);
   }
   if (!report.steps.empty()) text += '\n';
-  for (const author::MeshStep& step : report.steps) text += row(step.name, step.what);
+  for (const author::MeshStep& step : report.steps) {
+    text += fmt::format("  {}: {}\n", printable(step.name), step.what);
+  }
   if (report.fit) text += fit_text(*report.fit);
   for (const WrittenFile& file : report.written) {
     text += paint(printable(file.path), Paint::kStrong, color) + ": written, " +
