@@ -28,7 +28,7 @@ namespace rigor::bench {
 /// A torus of `around` by `across` cells, of two triangles each, as a binary STL.
 inline void write_torus(const std::string& path, std::uint32_t around, std::uint32_t across) {
   constexpr double kTau = 6.283185307179586;
-  const auto corner = [](std::uint32_t i, std::uint32_t j) {
+  const auto corner = [around, across](std::uint32_t i, std::uint32_t j) {
     const double u = kTau * (i % around) / around;
     const double v = kTau * (j % across) / across;
     const double r = 0.2 + 0.06 * std::cos(v);
