@@ -7,20 +7,12 @@
 #include <utility>
 
 #include <rigor/mesh/convexity.h>
+#include <rigor/mesh/select.h>
 
 namespace rigor::mass {
 namespace {
 
 using mesh::TriangleMesh;
-
-mesh::Bounds bounds_of_used(const TriangleMesh& mesh) {
-  std::vector<model::Vector3> used;
-  used.reserve(3 * mesh.triangles.size());
-  for (const mesh::Triangle& t : mesh.triangles) {
-    for (const std::uint32_t corner : t) used.push_back(mesh.positions[corner]);
-  }
-  return mesh::bounds_of(used);
-}
 
 /// A vertex is drawn once for each position that a file keeps apart; where triangles have normals of
 /// their own, once for each of their corners.
@@ -84,7 +76,7 @@ MeshFacts mesh_facts(const Disk& disk, const std::string& path, const mesh::Load
   facts.triangles = loaded.mesh.triangles.size();
   facts.largest_part = largest_part(loaded.mesh);
   facts.normals = !loaded.mesh.corners.normals.empty();
-  facts.bounds = bounds_of_used(loaded.mesh);
+  facts.bounds = mesh::bounds_of(mesh::used_positions(loaded.mesh));
   if (depth != MeshDepth::kFile) facts.shape = shape_of(loaded.mesh, depth);
   return facts;
 }

@@ -9,6 +9,7 @@
 
 #include <rigor/mass/facet_stream.h>
 #include <rigor/mesh/hull.h>
+#include <rigor/mesh/select.h>
 #include <rigor/mesh/stl.h>
 
 namespace rigor::mass {
@@ -57,27 +58,14 @@ TriangleMesh part_of(TriangleMesh mesh, const MeshChoice& choice) {
   return mesh;
 }
 
-/// The corners that triangles use, moved when the choice asks for it.
-std::vector<model::Vector3> used_positions(const TriangleMesh& mesh) {
-  std::vector<bool> used(mesh.positions.size(), false);
-  for (const mesh::Triangle& t : mesh.triangles) {
-    for (const std::uint32_t corner : t) used[corner] = true;
-  }
-  std::vector<model::Vector3> result;
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    if (used[i]) result.push_back(mesh.positions[i]);
-  }
-  return result;
-}
-
 void move_to_center(TriangleMesh& mesh) {
-  const mesh::Bounds bounds = mesh::bounds_of(used_positions(mesh));
+  const mesh::Bounds bounds = mesh::bounds_of(mesh::used_positions(mesh));
   const model::Vector3 center = 0.5 * (bounds.min + bounds.max);
   for (model::Vector3& p : mesh.positions) p = p - center;
 }
 
 FacetSums sums_of(const TriangleMesh& mesh) {
-  const mesh::Bounds bounds = mesh::bounds_of(used_positions(mesh));
+  const mesh::Bounds bounds = mesh::bounds_of(mesh::used_positions(mesh));
   FacetSums sums(bounds);
   for (const mesh::Triangle& t : mesh.triangles) sums.add(mesh::facet(mesh, t));
   return sums;
@@ -112,7 +100,7 @@ bool needs_hull(const MeshSurvey& survey) {
 
 void add_hull(const TriangleMesh& mesh, MeshSurvey& survey) {
   if (!survey.closed) survey.topology = mesh::topology_of(mesh);
-  if (const auto hull = mesh::convex_hull(used_positions(mesh))) survey.hull = moments_of(*hull);
+  if (const auto hull = mesh::convex_hull(mesh::used_positions(mesh))) survey.hull = moments_of(*hull);
 }
 
 }  // namespace

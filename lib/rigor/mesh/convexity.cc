@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <rigor/mesh/hull.h>
+#include <rigor/mesh/principal_axes.h>
 
 namespace rigor::mesh {
 namespace {
@@ -31,16 +32,6 @@ bool all_below(const TriangleMesh& mesh, const Facet& f, double slack) {
   });
 }
 
-double volume_of(const TriangleMesh& mesh) {
-  const Vector3 reference = mesh.positions.front();
-  double six = 0;
-  for (const Triangle& t : mesh.triangles) {
-    const Facet f = facet(mesh, t);
-    six += model::dot(f[0] - reference, model::cross(f[1] - reference, f[2] - reference));
-  }
-  return six / 6;
-}
-
 }  // namespace
 
 bool is_convex(const TriangleMesh& mesh, double volume) {
@@ -52,7 +43,7 @@ bool is_convex(const TriangleMesh& mesh, double volume) {
     if (!all_below(mesh, facet(mesh, mesh.triangles[face]), slack)) return false;
   }
   const auto hull = convex_hull(mesh.positions);
-  return hull && volume >= (1 - kConvexSlack) * volume_of(*hull);
+  return hull && volume >= (1 - kConvexSlack) * enclosed_volume(*hull);
 }
 
 }  // namespace rigor::mesh

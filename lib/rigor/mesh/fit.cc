@@ -13,6 +13,7 @@
 #include <rigor/mesh/fit_depth.h>
 #include <rigor/mesh/hull.h>
 #include <rigor/mesh/principal_axes.h>
+#include <rigor/mesh/select.h>
 
 namespace rigor::mesh {
 namespace {
@@ -109,22 +110,10 @@ std::optional<double> volume_if_closed(const TriangleMesh& mesh) {
   return enclosed_volume(mesh);
 }
 
-std::vector<Vector3> corners(const TriangleMesh& mesh) {
-  std::vector<bool> used(mesh.positions.size(), false);
-  for (const Triangle& t : mesh.triangles) {
-    for (const std::uint32_t corner : t) used[corner] = true;
-  }
-  std::vector<Vector3> result;
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    if (used[i]) result.push_back(mesh.positions[i]);
-  }
-  return result;
-}
-
 }  // namespace
 
 std::optional<Fit> fit_primitive(const TriangleMesh& mesh, FitKind kind) {
-  const std::vector<Vector3> points = corners(mesh);
+  const std::vector<Vector3> points = used_positions(mesh);
   const auto hull = convex_hull(points);
   if (!hull) return std::nullopt;
   const Placed found = place(kind, hull->positions, axes_to_try(*hull));

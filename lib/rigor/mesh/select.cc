@@ -130,6 +130,18 @@ Part& part_for(TriangleMesh& mesh, std::size_t face) {
 
 }  // namespace
 
+std::vector<Vector3> used_positions(const TriangleMesh& mesh) {
+  std::vector<bool> used(mesh.positions.size());
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::uint32_t corner : t) used[corner] = true;
+  }
+  std::vector<Vector3> positions;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (used[i]) positions.push_back(mesh.positions[i]);
+  }
+  return positions;
+}
+
 TriangleMesh selected(TriangleMesh mesh, const std::vector<std::uint32_t>& faces) {
   mesh.parts = parts_of(mesh.parts, faces);
   keep(mesh.triangles, faces);

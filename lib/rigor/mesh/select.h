@@ -16,6 +16,9 @@
 
 namespace rigor::mesh {
 
+/// The positions that triangles use, each once, in their order.
+std::vector<Vector3> used_positions(const TriangleMesh& mesh);
+
 /// The triangles with these indices, ascending. Positions stay as they are, used or not; so do
 /// materials. Parts without a triangle go.
 TriangleMesh selected(TriangleMesh mesh, const std::vector<std::uint32_t>& faces);

@@ -23,18 +23,6 @@ bool mirrors(const Transform& by) {
   return negative;
 }
 
-std::vector<Vector3> used_positions(const TriangleMesh& mesh) {
-  std::vector<bool> used(mesh.positions.size());
-  for (const Triangle& t : mesh.triangles) {
-    for (const std::uint32_t corner : t) used[corner] = true;
-  }
-  std::vector<Vector3> positions;
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    if (used[i]) positions.push_back(mesh.positions[i]);
-  }
-  return positions;
-}
-
 /// Halved first, so that the sum of two large numbers is no infinity.
 Vector3 middle_of(const Bounds& bounds) { return 0.5 * bounds.min + 0.5 * bounds.max; }
 
