@@ -5,11 +5,12 @@
 # no file at run time.
 function(embed_schemas out)
   set(code "#include <rigor/schema/embedded.h>\n\nnamespace rigor::schema {\n")
-  foreach(format sdf urdf)
-    set(file ${PROJECT_SOURCE_DIR}/schemas/${format}.schema)
+  foreach(name sdf.schema urdf.schema gazebo.materials)
+    set(file ${PROJECT_SOURCE_DIR}/schemas/${name})
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
     file(READ ${file} text)
-    string(APPEND code "\nstd::string_view ${format}_schema_text() {\n"
+    string(REPLACE "." "_" function ${name})
+    string(APPEND code "\nstd::string_view ${function}_text() {\n"
                        "  return R\"SCHEMA(${text})SCHEMA\";\n}\n")
   endforeach()
   string(APPEND code "\n}  // namespace rigor::schema\n")
