@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -71,6 +72,38 @@ TEST(EdgeBalance, MinusZeroIsZero) {
   EXPECT_TRUE(closed(loose));
 }
 
+/// Meshes whose every edge meets its reverse, though no triangle has an area.
+std::vector<TriangleMesh> meshes_without_area() {
+  const std::vector<Vector3> line{{0, 0, 0}, {1, 2, 3}, {2, 4, 6}};
+  return {{},
+          {.positions = line},
+          {.positions = line, .triangles = {{0, 0, 0}}},
+          {.positions = line, .triangles = {{0, 1, 1}, {2, 2, 0}}},
+          {.positions = {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, .triangles = {{0, 1, 2}}},
+          {.positions = line, .triangles = {{0, 1, 2}, {0, 2, 1}}}};
+}
+
+TEST(EdgeBalance, WithoutAnAreaNothingIsClosed) {
+  for (const TriangleMesh& mesh : meshes_without_area()) {
+    EXPECT_FALSE(closed(mesh));
+    EXPECT_TRUE(closed(joined(mesh, box_mesh({1, 2, 3})))) << "a box with them is";
+  }
+}
+
+TEST(EdgeBalance, PartsJoinInAnyOrder) {
+  const TriangleMesh box = box_mesh({1, 2, 3});
+  EdgeBalance some;
+  EdgeBalance rest;
+  for (std::size_t i = 0; i < box.triangles.size(); ++i) {
+    (i % 3 == 0 ? some : rest).add(facet(box, box.triangles[i]));
+  }
+  EdgeBalance none;
+  EXPECT_FALSE(some.closed());
+  none.join(some);
+  none.join(rest);
+  EXPECT_TRUE(none.closed());
+}
+
 TEST(Winding, OnceIsOnce) {
   const Winding found = winding(torus_mesh(0.2, 0.06, 40, 24));
   EXPECT_EQ(found.doubled, 0);
@@ -117,6 +150,25 @@ TEST(Topology, CountsWhatIsOpen) {
   degenerate.triangles.push_back({0, 0, 1});
   EXPECT_EQ(topology_of(degenerate).degenerate, 1U);
   EXPECT_TRUE(topology_of(degenerate).closed());
+}
+
+TEST(Topology, WithoutAnAreaNothingIsClosed) {
+  for (const TriangleMesh& mesh : meshes_without_area()) {
+    EXPECT_EQ(topology_of(mesh).boundary_edges, 0U) << "else this test is of no use";
+    EXPECT_FALSE(topology_of(mesh).watertight());
+    EXPECT_FALSE(topology_of(mesh).closed());
+    EXPECT_TRUE(topology_of(joined(mesh, box_mesh({1, 2, 3}))).closed()) << "a box with them is";
+  }
+}
+
+TEST(Topology, WatertightIsClosedOrTurned) {
+  TriangleMesh box = box_mesh({1, 2, 3});
+  EXPECT_TRUE(topology_of(box).watertight());
+  std::swap(box.triangles[5][0], box.triangles[5][1]);
+  EXPECT_TRUE(topology_of(box).watertight());
+  EXPECT_FALSE(topology_of(box).closed());
+  box.triangles.pop_back();
+  EXPECT_FALSE(topology_of(box).watertight());
 }
 
 TEST(Topology, TwoBoxesAtAnEdge) {

@@ -19,7 +19,22 @@ struct Collada {
   std::string corners = "0 0 0 1 0 0 1 1 0 0 1 0";
   std::string accessor = "count='4' stride='3'";
   std::string libraries;
+  std::string sources;  ///< beside that of the corners
 };
+
+/// A <source> with items of a number for each of the letters.
+inline std::string source(const std::string& id, const std::string& letters, int items,
+                          const std::string& numbers) {
+  const std::string width = std::to_string(letters.size());
+  std::string text = "<source id='" + id + "'><float_array id='" + id + "-a' count='" +
+                     std::to_string(items * static_cast<int>(letters.size())) + "'>" + numbers +
+                     "</float_array><technique_common><accessor source='#" + id + "-a' count='" +
+                     std::to_string(items) + "' stride='" + width + "'>";
+  for (const char letter : letters) {
+    text += std::string("<param name='") + letter + "' type='float'/>";
+  }
+  return text + "</accessor></technique_common></source>";
+}
 
 inline std::string text(const Collada& file) {
   return "<?xml version='1.0'?>\n"
@@ -29,8 +44,8 @@ inline std::string text(const Collada& file) {
          "<float_array id='a' count='12'>" +
          file.corners + "</float_array><technique_common><accessor source='#a' " + file.accessor +
          "><param name='X' type='float'/><param name='Y' type='float'/>"
-         "<param name='Z' type='float'/></accessor></technique_common></source>"
-         "<vertices id='v'><input semantic='POSITION' source='#p'/></vertices>\n" +
+         "<param name='Z' type='float'/></accessor></technique_common></source>" +
+         file.sources + "<vertices id='v'><input semantic='POSITION' source='#p'/></vertices>\n" +
          file.shapes + "</mesh></geometry></library_geometries>" + file.libraries +
          "<library_visual_scenes><visual_scene id='s'>" + file.nodes +
          "</visual_scene></library_visual_scenes>"

@@ -70,9 +70,9 @@ TEST(MeshCollada, PolygonsFansAndStrips) {
 
 TEST(MeshCollada, OtherInputsStandBesideTheCorners) {
   const LoadedMesh loaded = read_shapes(
-      "<triangles count='1'><input semantic='NORMAL' source='#n' offset='0'/>"
+      "<triangles count='1'><input semantic='TANGENT' source='#n' offset='0'/>"
       "<input semantic='VERTEX' source='#v' offset='2'/>"
-      "<input semantic='TEXCOORD' source='#t' offset='1'/><p>9 9 0  9 9 1  9 9 2</p></triangles>");
+      "<input semantic='BINORMAL' source='#t' offset='1'/><p>9 9 0  9 9 1  9 9 2</p></triangles>");
   ASSERT_EQ(loaded.mesh.triangles.size(), 1U);
   EXPECT_EQ(facet_of(loaded, 0), (Facet{kA, kB, kC}));
 }

@@ -213,6 +213,16 @@ TEST_F(MeshScene, InstancesBeyondTheBoundAreRefused) {
   EXPECT_TRUE(loaded.mesh.positions.empty());
 }
 
+TEST_F(MeshScene, APlyWhoseHeaderEndsWithinALineIsRefused) {
+  const std::string good = kPly;
+  const std::size_t end = good.find("\nend_header");
+  const auto with = [&](const char* before) { return std::string(good).replace(end, 1, before); };
+  for (const char* before : {" ", "\nx", "\ncomment ", ""}) {
+    EXPECT_TRUE(has(read("a.ply", with(before)), FaultKind::kMalformed)) << before;
+  }
+  EXPECT_TRUE(read("a.ply", with("\n ")).usable());
+}
+
 TEST_F(MeshScene, Ply) {
   const LoadedMesh loaded = read("a.PLY", kPly);
   ASSERT_TRUE(loaded.usable());

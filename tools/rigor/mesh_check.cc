@@ -47,6 +47,7 @@ class MeshCheck final : public Command {
     a_.color.declare(*app);
     a_.selection.declare(*app);
     a_.search.declare(*app);
+    a_.cache.declare(*app);
     return app;
   }
 
@@ -85,7 +86,8 @@ MeshChecking::MeshChecking(const MeshCheckArguments& arguments)
       targets_(arguments.output.targets()),
       disk_(real_),
       environment_(disk_, arguments.search.paths()),
-      files_(disk_, mass::MeshDepth::kAll) {
+      cache_(arguments.cache.cache()),
+      files_(disk_, mass::MeshDepth::kAll, cache_ ? &*cache_ : nullptr) {
   rules::MeshCheckOptions options{arguments.paths, arguments.selection.selection()};
   require_known(options.selection, environment_.registry);
   result_ = rules::mesh_check(environment_, options, files_, sources_);

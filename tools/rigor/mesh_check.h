@@ -17,6 +17,7 @@
 #include <rigor/rules/mesh_check.h>
 #include <rigor/text/sources.h>
 
+#include "cache.h"
 #include "mesh_operation_options.h"
 #include "output.h"
 #include "progress.h"
@@ -36,6 +37,7 @@ struct MeshCheckArguments {
   ColorOption color;
   SelectionOptions selection;
   SearchOptions search;
+  CacheOption cache;
 };
 
 /// What was done, to be told.
@@ -66,6 +68,7 @@ class MeshChecking {
   RealDisk real_;
   ProgressDisk disk_;
   Environment environment_;
+  std::optional<mass::MeshCache> cache_;
   mass::MeshFiles files_;
   Sources sources_;
   rules::MeshCheckResult result_;

@@ -3,10 +3,14 @@
 //
 // `rigor mesh-check FILE -o OUT`: one mesh changed, and written to one file or several.
 
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include <rigor/mesh/file_reference.h>
+#include <rigor/mesh/picture_names.h>
 #include <rigor/mesh/read.h>
 #include <rigor/mesh/write.h>
 #include <rigor/report/printable.h>
@@ -29,6 +33,19 @@ struct OutputFile {
   std::string path;
   std::string bytes;
 };
+
+/// From the root, so that links to folders don't mislead what climbs up from them.
+std::string real_place(const std::string& path) {
+  std::error_code error;
+  const auto folder = std::filesystem::weakly_canonical(std::string(parent_path(path)), error);
+  return error ? path : join_path(folder.generic_string(), file_name(path));
+}
+
+std::vector<mesh::FileReference> pictures_of(const mass::MeshFacts& facts) {
+  std::vector<mesh::FileReference> pictures = facts.asset.textures;
+  for (mesh::FileReference& picture : pictures) picture.path = real_place(picture.path);
+  return pictures;
+}
 
 /// All bytes before any file: one that cannot be written costs nothing.
 std::vector<OutputFile> files_of(const author::OperatedMesh& done, const std::string& out) {
@@ -89,6 +106,10 @@ int work_on_mesh(const MeshCheckArguments& a) {
       return kFindings;
     }
     if (!a.out.empty()) {
+      for (author::NamedMesh& each : done.meshes) {
+        each.mesh.materials =
+            mesh::materials_at(real_place(a.out), std::move(each.mesh.materials), pictures_of(facts));
+      }
       work.written = write_meshes(done, a.out);
       mesh_path = a.out;
     }

@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <variant>
 
 namespace rigor::mass {
 namespace {
 
 using model::Vector3;
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// A quantity of the outer and of the inner solid, and how much they differ. The gap of a product is
 /// AB - ab = (A - a)B + a(B - b): sums of what is not negative, so nothing cancels. (R³ - r³ comes
@@ -41,18 +40,18 @@ Pair inset(double size, double by) { return {size, std::max(0.0, size - by), std
 Pair kept(double size) { return {size, size, 0}; }
 
 /// ∫ dV, ∫ x² dV, ∫ y² dV and ∫ z² dV about the origin, which is the centre of mass.
-struct Moments {
+struct WallMoments {
   Pair volume, xx, yy, zz;
 };
 
-Solid difference(const Moments& m) {
+Solid difference(const WallMoments& m) {
   const double xx = m.xx.gap / m.volume.gap;
   const double yy = m.yy.gap / m.volume.gap;
   const double zz = m.zz.gap / m.volume.gap;
   return {m.volume.gap, {}, {.ixx = yy + zz, .iyy = xx + zz, .izz = xx + yy}};
 }
 
-struct Former {
+struct HollowFormer {
   double wall;
 
   using Answer = std::optional<Solid>;
@@ -95,7 +94,7 @@ Solid hollow_sphere(double radius, double wall) {
 Solid hollow_cylinder(double radius, double length, double wall) {
   const Pair r = inset(radius, wall);
   const Pair l = inset(length, 2 * wall);
-  const Pair volume = kPi * (r * r * l);
+  const Pair volume = std::numbers::pi * (r * r * l);
   const Pair across = 0.25 * (volume * r * r);
   return difference({volume, across, across, 1.0 / 12 * (volume * l * l)});
 }
@@ -103,8 +102,8 @@ Solid hollow_cylinder(double radius, double length, double wall) {
 Solid hollow_capsule(double radius, double length, double wall) {
   const Pair r = inset(radius, wall);
   const Pair l = kept(length);
-  const Pair tube = kPi * (r * r * l);
-  const Pair ball = 4.0 / 3 * kPi * (r * r * r);
+  const Pair tube = std::numbers::pi * (r * r * l);
+  const Pair ball = 4.0 / 3 * std::numbers::pi * (r * r * r);
   const Pair across = 0.25 * (tube * r * r) + 0.2 * (ball * r * r);
   const Pair along =
       1.0 / 12 * (tube * l * l) + ball * (0.2 * (r * r) + 0.25 * (l * l) + 0.375 * (r * l));
@@ -114,7 +113,7 @@ Solid hollow_capsule(double radius, double length, double wall) {
 // A wall of the same thickness everywhere leaves a cone of the same angles, whose faces are nearer to
 // the centre of the inscribed ball by the wall: the inner cone is the outer one shrunk about that centre
 // by 1 - wall/inradius. The inradius is that of the circle inscribed in the triangle of sides 2r, s, s
-// (area over half the perimeter): r h/(r + s), s² = r² + h². Moments of degree n about the centre shrink
+// (area over half the perimeter): r h/(r + s), s² = r² + h². WallMoments of degree n about the centre shrink
 // with the power n + 3 of the ratio.
 Solid hollow_cone(double radius, double length, double wall) {
   const double inradius = radius * length / (radius + std::hypot(radius, length));
@@ -135,14 +134,14 @@ Solid hollow_ellipsoid(const Vector3& radii, double wall) {
   const Pair x = inset(radii.x, wall);
   const Pair y = inset(radii.y, wall);
   const Pair z = inset(radii.z, wall);
-  const Pair volume = 4.0 / 3 * kPi * (x * y * z);
+  const Pair volume = 4.0 / 3 * std::numbers::pi * (x * y * z);
   return difference(
       {volume, 0.2 * (volume * x * x), 0.2 * (volume * y * y), 0.2 * (volume * z * z)});
 }
 
 std::optional<Solid> hollow(const model::Shape& shape, double wall) {
   if (!(wall > 0) || !std::isfinite(wall) || !solid_of(shape)) return std::nullopt;
-  return std::visit(Former{wall}, shape);
+  return std::visit(HollowFormer{wall}, shape);
 }
 
 }  // namespace rigor::mass

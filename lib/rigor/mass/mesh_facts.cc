@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <rigor/mass/mesh_cache.h>
 #include <rigor/mesh/convexity.h>
 #include <rigor/mesh/select.h>
 
@@ -32,9 +33,7 @@ std::uint64_t largest_part(const TriangleMesh& mesh) {
   return largest;
 }
 
-bool outward(const MeshShape& shape) {
-  return shape.topology.closed() && shape.moments.volume > 0;
-}
+bool outward(const MeshShape& shape) { return shape.topology.closed() && shape.moments.volume > 0; }
 
 MeshShape shape_of(const TriangleMesh& mesh, MeshDepth depth) {
   MeshShape shape;
@@ -45,6 +44,14 @@ MeshShape shape_of(const TriangleMesh& mesh, MeshDepth depth) {
     shape.self_intersections = mesh::self_intersections(mesh);
   }
   return shape;
+}
+
+/// Of a glTF file that cannot be read: what it leans on, which may be why.
+mesh::Asset what_is_lacking(const Disk& disk, const std::string& path, mesh::Format format) {
+  if (format != mesh::Format::kGltf && format != mesh::Format::kGlb) return {};
+  mesh::Asset asset = mesh::asset_of(disk, path, format);
+  asset.textures.clear();
+  return asset;
 }
 
 }  // namespace
@@ -71,7 +78,10 @@ MeshFacts mesh_facts(const Disk& disk, const std::string& path, const mesh::Load
   if (const auto file = disk.open(path)) facts.bytes = file->size();
   facts.format = loaded.format;
   facts.faults = loaded.faults;
-  if (!facts.usable()) return facts;
+  if (!facts.usable()) {
+    facts.asset = what_is_lacking(disk, path, loaded.format);
+    return facts;
+  }
   facts.asset = mesh::asset_of(disk, path, loaded.format);
   facts.triangles = loaded.mesh.triangles.size();
   facts.largest_part = largest_part(loaded.mesh);
@@ -84,7 +94,10 @@ MeshFacts mesh_facts(const Disk& disk, const std::string& path, const mesh::Load
 const MeshFacts& MeshFiles::find(const std::string& path, MeshDepth depth) {
   depth = std::max(depth, least_);
   auto& entry = known_[{path, depth}];
-  if (!entry) entry = std::make_unique<MeshFacts>(mesh_facts(disk_, path, depth));
+  if (!entry) {
+    entry = std::make_unique<MeshFacts>(cache_ ? cache_->find(disk_, path, depth)
+                                               : mesh_facts(disk_, path, depth));
+  }
   return *entry;
 }
 

@@ -50,14 +50,14 @@ struct MeshFacts {
   std::uint64_t bytes = 0;  ///< of the file
   mesh::Format format = mesh::Format::kUnknown;
   std::vector<mesh::Fault> faults;
-  mesh::Asset asset;
+  mesh::Asset asset;  ///< when a fault is fatal, of glTF only, and without textures
 
   // Nothing of what follows when a fault is fatal.
   std::uint64_t triangles = 0;
-  std::uint64_t largest_part = 0;   ///< vertices of the part that has most, as a renderer needs them
-  bool normals = false;             ///< corners carry some
-  mesh::Bounds bounds;              ///< of what triangles use; metres, or the file's own unit
-  std::optional<MeshShape> shape;   ///< from `kShape` on
+  std::uint64_t largest_part = 0;  ///< vertices of the part that has most, as a renderer needs them
+  bool normals = false;            ///< corners carry some
+  mesh::Bounds bounds;             ///< of what triangles use; metres, or the file's own unit
+  std::optional<MeshShape> shape;  ///< from `kShape` on
 
   bool usable() const;  ///< no fault is fatal
   bool whole() const;   ///< and nothing of the mesh is missing
@@ -69,18 +69,23 @@ MeshFacts mesh_facts(const Disk& disk, const std::string& path, MeshDepth depth)
 MeshFacts mesh_facts(const Disk& disk, const std::string& path, const mesh::LoadedMesh& loaded,
                      MeshDepth depth);
 
+class MeshCache;
+
 /// Facts found once, however many links use a mesh.
 class MeshFiles {
  public:
-  /// Each mesh is looked at as deep as is asked, and at least as deep as `least`.
-  explicit MeshFiles(const Disk& disk, MeshDepth least = MeshDepth::kFile)
-      : disk_(disk), least_(least) {}
+  /// Each mesh is looked at as deep as is asked, and at least as deep as `least`. What a cache knows is
+  /// not looked at again; it outlives this.
+  explicit MeshFiles(const Disk& disk, MeshDepth least = MeshDepth::kFile,
+                     const MeshCache* cache = nullptr)
+      : disk_(disk), least_(least), cache_(cache) {}
 
   const MeshFacts& find(const std::string& path, MeshDepth depth);
 
  private:
   const Disk& disk_;
   MeshDepth least_;
+  const MeshCache* cache_;
   std::map<std::pair<std::string, MeshDepth>, std::unique_ptr<MeshFacts>> known_;
 };
 

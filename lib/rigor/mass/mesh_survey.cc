@@ -25,7 +25,7 @@ double volume_of(const mesh::Bounds& b) {
   return (b.max.x - b.min.x) * (b.max.y - b.min.y) * (b.max.z - b.min.z);
 }
 
-bool finite(const FacetSums& sums) {
+bool finite_sums(const FacetSums& sums) {
   const PolyhedronMoments moments = sums.polyhedron.moments();
   return std::isfinite(moments.area) && std::isfinite(moments.volume);
 }
@@ -39,7 +39,7 @@ std::optional<FacetSums> stream(const OpenFile& file, unsigned threads) {
   if (count == 0 || count > mesh::kMaxTriangles) return std::nullopt;
   if (file.size() != mesh::kStlHeaderBytes + count * mesh::kStlFacetBytes) return std::nullopt;
   FacetSums sums = stream_stl(file, count, threads);
-  if (!finite(sums)) return std::nullopt;  // the reader says which number it is
+  if (!finite_sums(sums)) return std::nullopt;  // the reader says which number it is
   return sums;
 }
 
@@ -100,7 +100,8 @@ bool needs_hull(const MeshSurvey& survey) {
 
 void add_hull(const TriangleMesh& mesh, MeshSurvey& survey) {
   if (!survey.closed) survey.topology = mesh::topology_of(mesh);
-  if (const auto hull = mesh::convex_hull(mesh::used_positions(mesh))) survey.hull = moments_of(*hull);
+  if (const auto hull = mesh::convex_hull(mesh::used_positions(mesh)))
+    survey.hull = moments_of(*hull);
 }
 
 }  // namespace

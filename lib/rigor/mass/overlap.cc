@@ -77,7 +77,7 @@ struct Contains {
 /// The i-th point of a sequence that fills the unit cube evenly: shares of the plastic number's
 /// three-dimensional cousin (M. Roberts, "The unreasonable effectiveness of quasirandom sequences",
 /// 2018).
-Vector3 spread(int i) {
+Vector3 spread_point(int i) {
   const auto share = [i](double step) {
     const double value = 0.5 + i * step;
     return value - std::floor(value);
@@ -101,7 +101,7 @@ double overlap(const PlacedShape& a, const PlacedShape& b) {
   int inside = 0;
   int shared = 0;
   for (int i = 1; i <= kPoints; ++i) {
-    const Vector3 unit = spread(i);
+    const Vector3 unit = spread_point(i);
     const Vector3 p{(2 * unit.x - 1) * half.x, (2 * unit.y - 1) * half.y,
                     (2 * unit.z - 1) * half.z};
     if (!std::visit(Contains{p}, small.shape)) continue;

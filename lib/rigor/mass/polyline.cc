@@ -18,7 +18,7 @@ struct Side {
 };
 
 /// z of the cross product: above zero when c is left of the line from a to b.
-double turn(const Vector3& a, const Vector3& b, const Vector3& c) {
+double turn_seen_from_above(const Vector3& a, const Vector3& b, const Vector3& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
@@ -46,8 +46,8 @@ std::vector<Side> sides_of(const std::vector<Outline>& outlines) {
 
 /// Whether a and b are not strictly on one side of the line through `side`.
 bool straddle(const Vector3& a, const Vector3& b, const Side& side) {
-  const double at_a = turn(side.from, side.to, a);
-  const double at_b = turn(side.from, side.to, b);
+  const double at_a = turn_seen_from_above(side.from, side.to, a);
+  const double at_b = turn_seen_from_above(side.from, side.to, b);
   return !(at_a > 0 && at_b > 0) && !(at_a < 0 && at_b < 0);
 }
 
@@ -92,16 +92,16 @@ bool contains(const Outline& outline, const Vector3& p) {
     const Vector3& a = outline[i];
     const Vector3& b = outline[(i + 1) % outline.size()];
     if ((a.y > p.y) == (b.y > p.y)) continue;
-    if ((turn(a, b, p) > 0) == (b.y > a.y)) inside = !inside;
+    if ((turn_seen_from_above(a, b, p) > 0) == (b.y > a.y)) inside = !inside;
   }
   return inside;
 }
 
 /// ∫ dA, ∫ x, ∫ y, ∫ x², ∫ xy and ∫ y² dA.
-struct Moments {
+struct AreaMoments {
   double area = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
 
-  void add(double sign, const Moments& m) {
+  void add(double sign, const AreaMoments& m) {
     area += sign * m.area;
     x += sign * m.x;
     y += sign * m.y;
@@ -112,12 +112,12 @@ struct Moments {
 };
 
 /// Negative for a clockwise outline.
-Moments moments_of(const Outline& outline) {
-  Moments m;
+AreaMoments area_moments(const Outline& outline) {
+  AreaMoments m;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vector3& a = outline[i];
     const Vector3& b = outline[(i + 1) % outline.size()];
-    const double c = turn({}, a, b);
+    const double c = turn_seen_from_above({}, a, b);
     const double x = a.x + b.x;
     const double y = a.y + b.y;
     m.add(c / 24, {12, 4 * x, 4 * y, a.x * a.x + b.x * b.x + x * x, a.x * a.y + b.x * b.y + x * y,
@@ -127,10 +127,10 @@ Moments moments_of(const Outline& outline) {
 }
 
 /// What is left when outlines within outlines are holes.
-Moments moments_of(const std::vector<Outline>& outlines) {
-  Moments sum;
+AreaMoments area_moments(const std::vector<Outline>& outlines) {
+  AreaMoments sum;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
-    const Moments own = moments_of(outlines[i]);
+    const AreaMoments own = area_moments(outlines[i]);
     bool hole = false;
     for (std::size_t j = 0; j < outlines.size(); ++j) {
       if (j != i && contains(outlines[j], outlines[i].front())) hole = !hole;
@@ -140,7 +140,7 @@ Moments moments_of(const std::vector<Outline>& outlines) {
   return sum;
 }
 
-Solid solid_of(const Moments& m, const Vector3& origin, double height) {
+Solid prism(const AreaMoments& m, const Vector3& origin, double height) {
   const double x = m.x / m.area;
   const double y = m.y / m.area;
   const double xx = m.xx / m.area - x * x;
@@ -168,7 +168,7 @@ std::optional<Solid> extruded(const std::vector<Outline>& outlines, double heigh
     if (seen.back().size() < 3) return std::nullopt;
   }
   if (sides > kMaxSides || !simple(seen)) return std::nullopt;
-  const Solid solid = solid_of(moments_of(seen), origin, height);
+  const Solid solid = prism(area_moments(seen), origin, height);
   if (!(solid.volume > 0) || !std::isfinite(solid.volume)) return std::nullopt;
   return solid;
 }

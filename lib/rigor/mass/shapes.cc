@@ -4,6 +4,7 @@
 #include <rigor/mass/shapes.h>
 
 #include <cmath>
+#include <numbers>
 
 #include <rigor/mass/polyline.h>
 
@@ -12,14 +13,12 @@ namespace {
 
 using model::Vector3;
 
-constexpr double kPi = 3.14159265358979323846;
-
 Inertia diagonal(double xx, double yy, double zz) { return {xx, 0, 0, yy, 0, zz}; }
 
 bool usable(double size) { return size > 0 && std::isfinite(size); }
 bool usable(const Vector3& v) { return usable(v.x) && usable(v.y) && usable(v.z); }
 
-struct Former {
+struct SolidFormer {
   std::optional<Solid> operator()(const model::Box& s) const {
     if (!usable(s.size.value)) return std::nullopt;
     return box(s.size.value);
@@ -62,13 +61,13 @@ Solid sphere(double radius) { return ellipsoid({radius, radius, radius}); }
 Solid cylinder(double radius, double length) {
   const double rr = radius * radius;
   const double across = (3 * rr + length * length) / 12;
-  return {kPi * rr * length, {}, diagonal(across, across, rr / 2)};
+  return {std::numbers::pi * rr * length, {}, diagonal(across, across, rr / 2)};
 }
 
 Solid capsule(double radius, double length) {
   const double rr = radius * radius;
-  const double tube = kPi * rr * length;
-  const double ball = 4.0 / 3 * kPi * rr * radius;
+  const double tube = std::numbers::pi * rr * length;
+  const double ball = 4.0 / 3 * std::numbers::pi * rr * radius;
   const double volume = tube + ball;
   const double across = tube / volume * (3 * rr + length * length) / 12 +
                         ball / volume * (0.4 * rr + length * length / 4 + 0.375 * radius * length);
@@ -79,19 +78,22 @@ Solid capsule(double radius, double length) {
 Solid cone(double radius, double length) {
   const double rr = radius * radius;
   const double across = 3.0 / 80 * (4 * rr + length * length);
-  return {kPi * rr * length / 3, {0, 0, -length / 4}, diagonal(across, across, 0.3 * rr)};
+  return {
+      std::numbers::pi * rr * length / 3, {0, 0, -length / 4}, diagonal(across, across, 0.3 * rr)};
 }
 
 Solid ellipsoid(const Vector3& radii) {
   const double xx = radii.x * radii.x;
   const double yy = radii.y * radii.y;
   const double zz = radii.z * radii.z;
-  return {4.0 / 3 * kPi * radii.x * radii.y * radii.z,
+  return {4.0 / 3 * std::numbers::pi * radii.x * radii.y * radii.z,
           {},
           diagonal((yy + zz) / 5, (xx + zz) / 5, (xx + yy) / 5)};
 }
 
-std::optional<Solid> solid_of(const model::Shape& shape) { return std::visit(Former{}, shape); }
+std::optional<Solid> solid_of(const model::Shape& shape) {
+  return std::visit(SolidFormer{}, shape);
+}
 
 MassProperties with_mass(const Solid& solid, double mass) {
   return {mass, solid.com, mass * solid.unit_inertia};

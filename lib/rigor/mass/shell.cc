@@ -11,7 +11,7 @@ namespace {
 using model::Vector3;
 
 /// What a body of mass m at p adds to ∫ p pᵀ, as the inertia m (|p|² 1 - p pᵀ).
-Inertia spread(const mesh::Facet& f, double area) {
+Inertia spread_inertia(const mesh::Facet& f, double area) {
   const Vector3 s = f[0] + f[1] + f[2];
   const double share = area / 12;
   return point_inertia(share, f[0]) + point_inertia(share, f[1]) + point_inertia(share, f[2]) +
@@ -29,10 +29,10 @@ std::optional<Solid> shell_of(const mesh::TriangleMesh& mesh, double wall) {
   for (const mesh::Triangle& t : mesh.triangles) {
     mesh::Facet f = mesh::facet(mesh, t);
     for (Vector3& corner : f) corner = corner - reference;
-    const double own = 0.5 * length(cross(f[1] - f[0], f[2] - f[0]));
+    const double own = mesh::area(f);
     area += own;
     first = first + (own / 3) * (f[0] + f[1] + f[2]);
-    about_reference = about_reference + spread(f, own);
+    about_reference = about_reference + spread_inertia(f, own);
   }
   if (!(area > 0) || !std::isfinite(area)) return std::nullopt;
   const Vector3 com = (1 / area) * first;

@@ -13,7 +13,7 @@ namespace rigor::mass {
 namespace {
 
 /// Above zero when c is left of the line from a to b.
-double turn(const GroundPoint& a, const GroundPoint& b, const GroundPoint& c) {
+double turn_on_ground(const GroundPoint& a, const GroundPoint& b, const GroundPoint& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
@@ -22,7 +22,8 @@ template <class Iterator>
 void add_chain(Iterator first, Iterator last, std::vector<GroundPoint>& corners) {
   const std::size_t begin = corners.size();
   for (; first != last; ++first) {
-    while (corners.size() >= begin + 2 && turn(*(corners.end() - 2), corners.back(), *first) <= 0) {
+    while (corners.size() >= begin + 2 &&
+           turn_on_ground(*(corners.end() - 2), corners.back(), *first) <= 0) {
       corners.pop_back();
     }
     corners.push_back(*first);
@@ -62,7 +63,7 @@ double SupportPolygon::margin(const GroundPoint& point) const {
     const GroundPoint& a = corners_[i];
     const GroundPoint& b = corners_[(i + 1) % corners_.size()];
     nearest = std::min(nearest, distance_to_side(a, b, point));
-    if (turn(a, b, point) < 0) inside = false;
+    if (turn_on_ground(a, b, point) < 0) inside = false;
   }
   return inside ? nearest : -nearest;
 }

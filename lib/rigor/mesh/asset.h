@@ -76,7 +76,24 @@ struct StlFacts {
 
 struct ObjFacts {
   std::vector<FileReference> libraries;  ///< the files of `mtllib`
-  Sighting undefined_materials;  ///< of `usemtl`, each once, that no library that is there defines
+};
+
+/// Pieces of a glTF file that are shorter than what stands in them: how many, and the first.
+struct GltfOverruns {
+  enum class Of : std::uint8_t {
+    kBuffer,    ///< in its file
+    kView,      ///< in its buffer
+    kAccessor,  ///< in its buffer view
+    kChunk,     ///< the text of a .glb, in the multiple of four bytes that it is to be filled up to
+  };
+
+  std::uint64_t count = 0;
+  Of of = Of::kBuffer;
+  std::uint64_t index = 0;   ///< from 0, as the file counts
+  std::uint64_t needed = 0;  ///< bytes
+  std::uint64_t held = 0;    ///< bytes
+
+  bool operator==(const GltfOverruns&) const = default;
 };
 
 struct GltfFacts {
@@ -84,6 +101,16 @@ struct GltfFacts {
   std::string generator;
   std::vector<std::string> extensions_required;
   std::vector<FileReference> buffers;  ///< that are not inside a .glb
+  Sighting nameless_buffers;           ///< with bytes that are nowhere; numbered from 1
+  GltfOverruns overruns;
+};
+
+/// A name, and the line where it first stands.
+struct Mention {
+  std::string name;
+  std::uint64_t line = 0;
+
+  bool operator==(const Mention&) const = default;
 };
 
 /// More files of one kind that a mesh names are not looked for: the most seen is 60.
@@ -101,6 +128,10 @@ struct Asset {
 
   /// Each time one is named, in the order of the file.
   std::vector<FileReference> textures = {};
+
+  /// That triangles of an OBJ or Collada file have and nothing defines, each once. Nothing where a
+  /// library of materials that might define them is not there.
+  std::vector<Mention> undefined_materials = {};
 };
 
 /// `format` is what `format_of` or `read_mesh` says the file is.

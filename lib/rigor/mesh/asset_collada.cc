@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
+#include <string_view>
 #include <vector>
 
 #include <rigor/mesh/asset_readers.h>
@@ -22,12 +24,9 @@ using xml::Element;
 // What a transform may be off its ideal: exporters print six digits of each number of a matrix.
 constexpr double kPrinted = 1e-4;
 
-// Of the texts that are copied, which are some words long.
-constexpr std::size_t kMaxText = 256;
+std::string copied(std::string_view text) { return std::string(text.substr(0, kMaxCopiedText)); }
 
-std::string copied(std::string_view text) { return std::string(text.substr(0, kMaxText)); }
-
-std::optional<double> number(std::string_view text) {
+std::optional<double> parsed_number(std::string_view text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
@@ -46,9 +45,15 @@ bool is_uneven(const Affine& a) {
   return most - least > kPrinted * most;
 }
 
-class Reader {
+bool has_triangles(Element group) {
+  const std::string_view kind = group.name();
+  return kind == "triangles" || kind == "polylist" || kind == "polygons" || kind == "trifans" ||
+         kind == "tristrips";
+}
+
+class ColladaAssetReader {
  public:
-  Reader(const xml::Document& document, const Disk& disk, const std::string& path)
+  ColladaAssetReader(const xml::Document& document, const Disk& disk, const std::string& path)
       : index_(document), disk_(disk), path_(path) {}
 
   Asset run() {
@@ -61,7 +66,9 @@ class Reader {
     const ColladaScene scene(index_);
     nodes(scene);
     repeated(scene);
-    return {.collada = std::move(facts_), .textures = std::move(textures_)};
+    return {.collada = std::move(facts_),
+            .textures = std::move(textures_),
+            .undefined_materials = undefined_materials(scene)};
   }
 
  private:
@@ -72,7 +79,7 @@ class Reader {
     if (const auto unit = asset.child("unit")) {
       facts_.unit_line = index_.line(*unit);
       facts_.unit_name = copied(value(*unit, "name"));
-      facts_.meter = number(value(*unit, "meter"));
+      facts_.meter = parsed_number(value(*unit, "meter"));
     }
     const auto up = asset.child("up_axis");
     if (!up) return;
@@ -168,6 +175,33 @@ class Reader {
     }
   }
 
+  // ---- Materials
+
+  /// Triangles have a symbol, which an instance of their geometry binds to a material. Readers keep
+  /// what any instance bound, and take what is bound by none for a material's id.
+  std::vector<Mention> undefined_materials(const ColladaScene& scene) const {
+    std::set<std::string_view> known;
+    std::set<std::uint32_t> geometries;
+    for (const ColladaInstance& instance : scene.instances()) {
+      geometries.insert(instance.geometry.index());
+      for (const auto& [symbol, material] : instance.materials) known.insert(symbol);
+    }
+    std::vector<Mention> undefined;
+    for (const std::uint32_t geometry : geometries) {
+      const auto mesh = index_.document().element(geometry).child("mesh");
+      if (!mesh) continue;
+      for (const Element group : mesh->children()) {
+        const std::string_view symbol = value(group, "material");
+        if (symbol.empty() || !has_triangles(group) || !known.insert(symbol).second ||
+            index_.find_id(symbol, "material") || undefined.size() == kMaxReferences) {
+          continue;
+        }
+        undefined.push_back({copied(symbol), index_.line(group)});
+      }
+    }
+    return undefined;
+  }
+
   ColladaIndex index_;
   const Disk& disk_;
   const std::string& path_;
@@ -181,7 +215,7 @@ Asset collada_asset(const Disk& disk, const std::string& path, std::string_view 
   if (bytes.size() > kMaxColladaBytes) return {.problem = "over 256 MiB"};
   const xml::Document document = xml::parse(bytes, kNoSource);
   if (!document.root()) return {.problem = "it has no elements"};
-  Asset asset = Reader(document, disk, path).run();
+  Asset asset = ColladaAssetReader(document, disk, path).run();
   if (!document.complete()) asset.problem = "it is no well-formed XML";
   return asset;
 }

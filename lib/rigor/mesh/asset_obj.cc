@@ -76,21 +76,21 @@ std::string_view texture_name(std::string_view rest) {
   }
 }
 
-class Reader {
+class ObjAssetReader {
  public:
-  Reader(const Disk& disk, const std::string& path) : disk_(disk), path_(path) {}
+  ObjAssetReader(const Disk& disk, const std::string& path) : disk_(disk), path_(path) {}
 
   Asset run(std::string_view bytes) {
     LineCounter lines(bytes);
     for_each_statement(bytes, [&](std::string_view word, std::string_view rest, std::size_t at) {
       if (word == "mtllib") name_libraries(rest, lines.at(at));
-      if (word == "usemtl") use_material(rest, lines.at(at));
+      if (word == "usemtl") now_ = {rest, lines.at(at)};
+      if (word == "f") use_material();
     });
     for (const FileReference& library : facts_.libraries) read(library);
-    for (const auto& [material, line] : used_) {
-      if (!defined_.contains(material)) facts_.undefined_materials.add(line);
-    }
-    return {.obj = std::move(facts_), .textures = std::move(textures_)};
+    return {.obj = std::move(facts_),
+            .textures = std::move(textures_),
+            .undefined_materials = undefined()};
   }
 
  private:
@@ -108,9 +108,21 @@ class Reader {
     }
   }
 
-  void use_material(std::string_view name, std::uint64_t line) {
-    if (used_.size() == kMaxMaterials || !known_.emplace(name).second) return;
-    used_.emplace_back(name, line);
+  /// That of the last `usemtl`, which a face has now.
+  void use_material() {
+    if (now_.first.empty()) return;
+    if (used_.size() < kMaxMaterials && known_.insert(now_.first).second) used_.push_back(now_);
+    now_ = {};
+  }
+
+  std::vector<Mention> undefined() const {
+    std::vector<Mention> names;
+    if (!complete_) return names;
+    for (const auto& [material, line] : used_) {
+      if (defined_.contains(material) || names.size() == kMaxReferences) continue;
+      names.push_back({std::string(material.substr(0, kMaxCopiedText)), line});
+    }
+    return names;
   }
 
   void keep(FileReference library) {
@@ -119,13 +131,15 @@ class Reader {
 
   /// Once each.
   void read(const FileReference& library) {
+    if (!is_there(library)) complete_ = false;
     if (!is_there(library) || !seen_.insert(library.path).second) return;
     const ReadResult file = disk_.read(library.path, kMaxLibraryBytes);
+    if (!file.bytes) complete_ = false;
     if (!file.bytes) return;
     LineCounter lines(*file.bytes);
     for_each_statement(
         *file.bytes, [&](std::string_view word, std::string_view rest, std::size_t at) {
-          if (word == "newmtl" && known_.contains(std::string(rest))) defined_.emplace(rest);
+          if (word == "newmtl") define(rest);
           if (!names_texture(word) || textures_.size() == kMaxReferences) return;
           // Consumers look next to the library, which is next to the mesh as a rule.
           textures_.push_back(resolve(disk_, library.path, texture_name(rest), lines.at(at)));
@@ -133,20 +147,27 @@ class Reader {
         });
   }
 
+  void define(std::string_view material) {
+    // What is known is a view of the mesh file, and stays.
+    if (const auto known = known_.find(material); known != known_.end()) defined_.insert(*known);
+  }
+
   const Disk& disk_;
   const std::string& path_;
   ObjFacts facts_;
   std::vector<FileReference> textures_;
-  std::set<std::string> defined_;                            ///< materials
-  std::set<std::string> known_;                              ///< materials that are used
-  std::vector<std::pair<std::string, std::uint64_t>> used_;  ///< the same with their lines
-  std::set<std::string> seen_;                               ///< libraries
+  std::pair<std::string_view, std::uint64_t> now_;  ///< a material that no face has yet, its line
+  std::vector<std::pair<std::string_view, std::uint64_t>> used_;
+  std::set<std::string_view> known_;    ///< materials that are used
+  std::set<std::string_view> defined_;  ///< and those of them that a library has
+  bool complete_ = true;                ///< all libraries could be read
+  std::set<std::string> seen_;          ///< libraries
 };
 
 }  // namespace
 
 Asset obj_asset(const Disk& disk, const std::string& path, std::string_view bytes) {
-  return Reader(disk, path).run(bytes);
+  return ObjAssetReader(disk, path).run(bytes);
 }
 
 }  // namespace rigor::mesh

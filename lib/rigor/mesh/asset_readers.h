@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,9 @@
 #include <rigor/text/disk.h>
 
 namespace rigor::mesh {
+
+/// Of a name or another text that is copied from a file, which is some words long.
+inline constexpr std::size_t kMaxCopiedText = 256;
 
 /// Piece by piece, so that a file of any size takes no memory.
 StlFacts binary_stl_facts(const OpenFile& file);

@@ -21,7 +21,7 @@ constexpr std::size_t kFacetsAtOnce = 4096;
 
 // A facet lower than this part of its longest edge has no normal that floats could tell: its corners
 // have 24 bits, and a normal that was computed in another order may point anywhere.
-constexpr double kFlat = 1e-4;
+constexpr double kNoNormal = 1e-4;
 
 float float_at(const char* bytes) {
   std::uint32_t bits = 0;
@@ -35,10 +35,10 @@ std::string header_text(std::string_view header) {
 }
 
 bool is_contrary(const Vector3& normal, const Facet& f) {
-  const Vector3 up = cross(f[1] - f[0], f[2] - f[0]);
+  const Vector3 up = area_vector(f);
   const double longest = std::max({dot(f[1] - f[0], f[1] - f[0]), dot(f[2] - f[0], f[2] - f[0]),
                                    dot(f[2] - f[1], f[2] - f[1])});
-  return length(up) > kFlat * longest && dot(normal, up) < 0;
+  return length(up) > kNoNormal * longest && dot(normal, up) < 0;
 }
 
 void judge_normal(StlFacts& facts, const Vector3& normal, const Facet& corners,

@@ -6,16 +6,18 @@
 #include <assimp/cfileio.h>
 #include <assimp/cimport.h>
 #include <assimp/config.h>
+#include <assimp/version.h>
 #include <dlfcn.h>
 
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <memory>
 #include <new>
 #include <optional>
 #include <utility>
 
 #include <rigor/mesh/bake.h>
+#include <rigor/mesh/file_reference.h>
 #include <rigor/text/path.h>
 
 namespace rigor::mesh {
@@ -28,6 +30,7 @@ struct Library {
   decltype(&aiSetImportPropertyInteger) set_integer = nullptr;
   decltype(&aiImportFileExWithProperties) import_file = nullptr;
   decltype(&aiGetErrorString) error = nullptr;
+  std::array<decltype(&aiGetVersionMajor), 3> version{};
   std::string problem;  ///< why there is none
 };
 
@@ -44,6 +47,9 @@ Library open_library() {
   find("aiSetImportPropertyInteger", library.set_integer);
   find("aiImportFileExWithProperties", library.import_file);
   find("aiGetErrorString", library.error);
+  find("aiGetVersionMajor", library.version[0]);
+  find("aiGetVersionMinor", library.version[1]);
+  find("aiGetVersionPatch", library.version[2]);
   return library;
 }
 
@@ -135,30 +141,13 @@ class Files {
 
 // ---- What assimp leaves as it is
 
-/// With each %xx as the byte that it stands for (RFC 3986, 2.1).
-std::string decoded(std::string_view uri) {
-  std::string path;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    unsigned byte = 0;
-    const char* const digits = uri.data() + i + 1;
-    if (uri[i] == '%' && i + 2 < uri.size() &&
-        std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2) {
-      path += static_cast<char>(byte);
-      i += 2;
-    } else {
-      path += uri[i];
-    }
-  }
-  return path;
-}
-
 /// Collada's surfaces have a colour or a picture; for those with a picture assimp makes up a grey.
 /// The names of glTF's pictures are URIs, which assimp hands on undecoded.
-void mend(std::vector<Material>& materials, const std::string& ending) {
+void mend_materials(std::vector<Material>& materials, const std::string& ending) {
   for (Material& material : materials) {
     if (material.texture.empty()) continue;
     if (ending == ".dae") material.diffuse = {1, 1, 1, material.diffuse.back()};
-    if (ending == ".gltf" || ending == ".glb") material.texture = decoded(material.texture);
+    if (ending == ".gltf" || ending == ".glb") material.texture = percent_decoded(material.texture);
   }
 }
 
@@ -180,12 +169,21 @@ LoadedMesh import_with_assimp(const Disk& disk, const std::string& path, std::st
       library.import_file(path.c_str(), kNoPostProcessing, files.face(), properties);
   if (scene) {
     LoadedMesh loaded = bake(*scene);
-    mend(loaded.mesh.materials, extension(path));
+    mend_materials(loaded.mesh.materials, extension(path));
     return loaded;
   }
   const std::string error = library.error();
   if (error.find("bad_alloc") != std::string::npos) throw std::bad_alloc();  // it caught one
   return {.faults = {{FaultKind::kMalformed, error}}};
+}
+
+std::string assimp_version() {
+  const Library library = open_library();
+  if (!library.problem.empty()) return library.problem;
+  std::string text = "assimp ";
+  for (const auto number : library.version) text += std::to_string(number()) + '.';
+  text.pop_back();
+  return text;
 }
 
 }  // namespace rigor::mesh

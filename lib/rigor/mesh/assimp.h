@@ -20,4 +20,7 @@ namespace rigor::mesh {
 /// lie in its folder or below; others are not there. Throws std::bad_alloc.
 LoadedMesh import_with_assimp(const Disk& disk, const std::string& path, std::string_view bytes);
 
+/// "assimp 5.2.5", or why there is none.
+std::string assimp_version();
+
 }  // namespace rigor::mesh

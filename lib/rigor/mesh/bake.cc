@@ -195,8 +195,6 @@ Corners::Texture texture_point(const aiVector3D& from) {
                                                         : Corners::Texture{};
 }
 
-constexpr Corners::Color kWhite{1, 1, 1, 1};
-
 Corners::Color color(const aiColor4D& from) {
   const Corners::Color read{from.r, from.g, from.b, from.a};
   return std::all_of(read.begin(), read.end(), [](float part) { return std::isfinite(part); })

@@ -10,33 +10,24 @@
 namespace rigor::mesh {
 namespace {
 
-// As functions of this file, since they are called for each triangle of a million.
-Vector3 minus(const Vector3& a, const Vector3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-
-double product(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-Vector3 normal_to(const Vector3& a, const Vector3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 Vector3 along(const Vector3& from, double t, const Vector3& way) {
   return {from.x + t * way.x, from.y + t * way.y, from.z + t * way.z};
 }
 
 double squared_distance(const Vector3& a, const Vector3& b) {
-  const Vector3 d = minus(a, b);
-  return product(d, d);
+  const Vector3 d = a - b;
+  return dot(d, d);
 }
 
 Vector3 closest_on_edge(const Vector3& a, const Vector3& b, const Vector3& p) {
-  const Vector3 way = minus(b, a);
-  const double t = product(minus(p, a), way);
-  const double whole = product(way, way);
+  const Vector3 way = b - a;
+  const double t = dot(p - a, way);
+  const double whole = dot(way, way);
   if (!(t > 0)) return a;
   return t >= whole ? b : along(a, t / whole, way);
 }
 
-Bounds bounds_of(const Facet& f) {
+Bounds facet_bounds(const Facet& f) {
   return {{std::min({f[0].x, f[1].x, f[2].x}), std::min({f[0].y, f[1].y, f[2].y}),
            std::min({f[0].z, f[1].z, f[2].z})},
           {std::max({f[0].x, f[1].x, f[2].x}), std::max({f[0].y, f[1].y, f[2].y}),
@@ -96,7 +87,7 @@ std::vector<Item> items_of(const std::vector<Facet>& facets) {
   if (items.empty()) return items;
   const Vector3 origin = facets[0][0];
   for (std::uint32_t i = 0; i < facets.size(); ++i) {
-    const Bounds box = bounds_of(facets[i]);
+    const Bounds box = facet_bounds(facets[i]);
     const auto middle = [](double min, double max, double from) {
       return static_cast<float>((min / 2 + max / 2) - from);
     };
@@ -110,14 +101,14 @@ std::vector<Item> items_of(const std::vector<Facet>& facets) {
 }  // namespace
 
 Vector3 closest_point(const Facet& f, const Vector3& p) {
-  const Vector3 u = minus(f[1], f[0]);
-  const Vector3 v = minus(f[2], f[0]);
-  const Vector3 w = minus(p, f[0]);
-  const Vector3 normal = normal_to(u, v);
+  const Vector3 u = f[1] - f[0];
+  const Vector3 v = f[2] - f[0];
+  const Vector3 w = p - f[0];
+  const Vector3 normal = cross(u, v);
   // What is left of each edge, as shares of the triangle's area: barycentric coordinates.
-  const double area = product(normal, normal);
-  const double b = product(normal_to(w, v), normal);
-  const double c = product(normal_to(u, w), normal);
+  const double area = dot(normal, normal);
+  const double b = dot(cross(w, v), normal);
+  const double c = dot(cross(u, w), normal);
   if (area > 0 && b >= 0 && c >= 0 && b + c <= area) {
     return along(along(f[0], b / area, u), c / area, v);
   }
@@ -208,7 +199,7 @@ void Bvh::stack_levels() {
   level_begin_ = {0};
   blocks_.resize(leaves());
   for (std::uint32_t i = 0; i < size(); ++i) {
-    blocks_[i / kWidth].set(i % kWidth, box_around(bounds_of(facets_[i])));
+    blocks_[i / kWidth].set(i % kWidth, box_around(facet_bounds(facets_[i])));
   }
   for (std::size_t below = blocks_.size(); below > 1; below = (below + kWidth - 1) / kWidth) {
     const std::size_t begin = level_begin_.back();

@@ -14,19 +14,15 @@
 #include <utility>
 
 #include <rigor/mesh/fit_axis.h>
+#include <rigor/mesh/plane_point.h>
 
 namespace rigor::mesh {
 namespace {
 
 /// Corners seen while ears are looked for, which take nanoseconds each: then the rest becomes a fan.
-constexpr std::uint64_t kMaxLooks = 20'000'000;
+constexpr std::uint64_t kMaxEarLooks = 20'000'000;
 
 using Loop = std::vector<std::uint32_t>;
-
-struct Point {
-  double x;
-  double y;
-};
 
 class Capper {
  public:
@@ -60,13 +56,13 @@ class Capper {
   }
 
  private:
-  const Point& point(std::uint32_t i) const { return points_[i]; }
+  const PlanePoint& point(std::uint32_t i) const { return points_[i]; }
 
   /// Twice the area of the triangle; positive when c is left of the line from a to b.
   double side(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    const Point& p = point(a);
-    const Point& q = point(b);
-    const Point& r = point(c);
+    const PlanePoint& p = point(a);
+    const PlanePoint& q = point(b);
+    const PlanePoint& r = point(c);
     return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
   }
 
@@ -105,37 +101,35 @@ class Capper {
   std::size_t next(const std::vector<DirectedEdge>& edges, const std::vector<bool>& used,
                    std::size_t at) const {
     const auto [from, through] = edges[at];
-    const Point p = point(from);
-    const Point q = point(through);
+    const PlanePoint p = point(from);
+    const PlanePoint q = point(through);
     std::size_t best = edges.size();
     double most = 0;
     auto i = std::lower_bound(edges.begin(), edges.end(), DirectedEdge{through, 0}) - edges.begin();
     for (auto k = static_cast<std::size_t>(i); k < edges.size() && edges[k][0] == through; ++k) {
       if (used[k]) continue;
-      const Point r = point(edges[k][1]);
-      const Point a{q.x - p.x, q.y - p.y};
-      const Point b{r.x - q.x, r.y - q.y};
-      const double turn = std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
-      if (best == edges.size() || turn > most) {
+      const PlanePoint r = point(edges[k][1]);
+      const double angle = std::atan2(cross(q - p, r - q), dot(q - p, r - q));
+      if (best == edges.size() || angle > most) {
         best = k;
-        most = turn;
+        most = angle;
       }
     }
     return best;
   }
 
-  bool inside(const Loop& loop, const Point& p) const {
+  bool inside(const Loop& loop, const PlanePoint& p) const {
     bool in = false;
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      const Point a = point(loop[i]);
-      const Point b = point(loop[(i + 1) % loop.size()]);
+      const PlanePoint a = point(loop[i]);
+      const PlanePoint b = point(loop[(i + 1) % loop.size()]);
       if ((a.y > p.y) == (b.y > p.y)) continue;
       if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) in = !in;
     }
     return in;
   }
 
-  Loop* smallest_around(std::vector<Loop>& outlines, const Point& p) const {
+  Loop* smallest_around(std::vector<Loop>& outlines, const PlanePoint& p) const {
     Loop* best = nullptr;
     double least = std::numeric_limits<double>::infinity();
     for (Loop& outline : outlines) {
@@ -165,13 +159,13 @@ class Capper {
   /// The first edge to the right of m is hit at h; its right end is seen unless a corner lies in the
   /// triangle between, and then that of least angle is.
   std::optional<std::size_t> visible(const Loop& loop, std::uint32_t from) const {
-    const Point m = point(from);
+    const PlanePoint m = point(from);
     double hit = std::numeric_limits<double>::infinity();
     std::size_t end = 0;
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const std::size_t j = (i + 1) % loop.size();
-      const Point a = point(loop[i]);
-      const Point b = point(loop[j]);
+      const PlanePoint a = point(loop[i]);
+      const PlanePoint b = point(loop[j]);
       if (a.y > m.y || b.y < m.y || a.y == b.y) continue;  // only upward edges have their left here
       const double x = a.x + (m.y - a.y) / (b.y - a.y) * (b.x - a.x);
       if (x < m.x || x >= hit) continue;
@@ -179,16 +173,13 @@ class Capper {
       end = a.x > b.x ? i : j;
     }
     if (hit == std::numeric_limits<double>::infinity()) return std::nullopt;
-    const Point e = point(loop[end]);
-    const auto turn = [](const Point& p, const Point& q, const Point& r) {
-      return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
-    };
+    const PlanePoint e = point(loop[end]);
     double least = std::abs(e.y - m.y) / std::max(e.x - m.x, std::numeric_limits<double>::min());
     std::size_t best = end;
     const double way = e.y < m.y ? -1 : 1;
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      const Point p = point(loop[i]);
-      const Point h{hit, m.y};
+      const PlanePoint p = point(loop[i]);
+      const PlanePoint h{hit, m.y};
       if (p.x <= m.x || way * turn(m, h, p) < 0 || way * turn(h, e, p) < 0 ||
           way * turn(e, m, p) < 0) {
         continue;
@@ -202,12 +193,12 @@ class Capper {
   }
 
   /// Whether the point is seen from the corner between its two edges; corners that were tied come twice.
-  bool opens_to(const Loop& loop, std::size_t i, const Point& m) const {
-    const Point p = point(loop[(i + loop.size() - 1) % loop.size()]);
-    const Point c = point(loop[i]);
-    const Point n = point(loop[(i + 1) % loop.size()]);
-    const auto left = [](const Point& a, const Point& b, const Point& q) {
-      return (b.x - a.x) * (q.y - a.y) - (b.y - a.y) * (q.x - a.x) > 0;
+  bool opens_to(const Loop& loop, std::size_t i, const PlanePoint& m) const {
+    const PlanePoint p = point(loop[(i + loop.size() - 1) % loop.size()]);
+    const PlanePoint c = point(loop[i]);
+    const PlanePoint n = point(loop[(i + 1) % loop.size()]);
+    const auto left = [](const PlanePoint& a, const PlanePoint& b, const PlanePoint& q) {
+      return turn(a, b, q) > 0;
     };
     return left(p, c, n) ? left(p, c, m) && left(c, n, m) : left(p, c, m) || left(c, n, m);
   }
@@ -230,7 +221,7 @@ class Capper {
   void cut_ears(Loop loop) {
     std::size_t at = 0;
     std::size_t tried = 0;
-    while (loop.size() > 3 && tried < loop.size() && looks_ < kMaxLooks) {
+    while (loop.size() > 3 && tried < loop.size() && looks_ < kMaxEarLooks) {
       at %= loop.size();
       if (!is_ear(loop, at)) {
         ++at;
@@ -246,7 +237,7 @@ class Capper {
       triangles_.push_back({loop[0], loop[i - 1], loop[i]});
   }
 
-  std::vector<Point> points_;  // in the plane, of the positions that edges name
+  std::vector<PlanePoint> points_;  // in the plane, of the positions that edges name
   std::vector<Triangle> triangles_;
   std::uint64_t looks_ = 0;
 };

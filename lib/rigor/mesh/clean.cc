@@ -14,11 +14,9 @@ namespace rigor::mesh {
 namespace {
 
 // Lines on lines are taken away from the outside in, each round a layer; each flip shortens an edge.
-constexpr int kMaxRounds = 64;
+constexpr int kMaxCleanRounds = 64;
 
-constexpr std::array<std::array<std::size_t, 2>, 3> kEdges = {{{0, 1}, {1, 2}, {2, 0}}};
-
-Triangle sorted(Triangle t) {
+Triangle sorted_corners(Triangle t) {
   std::sort(t.begin(), t.end());
   return t;
 }
@@ -40,7 +38,8 @@ double span(const Workpiece& work, std::uint32_t a, std::uint32_t b) {
 std::vector<std::vector<std::uint32_t>> copies(const Workpiece& work) {
   std::vector<std::pair<Triangle, std::uint32_t>> all;
   for (std::uint32_t face = 0; face < work.size(); ++face) {
-    if (work.has(face) && !degenerate(work[face])) all.push_back({sorted(work[face]), face});
+    if (work.has(face) && !degenerate(work[face]))
+      all.push_back({sorted_corners(work[face]), face});
   }
   std::sort(all.begin(), all.end());
   std::vector<std::vector<std::uint32_t>> groups;
@@ -101,7 +100,7 @@ class Walls {
       taken_[face] = true;
       taken_[twin_[face]] = true;
       const Triangle& t = work_[face];
-      for (const auto& [i, k] : kEdges) {
+      for (const auto& [i, k] : kSides) {
         std::size_t others = 0;
         std::size_t pairs = 0;
         for (const std::uint32_t other : work_.faces_at(t[i])) {
@@ -208,7 +207,7 @@ std::uint64_t drop_lines(Workpiece& work) {
 
 std::uint64_t drop_lines(Workpiece& work, std::vector<std::uint32_t> faces) {
   const std::uint64_t before = work.defects().zero_area;
-  for (int round = 0; round < kMaxRounds && !faces.empty(); ++round) {
+  for (int round = 0; round < kMaxCleanRounds && !faces.empty(); ++round) {
     std::vector<std::uint32_t> left;
     bool changed = false;
     for (const std::uint32_t face : faces) {

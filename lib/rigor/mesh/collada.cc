@@ -4,15 +4,17 @@
 #include <rigor/mesh/collada.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include <rigor/mesh/affine.h>
+#include <rigor/mesh/collada_bake.h>
 #include <rigor/mesh/collada_geometry.h>
 #include <rigor/mesh/collada_index.h>
 #include <rigor/mesh/collada_scene.h>
@@ -20,11 +22,6 @@
 
 namespace rigor::mesh {
 namespace {
-
-// Each part repeats its names: of a longer one this much is kept.
-constexpr std::size_t kMaxNameBytes = 256;
-
-std::string short_name(std::string_view name) { return std::string(name.substr(0, kMaxNameBytes)); }
 
 /// Metres that a unit is: 1 when nothing is said.
 std::optional<double> unit_of(xml::Element root) {
@@ -39,16 +36,9 @@ std::optional<double> unit_of(xml::Element root) {
   return metres;
 }
 
-/// One geometry where a node puts it.
-struct Placement {
-  std::uint32_t node;
-  std::uint32_t instance;
-  Affine X_WN;
-};
-
-class Reader {
+class ColladaReader {
  public:
-  explicit Reader(const xml::Document& document) : index_(document), scene_(index_) {}
+  explicit ColladaReader(const xml::Document& document) : index_(document), scene_(index_) {}
 
   LoadedMesh run() {
     const xml::Element root = *index_.document().root();
@@ -111,13 +101,18 @@ class Reader {
     const xml::Element node = scene_.nodes()[visit.node].element;
     if (!visit.X_WN) return fail(FaultKind::kMalformed, "a transform is not understood", node);
     triangles_ += shape.triangles;
-    vertices_ += shape.positions.size();
+    vertices_ += shape.values[kColladaPosition].size() / 3;
     parts_ += shape.groups.size();
-    if (std::max(triangles_, vertices_) > kMaxTriangles) {
+    for (std::size_t kind = 0; kind < kColladaKinds; ++kind) {
+      if (!shape.values[kind].empty()) carried_[kind] = 1;
+    }
+    const auto lists = std::accumulate(carried_.begin(), carried_.end(), std::uint64_t{0});
+    if (std::max(triangles_ * lists, vertices_) > kMaxTriangles) {
       return fail(FaultKind::kTooLarge, "over 50 million triangles", node);
     }
     if (parts_ > kMaxColladaVisits) return fail(FaultKind::kTooLarge, "over a million parts", node);
-    placements_.push_back({visit.node, instance, *visit.X_WN});
+    placements_.push_back(
+        {scene_.nodes()[visit.node].name, &scene_.instances()[instance], &shape, *visit.X_WN});
   }
 
   /// Read when it is first placed; its faults count once.
@@ -125,11 +120,9 @@ class Reader {
     const std::uint32_t key = instance.geometry.index();
     const auto found = shapes_.find(key);
     if (found != shapes_.end()) return found->second;
-    ColladaGeometry shape = read_collada_geometry(index_, instance.geometry);
-    bytes_read_ += shape.bytes_read;
-    if (bytes_read_ > kMaxColladaReading) {
-      fail(FaultKind::kTooLarge, "the same numbers are read over and over", instance.geometry);
-    }
+    ColladaGeometry shape =
+        read_collada_geometry(index_, instance.geometry, kMaxColladaReading - bytes_read_);
+    bytes_read_ += std::min(shape.bytes_read, kMaxColladaReading - bytes_read_);
     loaded_.faults.insert(loaded_.faults.end(), shape.faults.begin(), shape.faults.end());
     return shapes_.emplace(key, std::move(shape)).first->second;
   }
@@ -139,9 +132,7 @@ class Reader {
   void bake() {
     if (passed_over_ > 0) loaded_.faults.push_back({FaultKind::kNotTriangles, {}, passed_over_});
     if (placements_.empty()) loaded_.faults.push_back({FaultKind::kEmpty});
-    loaded_.mesh.positions.reserve(vertices_);
-    loaded_.mesh.triangles.reserve(triangles_);
-    for (const Placement& placement : placements_) bake(placement);
+    loaded_.mesh = bake_collada(index_, placements_);
     std::uint64_t bad = 0;
     for (const Vector3& p : loaded_.mesh.positions) {
       bad += !std::isfinite(p.x) + !std::isfinite(p.y) + !std::isfinite(p.z);
@@ -151,28 +142,6 @@ class Reader {
     loaded_.faults.push_back({FaultKind::kNotFinite, {}, bad});
   }
 
-  void bake(const Placement& placement) {
-    const ColladaInstance& instance = scene_.instances()[placement.instance];
-    const ColladaGeometry& shape = shapes_.at(instance.geometry.index());
-    TriangleMesh& mesh = loaded_.mesh;
-    const auto base = static_cast<std::uint32_t>(mesh.positions.size());
-    for (const Vector3& p : shape.positions) mesh.positions.push_back(moved(placement.X_WN, p));
-    const bool mirrored = determinant(placement.X_WN) < 0;
-    std::string_view name = scene_.nodes()[placement.node].name;
-    if (name.empty()) name = shape.name;
-    for (const ColladaGroup& group : shape.groups) {
-      const auto bound = instance.materials.find(group.material);
-      const std::string_view material =
-          bound == instance.materials.end() ? group.material : bound->second;
-      mesh.parts.push_back(
-          {short_name(name), short_name(material), mesh.triangles.size(), group.triangles.size()});
-      for (Triangle t : group.triangles) {
-        if (mirrored) std::swap(t[1], t[2]);
-        mesh.triangles.push_back({base + t[0], base + t[1], base + t[2]});
-      }
-    }
-  }
-
   void fail(FaultKind kind, const char* detail, xml::Element at) {
     loaded_.faults.push_back({kind, detail, 0, index_.line(at)});
   }
@@ -180,7 +149,8 @@ class Reader {
   ColladaIndex index_;
   ColladaScene scene_;
   std::map<std::uint32_t, ColladaGeometry> shapes_;  ///< by the index of the element
-  std::vector<Placement> placements_;
+  std::vector<ColladaPlacement> placements_;
+  std::array<std::uint64_t, kColladaKinds> carried_{};  ///< 1 for what any of them has
   std::uint64_t visits_ = 0;
   std::uint64_t triangles_ = 0;
   std::uint64_t vertices_ = 0;
@@ -190,23 +160,23 @@ class Reader {
   LoadedMesh loaded_{.format = Format::kCollada};
 };
 
-LoadedMesh no_mesh(FaultKind kind, const char* detail) {
+LoadedMesh no_collada(FaultKind kind, const char* detail) {
   return {.format = Format::kCollada, .faults = {{kind, detail}}};
 }
 
 }  // namespace
 
 LoadedMesh read_collada(std::string_view bytes) {
-  if (bytes.empty()) return no_mesh(FaultKind::kEmpty, "");
-  if (bytes.size() > kMaxColladaBytes) return no_mesh(FaultKind::kTooLarge, "over 256 MiB");
+  if (bytes.empty()) return no_collada(FaultKind::kEmpty, "");
+  if (bytes.size() > kMaxColladaBytes) return no_collada(FaultKind::kTooLarge, "over 256 MiB");
   const xml::Document document = xml::parse(bytes, kNoSource);
   if (!document.complete() || !document.root()) {
-    return no_mesh(FaultKind::kMalformed, "it is no well-formed XML");
+    return no_collada(FaultKind::kMalformed, "it is no well-formed XML");
   }
   if (document.root()->name() != "COLLADA") {
-    return no_mesh(FaultKind::kMalformed, "it is no Collada file");
+    return no_collada(FaultKind::kMalformed, "it is no Collada file");
   }
-  return Reader(document).run();
+  return ColladaReader(document).run();
 }
 
 }  // namespace rigor::mesh

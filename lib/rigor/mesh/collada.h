@@ -1,12 +1,13 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Collada 1.4 and 1.5, the shapes alone, for files that the importer of scenes refuses for what has
+// Collada 1.4 and 1.5 without animation, for files that the importer of scenes refuses for what has
 // nothing to do with shapes, such as a texture that is not defined: 9 of 268 files of gazebo_models,
 // which Gazebo opens.
 //
 // Conventions are those of read_scene (scene.h): the <unit> is applied, <up_axis> is not; mirrored
-// nodes keep their outside outside. One part a group of polygons and node.
+// nodes keep their outside outside. One part a group of polygons and node; what corners carry and
+// how materials look is as bake.h says. A picture that is not defined is none.
 //
 //   LoadedMesh loaded = read_collada(bytes);
 
@@ -27,7 +28,7 @@ inline constexpr std::uint64_t kMaxColladaBytes = std::uint64_t{256} << 20U;
 /// instanced nodes, a small file can ask for any number. The most in a real model is some thousands.
 inline constexpr std::uint64_t kMaxColladaVisits = 1'000'000;
 
-/// Text of coordinates that is read: many geometries may name the same, which hardly any do.
+/// Text of numbers that is read: many groups and geometries may name the same, which hardly any do.
 inline constexpr std::uint64_t kMaxColladaReading = 4 * kMaxColladaBytes;
 
 LoadedMesh read_collada(std::string_view bytes);

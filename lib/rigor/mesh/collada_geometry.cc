@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
-#include <rigor/mesh/collada_positions.h>
+#include <rigor/mesh/collada_source.h>
 #include <rigor/mesh/read.h>
 #include <rigor/mesh/text_cursor.h>
 
@@ -18,66 +20,13 @@ namespace {
 
 using xml::Element;
 
-constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
+/// Of a triangle, or the last three of a polygon.
+using ColladaTriangle = std::array<ColladaCorner, 3>;
 
-/// Indices as a <p> holds them: for each corner one of each input, side by side.
-struct Layout {
-  std::uint64_t stride = 1;
-  std::uint64_t offset = 0;   ///< of the vertex
-  std::string_view vertices;  ///< url; empty without a VERTEX input
-};
-
-Layout layout_of(Element group) {
-  Layout layout;
-  for (const Element input : group.children()) {
-    if (input.name() != "input") continue;
-    const std::uint64_t offset = count_of(input, "offset").value_or(0);
-    // More inputs than numbers in the longest text: the <p> then ends inside its first corner.
-    layout.stride = std::max(layout.stride, std::min<std::uint64_t>(offset, kMaxMeshBytes) + 1);
-    if (value(input, "semantic") != "VERTEX") continue;
-    layout.offset = offset;
-    layout.vertices = value(input, "source");
-  }
-  return layout;
-}
-
-/// The vertices that the corners of a <p> name, one by one.
-class CornerReader {
+class ColladaGeometryReader {
  public:
-  CornerReader(std::string_view text, const Layout& layout) : cursor_(text), layout_(layout) {}
-
-  /// Nothing at the end, or when something is no index.
-  std::optional<std::uint32_t> next() {
-    std::uint32_t vertex = kNoVertex;
-    for (std::uint64_t i = 0; i < layout_.stride; ++i) {
-      cursor_.skip_space();
-      if (i == 0 && cursor_.at_end()) return std::nullopt;
-      const std::optional<std::int64_t> index = cursor_.whole_number();
-      if (!index) {
-        failed_ = true;
-        return std::nullopt;
-      }
-      const bool possible = *index >= 0 && *index < std::int64_t{kNoVertex};
-      if (i == layout_.offset && possible) vertex = static_cast<std::uint32_t>(*index);
-    }
-    return vertex;
-  }
-
-  bool at_end() {
-    cursor_.skip_space();
-    return cursor_.at_end();
-  }
-  bool failed() const { return failed_; }  ///< at something that is no index
-
- private:
-  TextCursor cursor_;
-  const Layout& layout_;
-  bool failed_ = false;
-};
-
-class Reader {
- public:
-  Reader(const ColladaIndex& index, Element geometry) : index_(index), geometry_(geometry) {}
+  ColladaGeometryReader(const ColladaIndex& index, Element geometry, std::uint64_t most_bytes)
+      : index_(index), geometry_(geometry), most_bytes_(most_bytes) {}
 
   ColladaGeometry run() {
     shape_.name = value(geometry_, "name");
@@ -87,7 +36,7 @@ class Reader {
         if (!failed_) group(child);
       }
     }
-    if (!failed_ && !shape_.groups.empty()) positions();
+    if (!failed_ && !shape_.groups.empty()) values();
     if (!failed_ && missing_ > 0) {
       shape_.faults.push_back({FaultKind::kTruncated, {}, missing_, index_.line(geometry_)});
     }
@@ -102,34 +51,37 @@ class Reader {
     const bool whole =
         kind == "polygons" || kind == "trifans" || kind == "tristrips" || kind == "linestrips";
     if (!whole && kind != "triangles" && kind != "polylist" && kind != "lines") return;
-    const Layout layout = layout_of(element);
+    const ColladaInputs inputs = collada_inputs(element);
     group_ = {.material = value(element, "material"), .line = index_.line(element)};
+    for (std::size_t i = 0; i < kColladaKinds; ++i) group_.sources[i] = inputs.of[i].source;
     if (whole) {
       for (const Element p : element.children()) {
-        if (p.name() == "p" && !failed_) whole_list(p, kind, layout);
+        if (p.name() == "p" && !failed_) whole_list(p, kind, inputs);
         if (p.name() == "ph") fail(FaultKind::kMalformed, "a polygon has holes", p);
       }
     } else if (const std::optional<Element> p = element.child("p")) {
-      faces(element, *p, layout);
+      faces(element, *p, inputs);
     } else {
       missing_ += count_of(element, "count").value_or(0);
     }
-    if (failed_ || group_.triangles.empty()) return;
-    if (layout.vertices.empty() || (!vertices_.empty() && vertices_ != layout.vertices)) {
+    const std::size_t triangles = group_.corners[kColladaPosition].size();
+    if (failed_ || triangles == 0) return;
+    const std::string_view vertices = group_.sources[kColladaPosition];
+    if (vertices.empty() || (!vertices_.empty() && vertices_ != vertices)) {
       return fail(FaultKind::kMalformed, "the corners name no vertices, or several", element);
     }
-    vertices_ = layout.vertices;
-    shape_.triangles += group_.triangles.size();
+    vertices_ = vertices;
+    shape_.triangles += triangles;
     shape_.groups.push_back(std::move(group_));
   }
 
   /// As many faces as the count, or the list of sizes, says; less when the indices end before. One
   /// that is not whole is none.
-  void faces(Element element, Element p, const Layout& layout) {
+  void faces(Element element, Element p, const ColladaInputs& inputs) {
     const std::string_view kind = element.name();
     const std::optional<Element> vcount = element.child("vcount");
     TextCursor sizes(vcount ? vcount->text() : std::string_view());
-    CornerReader corners(p.text(), layout);
+    ColladaCornerReader corners(p.text(), inputs);
     const std::uint64_t promised = count_of(element, "count").value_or(0);
     std::uint64_t held = 0;
     while (!failed_ && !corners.at_end()) {
@@ -148,8 +100,8 @@ class Reader {
   }
 
   /// One polygon, fan or strip that takes all of the <p>.
-  void whole_list(Element p, std::string_view kind, const Layout& layout) {
-    CornerReader corners(p.text(), layout);
+  void whole_list(Element p, std::string_view kind, const ColladaInputs& inputs) {
+    ColladaCornerReader corners(p.text(), inputs);
     if (kind == "tristrips") {
       strip(corners);
     } else if (kind == "linestrips") {
@@ -163,13 +115,13 @@ class Reader {
   }
 
   /// A face of `size` corners, or of all that there are when that is less; whether it is whole.
-  bool fan(CornerReader& corners, std::uint64_t size) {
+  bool fan(ColladaCornerReader& corners, std::uint64_t size) {
     const bool all = size == std::numeric_limits<std::uint64_t>::max();
-    const std::size_t before = group_.triangles.size();
-    Triangle t{};
+    const std::size_t before = group_.corners[kColladaPosition].size();
+    ColladaTriangle t{};
     std::uint64_t held = 0;
     for (; held < size; ++held) {
-      const std::optional<std::uint32_t> corner = corners.next();
+      const std::optional<ColladaCorner> corner = corners.next();
       if (!corner) break;
       t[std::min<std::size_t>(held, 2)] = *corner;
       if (held < 2) continue;
@@ -177,61 +129,112 @@ class Reader {
       t[1] = t[2];
     }
     const bool whole = all || held == size;
-    if (!whole) group_.triangles.resize(before);
+    if (!whole) {
+      for (std::vector<Triangle>& list : group_.corners) list.resize(std::min(before, list.size()));
+    }
     if (whole && held > 0 && held < 3) ++shape_.passed_over;
     return whole;
   }
 
   /// Every other triangle of a strip runs against its corners' order.
-  void strip(CornerReader& corners) {
-    Triangle last{};
+  void strip(ColladaCornerReader& corners) {
+    ColladaTriangle last{};
     for (std::uint64_t held = 0;; ++held) {
-      const std::optional<std::uint32_t> corner = corners.next();
+      const std::optional<ColladaCorner> corner = corners.next();
       if (!corner) return;
       last = {last[1], last[2], *corner};
       if (held < 2) continue;
-      add(held % 2 == 0 ? last : Triangle{last[1], last[0], last[2]});
+      add(held % 2 == 0 ? last : ColladaTriangle{last[1], last[0], last[2]});
     }
   }
 
-  void add(const Triangle& t) {
-    if (group_.triangles.size() == kMaxTriangles) {
-      return fail(FaultKind::kTooLarge, "over 50 million triangles", geometry_);
+  void add(const ColladaTriangle& t) {
+    if (failed_) return;
+    for (std::size_t kind = 0; kind < kColladaKinds; ++kind) {
+      const bool carried = kind == kColladaPosition || !group_.sources[kind].empty();
+      if (carried && make_room(1))
+        group_.corners[kind].push_back({t[0][kind], t[1][kind], t[2][kind]});
     }
-    if (!failed_) group_.triangles.push_back(t);
   }
 
-  // ---- Positions
+  bool make_room(std::uint64_t triangles) {
+    lists_ += triangles;
+    if (lists_ > kMaxTriangles) fail(FaultKind::kTooLarge, "over 50 million triangles", geometry_);
+    return !failed_;
+  }
 
-  void positions() {
-    const ColladaPositions source = read_collada_positions(index_, vertices_);
-    shape_.bytes_read = source.bytes_read;
-    if (source.problem) return fail(FaultKind::kMalformed, source.problem, geometry_);
-    const std::vector<Vector3>& all = source.positions;
-    std::vector<std::uint32_t> place(all.size(), kNoVertex);
-    Fault out_of_range{.kind = FaultKind::kIndexOutOfRange};
-    std::uint64_t not_finite = 0;
+  // ---- Values
+
+  void values() {
+    if (!look_at_vertices()) return;
+    for (std::size_t kind = 0; kind < kColladaKinds; ++kind) gather(kind);
+    if (out_of_range_.count > 0) shape_.faults.push_back(out_of_range_);
+    if (not_finite() > 0) {
+      shape_.faults.push_back({FaultKind::kNotFinite, {}, not_finite(), index_.line(geometry_)});
+    }
+  }
+
+  /// What stands with the positions has their indices; a group's own inputs go before it.
+  bool look_at_vertices() {
+    const std::optional<Element> vertices = index_.find(vertices_, "vertices");
+    const ColladaInputs inputs = vertices ? collada_inputs(*vertices) : ColladaInputs();
     for (ColladaGroup& group : shape_.groups) {
-      for (Triangle& t : group.triangles) {
+      group.sources[kColladaPosition] = inputs.of[kColladaPosition].source;
+      for (std::size_t kind = 1; kind < kColladaKinds; ++kind) {
+        if (!group.sources[kind].empty() || inputs.of[kind].source.empty()) continue;
+        if (!make_room(group.corners[kColladaPosition].size())) return false;
+        group.sources[kind] = inputs.of[kind].source;
+        group.corners[kind] = group.corners[kColladaPosition];
+      }
+    }
+    return true;
+  }
+
+  /// Reads each source once, for all groups that draw on it.
+  void gather(std::size_t kind) {
+    std::map<std::string_view, std::vector<ColladaGroup*>> users;
+    for (ColladaGroup& group : shape_.groups) {
+      if (!group.corners[kind].empty()) users[group.sources[kind]].push_back(&group);
+    }
+    for (const auto& [source, groups] : users) {
+      if (failed_) return;
+      const ColladaNumbers read = read_collada_source(index_, source, kColladaWidths[kind]);
+      shape_.bytes_read += read.bytes_read;
+      if (read.problem) return fail(FaultKind::kMalformed, read.problem, geometry_);
+      if (shape_.bytes_read > most_bytes_) {
+        return fail(FaultKind::kTooLarge, "the same numbers are read over and over", geometry_);
+      }
+      keep_used(kind, read.numbers, groups);
+    }
+  }
+
+  void keep_used(std::size_t kind, const std::vector<double>& all,
+                 const std::vector<ColladaGroup*>& groups) {
+    const std::size_t width = kColladaWidths[kind];
+    std::vector<double>& kept = shape_.values[kind];
+    std::vector<std::uint32_t> place(all.size() / width, kNoColladaIndex);
+    for (ColladaGroup* group : groups) {
+      for (Triangle& t : group->corners[kind]) {
         for (std::uint32_t& corner : t) {
-          if (corner >= all.size()) {
-            if (out_of_range.count++ == 0) out_of_range.line = group.line;
+          if (corner >= place.size()) {
+            if (out_of_range_.count++ == 0) out_of_range_.line = group->line;
             continue;
           }
-          if (place[corner] == kNoVertex) {
-            const Vector3& p = all[corner];
-            not_finite += !std::isfinite(p.x) + !std::isfinite(p.y) + !std::isfinite(p.z);
-            place[corner] = static_cast<std::uint32_t>(shape_.positions.size());
-            shape_.positions.push_back(p);
+          if (place[corner] == kNoColladaIndex) {
+            place[corner] = static_cast<std::uint32_t>(kept.size() / width);
+            const auto from = all.begin() + static_cast<std::ptrdiff_t>(corner * width);
+            kept.insert(kept.end(), from, from + static_cast<std::ptrdiff_t>(width));
           }
           corner = place[corner];
         }
       }
     }
-    if (out_of_range.count > 0) shape_.faults.push_back(out_of_range);
-    if (not_finite > 0) {
-      shape_.faults.push_back({FaultKind::kNotFinite, {}, not_finite, index_.line(geometry_)});
-    }
+  }
+
+  std::uint64_t not_finite() const {
+    const std::vector<double>& positions = shape_.values[kColladaPosition];
+    return static_cast<std::uint64_t>(std::count_if(positions.begin(), positions.end(),
+                                                    [](double x) { return !std::isfinite(x); }));
   }
 
   void fail(FaultKind kind, const char* detail, Element at) {
@@ -244,14 +247,18 @@ class Reader {
   ColladaGeometry shape_;
   ColladaGroup group_;
   std::string_view vertices_;  ///< url, the same for all groups
+  std::uint64_t most_bytes_;
+  std::uint64_t lists_ = 0;    ///< triangles, once for each kind that their corners have
   std::uint64_t missing_ = 0;  ///< faces that the counts promise
+  Fault out_of_range_{.kind = FaultKind::kIndexOutOfRange};
   bool failed_ = false;
 };
 
 }  // namespace
 
-ColladaGeometry read_collada_geometry(const ColladaIndex& index, Element geometry) {
-  return Reader(index, geometry).run();
+ColladaGeometry read_collada_geometry(const ColladaIndex& index, Element geometry,
+                                      std::uint64_t most_bytes) {
+  return ColladaGeometryReader(index, geometry, most_bytes).run();
 }
 
 }  // namespace rigor::mesh

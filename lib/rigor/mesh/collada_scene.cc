@@ -74,15 +74,13 @@ std::optional<Element> ColladaScene::geometry_of(Element instance) const {
   return std::nullopt;
 }
 
-std::map<std::string_view, std::string_view> ColladaScene::materials_of(Element instance) const {
-  std::map<std::string_view, std::string_view> materials;
+std::map<std::string_view, Element> ColladaScene::materials_of(Element instance) const {
+  std::map<std::string_view, Element> materials;
   const auto bound = descend(instance, {"bind_material", "technique_common"});
   if (!bound) return materials;
   for (const Element child : bound->children()) {
     const auto material = index_.find(value(child, "target"), "material");
-    if (!material) continue;
-    const std::string_view name = value(*material, "name");
-    materials.try_emplace(value(child, "symbol"), name.empty() ? value(*material, "id") : name);
+    if (material) materials.try_emplace(value(child, "symbol"), *material);
   }
   return materials;
 }

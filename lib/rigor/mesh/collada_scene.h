@@ -24,7 +24,7 @@ namespace rigor::mesh {
 /// A geometry, directly or behind a controller (whose bones are not applied: it stands as modelled).
 struct ColladaInstance {
   xml::Element geometry;
-  std::map<std::string_view, std::string_view> materials;  ///< by symbol: the name, or else the id
+  std::map<std::string_view, xml::Element> materials;  ///< by symbol
 };
 
 /// A child, in the order of the file.
@@ -55,7 +55,7 @@ class ColladaScene {
   std::optional<std::uint32_t> number_of(std::optional<xml::Element> node) const;
   std::vector<ColladaItem> items_of(xml::Element node);
   std::optional<xml::Element> geometry_of(xml::Element instance) const;
-  std::map<std::string_view, std::string_view> materials_of(xml::Element instance) const;
+  std::map<std::string_view, xml::Element> materials_of(xml::Element instance) const;
 
   const ColladaIndex& index_;
   std::vector<ColladaNode> nodes_;

@@ -16,7 +16,8 @@ namespace rigor::mesh {
 inline constexpr double kConvexSlack = 1e-5;
 
 /// `volume` is what the mesh encloses, positive; the mesh is closed. Triangles spread over the mesh
-/// are tried first: most meshes have a vertex above one of them. Only what passes gets a hull.
+/// are tried first: most meshes have a vertex above one of them. Only what passes gets a hull, by
+/// its own triangles (flip_hull.h), or else by its points.
 bool is_convex(const TriangleMesh& mesh, double volume);
 
 }  // namespace rigor::mesh

@@ -21,17 +21,17 @@ constexpr double kNormalStep = 0.01;
 constexpr double kOffsetStep = 0.01;
 
 /// Sine of the angle between faces below which an edge is flat, whatever rounding made of it.
-constexpr double kFlat = 1e-3;
+constexpr double kFlatEdge = 1e-3;
 
-struct Side {
+struct EdgeSide {
   std::uint32_t low;
   std::uint32_t high;
   std::uint32_t opposite;
   std::uint32_t face;
 };
 
-std::vector<Side> sides_of(const TriangleMesh& mesh) {
-  std::vector<Side> sides;
+std::vector<EdgeSide> sides_of(const TriangleMesh& mesh) {
+  std::vector<EdgeSide> sides;
   sides.reserve(3 * mesh.triangles.size());
   for (std::uint32_t face = 0; face < mesh.triangles.size(); ++face) {
     const Triangle& t = mesh.triangles[face];
@@ -41,7 +41,7 @@ std::vector<Side> sides_of(const TriangleMesh& mesh) {
       sides.push_back({std::min(a, b), std::max(a, b), t[(i + 2) % 3], face});
     }
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+  std::sort(sides.begin(), sides.end(), [](const EdgeSide& a, const EdgeSide& b) {
     return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
   });
   return sides;
@@ -52,9 +52,9 @@ Vector3 unit(const Vector3& v) {
   return size > 0 ? (1 / size) * v : Vector3{};
 }
 
-Vector3 normal_of(const TriangleMesh& mesh, std::uint32_t face) {
+Vector3 unit_normal(const TriangleMesh& mesh, std::uint32_t face) {
   const Facet f = facet(mesh, mesh.triangles[face]);
-  return unit(cross(f[1] - f[0], f[2] - f[0]));
+  return unit(area_vector(f));
 }
 
 /// Planes with what speaks for them, those that nearly agree taken together.
@@ -100,19 +100,19 @@ class Ballot {
 };
 
 std::vector<CutPlane> through_concave_edges(const TriangleMesh& mesh, std::size_t count) {
-  const std::vector<Side> sides = sides_of(mesh);
+  const std::vector<EdgeSide> sides = sides_of(mesh);
   Ballot ballot(diagonal(bounds_of(mesh.positions)));
   double total = 0;
   for (std::size_t i = 1; i < sides.size(); ++i) {
-    const Side& a = sides[i - 1];
-    const Side& b = sides[i];
+    const EdgeSide& a = sides[i - 1];
+    const EdgeSide& b = sides[i];
     if (a.low != b.low || a.high != b.high) continue;
     const Vector3& from = mesh.positions[a.low];
     const Vector3 edge = mesh.positions[a.high] - from;
-    const Vector3 n = normal_of(mesh, a.face);
-    const Vector3 m = normal_of(mesh, b.face);
+    const Vector3 n = unit_normal(mesh, a.face);
+    const Vector3 m = unit_normal(mesh, b.face);
     const double sine = length(cross(n, m));
-    if (sine < kFlat || dot(n, mesh.positions[b.opposite] - from) <= 0) continue;
+    if (sine < kFlatEdge || dot(n, mesh.positions[b.opposite] - from) <= 0) continue;
     const double weight = length(edge) * sine;
     total += weight;
     ballot.vote(n, from, weight);

@@ -11,9 +11,7 @@
 namespace rigor::mesh {
 namespace {
 
-double area(const Facet& f) { return length(cross(f[1] - f[0], f[2] - f[0])) / 2; }
-
-double area(const Bvh& surface) {
+double surface_area(const Bvh& surface) {
   double sum = 0;
   for (std::uint32_t i = 0; i < surface.size(); ++i) sum += area(surface.facet(i));
   return sum;
@@ -41,7 +39,7 @@ Vector3 place_in(const Facet& f, double s, double t) {
 /// Hammersley set. Stops when `visit(place)` returns false.
 template <class Visit>
 void visit_samples(const Bvh& surface, std::size_t count, const Visit& visit) {
-  const double piece = area(surface) / static_cast<double>(count);
+  const double piece = surface_area(surface) / static_cast<double>(count);
   if (!(piece > 0)) return;
   double begin = 0;  // of this triangle's area
   std::size_t next = 0;
@@ -72,7 +70,7 @@ struct Farthest {
   bool complete = true;
 };
 
-Farthest farthest(const Bvh& from, const Bvh& to, std::size_t samples) {
+Farthest farthest_apart(const Bvh& from, const Bvh& to, std::size_t samples) {
   if (from.size() == 0) return {};
   if (to.size() == 0) return {std::numeric_limits<double>::infinity()};
   Farthest result;
@@ -97,10 +95,10 @@ Deviation deviation(const TriangleMesh& a, const TriangleMesh& b, std::size_t sa
   const Bvh tree_a(a);
   const Bvh tree_b(b);
   const std::size_t count = std::min(samples, kMaxSamples);
-  const Farthest from_a = farthest(tree_a, tree_b, count);
-  const Farthest from_b = farthest(tree_b, tree_a, count);
-  const double each =
-      std::max(area(tree_a), area(tree_b)) / static_cast<double>(std::max<std::size_t>(count, 1));
+  const Farthest from_a = farthest_apart(tree_a, tree_b, count);
+  const Farthest from_b = farthest_apart(tree_b, tree_a, count);
+  const double each = std::max(surface_area(tree_a), surface_area(tree_b)) /
+                      static_cast<double>(std::max<std::size_t>(count, 1));
   return {from_a.distance, from_b.distance, std::sqrt(each),
           from_a.complete && from_b.complete && count == samples};
 }

@@ -12,6 +12,9 @@
 //   for (const Triangle& t : mesh.triangles) balance.add(facet(mesh, t));
 //   if (!balance.closed()) diagnose(topology_of(mesh));   // which edges are open
 //
+// Triangles without an area balance as well, and so does a mesh without triangles: they enclose
+// nothing, so a mesh of such alone is not closed.
+//
 // More than two triangles at an edge balance as well, when as many run one way as the other: what they
 // enclose is still well defined. That a mesh counts a place twice is for `Winding` to say.
 
@@ -28,12 +31,16 @@ class EdgeBalance {
   void add(const Facet& facet);
 
   /// The sums of two parts of a mesh are that of the whole, in any order.
-  void join(const EdgeBalance& other) { sum_ += other.sum_; }
+  void join(const EdgeBalance& other) {
+    sum_ += other.sum_;
+    has_area_ = has_area_ || other.has_area_;
+  }
 
-  bool closed() const { return sum_ == 0; }
+  bool closed() const { return has_area_ && sum_ == 0; }
 
  private:
   std::uint64_t sum_ = 0;  // modulo 2^64
+  bool has_area_ = false;  // some triangle has
 };
 
 }  // namespace rigor::mesh

@@ -37,19 +37,6 @@ bool is_of_one_machine(std::string_view written) {
   return drive || is_absolute(written) || written.starts_with('\\') || scheme_of(written) == "file";
 }
 
-std::string percent_decoded(std::string_view written) {
-  std::string text;
-  for (std::size_t i = 0; i < written.size(); ++i) {
-    unsigned char byte = 0;
-    const char* const digits = written.data() + i + 1;
-    const bool whole = written[i] == '%' && i + 2 < written.size() &&
-                       std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2;
-    text += whole ? static_cast<char>(byte) : written[i];
-    if (whole) i += 2;
-  }
-  return text;
-}
-
 class Finder {
  public:
   Finder(const Disk& disk, std::string_view folder) : disk_(disk), folder_(folder) {}
@@ -84,6 +71,19 @@ class Finder {
 };
 
 }  // namespace
+
+std::string percent_decoded(std::string_view written) {
+  std::string text;
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    unsigned char byte = 0;
+    const char* const digits = written.data() + i + 1;
+    const bool whole = written[i] == '%' && i + 2 < written.size() &&
+                       std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2;
+    text += whole ? static_cast<char>(byte) : written[i];
+    if (whole) i += 2;
+  }
+  return text;
+}
 
 bool is_there(const FileReference& reference) {
   return reference.state == State::kFound || reference.state == State::kWrongCase ||

@@ -18,7 +18,7 @@ namespace rigor::mesh {
 namespace {
 
 // Holes that touch get their turn when the first of them is filled.
-constexpr int kMaxRounds = 4;
+constexpr int kMaxFillingRounds = 4;
 
 /// Triangles looked at for best fillings: two seconds. After that ears must do.
 constexpr std::uint64_t kMaxBestWork = 10'000'000;
@@ -27,9 +27,7 @@ constexpr std::uint64_t kMaxBestWork = 10'000'000;
 /// sheet; the base of a cone that is not flat as a plate has less.
 constexpr double kSheetShare = 0.9;
 
-double area(const Facet& f) { return length(cross(f[1] - f[0], f[2] - f[0])) / 2; }
-
-double area_of(const Workpiece& work) {
+double mesh_area(const Workpiece& work) {
   double sum = 0;
   for (std::uint32_t face = 0; face < work.size(); ++face) {
     if (work.has(face)) sum += area(work.facet_of(face));
@@ -48,8 +46,8 @@ class Filler {
   Filler(Workpiece& work, const HoleLimits& limits) : work_(work), limits_(limits) {}
 
   HolesFilled run() {
-    done_.mesh_area = area_of(work_);
-    for (int round = 0; round < kMaxRounds && !work_.tired(); ++round) {
+    done_.mesh_area = mesh_area(work_);
+    for (int round = 0; round < kMaxFillingRounds && !work_.tired(); ++round) {
       if (!fill_all()) break;
     }
     return done_;

@@ -13,24 +13,20 @@
 namespace rigor::mesh {
 namespace {
 
-constexpr std::array<std::array<std::size_t, 2>, 3> kEdges = {{{0, 1}, {1, 2}, {2, 0}}};
-
-double area(const Facet& f) { return length(cross(f[1] - f[0], f[2] - f[0])) / 2; }
-
 struct Patch {
   std::vector<std::uint32_t> faces;
   double area = 0;
   bool hangs = false;  ///< on an edge of more than two
 };
 
-Patch patch_of(const Workpiece& work, std::uint32_t first, std::vector<bool>& seen) {
+Patch sheet_of(const Workpiece& work, std::uint32_t first, std::vector<bool>& seen) {
   Patch patch{{first}};
   seen[first] = true;
   for (std::size_t next = 0; next < patch.faces.size(); ++next) {
     const std::uint32_t face = patch.faces[next];
     const Triangle& t = work[face];
     patch.area += area(work.facet_of(face));
-    for (const auto& [i, k] : kEdges) {
+    for (const auto& [i, k] : kSides) {
       const EdgeFaces at = work.faces_at(t[i], t[k]);
       patch.hangs = patch.hangs || at.count > 2;
       if (at.count != 2) continue;
@@ -52,7 +48,7 @@ std::uint64_t drop_fins(Workpiece& work, double max_area_share) {
   double whole = 0;
   for (std::uint32_t face = 0; face < work.size(); ++face) {
     if (!work.has(face) || degenerate(work[face]) || seen[face]) continue;
-    patches.push_back(patch_of(work, face, seen));
+    patches.push_back(sheet_of(work, face, seen));
     whole += patches.back().area;
   }
   std::erase_if(patches, [](const Patch& patch) { return !patch.hangs; });

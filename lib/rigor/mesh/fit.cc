@@ -56,7 +56,7 @@ Placed tilted(Placed best, Vector3 axis, const Along& along) {
 }
 
 /// The smallest of those along the axes; `aligned` is the smallest along the coordinate axes.
-Placed smallest(const Placed& aligned, const std::vector<Vector3>& axes, const Along& along) {
+Placed smallest_box(const Placed& aligned, const std::vector<Vector3>& axes, const Along& along) {
   Placed best = aligned;
   Vector3 best_axis = axes.front();
   for (const Vector3& axis : axes) {
@@ -67,8 +67,8 @@ Placed smallest(const Placed& aligned, const std::vector<Vector3>& axes, const A
 }
 
 Placed smallest_box(const std::vector<Vector3>& points, const std::vector<Vector3>& axes) {
-  return smallest(box_along(basis_about({0, 0, 1}), points), axes,
-                  [&points](const Vector3& axis) { return box_about(axis, points); });
+  return smallest_box(box_along(basis_about({0, 0, 1}), points), axes,
+                      [&points](const Vector3& axis) { return box_about(axis, points); });
 }
 
 Placed smallest_ball(const std::vector<Vector3>& points) {
@@ -80,7 +80,7 @@ Placed smallest_ball(const std::vector<Vector3>& points) {
 Placed smallest_round(const std::vector<Vector3>& axes, const Along& along) {
   Placed aligned = along(axes[0]);
   for (std::size_t i = 1; i < kCoordinateAxes; ++i) keep_lesser(aligned, along(axes[i]));
-  return smallest(aligned, axes, along);
+  return smallest_box(aligned, axes, along);
 }
 
 Placed place(FitKind kind, const std::vector<Vector3>& points, const std::vector<Vector3>& axes) {

@@ -83,7 +83,7 @@ std::vector<Vector3> axes_to_try(const TriangleMesh& hull) {
   std::vector<Direction> edges;
   for (const Triangle& t : hull.triangles) {
     const Facet f = facet(hull, t);
-    const Vector3 normal = cross(f[1] - f[0], f[2] - f[0]);
+    const Vector3 normal = area_vector(f);
     normals.push_back({length(normal), normal});
     for (std::size_t i = 0; i < 3; ++i) {
       const Vector3 edge = f[(i + 1) % 3] - f[i];

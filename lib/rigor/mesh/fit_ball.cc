@@ -25,7 +25,7 @@ constexpr double kOnBall = 1e-12;
 constexpr int kMaxSteps = 1000;
 
 /// Of the determinant of unit vectors: flatter subsets are carried by fewer points.
-constexpr double kFlat = 1e-12;
+constexpr double kFlatSubset = 1e-12;
 
 double squared(const Vector3& v) { return dot(v, v); }
 
@@ -37,20 +37,20 @@ std::optional<Ball> ball_through(const std::vector<Vector3>& on) {
   if (on.size() == 2) return Ball{o + 0.5 * a, 0.5 * length(a)};
   const Vector3 b = on[2] - o;
   const Vector3 n = cross(a, b);
-  if (squared(n) <= kFlat * squared(a) * squared(b)) return std::nullopt;
+  if (squared(n) <= kFlatSubset * squared(a) * squared(b)) return std::nullopt;
   Vector3 center;
   if (on.size() == 3) {
     center = (0.5 / squared(n)) * (squared(a) * cross(b, n) + squared(b) * cross(n, a));
   } else {
     const Vector3 c = on[3] - o;
     const double d = dot(n, c);
-    if (std::abs(d) <= kFlat * length(a) * length(b) * length(c)) return std::nullopt;
+    if (std::abs(d) <= kFlatSubset * length(a) * length(b) * length(c)) return std::nullopt;
     center = (0.5 / d) * (squared(a) * cross(b, c) + squared(b) * cross(c, a) + squared(c) * n);
   }
   return Ball{o + center, length(center)};
 }
 
-bool holds(const Ball& ball, const std::vector<Vector3>& points) {
+bool ball_holds(const Ball& ball, const std::vector<Vector3>& points) {
   const double limit = ball.radius * (1 + kOnBall);
   return std::all_of(points.begin(), points.end(),
                      [&ball, limit](const Vector3& p) { return length(p - ball.center) <= limit; });
@@ -62,7 +62,7 @@ struct Carried {
 };
 
 /// The smallest ball around up to five points, the last of which it carries.
-std::optional<Carried> smallest(const std::vector<Vector3>& points) {
+std::optional<Carried> smallest_carried(const std::vector<Vector3>& points) {
   const std::size_t others = points.size() - 1;
   std::optional<Carried> best;
   for (std::uint32_t subset = 0; subset < 1U << others; ++subset) {
@@ -73,12 +73,12 @@ std::optional<Carried> smallest(const std::vector<Vector3>& points) {
     if (by.size() > 4) continue;
     const auto ball = ball_through(by);
     if (!ball || (best && ball->radius >= best->ball.radius)) continue;
-    if (holds(*ball, points)) best = Carried{*ball, by};
+    if (ball_holds(*ball, points)) best = Carried{*ball, by};
   }
   return best;
 }
 
-const Vector3& farthest(const std::vector<Vector3>& points, const Vector3& from) {
+const Vector3& farthest_from(const std::vector<Vector3>& points, const Vector3& from) {
   return *std::max_element(points.begin(), points.end(), [&from](const auto& a, const auto& b) {
     return squared(a - from) < squared(b - from);
   });
@@ -90,15 +90,15 @@ Ball enclosing_ball(const std::vector<Vector3>& points) {
   if (points.empty()) return {};
   Carried carried{{points.front(), 0}, {points.front()}};
   for (int step = 0; step < kMaxSteps; ++step) {
-    const Vector3& far = farthest(points, carried.ball.center);
+    const Vector3& far = farthest_from(points, carried.ball.center);
     if (length(far - carried.ball.center) <= carried.ball.radius * (1 + kOnBall)) break;
     std::vector<Vector3> candidates = carried.by;
     candidates.push_back(far);
-    auto grown = smallest(candidates);
+    auto grown = smallest_carried(candidates);
     if (!grown || grown->ball.radius <= carried.ball.radius) break;  // only roundings apart
     carried = std::move(*grown);
   }
-  const Vector3& far = farthest(points, carried.ball.center);
+  const Vector3& far = farthest_from(points, carried.ball.center);
   return {carried.ball.center, length(far - carried.ball.center)};
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <rigor/mesh/fit_axis.h>
+#include <rigor/mesh/plane_point.h>
 
 namespace rigor::mesh {
 namespace {
@@ -50,28 +51,20 @@ Basis least_turned(const Basis& d) {
   return best;
 }
 
-struct Point {
-  double x;
-  double y;
-};
-
-Point operator-(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y}; }
-double dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
-double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
-
 /// Counter-clockwise, without points on its edges (A. M. Andrew's monotone chain, 1979).
-std::vector<Point> outline(std::vector<Point> points) {
-  std::sort(points.begin(), points.end(),
-            [](const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-  std::vector<Point> chain;
-  const auto add = [&chain](const Point& p, std::size_t keep) {
+std::vector<PlanePoint> outline(std::vector<PlanePoint> points) {
+  std::sort(points.begin(), points.end(), [](const PlanePoint& a, const PlanePoint& b) {
+    return a.x != b.x ? a.x < b.x : a.y < b.y;
+  });
+  std::vector<PlanePoint> chain;
+  const auto add = [&chain](const PlanePoint& p, std::size_t keep) {
     while (chain.size() >= keep + 2 &&
            cross(chain.back() - chain[chain.size() - 2], p - chain.back()) <= 0) {
       chain.pop_back();
     }
     chain.push_back(p);
   };
-  for (const Point& p : points) add(p, 0);
+  for (const PlanePoint& p : points) add(p, 0);
   const std::size_t half = chain.size() - 1;
   for (auto p = points.rbegin() + 1; p != points.rend(); ++p) add(*p, half);
   chain.pop_back();
@@ -80,23 +73,23 @@ std::vector<Point> outline(std::vector<Point> points) {
 
 /// Along a side of the smallest rectangle, one of which lies on an edge of the outline (H. Freeman,
 /// R. Shapira, 1975; rotating calipers: G. Toussaint, 1983). Not a unit vector.
-Point smallest_rectangle(const std::vector<Point>& outline) {
+PlanePoint smallest_rectangle(const std::vector<PlanePoint>& outline) {
   const std::size_t n = outline.size();
   const auto at = [&outline, n](std::size_t i) { return outline[i % n]; };
   // Steps on while that leads farther, and never round more than once.
-  const auto advance = [&at, n](std::size_t from, const Point& along) {
+  const auto advance = [&at, n](std::size_t from, const PlanePoint& along) {
     const std::size_t end = from + n;
     while (from < end && dot(at(from + 1) - at(from), along) > 0) ++from;
     return from;
   };
-  Point best{1, 0};
+  PlanePoint best{1, 0};
   double least = std::numeric_limits<double>::infinity();
   std::size_t right = 0;
   std::size_t top = 0;
   std::size_t left = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const Point d = at(i + 1) - at(i);
-    const Point up{-d.y, d.x};
+    const PlanePoint d = at(i + 1) - at(i);
+    const PlanePoint up{-d.y, d.x};
     right = advance(std::max(right, i + 1), d);
     top = advance(std::max(top, right), up);
     left = advance(std::max(left, top), {-d.x, -d.y});
@@ -130,10 +123,10 @@ Placed box_along(const Basis& directions, const std::vector<Vector3>& points) {
 
 Placed box_about(const Vector3& axis, const std::vector<Vector3>& points) {
   const Basis basis = basis_about(axis);
-  std::vector<Point> shadow;
+  std::vector<PlanePoint> shadow;
   shadow.reserve(points.size());
   for (const Vector3& p : points) shadow.push_back({dot(p, basis[0]), dot(p, basis[1])});
-  const Point side = smallest_rectangle(outline(std::move(shadow)));
+  const PlanePoint side = smallest_rectangle(outline(std::move(shadow)));
   const double size = std::hypot(side.x, side.y);
   if (!(size > 0)) return box_along(basis, points);
   const Vector3 u = (side.x / size) * basis[0] + (side.y / size) * basis[1];

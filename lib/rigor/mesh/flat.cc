@@ -12,7 +12,7 @@
 namespace rigor::mesh {
 namespace {
 
-class Writer {
+class FlatWriter {
  public:
   template <class T>
   void value(T value) {
@@ -39,9 +39,9 @@ class Writer {
 };
 
 /// Once something does not fit, `good` is false and all that follows is empty.
-class Reader {
+class FlatReader {
  public:
-  explicit Reader(std::string_view bytes) : bytes_(bytes) {}
+  explicit FlatReader(std::string_view bytes) : bytes_(bytes) {}
 
   bool good() const { return good_; }
   bool at_end() const { return bytes_.empty(); }
@@ -114,7 +114,7 @@ bool parts_cover(const TriangleMesh& mesh) {
 }  // namespace
 
 std::string flatten(const LoadedMesh& loaded) {
-  Writer writer;
+  FlatWriter writer;
   writer.number(static_cast<std::uint64_t>(loaded.format));
   writer.list(loaded.mesh.positions);
   writer.list(loaded.mesh.triangles);
@@ -145,7 +145,7 @@ std::string flatten(const LoadedMesh& loaded) {
 }
 
 std::optional<LoadedMesh> unflatten(std::string_view bytes) {
-  Reader reader(bytes);
+  FlatReader reader(bytes);
   LoadedMesh loaded;
   TriangleMesh& mesh = loaded.mesh;
   loaded.format = reader.enumerator(Format::kOther);

@@ -8,7 +8,8 @@
 #include <cstdio>
 #include <limits>
 #include <memory>
-#include <unordered_map>
+
+#include <rigor/mesh/select.h>
 
 extern "C" {
 #include <libqhull_r/libqhull_r.h>
@@ -65,23 +66,6 @@ double signed_volume(const std::vector<Vector3>& points, const std::vector<Trian
   return sum / 6;
 }
 
-/// Only the points that a triangle names.
-TriangleMesh compacted(const std::vector<Vector3>& points, std::vector<Triangle> triangles) {
-  TriangleMesh mesh;
-  std::unordered_map<std::uint32_t, std::uint32_t> place;
-  for (Triangle& triangle : triangles) {
-    for (std::uint32_t& corner : triangle) {
-      const auto [entry, is_new] =
-          place.try_emplace(corner, static_cast<std::uint32_t>(mesh.positions.size()));
-      if (is_new) mesh.positions.push_back(points[corner]);
-      corner = entry->second;
-    }
-  }
-  mesh.parts = {{"hull", {}, 0, triangles.size()}};
-  mesh.triangles = std::move(triangles);
-  return mesh;
-}
-
 }  // namespace
 
 std::optional<TriangleMesh> convex_hull(const std::vector<Vector3>& points) {
@@ -114,7 +98,9 @@ std::optional<TriangleMesh> convex_hull(const std::vector<Vector3>& points) {
   if (signed_volume(points, triangles) < 0) {
     for (Triangle& t : triangles) std::swap(t[0], t[1]);
   }
-  return compacted(points, std::move(triangles));
+  TriangleMesh hull = compacted(points, std::move(triangles));
+  hull.parts.front().name = "hull";
+  return hull;
 }
 
 }  // namespace rigor::mesh

@@ -7,20 +7,20 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <tuple>
 
+#include <rigor/mesh/plane_point.h>
 #include <rigor/mesh/thinness.h>
 
 namespace rigor::mesh {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
-
 /// Bends closer than this are as good as each other, so that the size decides on flat ground.
-constexpr double kBendStep = kPi / 18;
+constexpr double kBendStep = std::numbers::pi / 18;
 
 Vector3 normal(const Facet& f) {
-  const Vector3 n = cross(f[1] - f[0], f[2] - f[0]);
+  const Vector3 n = area_vector(f);
   const double size = length(n);
   return size > 0 ? (1 / size) * n : Vector3{};
 }
@@ -126,17 +126,8 @@ class BestFilling {
   std::vector<Cell> cells_;
 };
 
-struct Point {
-  double x = 0;
-  double y = 0;
-};
-
-double turn(const Point& a, const Point& b, const Point& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 /// The loop seen along its area vector.
-std::vector<Point> flattened(const Workpiece& work, const Hole& hole) {
+std::vector<PlanePoint> flattened(const Workpiece& work, const Hole& hole) {
   const Vector3& origin = work.at(hole.vertices[0]);
   Vector3 area;
   for (std::size_t i = 0; i < hole.vertices.size(); ++i) {
@@ -148,7 +139,7 @@ std::vector<Point> flattened(const Workpiece& work, const Hole& hole) {
   const Vector3 v = cross(area, u);
   const double u_size = length(u);
   const double v_size = length(v);
-  std::vector<Point> points;
+  std::vector<PlanePoint> points;
   for (const std::uint32_t vertex : hole.vertices) {
     const Vector3 p = work.at(vertex) - origin;
     points.push_back({dot(p, u) / u_size, dot(p, v) / v_size});
@@ -194,13 +185,13 @@ class EarFilling {
 
   /// Length of the chord that cuts off the corner k, if that is an ear.
   double chord(std::size_t k) const {
-    const Point& a = points_[left_[before(k)]];
-    const Point& b = points_[left_[k]];
-    const Point& c = points_[left_[after(k)]];
+    const PlanePoint& a = points_[left_[before(k)]];
+    const PlanePoint& b = points_[left_[k]];
+    const PlanePoint& c = points_[left_[after(k)]];
     if (!(turn(a, b, c) > 0)) return kNoEar;
     for (const std::size_t other : left_) {
       if (other == left_[before(k)] || other == left_[k] || other == left_[after(k)]) continue;
-      const Point& p = points_[other];
+      const PlanePoint& p = points_[other];
       if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) return kNoEar;
     }
     const Triangle t = triangle(k);
@@ -210,7 +201,7 @@ class EarFilling {
 
   const Workpiece& work_;
   const Hole& hole_;
-  std::vector<Point> points_;
+  std::vector<PlanePoint> points_;
   std::vector<std::size_t> left_;  // corners not cut off
   std::vector<double> chord_;
 };

@@ -38,7 +38,7 @@ bool passes(const Vector3& a, const Vector3& b, const Vector3& p) {
 bool is_above(const Facet& f, const Vector3& p) {
   const int passing = passes(f[0], f[1], p) + passes(f[1], f[2], p) + passes(f[2], f[0], p);
   if (passing != 1) return false;  // seen along z, p lies beside the triangle
-  const Vector3 normal = cross(f[1] - f[0], f[2] - f[0]);
+  const Vector3 normal = area_vector(f);
   return dot(normal, p - f[0]) * normal.z < 0;
 }
 

@@ -23,13 +23,13 @@ Vector3 over(const Vector3& v, double size) { return {v.x / size, v.y / size, v.
 
 /// One side of a triangle: from which place to which, the lower first, and the corner that it
 /// begins at, counted through all triangles.
-struct Side {
+struct TriangleSide {
   std::uint32_t low;
   std::uint32_t high;
   std::uint32_t corner;
 
-  bool along(const Side& other) const { return low == other.low && high == other.high; }
-  bool operator<(const Side& other) const {
+  bool along(const TriangleSide& other) const { return low == other.low && high == other.high; }
+  bool operator<(const TriangleSide& other) const {
     if (low != other.low) return low < other.low;
     return high != other.high ? high < other.high : corner < other.corner;
   }
@@ -39,7 +39,7 @@ std::uint32_t next_corner(std::uint32_t corner) {
   return corner % 3 == 2 ? corner - 2 : corner + 1;
 }
 
-std::vector<std::uint32_t> places_of(const TriangleMesh& mesh) {
+std::vector<std::uint32_t> places_of_corners(const TriangleMesh& mesh) {
   const Weld welded = weld(mesh.positions);
   std::vector<std::uint32_t> places;
   places.reserve(3 * mesh.triangles.size());
@@ -49,8 +49,8 @@ std::vector<std::uint32_t> places_of(const TriangleMesh& mesh) {
   return places;
 }
 
-std::vector<Side> sorted_sides(const std::vector<std::uint32_t>& places) {
-  std::vector<Side> sides;
+std::vector<TriangleSide> sorted_sides(const std::vector<std::uint32_t>& places) {
+  std::vector<TriangleSide> sides;
   sides.reserve(places.size());
   for (std::uint32_t corner = 0; corner < places.size(); ++corner) {
     const auto [low, high] = std::minmax(places[corner], places[next_corner(corner)]);
@@ -81,7 +81,7 @@ double angle_between(const Vector3& a, const Vector3& b) {
 /// Corners in one place that see each other across smooth edges.
 Groups smooth_groups(const std::vector<std::uint32_t>& places, const std::vector<Vector3>& normals,
                      double crease_angle) {
-  const std::vector<Side> sides = sorted_sides(places);
+  const std::vector<TriangleSide> sides = sorted_sides(places);
   Groups groups(places.size());
   for (std::size_t first = 0, end = 0; first < sides.size(); first = end) {
     while (end < sides.size() && sides[end].along(sides[first])) ++end;
@@ -106,7 +106,7 @@ double angle_at(const Facet& f, std::size_t corner) {
 }
 
 /// Without -0.
-Corners::Normal rounded(const Vector3& v) {
+Corners::Normal as_normal(const Vector3& v) {
   return {static_cast<float>(v.x) + 0.0F, static_cast<float>(v.y) + 0.0F,
           static_cast<float>(v.z) + 0.0F};
 }
@@ -115,7 +115,7 @@ Corners::Normal rounded(const Vector3& v) {
 
 TriangleMesh recomputed_normals(TriangleMesh mesh, double crease_angle) {
   const std::vector<Vector3> faces = face_normals(mesh);
-  const std::vector<std::uint32_t> places = places_of(mesh);
+  const std::vector<std::uint32_t> places = places_of_corners(mesh);
   Groups groups = smooth_groups(places, faces, crease_angle);
   std::vector<Vector3> sums(places.size());
   for (std::uint32_t corner = 0; corner < places.size(); ++corner) {
@@ -133,12 +133,12 @@ TriangleMesh recomputed_normals(TriangleMesh mesh, double crease_angle) {
 Corners::Normal normal_along(const Vector3& direction) {
   const double size = length(direction);
   if (size == 0 || !std::isfinite(size)) return {};
-  const Corners::Normal as_it_is = rounded(direction);
+  const Corners::Normal as_it_is = as_normal(direction);
   const bool is_normal = std::abs(size - 1) <= kUnitRounding && as_vector(as_it_is) == direction;
-  return is_normal ? as_it_is : rounded(over(direction, size));
+  return is_normal ? as_it_is : as_normal(over(direction, size));
 }
 
-Corners::Normal normal_of(const Facet& f) { return normal_along(cross(f[1] - f[0], f[2] - f[0])); }
+Corners::Normal normal_of(const Facet& f) { return normal_along(area_vector(f)); }
 
 Vector3 as_vector(const Corners::Normal& normal) {
   return {double{normal[0]}, double{normal[1]}, double{normal[2]}};

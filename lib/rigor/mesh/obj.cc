@@ -34,15 +34,14 @@ constexpr std::uint64_t kAnyNumber = std::uint64_t{1} << 32U;
 // files that name any, none names two.
 constexpr std::size_t kMaxLibraries = 4;
 
-constexpr Corners::Color kWhite{1, 1, 1, 1};
 constexpr std::uint32_t kNothing = 0xffffffffU;
 
 /// As the file has it: from 1 on, or from the last one back; 0 for none.
-using Number = std::int64_t;
+using ObjNumber = std::int64_t;
 
 /// The part of a corner before the next slash, which is passed over.
-Number take_number(std::string_view& corner) {
-  Number number = 0;
+ObjNumber take_number(std::string_view& corner) {
+  ObjNumber number = 0;
   const auto [end, error] = std::from_chars(corner.data(), corner.data() + corner.size(), number);
   const std::size_t slash = corner.find('/');
   corner.remove_prefix(slash == std::string_view::npos ? corner.size() : slash + 1);
@@ -57,10 +56,10 @@ class Listed {
   std::size_t size() const { return values_.size(); }
   void add(const Value& value) { values_.push_back(value); }
 
-  std::uint32_t index_of(Number number) const {
-    const auto size = static_cast<Number>(values_.size());
-    const Number index = number < 0 ? size + number : number - 1;
-    return index >= 0 && index < Number{kNothing} ? static_cast<std::uint32_t>(index) : kNothing;
+  std::uint32_t index_of(ObjNumber number) const {
+    const auto size = static_cast<ObjNumber>(values_.size());
+    const ObjNumber index = number < 0 ? size + number : number - 1;
+    return index >= 0 && index < ObjNumber{kNothing} ? static_cast<std::uint32_t>(index) : kNothing;
   }
 
   void name(std::size_t triangle, const Triangle& corners) {
@@ -94,10 +93,10 @@ class Listed {
   std::vector<Triangle> of_triangle_;  ///< up to the last that names any
 };
 
-class Reader {
+class ObjReader {
  public:
   /// `vertices` is how many the file has: faces may name some that come later.
-  Reader(std::string_view bytes, std::uint64_t vertices)
+  ObjReader(std::string_view bytes, std::uint64_t vertices)
       : bytes_(bytes), cursor_(bytes), vertices_(vertices) {}
 
   /// What `mtllib` names, a file or several.
@@ -107,7 +106,7 @@ class Reader {
     for (; loaded_.faults.empty() && !cursor_.at_end(); cursor_.skip_line()) statement();
     if (loaded_.faults.empty()) {
       // Now their number is known: once more, to count and find the faces that were wrong.
-      if (used_ > mesh_.positions.size()) return Reader(bytes_, mesh_.positions.size()).run();
+      if (used_ > mesh_.positions.size()) return ObjReader(bytes_, mesh_.positions.size()).run();
       judge();
     }
     if (loaded_.usable()) {
@@ -336,10 +335,10 @@ std::vector<Material> used_materials(const std::vector<Part>& parts,
 
 }  // namespace
 
-LoadedMesh read_obj(std::string_view bytes) { return Reader(bytes, kAnyNumber).run(); }
+LoadedMesh read_obj(std::string_view bytes) { return ObjReader(bytes, kAnyNumber).run(); }
 
 LoadedMesh read_obj(std::string_view bytes, const Disk& disk, const std::string& path) {
-  Reader reader(bytes, kAnyNumber);
+  ObjReader reader(bytes, kAnyNumber);
   LoadedMesh loaded = reader.run();
   if (!loaded.usable()) return loaded;
   const std::string folder = normalize_path(parent_path(path));

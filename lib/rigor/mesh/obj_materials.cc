@@ -27,13 +27,13 @@ constexpr std::string_view kTwoWords = "-mm";
 constexpr std::array<std::string_view, 3> kNumbers{"-o", "-s", "-t"};
 
 template <class List>
-bool contains(const List& list, std::string_view word) {
+bool lists(const List& list, std::string_view word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-class Reader {
+class ObjMaterialReader {
  public:
-  explicit Reader(std::string_view bytes) : cursor_(bytes) {}
+  explicit ObjMaterialReader(std::string_view bytes) : cursor_(bytes) {}
 
   std::vector<Material> run() {
     for (; !cursor_.at_end(); cursor_.skip_line()) statement();
@@ -92,8 +92,8 @@ class Reader {
   bool skip_option() {
     TextCursor ahead = cursor_;
     const std::string_view option = ahead.word();
-    const bool numbers = contains(kNumbers, option);
-    std::size_t words = contains(kOneWord, option) ? 1 : option == kTwoWords ? 2 : 0;
+    const bool numbers = lists(kNumbers, option);
+    std::size_t words = lists(kOneWord, option) ? 1 : option == kTwoWords ? 2 : 0;
     if (!numbers && words == 0) return false;
     cursor_ = ahead;
     for (; words > 0; --words) {
@@ -138,7 +138,9 @@ void append_fraction(std::string& text, float value) {
 
 }  // namespace
 
-std::vector<Material> read_obj_materials(std::string_view bytes) { return Reader(bytes).run(); }
+std::vector<Material> read_obj_materials(std::string_view bytes) {
+  return ObjMaterialReader(bytes).run();
+}
 
 std::string rest_of_obj_line(const std::string& name) {
   std::string line = name.empty() ? "" : ' ' + clean(name);

@@ -15,25 +15,24 @@
 namespace rigor::mesh {
 namespace {
 
-constexpr std::array<std::array<std::size_t, 2>, 3> kEdges = {{{0, 1}, {1, 2}, {2, 0}}};
-
-enum class Side : std::uint8_t { kUnseen, kAsFirst, kAgainst };
+enum class Facing : std::uint8_t { kUnseen, kAsFirst, kAgainst };
 
 /// The triangles of the patch of `first`, each marked as to whether it faces as that does.
-std::vector<std::uint32_t> patch_of(const Workpiece& work, std::uint32_t first,
-                                    std::vector<Side>& sides) {
+std::vector<std::uint32_t> facing_patch(const Workpiece& work, std::uint32_t first,
+                                        std::vector<Facing>& sides) {
   std::vector<std::uint32_t> patch = {first};
-  sides[first] = Side::kAsFirst;
+  sides[first] = Facing::kAsFirst;
   for (std::size_t next = 0; next < patch.size(); ++next) {
     const std::uint32_t face = patch[next];
     const Triangle& t = work[face];
-    for (const auto& [i, k] : kEdges) {
+    for (const auto& [i, k] : kSides) {
       const EdgeFaces at = work.faces_at(t[i], t[k]);
       if (at.count != 2) continue;
       const std::uint32_t other = at.faces[0] == face ? at.faces[1] : at.faces[0];
-      if (sides[other] != Side::kUnseen) continue;
+      if (sides[other] != Facing::kUnseen) continue;
       const bool agrees = !runs(work[other], t[i], t[k]);
-      sides[other] = (sides[face] == Side::kAsFirst) == agrees ? Side::kAsFirst : Side::kAgainst;
+      sides[other] =
+          (sides[face] == Facing::kAsFirst) == agrees ? Facing::kAsFirst : Facing::kAgainst;
       patch.push_back(other);
     }
   }
@@ -42,10 +41,10 @@ std::vector<std::uint32_t> patch_of(const Workpiece& work, std::uint32_t first,
 
 /// Those of the patch that are fewer.
 std::vector<std::uint32_t> fewer(const std::vector<std::uint32_t>& patch,
-                                 const std::vector<Side>& sides) {
+                                 const std::vector<Facing>& sides) {
   std::array<std::vector<std::uint32_t>, 2> split;
   for (const std::uint32_t face : patch) {
-    split[sides[face] == Side::kAsFirst ? 0 : 1].push_back(face);
+    split[sides[face] == Facing::kAsFirst ? 0 : 1].push_back(face);
   }
   return split[0].size() < split[1].size() ? split[0] : split[1];
 }
@@ -60,10 +59,10 @@ std::uint32_t root_of(const Components& components, std::uint32_t component) {
 
 std::uint64_t turn_consistent(Workpiece& work) {
   std::uint64_t turned = 0;
-  std::vector<Side> sides(work.size(), Side::kUnseen);
+  std::vector<Facing> sides(work.size(), Facing::kUnseen);
   for (std::uint32_t first = 0; first < work.size() && !work.tired(); ++first) {
-    if (!work.has(first) || degenerate(work[first]) || sides[first] != Side::kUnseen) continue;
-    const std::vector<std::uint32_t> faces = fewer(patch_of(work, first, sides), sides);
+    if (!work.has(first) || degenerate(work[first]) || sides[first] != Facing::kUnseen) continue;
+    const std::vector<std::uint32_t> faces = fewer(facing_patch(work, first, sides), sides);
     const bool done = work.attempt([&] {
       for (const std::uint32_t face : faces) work.turn(face);
     });

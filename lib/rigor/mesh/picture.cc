@@ -23,7 +23,7 @@ std::string bytes_at(const OpenFile& file, std::uint64_t offset, std::size_t cou
 }
 
 /// The most significant byte first.
-std::uint32_t number(std::string_view bytes) {
+std::uint32_t big_endian(std::string_view bytes) {
   std::uint32_t value = 0;
   for (const char byte : bytes) value = value << 8U | static_cast<unsigned char>(byte);
   return value;
@@ -39,14 +39,14 @@ PictureSize jpeg_size(const OpenFile& file) {
   for (int i = 0; i < kMaxSegments; ++i) {
     const std::string segment = bytes_at(file, at, 9);
     if (segment.size() < 9 || segment[0] != '\xFF') break;
-    const std::uint32_t marker = number(std::string_view(segment).substr(1, 1));
+    const std::uint32_t marker = big_endian(std::string_view(segment).substr(1, 1));
     if (marker == 0xFF) {  // a fill byte
       ++at;
       continue;
     }
     const std::string_view body = std::string_view(segment).substr(2);
-    if (begins_frame(marker)) return {number(body.substr(5, 2)), number(body.substr(3, 2))};
-    at += 2 + number(body.substr(0, 2));
+    if (begins_frame(marker)) return {big_endian(body.substr(5, 2)), big_endian(body.substr(3, 2))};
+    at += 2 + big_endian(body.substr(0, 2));
   }
   return {};
 }
@@ -60,7 +60,7 @@ PictureSize picture_size(const OpenFile& file) {
   if (header.size() < 24 || !header.starts_with(kPng) || header.substr(12, 4) != kPngHeader) {
     return {};
   }
-  return {number(header.substr(16, 4)), number(header.substr(20, 4))};
+  return {big_endian(header.substr(16, 4)), big_endian(header.substr(20, 4))};
 }
 
 }  // namespace rigor::mesh

@@ -50,7 +50,7 @@ std::optional<Piece> piece_of(Solid solid) {
   return Piece{std::move(solid), {std::move(*hull), volume}, whole};
 }
 
-std::vector<Piece> parted(const TriangleMesh& mesh, const Plane& plane) {
+std::vector<Piece> halved(const TriangleMesh& mesh, const Plane& plane) {
   const Halves halves = cut(mesh, plane, kOnPlane32);
   std::vector<Piece> parts;
   for (const TriangleMesh& half : {halves.below, halves.above}) {
@@ -69,7 +69,7 @@ std::vector<Piece> best_cut(const Piece& piece) {
   std::vector<Piece> best;
   double least = 0;
   for (const CutPlane& candidate : planes_to_try(mesh, planes)) {
-    std::vector<Piece> parts = parted(mesh, candidate.plane);
+    std::vector<Piece> parts = halved(mesh, candidate.plane);
     if (parts.size() < 2) continue;
     double cost = -kConcaveWorth * candidate.concave * piece.hull.volume;
     for (const Piece& part : parts) cost += part.hull.volume;

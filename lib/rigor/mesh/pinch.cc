@@ -10,6 +10,7 @@
 #include <span>
 #include <utility>
 
+#include <rigor/mesh/bad_edges.h>
 #include <rigor/mesh/boundary.h>
 #include <rigor/mesh/groups.h>
 
@@ -18,7 +19,7 @@ namespace {
 
 // A round leaves alone what touches something that it mended, so a few are needed; each looks at the
 // whole surface again, so a file must not decide how many.
-constexpr int kMaxRounds = 8;
+constexpr int kMaxPinchRounds = 8;
 
 // More triangles at an edge, or around its ends, are left: trying them in pairs would take too long.
 constexpr std::size_t kMaxSide = 16;
@@ -29,7 +30,7 @@ constexpr double kMinAlong = 0;
 
 using Places = Triangle;
 
-Places places_of(const std::vector<std::uint32_t>& place, const Triangle& vertices) {
+Places places_at(const std::vector<std::uint32_t>& place, const Triangle& vertices) {
   return {place[vertices[0]], place[vertices[1]], place[vertices[2]]};
 }
 
@@ -55,8 +56,8 @@ std::size_t fans(const std::vector<Places>& ring, std::uint32_t place) {
   return apart;
 }
 
-Vector3 area_vector(const std::vector<Vector3>& at, const Places& t) {
-  return model::cross(at[t[1]] - at[t[0]], at[t[2]] - at[t[0]]);
+Vector3 area_vector_of(const std::vector<Vector3>& at, const Places& t) {
+  return area_vector({at[t[0]], at[t[1]], at[t[2]]});
 }
 
 double cosine(const Vector3& a, const Vector3& b) {
@@ -211,9 +212,9 @@ class Round {
     turn.places = {{{third, edge.low, fourth}, {fourth, edge.high, third}}};
     if (third == fourth || joined(third, fourth)) return std::nullopt;
     if (splits(turn, edge.low) || splits(turn, edge.high)) return std::nullopt;
-    const Vector3 before = area_vector(mesh_.positions, p) + area_vector(mesh_.positions, q);
-    turn.along = std::min(cosine(area_vector(mesh_.positions, turn.places[0]), before),
-                          cosine(area_vector(mesh_.positions, turn.places[1]), before));
+    const Vector3 before = area_vector_of(mesh_.positions, p) + area_vector_of(mesh_.positions, q);
+    turn.along = std::min(cosine(area_vector_of(mesh_.positions, turn.places[0]), before),
+                          cosine(area_vector_of(mesh_.positions, turn.places[1]), before));
     if (turn.along < kMinAlong) return std::nullopt;
     return turn;
   }
@@ -264,31 +265,32 @@ PinchedSurface::PinchedSurface(std::vector<Vector3> places,
 }
 
 void PinchedSurface::take(std::vector<Triangle> faces) {
-  std::erase_if(faces, [&](const Triangle& t) { return degenerate(places_of(place_, t)); });
+  std::erase_if(faces, [&](const Triangle& t) { return degenerate(places_at(place_, t)); });
   faces_ = std::move(faces);
   mesh_.triangles.clear();
-  for (const Triangle& t : faces_) mesh_.triangles.push_back(places_of(place_, t));
+  mesh_.triangles.reserve(faces_.size());
+  for (const Triangle& t : faces_) mesh_.triangles.push_back(places_at(place_, t));
 }
 
-std::vector<BadEdge> PinchedSurface::bad_edges() const {
-  DefectTally tally;
-  return look_round(mesh_, apart_, tally).bad_edges;
-}
+std::vector<BadEdge> PinchedSurface::bad_edges() const { return bad_edges_of(mesh_, apart_); }
 
 std::uint64_t PinchedSurface::holes(const std::vector<BadEdge>& edges) const {
   return boundary_of(mesh_, apart_, edges).loops;
 }
 
-void PinchedSurface::mend(const Chosen& chosen) {
-  for (int round = 0; round < kMaxRounds; ++round) {
+std::vector<BadEdge> PinchedSurface::mend(std::vector<BadEdge> edges, const Chosen& chosen) {
+  for (int round = 0; round < kMaxPinchRounds; ++round) {
+    if (std::none_of(edges.begin(), edges.end(), chosen)) break;
     Round pass(faces_, mesh_);
     bool mended = false;
-    for (const BadEdge& edge : bad_edges()) {
+    for (const BadEdge& edge : edges) {
       if (chosen(edge) && pass.mend(edge)) mended = true;
     }
-    if (!mended) return;
+    if (!mended) break;
     take(pass.rest());
+    edges = bad_edges();
   }
+  return edges;
 }
 
 }  // namespace rigor::mesh

@@ -10,7 +10,7 @@
 //
 //   PinchedSurface surface(positions_of_places, place_of_vertex);
 //   surface.take(faces);
-//   surface.mend([&](const BadEdge& edge) { return is_new(edge); });
+//   const auto left = surface.mend(surface.bad_edges(), [&](const BadEdge& e) { return is_new(e); });
 
 #pragma once
 
@@ -34,8 +34,9 @@ class PinchedSurface {
   /// Triangles with two corners in one place are left out.
   void take(std::vector<Triangle> faces);
 
-  /// Mends the chosen of the bad edges, as far as that goes.
-  void mend(const Chosen& chosen);
+  /// Mends the chosen of the bad edges, which are all that there are, as far as that goes. Returns
+  /// those that there are then.
+  std::vector<BadEdge> mend(std::vector<BadEdge> edges, const Chosen& chosen);
 
   const std::vector<Triangle>& faces() const { return faces_; }
   const std::vector<Vector3>& places() const { return mesh_.positions; }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include <rigor/mesh/cap.h>
+#include <rigor/mesh/select.h>
 #include <rigor/mesh/weld.h>
 
 namespace rigor::mesh {
@@ -27,33 +28,15 @@ struct Edge {
   int turns;
 };
 
-/// Only the positions that a triangle names.
-TriangleMesh compacted(const std::vector<Vector3>& positions, std::vector<Triangle> triangles) {
-  TriangleMesh mesh;
-  constexpr std::uint32_t kUnseen = 0xffffffffU;
-  std::vector<std::uint32_t> place(positions.size(), kUnseen);
-  for (Triangle& t : triangles) {
-    for (std::uint32_t& corner : t) {
-      if (place[corner] == kUnseen) {
-        place[corner] = static_cast<std::uint32_t>(mesh.positions.size());
-        mesh.positions.push_back(positions[corner]);
-      }
-      corner = place[corner];
-    }
-  }
-  mesh.parts = {{{}, {}, 0, triangles.size()}};
-  mesh.triangles = std::move(triangles);
-  return mesh;
-}
-
-std::vector<DirectedEdge> sorted(std::vector<DirectedEdge> edges) {
+std::vector<DirectedEdge> sorted_edges(std::vector<DirectedEdge> edges) {
   std::sort(edges.begin(), edges.end());
   return edges;
 }
 
-class Cutter {
+class PlaneCutter {
  public:
-  Cutter(const TriangleMesh& mesh, const Plane& plane, double on_plane) : normal_(plane.normal) {
+  PlaneCutter(const TriangleMesh& mesh, const Plane& plane, double on_plane)
+      : normal_(plane.normal) {
     const Weld welded = weld(mesh.positions);
     double farthest = 0;
     for (const std::uint32_t i : welded.first) {
@@ -80,7 +63,7 @@ class Cutter {
     for (DirectedEdge& edge : above) std::swap(edge[0], edge[1]);
     // With triangles in the plane, what the halves lack differs. Otherwise they share a cap, and their
     // volumes add up though its corners are in the plane only nearly.
-    const bool same = sorted(below) == sorted(above);
+    const bool same = sorted_edges(below) == sorted_edges(above);
     for (const Triangle& t : same ? cap : cap_of(above, positions_, normal_)) {
       above_.push_back({t[0], t[2], t[1]});
     }
@@ -160,7 +143,7 @@ class Cutter {
 }  // namespace
 
 Halves cut(const TriangleMesh& mesh, const Plane& plane, double on_plane) {
-  return Cutter(mesh, plane, on_plane).halves();
+  return PlaneCutter(mesh, plane, on_plane).halves();
 }
 
 }  // namespace rigor::mesh

@@ -37,7 +37,7 @@ Sum sum(double a, double b) {
 }
 
 /// T. Dekker's product, with each factor split into halves of 26 bits.
-Sum product(double a, double b) {
+Sum exact_product(double a, double b) {
   constexpr double kSplitter = 0x1p27 + 1;
   const auto upper = [](double x) { return kSplitter * x - (kSplitter * x - x); };
   const double a_high = upper(a);
@@ -67,7 +67,7 @@ class Exact {
 
   void add_product(double a, double b) {
     if (a == 0 || b == 0) return;
-    const Sum p = product(a, b);
+    const Sum p = exact_product(a, b);
     add(p.rest);
     add(p.rounded);
   }
@@ -83,14 +83,14 @@ class Exact {
 
 /// a - b, in two terms of which the second is the greater.
 using Difference = std::array<double, 2>;
-using Row = std::array<Difference, 3>;
+using DifferenceRow = std::array<Difference, 3>;
 
 Difference difference(double a, double b) {
   const Sum s = sum(a, -b);
   return {s.rest, s.rounded};
 }
 
-Row difference(const Vector3& a, const Vector3& b) {
+DifferenceRow difference(const Vector3& a, const Vector3& b) {
   return {difference(a.x, b.x), difference(a.y, b.y), difference(a.z, b.z)};
 }
 
@@ -107,7 +107,7 @@ Exact<16> minor(const Difference& a, const Difference& b, const Difference& c,
   return result;
 }
 
-int sign_of_determinant(const Row& u, const Row& v, const Row& w) {
+int sign_of_determinant(const DifferenceRow& u, const DifferenceRow& v, const DifferenceRow& w) {
   Exact<192> det;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t next = (k + 1) % 3;
@@ -127,7 +127,7 @@ using Whole = std::array<Wide, 3>;
 constexpr int kWholeBits = 41;
 
 /// The same, as multiples of 2^-exponent, when each is one and has no second term.
-std::optional<Whole> whole(const Row& row, int exponent) {
+std::optional<Whole> as_whole(const DifferenceRow& row, int exponent) {
   Whole result;
   for (std::size_t k = 0; k < 3; ++k) {
     const double scaled = std::ldexp(row[k][1], exponent);
@@ -139,15 +139,16 @@ std::optional<Whole> whole(const Row& row, int exponent) {
 }
 
 /// Quick, and nearly always enough for places of a file that holds floats.
-std::optional<int> sign_in_integers(const Row& u, const Row& v, const Row& w) {
+std::optional<int> sign_in_integers(const DifferenceRow& u, const DifferenceRow& v,
+                                    const DifferenceRow& w) {
   double most = 0;
-  for (const Row* row : {&u, &v, &w}) {
+  for (const DifferenceRow* row : {&u, &v, &w}) {
     for (const Difference& d : *row) most = std::max(most, std::abs(d[1]));
   }
   const int exponent = kWholeBits - 1 - std::ilogb(most);
-  const std::optional<Whole> a = whole(u, exponent);
-  const std::optional<Whole> b = whole(v, exponent);
-  const std::optional<Whole> c = whole(w, exponent);
+  const std::optional<Whole> a = as_whole(u, exponent);
+  const std::optional<Whole> b = as_whole(v, exponent);
+  const std::optional<Whole> c = as_whole(w, exponent);
   if (!a || !b || !c) return std::nullopt;
   Wide det = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -159,9 +160,9 @@ std::optional<int> sign_in_integers(const Row& u, const Row& v, const Row& w) {
 }
 
 int exact_side(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& p) {
-  const Row u = difference(b, a);
-  const Row v = difference(c, a);
-  const Row w = difference(p, a);
+  const DifferenceRow u = difference(b, a);
+  const DifferenceRow v = difference(c, a);
+  const DifferenceRow w = difference(p, a);
   const std::optional<int> quick = sign_in_integers(u, v, w);
   return quick ? *quick : sign_of_determinant(u, v, w);
 }
@@ -174,7 +175,7 @@ int exact_turn(const Flat& a, const Flat& b, const Flat& c) {
 
 /// Whether a line along a side of `a`, which is convex and counter-clockwise, has all of it on one side
 /// and all of `b` strictly on the other. Two corners are a segment, seen as two sides.
-bool parted(std::span<const Flat> a, std::span<const Flat> b) {
+bool parted_by_edge(std::span<const Flat> a, std::span<const Flat> b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Flat& next = a[(i + 1) % a.size()];
     bool beyond = true;
@@ -195,11 +196,11 @@ bool meet_in_plane(const std::array<Vector3, kCorners>& g, const Facet& f) {
   };
   const auto a = seen(f, std::array<Flat, 3>{});
   const auto b = seen(g, std::array<Flat, kCorners>{});
-  return !parted(a, b) && !parted(b, a);
+  return !parted_by_edge(a, b) && !parted_by_edge(b, a);
 }
 
 /// For a segment with ends on the sides `s0` and `s1` of the plane of f.
-bool meet(const Segment& s, int s0, int s1, const Facet& f) {
+bool meet_between(const Segment& s, int s0, int s1, const Facet& f) {
   if (s0 * s1 > 0) return false;
   if (s0 == 0 && s1 == 0) return meet_in_plane(s, f);
   bool left = false;
@@ -222,8 +223,8 @@ Sides sides(const Facet& f, const Facet& g) {
 bool all_on_one_side(const Sides& s) { return s[0] != 0 && s[0] == s[1] && s[1] == s[2]; }
 
 bool an_edge_meets(const Facet& g, const Sides& s, const Facet& f) {
-  return meet({g[0], g[1]}, s[0], s[1], f) || meet({g[1], g[2]}, s[1], s[2], f) ||
-         meet({g[2], g[0]}, s[2], s[0], f);
+  return meet_between({g[0], g[1]}, s[0], s[1], f) || meet_between({g[1], g[2]}, s[1], s[2], f) ||
+         meet_between({g[2], g[0]}, s[2], s[0], f);
 }
 
 }  // namespace
@@ -264,7 +265,9 @@ int axis_of_view(const Facet& f) {
   return axis;
 }
 
-bool meet(const Segment& s, const Facet& f) { return meet(s, side(f, s[0]), side(f, s[1]), f); }
+bool meet(const Segment& s, const Facet& f) {
+  return meet_between(s, side(f, s[0]), side(f, s[1]), f);
+}
 
 bool meet(const Facet& f, const Facet& g) {
   const Sides g_to_f = sides(f, g);

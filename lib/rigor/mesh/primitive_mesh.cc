@@ -23,16 +23,16 @@ struct VolumeOf {
   }
 };
 
-struct Ring {
+struct LatheRing {
   double radius;
   double z;
 };
 
 /// The rings turned about z, from a pole at `top` down to one at `bottom`.
-TriangleMesh turned_on_lathe(double top, const std::vector<Ring>& rings, double bottom) {
+TriangleMesh turned_on_lathe(double top, const std::vector<LatheRing>& rings, double bottom) {
   constexpr std::uint32_t n = kCircleSegments;
   TriangleMesh mesh;
-  for (const Ring& ring : rings) {
+  for (const LatheRing& ring : rings) {
     for (std::uint32_t i = 0; i < n; ++i) {
       const double angle = 2 * pi * i / n;
       mesh.positions.push_back(
@@ -58,7 +58,7 @@ TriangleMesh turned_on_lathe(double top, const std::vector<Ring>& rings, double 
 /// Two half balls, their centres `length` apart; the equator is drawn once when that is zero.
 TriangleMesh round_ended(double radius, double length) {
   constexpr unsigned quarter = kCircleSegments / 4;
-  std::vector<Ring> rings;
+  std::vector<LatheRing> rings;
   for (unsigned i = 1; i <= quarter; ++i) {
     const double angle = pi / 2 * i / quarter;
     rings.push_back({radius * std::sin(angle), length / 2 + radius * std::cos(angle)});

@@ -12,12 +12,12 @@ namespace rigor::mesh {
 namespace {
 
 using model::Matrix3;
-using Row = std::array<double, 3>;
+using Coordinates = std::array<double, 3>;
 
 /// Jacobi's method converges quadratically: three sweeps suffice nearly always.
 constexpr int kMaxSweeps = 32;
 
-Row row(const Vector3& v) { return {v.x, v.y, v.z}; }
+Coordinates row(const Vector3& v) { return {v.x, v.y, v.z}; }
 
 /// Turns the plane of axes p and q so that the entry there becomes zero (G. H. Golub, C. F. Van Loan,
 /// "Matrix Computations", 8.5).
@@ -57,7 +57,7 @@ Enclosed enclosed(const TriangleMesh& mesh) {
     const double d = dot(v[0], cross(v[1], v[2]));
     result.volume += d / 6;
     first = first + (d / 24) * s;
-    for (const Row& r : {row(v[0]), row(v[1]), row(v[2]), row(s)}) {
+    for (const Coordinates& r : {row(v[0]), row(v[1]), row(v[2]), row(s)}) {
       for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = 0; j < 3; ++j) second[i][j] += d / 120 * r[i] * r[j];
       }
@@ -65,7 +65,7 @@ Enclosed enclosed(const TriangleMesh& mesh) {
   }
   if (result.volume == 0) return result;
   const Vector3 offset = (1 / result.volume) * first;
-  const Row r = row(offset);
+  const Coordinates r = row(offset);
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j)
       result.spread[i][j] = second[i][j] - result.volume * r[i] * r[j];
@@ -87,7 +87,7 @@ double enclosed_volume(const TriangleMesh& mesh) {
 
 std::array<Vector3, 3> principal_axes(const model::Matrix3& symmetric) {
   Matrix3 m = symmetric;
-  Matrix3 vectors = {Row{1, 0, 0}, Row{0, 1, 0}, Row{0, 0, 1}};
+  Matrix3 vectors = {Coordinates{1, 0, 0}, Coordinates{0, 1, 0}, Coordinates{0, 0, 1}};
   for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
     rotate_away(m, vectors, 0, 1);
     rotate_away(m, vectors, 0, 2);
@@ -98,7 +98,7 @@ std::array<Vector3, 3> principal_axes(const model::Matrix3& symmetric) {
                    [&m](std::size_t a, std::size_t b) { return m[a][a] > m[b][b]; });
   std::array<Vector3, 3> axes;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Row& r = vectors[order[i]];
+    const Coordinates& r = vectors[order[i]];
     axes[i] = {r[0], r[1], r[2]};
   }
   return axes;

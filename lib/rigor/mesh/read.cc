@@ -17,9 +17,6 @@
 namespace rigor::mesh {
 namespace {
 
-// So much of a file tells its format.
-constexpr std::size_t kProbe = 512;
-
 constexpr std::string_view kLfsPointer = "version https://git-lfs.github.com/spec/";
 
 // Endings of files that robot models name now and then and assimp knows; more it would read, but
@@ -131,7 +128,7 @@ LoadedMesh read_mesh(const Disk& disk, const std::string& path) {
   if (!file) return no_mesh(FaultKind::kUnreadable, disk.read(path, kMaxMeshBytes).problem);
   if (file->size() == 0) return no_mesh(FaultKind::kEmpty);
   if (file->size() > kMaxMeshBytes) return no_mesh(FaultKind::kTooLarge, "over 2 GiB");
-  const std::string first_bytes = read(*file, kProbe);
+  const std::string first_bytes = read(*file, kProbeBytes);
   if (first_bytes.starts_with(kLfsPointer)) return no_mesh(FaultKind::kLfsPointer);
   const Format format = format_of(first_bytes, file->size(), path);
   LoadedMesh loaded = read_as(format, *file, disk, path);

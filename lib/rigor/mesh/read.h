@@ -12,6 +12,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -51,6 +52,9 @@ struct LoadedMesh {
 
   bool usable() const;  ///< no fault is fatal
 };
+
+/// So many bytes of a file's beginning tell its format.
+inline constexpr std::size_t kProbeBytes = 512;
 
 /// By the bytes first, then by the ending: files lie about what they are.
 Format format_of(std::string_view first_bytes, std::uint64_t size, std::string_view path);

@@ -13,6 +13,7 @@
 
 #include <meshoptimizer.h>
 
+#include <rigor/mesh/bad_edges.h>
 #include <rigor/mesh/boundary.h>
 #include <rigor/mesh/pinch.h>
 #include <rigor/mesh/rings.h>
@@ -58,6 +59,17 @@ class Points {
 
   const std::array<float, 3>& operator[](std::uint32_t place) const { return list_[place]; }
 
+  /// Marks a place at each of the six ends of what they span.
+  void mark_ends(std::vector<bool>& marks) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto [low, high] =
+          std::minmax_element(list_.begin(), list_.end(),
+                              [axis](const auto& a, const auto& b) { return a[axis] < b[axis]; });
+      marks[static_cast<std::size_t>(low - list_.begin())] = true;
+      marks[static_cast<std::size_t>(high - list_.begin())] = true;
+    }
+  }
+
   double to_length(float relative_error) const { return 2 * half_side_ * relative_error; }
   float to_relative(double length) const {
     return static_cast<float>(std::min(length / (2 * half_side_), kAnyError));
@@ -90,10 +102,10 @@ struct Before {
   std::uint64_t holes = 0;
   std::vector<bool> at;  ///< places that such an edge ends at
 
-  Before(const TriangleMesh& mesh, const Weld& welded) : at(welded.places()) {
-    DefectTally tally;
-    edges = look_round(mesh, welded, tally).bad_edges;
-    holes = boundary_of(mesh, welded, edges).loops;
+  Before(const TriangleMesh& mesh, const Weld& welded)
+      : edges(bad_edges_of(mesh, welded)),
+        holes(boundary_of(mesh, welded, edges).loops),
+        at(welded.places()) {
     for (const BadEdge& edge : edges) at[edge.low] = at[edge.high] = true;
   }
 
@@ -116,32 +128,61 @@ class Reducer {
     if (vertices_.faces.empty()) return {};
     Reduced best = attempt();
     max_error_ = std::min(max_error_, kMoreError * best.error);
-    const double most = kMoreTriangles * static_cast<double>(best.mesh.triangles.size());
-    for (const int rings : kHeldRings) {
-      if (harm(best.flaws) == 0) break;
-      hold(rings);
-      Reduced next = attempt();
-      next.runs += best.runs;
-      best.runs = next.runs;
-      if (static_cast<double>(next.mesh.triangles.size()) > most) break;
-      if (harm(next.flaws) < harm(best.flaws)) best = std::move(next);
+    if (harm(best.flaws) > 0 && first_is_sound()) {
+      keeps_first_ = true;
+      improve(best);
+      keeps_first_ = false;
     }
+    if (harm(best.flaws) > 0) improve(best);
     return best;
   }
 
  private:
+  /// Tries again with places held.
+  void improve(Reduced& best) {
+    const double most = kMoreTriangles * static_cast<double>(best.mesh.triangles.size());
+    held_.assign(held_.size(), false);
+    for (const int rings : kHeldRings) {
+      if (harm(best.flaws) == 0) break;
+      hold(rings, keeps_first_ ? first_.index : vertices_.index);
+      Reduced next = attempt();
+      best.runs += next.runs;
+      if (static_cast<double>(next.mesh.triangles.size()) > most) break;
+      if (harm(next.flaws) >= harm(best.flaws)) continue;
+      next.runs = best.runs;
+      best = std::move(next);
+    }
+  }
+
+  /// Whether what is wrong comes from the second run alone: what the first one left can be mended,
+  /// and is mended then. To try the second again costs a fifth of both.
+  bool first_is_sound() {
+    surface_.take(faces_of(first_.index));
+    const std::vector<BadEdge> edges = mended(surface_.bad_edges());
+    if (harm(flaws(edges)) > 0) return false;
+    first_.index.clear();
+    for (const Triangle& t : surface_.faces()) {
+      first_.index.insert(first_.index.end(), t.begin(), t.end());
+    }
+    return true;
+  }
+
   Reduced attempt() {
     Reduced reduced{.error = simplify(), .runs = 1};
     std::vector<BadEdge> edges = surface_.bad_edges();
     if (!edges.empty()) {
       if (!before_) before_.emplace(mesh_, welded_);
-      surface_.mend([this](const BadEdge& edge) { return before_->is_new(edge); });
-      edges = surface_.bad_edges();
+      edges = mended(std::move(edges));
       reduced.flaws = flaws(edges);
     }
     reduced.mesh = assembled(mesh_, vertices_, surface_);
     left_ = std::move(edges);
     return reduced;
+  }
+
+  std::vector<BadEdge> mended(std::vector<BadEdge> edges) {
+    return surface_.mend(std::move(edges),
+                         [this](const BadEdge& edge) { return before_->is_new(edge); });
   }
 
   Flaws flaws(const std::vector<BadEdge>& edges) const {
@@ -158,15 +199,16 @@ class Reducer {
     return before_ && before_->edges.empty() ? flaws.total() : flaws.holes;
   }
 
-  /// Marks the places within so many edges of what is left to mend.
-  void hold(int rings) {
+  /// Marks the places within so many edges, of these triangles, of what is left to mend.
+  void hold(int rings, const std::vector<std::uint32_t>& index) {
     for (const BadEdge& edge : left_) {
       if (before_->is_new(edge)) held_[edge.low] = held_[edge.high] = true;
     }
     for (int ring = 0; ring < rings; ++ring) {
       const std::vector<bool> inner = held_;
-      for (const Triangle& t : mesh_.triangles) {
-        const Triangle p = places_of(welded_, t);
+      for (std::size_t i = 0; i < index.size(); i += 3) {
+        const Triangle p = {vertices_.place[index[i]], vertices_.place[index[i + 1]],
+                            vertices_.place[index[i + 2]]};
         if (inner[p[0]] || inner[p[1]] || inner[p[2]])
           held_[p[0]] = held_[p[1]] = held_[p[2]] = true;
       }
@@ -175,25 +217,23 @@ class Reducer {
 
   /// Leaves the result in the surface. Returns the error in the mesh's unit.
   double simplify() {
-    std::vector<std::array<float, 3>> points;
-    points.reserve(vertices_.place.size());
-    for (const std::uint32_t place : vertices_.place) points.push_back(points_[place]);
-    // The library holds a vertex still when another, of no triangle, stands in its place.
-    for (std::uint32_t place = 0; place < held_.size(); ++place) {
-      if (held_[place]) points.push_back(points_[place]);
+    if (!keeps_first_) {
+      const double wanted_first = kFirstTarget * static_cast<double>(to_.triangles);
+      first_ = simplify(vertices_.index, wanted(wanted_first), max_error_);
     }
-    const Run first =
-        simplify(vertices_.index, points, wanted(kFirstTarget * static_cast<double>(to_.triangles)),
-                 max_error_);
-    const Run second = simplify(first.index, points, wanted(static_cast<double>(to_.triangles)),
-                                std::max(0.0, max_error_ - first.error));
+    const Run second = simplify_used(first_.index, wanted(static_cast<double>(to_.triangles)),
+                                     std::max(0.0, max_error_ - first_.error));
+    surface_.take(faces_of(second.index));
+    return first_.error + second.error;
+  }
+
+  static std::vector<Triangle> faces_of(const std::vector<std::uint32_t>& index) {
     std::vector<Triangle> faces;
-    faces.reserve(second.index.size() / 3);
-    for (std::size_t i = 0; i < second.index.size(); i += 3) {
-      faces.push_back({second.index[i], second.index[i + 1], second.index[i + 2]});
+    faces.reserve(index.size() / 3);
+    for (std::size_t i = 0; i < index.size(); i += 3) {
+      faces.push_back({index[i], index[i + 1], index[i + 2]});
     }
-    surface_.take(std::move(faces));
-    return first.error + second.error;
+    return faces;
   }
 
   /// Corners of so many triangles, or of all that there are.
@@ -207,9 +247,51 @@ class Reducer {
     double error = 0;
   };
 
+  /// Of the mesh's triangles, or a good part of them.
+  Run simplify(const std::vector<std::uint32_t>& index, std::size_t target,
+               double max_error) const {
+    std::vector<std::array<float, 3>> points;
+    points.reserve(vertices_.place.size());
+    for (const std::uint32_t place : vertices_.place) points.push_back(points_[place]);
+    // The library holds a vertex still when another, of no triangle, stands in its place.
+    for (std::uint32_t place = 0; place < held_.size(); ++place) {
+      if (held_[place]) points.push_back(points_[place]);
+    }
+    return simplify(index, points, target, max_error);
+  }
+
+  /// The same, to the last bit, of few triangles: the library's time is also one of the vertices
+  /// that it is shown, so those that stand where no triangle is are left out. What the mesh spans
+  /// decides how the library rounds, hence its ends are kept.
+  Run simplify_used(const std::vector<std::uint32_t>& index, std::size_t target,
+                    double max_error) const {
+    std::vector<bool> used(held_.size());
+    for (const std::uint32_t vertex : index) used[vertices_.place[vertex]] = true;
+    points_.mark_ends(used);
+    std::vector<std::uint32_t> number(vertices_.place.size());
+    std::vector<std::uint32_t> shown;
+    std::vector<std::array<float, 3>> points;
+    for (std::uint32_t vertex = 0; vertex < vertices_.place.size(); ++vertex) {
+      if (!used[vertices_.place[vertex]]) continue;
+      number[vertex] = static_cast<std::uint32_t>(shown.size());
+      shown.push_back(vertex);
+      points.push_back(points_[vertices_.place[vertex]]);
+    }
+    for (std::uint32_t place = 0; place < held_.size(); ++place) {
+      if (held_[place] && used[place]) points.push_back(points_[place]);
+    }
+    std::vector<std::uint32_t> of_shown(index.size());
+    std::transform(index.begin(), index.end(), of_shown.begin(),
+                   [&](std::uint32_t vertex) { return number[vertex]; });
+    Run run = simplify(of_shown, points, target, max_error);
+    for (std::uint32_t& vertex : run.index) vertex = shown[vertex];
+    return run;
+  }
+
   Run simplify(const std::vector<std::uint32_t>& index,
                const std::vector<std::array<float, 3>>& points, std::size_t target,
                double max_error) const {
+    if (index.empty()) return {};
     const std::size_t corners = index.size();
     const unsigned options =
         to_.border == Border::kHold ? unsigned{meshopt_SimplifyLockBorder} : 0U;
@@ -231,6 +313,8 @@ class Reducer {
   Points points_;
   std::vector<bool> held_;  // places
   double max_error_;
+  Run first_;
+  bool keeps_first_ = false;   // attempts begin with what the first run left
   std::vector<BadEdge> left_;  // of the last attempt
   std::optional<Before> before_;
 };

@@ -23,11 +23,11 @@ namespace {
 // Copies of triangles hide holes, and turned ones edges that fit. So the first round drops copies and
 // turns triangles without looking at what comes to light, the second only turns them so, the third does
 // neither; and two more protect components.
-constexpr int kMaxRounds = 5;
+constexpr int kMaxRepairRounds = 5;
 
-Care more(Care care) { return care == Care::kNothing ? Care::kAllButWinding : Care::kAll; }
+Care more_care(Care care) { return care == Care::kNothing ? Care::kAllButWinding : Care::kAll; }
 
-bool worse(const Topology& before, const Topology& after) {
+bool left_worse(const Topology& before, const Topology& after) {
   return worse(counts_of(before), counts_of(after)) || after.inverted > before.inverted ||
          after.doubled > before.doubled;
 }
@@ -49,8 +49,8 @@ struct Mended {
   HolesFilled holes;
 };
 
-Mended mend(TriangleMesh mesh, const std::vector<bool>& keep, Care care,
-            const RepairOptions& options) {
+Mended mend_once(TriangleMesh mesh, const std::vector<bool>& keep, Care care,
+                 const RepairOptions& options) {
   Mended done;
   Workpiece work(std::move(mesh));
   work.take(care);
@@ -97,10 +97,10 @@ class CarefulMending {
         keep_(mesh.triangles.size()) {}
 
   Mended run() {
-    for (int round = 0; round < kMaxRounds; ++round) {
-      Mended mended = mend(mesh_, keep_, care_, options_);
+    for (int round = 0; round < kMaxRepairRounds; ++round) {
+      Mended mended = mend_once(mesh_, keep_, care_, options_);
       if (worse(mended.steps.front().before, mended.steps.back().after)) {
-        care_ = more(care_);
+        care_ = more_care(care_);
         continue;
       }
       const Components after = nested_components(mended.mesh);
@@ -108,7 +108,7 @@ class CarefulMending {
       protect(after, mended.sources);
     }
     protect_if([](const Component& c) { return !c.closed; });
-    return mend(mesh_, keep_, Care::kAll, options_);
+    return mend_once(mesh_, keep_, Care::kAll, options_);
   }
 
  private:
@@ -195,7 +195,7 @@ Repaired repair(TriangleMesh mesh, const RepairOptions& options) {
     weld.changed = weld_within(near, options.weld_distance);
     weld.after = counts_of(topology_of(near));
     done = repair_welded(std::move(near), options);
-    better = !worse(before, done.report.after);
+    better = !left_worse(before, done.report.after);
     weld.undone = !better;
   }
   if (!better) done = repair_welded(std::move(mesh), options);

@@ -20,9 +20,6 @@ namespace {
 using process::ChildLimits;
 using process::ChildResult;
 
-// So much of a file tells its format.
-constexpr std::size_t kProbe = 512;
-
 /// The importer goes by the ending first; one that lies gets the true one behind it.
 std::string honest_path(const std::string& path, Format format) {
   const bool known = format == Format::kCollada || format == Format::kGltf ||
@@ -58,9 +55,22 @@ LoadedMesh load_collada(const Disk& disk, const std::string& path, std::string_v
   return own.usable() ? std::move(own) : std::move(imported);
 }
 
+/// Whether a line of a PLY begins with the word that ends its header.
+bool ends_header(std::string_view bytes) {
+  constexpr std::string_view kEnd = "end_header";
+  for (std::size_t at = bytes.find(kEnd); at != std::string_view::npos;
+       at = bytes.find(kEnd, at + kEnd.size())) {
+    const std::size_t before = bytes.substr(0, at).find_last_not_of(" \t");
+    if (before != std::string_view::npos && (bytes[before] == '\n' || bytes[before] == '\r')) {
+      return true;
+    }
+  }
+  return false;
+}
+
 LoadedMesh load(const Disk& disk, const std::string& path, std::string_view bytes, Format format) {
   // assimp's reader of PLY looks for the header's end for ever.
-  if (format == Format::kPly && bytes.find("end_header") == std::string_view::npos) {
+  if (format == Format::kPly && !ends_header(bytes)) {
     return {.faults = {{FaultKind::kMalformed, "the header has no end_header"}}};
   }
   const std::string honest = honest_path(path, format);
@@ -75,10 +85,15 @@ LoadedMesh read_scene(const Disk& disk, const std::string& path) {
   if (!file.bytes) return {.faults = {{FaultKind::kUnreadable, file.problem}}};
   if (file.bytes->empty()) return {.faults = {{FaultKind::kEmpty}}};
   const std::string_view bytes = *file.bytes;
-  const Format format = format_of(bytes.substr(0, kProbe), bytes.size(), path);
+  const Format format = format_of(bytes.substr(0, kProbeBytes), bytes.size(), path);
   LoadedMesh loaded = load(disk, path, bytes, format);
   loaded.format = format;
   return loaded;
+}
+
+std::string scene_importer() {
+  const ChildLimits limits{.cpu_seconds = kImportSeconds, .memory_bytes = kImportBytes};
+  return process::run_in_child(limits, assimp_version).bytes;
 }
 
 }  // namespace rigor::mesh

@@ -4,8 +4,8 @@
 // Collada, glTF, PLY and other scenes, by assimp in a child process: its 5.2.5 crashed or ran away on
 // 17 of 764 damaged files, and a child's death is only a fault of the file here. The library is
 // opened in the child alone, when it is first needed, so that no other run pays for it. A Collada
-// file that it refuses, or dies of, is read by rigor's own reader (collada.h), which knows shapes
-// only and so is never in the way of textures that are not defined.
+// file that it refuses, or dies of, is read by rigor's own reader (collada.h), which does not mind a
+// texture that is not defined.
 //
 // What a file is, its bytes say before its ending does.
 //
@@ -32,5 +32,8 @@ inline constexpr std::uint64_t kImportBytes = std::uint64_t{4} << 30U;
 /// Files that the scene names (buffers of a .gltf) are read through `disk` too, when they lie in the
 /// scene's folder or below.
 LoadedMesh read_scene(const Disk& disk, const std::string& path);
+
+/// Which importer there is: "assimp 5.2.5". It is asked in a child process, which takes some 20 ms.
+std::string scene_importer();
 
 }  // namespace rigor::mesh

@@ -19,9 +19,9 @@ namespace {
 constexpr std::size_t kMaxNear = 64;
 
 // Where three borders meet, two are joined first.
-constexpr int kMaxRounds = 4;
+constexpr int kMaxSeamRounds = 4;
 
-struct Border {
+struct SeamSide {
   std::uint32_t vertex;
   std::uint32_t hole;
 };
@@ -34,14 +34,14 @@ struct Join {
 };
 
 /// Vertices at holes, along x.
-std::vector<Border> borders(const Workpiece& work) {
-  std::vector<Border> found;
+std::vector<SeamSide> borders(const Workpiece& work) {
+  std::vector<SeamSide> found;
   const std::vector<Hole> holes = holes_of(work);
   for (std::uint32_t hole = 0; hole < holes.size(); ++hole) {
     for (const std::uint32_t vertex : holes[hole].vertices) found.push_back({vertex, hole});
   }
-  std::erase_if(found, [&](const Border& b) { return !std::isfinite(work.at(b.vertex).x); });
-  std::sort(found.begin(), found.end(), [&](const Border& a, const Border& b) {
+  std::erase_if(found, [&](const SeamSide& b) { return !std::isfinite(work.at(b.vertex).x); });
+  std::sort(found.begin(), found.end(), [&](const SeamSide& a, const SeamSide& b) {
     return std::pair(work.at(a.vertex).x, a.vertex) < std::pair(work.at(b.vertex).x, b.vertex);
   });
   return found;
@@ -56,7 +56,7 @@ double reach(const Workpiece& work) {
   return greatest;
 }
 
-void join(Workpiece& work, const Join& join) {
+void join_borders(Workpiece& work, const Join& join) {
   const std::vector<std::uint32_t> faces = work.faces_at(join.vertex);
   for (const std::uint32_t face : faces) {
     Triangle t = work[face];
@@ -68,10 +68,10 @@ void join(Workpiece& work, const Join& join) {
 
 /// Each with the seam that it is part of: holes are parts of one when a vertex of one goes to another.
 std::vector<std::vector<Join>> seams(const Workpiece& work) {
-  const std::vector<Border> border = borders(work);
+  const std::vector<SeamSide> border = borders(work);
   const double distance = kSeamDistance * reach(work);
   std::uint32_t holes = 0;
-  for (const Border& b : border) holes = std::max(holes, b.hole + 1);
+  for (const SeamSide& b : border) holes = std::max(holes, b.hole + 1);
   Groups together(holes);
   std::vector<bool> gone(work.vertices());
   std::vector<Join> joins;
@@ -98,7 +98,7 @@ std::uint64_t close_once(Workpiece& work) {
   for (const std::vector<Join>& seam : seams(work)) {
     if (work.tired()) break;
     const bool whole = work.attempt([&] {
-      for (const Join& j : seam) join(work, j);
+      for (const Join& j : seam) join_borders(work, j);
     });
     if (whole) {
       joined += seam.size();
@@ -106,7 +106,7 @@ std::uint64_t close_once(Workpiece& work) {
     }
     for (const Join& j : seam) {
       if (work.tired()) break;
-      joined += work.attempt([&] { join(work, j); }) ? 1 : 0;
+      joined += work.attempt([&] { join_borders(work, j); }) ? 1 : 0;
     }
   }
   return joined;
@@ -116,7 +116,7 @@ std::uint64_t close_once(Workpiece& work) {
 
 std::uint64_t close_seams(Workpiece& work) {
   std::uint64_t joined = 0;
-  for (int round = 0; round < kMaxRounds && !work.tired(); ++round) {
+  for (int round = 0; round < kMaxSeamRounds && !work.tired(); ++round) {
     const std::uint64_t now = close_once(work);
     joined += now;
     if (now == 0) break;

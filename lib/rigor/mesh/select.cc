@@ -86,7 +86,7 @@ std::array<Weights, 3> weights(const TriangleMesh& mesh, const Triangle& triangl
 
 /// Adds an entry mixed from another one.
 template <class List>
-void mix(List& list, std::size_t other, const std::array<Weights, 3>& weights) {
+void mix_corners(List& list, std::size_t other, const std::array<Weights, 3>& weights) {
   if (list.empty()) return;
   typename List::value_type entry{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -102,7 +102,7 @@ void mix(List& list, std::size_t other, const std::array<Weights, 3>& weights) {
 
 /// Of length 1, on the side that the triangle faces.
 void straighten(const Facet& f, std::array<Corners::Normal, 3>& normals) {
-  const Vector3 out = cross(f[1] - f[0], f[2] - f[0]);
+  const Vector3 out = area_vector(f);
   for (Corners::Normal& n : normals) {
     const Vector3 mixed{double{n[0]}, double{n[1]}, double{n[2]}};
     const double size = length(mixed);
@@ -142,6 +142,24 @@ std::vector<Vector3> used_positions(const TriangleMesh& mesh) {
   return positions;
 }
 
+TriangleMesh compacted(const std::vector<Vector3>& positions, std::vector<Triangle> triangles) {
+  TriangleMesh mesh;
+  constexpr std::uint32_t kUnseen = 0xffffffffU;
+  std::vector<std::uint32_t> place(positions.size(), kUnseen);
+  for (Triangle& t : triangles) {
+    for (std::uint32_t& corner : t) {
+      if (place[corner] == kUnseen) {
+        place[corner] = static_cast<std::uint32_t>(mesh.positions.size());
+        mesh.positions.push_back(positions[corner]);
+      }
+      corner = place[corner];
+    }
+  }
+  mesh.parts = {{{}, {}, 0, triangles.size()}};
+  mesh.triangles = std::move(triangles);
+  return mesh;
+}
+
 TriangleMesh selected(TriangleMesh mesh, const std::vector<std::uint32_t>& faces) {
   mesh.parts = parts_of(mesh.parts, faces);
   keep(mesh.triangles, faces);
@@ -167,8 +185,8 @@ void turn_over(TriangleMesh& mesh, std::size_t face) {
 
 void append(TriangleMesh& mesh, const Triangle& triangle, std::size_t beside) {
   const std::array<Weights, 3> from = weights(mesh, triangle, beside);
-  mix(mesh.corners.texture, beside, from);
-  mix(mesh.corners.colors, beside, from);
+  mix_corners(mesh.corners.texture, beside, from);
+  mix_corners(mesh.corners.colors, beside, from);
   if (!mesh.corners.normals.empty()) mesh.corners.normals.emplace_back();
   part_for(mesh, beside).count += 1;
   mesh.triangles.push_back(triangle);
@@ -179,7 +197,7 @@ void append_piece(TriangleMesh& mesh, const Triangle& triangle, std::size_t of) 
   std::vector<std::array<Corners::Normal, 3>>& normals = mesh.corners.normals;
   if (normals.empty()) return;
   normals.pop_back();
-  mix(normals, of, weights(mesh, triangle, of));
+  mix_corners(normals, of, weights(mesh, triangle, of));
   straighten(facet(mesh, triangle), normals.back());
 }
 

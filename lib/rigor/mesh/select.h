@@ -19,6 +19,10 @@ namespace rigor::mesh {
 /// The positions that triangles use, each once, in their order.
 std::vector<Vector3> used_positions(const TriangleMesh& mesh);
 
+/// A mesh of these triangles, as one part, with the positions that they name in the order in which they
+/// do.
+TriangleMesh compacted(const std::vector<Vector3>& positions, std::vector<Triangle> triangles);
+
 /// The triangles with these indices, ascending. Positions stay as they are, used or not; so do
 /// materials. Parts without a triangle go.
 TriangleMesh selected(TriangleMesh mesh, const std::vector<std::uint32_t>& faces);

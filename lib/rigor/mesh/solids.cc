@@ -17,15 +17,15 @@
 namespace rigor::mesh {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffU;
+constexpr std::uint32_t kUnnumbered = 0xffffffffU;
 
 /// Pairs of what is inside out and what may hold it, nanoseconds each. With more, none is a cavity.
 constexpr std::size_t kMaxNestings = 100'000'000;
 
 /// Of a place, in the mesh that it goes to; of the place that stands for a group, of that mesh.
 struct Numbers {
-  std::uint32_t mesh = kNone;
-  std::uint32_t corner = kNone;
+  std::uint32_t mesh = kUnnumbered;
+  std::uint32_t corner = kUnnumbered;
 };
 
 /// Triangles that share a place, each group with positions of its own.
@@ -43,14 +43,14 @@ std::vector<TriangleMesh> connected(const TriangleMesh& mesh) {
     Triangle places = places_of(welded, t);
     if (degenerate(places)) continue;
     std::uint32_t& number = numbers[groups.find(places[0])].mesh;
-    if (number == kNone) {
+    if (number == kUnnumbered) {
       number = static_cast<std::uint32_t>(list.size());
       list.emplace_back();
     }
     TriangleMesh& part = list[number];
     for (std::uint32_t& place : places) {
       std::uint32_t& corner = numbers[place].corner;
-      if (corner == kNone) {
+      if (corner == kUnnumbered) {
         corner = static_cast<std::uint32_t>(part.positions.size());
         part.positions.push_back(mesh.positions[welded.first[place]]);
       }
@@ -67,12 +67,12 @@ bool closed(const TriangleMesh& mesh) {
   return balance.closed();
 }
 
-bool holds(const Bounds& outer, const Bounds& inner) {
+bool bounds_hold(const Bounds& outer, const Bounds& inner) {
   return outer.min.x <= inner.min.x && outer.min.y <= inner.min.y && outer.min.z <= inner.min.z &&
          outer.max.x >= inner.max.x && outer.max.y >= inner.max.y && outer.max.z >= inner.max.z;
 }
 
-void join(TriangleMesh& mesh, const TriangleMesh& other) {
+void add_mesh(TriangleMesh& mesh, const TriangleMesh& other) {
   const auto shift = static_cast<std::uint32_t>(mesh.positions.size());
   mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
   for (const Triangle& t : other.triangles) {
@@ -89,7 +89,8 @@ struct Body {
 Body* smallest_around(std::vector<Body>& bodies, const Bounds& bounds, double volume) {
   Body* best = nullptr;
   for (Body& body : bodies) {
-    if (!body.solid.volume || *body.solid.volume <= volume || !holds(body.bounds, bounds)) continue;
+    if (!body.solid.volume || *body.solid.volume <= volume || !bounds_hold(body.bounds, bounds))
+      continue;
     if (best == nullptr || *body.solid.volume < *best->solid.volume) best = &body;
   }
   return best;
@@ -118,7 +119,7 @@ std::vector<Solid> solids_of(const TriangleMesh& mesh) {
   for (Body& cavity : inside_out) {
     const double volume = -*cavity.solid.volume;
     if (Body* around = look ? smallest_around(bodies, cavity.bounds, volume) : nullptr) {
-      join(around->solid.mesh, cavity.solid.mesh);
+      add_mesh(around->solid.mesh, cavity.solid.mesh);
       *around->solid.volume -= volume;
       continue;
     }

@@ -16,7 +16,7 @@
 namespace rigor::mesh {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffU;
+constexpr std::uint32_t kUnassigned = 0xffffffffU;
 
 /// To which piece each triangle goes, and how many there are.
 struct Plan {
@@ -25,10 +25,12 @@ struct Plan {
 };
 
 /// Takes pieces out of a mesh in time that depends on them, not on the mesh.
-class Cutter {
+class PieceCutter {
  public:
-  explicit Cutter(const TriangleMesh& mesh)
-      : mesh_(mesh), number_(mesh.positions.size(), kNone), part_(mesh.triangles.size(), kNone) {
+  explicit PieceCutter(const TriangleMesh& mesh)
+      : mesh_(mesh),
+        number_(mesh.positions.size(), kUnassigned),
+        part_(mesh.triangles.size(), kUnassigned) {
     for (std::uint32_t i = 0; i < mesh.parts.size(); ++i) {
       const Part& part = mesh.parts[i];
       std::fill_n(part_.begin() + static_cast<std::ptrdiff_t>(part.first), part.count, i);
@@ -42,7 +44,7 @@ class Cutter {
       add_to_parts(face, piece);
       Triangle t = mesh_.triangles[face];
       for (std::uint32_t& corner : t) {
-        if (number_[corner] == kNone) {
+        if (number_[corner] == kUnassigned) {
           number_[corner] = static_cast<std::uint32_t>(used.size());
           used.push_back(corner);
           piece.positions.push_back(mesh_.positions[corner]);
@@ -51,7 +53,7 @@ class Cutter {
       }
       piece.triangles.push_back(t);
     }
-    for (const std::uint32_t position : used) number_[position] = kNone;
+    for (const std::uint32_t position : used) number_[position] = kUnassigned;
     copy(mesh_.corners.texture, faces, piece.corners.texture);
     copy(mesh_.corners.normals, faces, piece.corners.normals);
     copy(mesh_.corners.colors, faces, piece.corners.colors);
@@ -61,7 +63,7 @@ class Cutter {
 
  private:
   void add_to_parts(std::uint32_t face, TriangleMesh& piece) {
-    if (part_[face] == kNone) return;
+    if (part_[face] == kUnassigned) return;
     if (piece.parts.empty() || part_[face] != last_) {
       piece.parts.push_back(mesh_.parts[part_[face]]);
       piece.parts.back().first = piece.triangles.size();
@@ -92,7 +94,7 @@ class Cutter {
   const TriangleMesh& mesh_;
   std::vector<std::uint32_t> number_;  // of each position in the piece at hand
   std::vector<std::uint32_t> part_;    // of each triangle
-  std::uint32_t last_ = kNone;
+  std::uint32_t last_ = kUnassigned;
 };
 
 Split split(const TriangleMesh& mesh, const Plan& plan) {
@@ -102,7 +104,7 @@ Split split(const TriangleMesh& mesh, const Plan& plan) {
   for (std::uint32_t face = 0; face < plan.piece.size(); ++face) {
     faces[plan.piece[face]].push_back(face);
   }
-  Cutter cutter(mesh);
+  PieceCutter cutter(mesh);
   for (const std::vector<std::uint32_t>& of_piece : faces) {
     result.pieces.push_back({.mesh = cutter.cut(of_piece)});
   }
@@ -131,7 +133,7 @@ Split split_by_component(const TriangleMesh& mesh) {
 Split split_by_material(const TriangleMesh& mesh) {
   std::map<std::string_view, std::uint32_t> number;
   std::vector<std::string_view> names;
-  Plan plan{.piece = std::vector<std::uint32_t>(mesh.triangles.size(), kNone)};
+  Plan plan{.piece = std::vector<std::uint32_t>(mesh.triangles.size(), kUnassigned)};
   const auto piece_of = [&](std::string_view name) {
     const auto [found, added] = number.try_emplace(name, static_cast<std::uint32_t>(names.size()));
     if (added) names.push_back(name);
@@ -143,7 +145,7 @@ Split split_by_material(const TriangleMesh& mesh) {
                 piece_of(part.material));
   }
   for (std::uint32_t& piece : plan.piece) {
-    if (piece == kNone) piece = piece_of("");
+    if (piece == kUnassigned) piece = piece_of("");
   }
   plan.count = names.size();
   Split result = split(mesh, plan);

@@ -18,9 +18,6 @@ namespace {
 constexpr std::size_t kCountOffset = 80;
 constexpr std::size_t kNormalBytes = 12;
 
-// Of a file's beginning, this much tells text from facets.
-constexpr std::size_t kProbe = 512;
-
 /// Little-endian on any machine.
 std::uint32_t u32(const char* bytes) {
   const auto byte = [bytes](int i) {
@@ -106,7 +103,7 @@ LoadedMesh finished(LoadedMesh loaded) {
 
 LoadedMesh read_binary_stl(std::string_view bytes) {
   LoadedMesh loaded{.format = Format::kStlBinary,
-                    .faults = frame_faults(bytes.substr(0, kProbe), bytes.size())};
+                    .faults = frame_faults(bytes.substr(0, kProbeBytes), bytes.size())};
   if (!loaded.usable()) return loaded;
   const auto count = static_cast<std::size_t>(stl_triangles(bytes, bytes.size()));
   loaded.mesh = mesh_for(count);
@@ -140,7 +137,7 @@ Facet stl_facet(const char* bytes) {
 
 std::optional<LoadedMesh> read_plain_stl(const OpenFile& file) {
   constexpr std::size_t kBlock = 20'000 * kStlFacetBytes;  // a megabyte
-  std::string block(kProbe, '\0');
+  std::string block(kProbeBytes, '\0');
   block.resize(file.read(0, block.data(), block.size()));
   if (!stl_size_fits(block, file.size())) return std::nullopt;
   LoadedMesh loaded{.format = Format::kStlBinary, .faults = frame_faults(block, file.size())};
@@ -156,7 +153,7 @@ std::optional<LoadedMesh> read_plain_stl(const OpenFile& file) {
 
 LoadedMesh read_stl(std::string_view bytes) {
   if (bytes.empty()) return {.faults = {{FaultKind::kEmpty}}};
-  const bool binary = is_binary_stl(bytes.substr(0, kProbe), bytes.size());
+  const bool binary = is_binary_stl(bytes.substr(0, kProbeBytes), bytes.size());
   return binary ? read_binary_stl(bytes) : read_ascii_stl(bytes);
 }
 

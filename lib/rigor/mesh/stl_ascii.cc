@@ -15,9 +15,9 @@ namespace rigor::mesh {
 namespace {
 
 /// Functions that return false have met what ends the reading.
-class Reader {
+class AsciiStlReader {
  public:
-  explicit Reader(std::string_view bytes) : bytes_(bytes), cursor_(bytes) {}
+  explicit AsciiStlReader(std::string_view bytes) : bytes_(bytes), cursor_(bytes) {}
 
   LoadedMesh run() {
     if (cursor_.accept("solid")) {
@@ -134,6 +134,6 @@ class Reader {
 
 }  // namespace
 
-LoadedMesh read_ascii_stl(std::string_view bytes) { return Reader(bytes).run(); }
+LoadedMesh read_ascii_stl(std::string_view bytes) { return AsciiStlReader(bytes).run(); }
 
 }  // namespace rigor::mesh

@@ -17,7 +17,7 @@ namespace rigor::mesh {
 namespace {
 
 /// Corners seen from triangles, a few nanoseconds each.
-constexpr std::uint64_t kMaxLooks = 200'000'000;
+constexpr std::uint64_t kMaxHullLooks = 200'000'000;
 
 struct Above {
   double height = 0;
@@ -28,7 +28,7 @@ Above worst(const TriangleMesh& hull) {
   Above result;
   for (const Triangle& t : hull.triangles) {
     const Facet f = facet(hull, t);
-    const Vector3 normal = cross(f[1] - f[0], f[2] - f[0]);
+    const Vector3 normal = area_vector(f);
     const double area = length(normal);
     if (area == 0) continue;
     for (std::uint32_t i = 0; i < hull.positions.size(); ++i) {
@@ -44,7 +44,7 @@ double outside(const TriangleMesh& hull, const Vector3& p) {
   double most = 0;
   for (const Triangle& t : hull.triangles) {
     const Facet f = facet(hull, t);
-    const Vector3 normal = cross(f[1] - f[0], f[2] - f[0]);
+    const Vector3 normal = area_vector(f);
     const double area = length(normal);
     if (area > 0) most = std::max(most, dot(normal, p - f[0]) / area);
   }
@@ -78,7 +78,7 @@ double above_faces(const TriangleMesh& hull) { return worst(hull).height; }
 TriangleMesh made_strict(TriangleMesh hull) {
   const double size = diagonal(bounds_of(hull.positions));
   std::uint64_t looks = 0;
-  while (looks < kMaxLooks) {
+  while (looks < kMaxHullLooks) {
     const Above above = worst(hull);
     if (above.height <= kConvex * size) break;
     auto rest = lessened(hull, above, kLeftOut * size);

@@ -7,10 +7,10 @@
 #include <limits>
 #include <string>
 
+#include <rigor/text/byte_order_mark.h>
+
 namespace rigor::mesh {
 namespace {
-
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 /// What a number counts as that is too large or too small for a double: infinity or 0.
 double beyond_double(std::string_view text) {

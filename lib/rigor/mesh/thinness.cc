@@ -10,20 +10,17 @@
 namespace rigor::mesh {
 namespace {
 
-// As functions of this file, since they are called for each triangle of a million.
-Vector3 minus(const Vector3& a, const Vector3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-
-double square(const Vector3& v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
+double square(const Vector3& v) { return dot(v, v); }
 
 double largest(const Vector3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
 
 }  // namespace
 
 Thinness thinness(const Facet& facet) {
-  const Vector3 u = minus(facet[1], facet[0]);
-  const Vector3 v = minus(facet[2], facet[0]);
+  const Vector3 u = facet[1] - facet[0];
+  const Vector3 v = facet[2] - facet[0];
   const Vector3 normal{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-  const double longest2 = std::max({square(u), square(v), square(minus(facet[2], facet[1]))});
+  const double longest2 = std::max({square(u), square(v), square(facet[2] - facet[1])});
   const double twice_area2 = square(normal);  // (longest * height)²
   if (twice_area2 >= kSliverRatio * kSliverRatio * longest2 * longest2) return Thinness::kNone;
   const double reach = std::max({largest(facet[0]), largest(facet[1]), largest(facet[2])});

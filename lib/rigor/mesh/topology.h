@@ -48,9 +48,13 @@ struct Topology {
   std::uint64_t not_nested = 0;           ///< closed components of which that was not looked at
   std::vector<Component> component_list;  ///< in the order of their first triangles
 
-  bool closed() const {
-    return boundary_edges == 0 && nonmanifold_edges == 0 && inconsistent_edges == 0;
+  /// Without holes, whichever way its triangles run. Triangles without an area bound nothing, so a
+  /// mesh of such alone, or of none, is not watertight.
+  bool watertight() const {
+    return triangles > zero_area && boundary_edges == 0 && nonmanifold_edges == 0;
   }
+
+  bool closed() const { return watertight() && inconsistent_edges == 0; }
 
   /// Vertices - edges + triangles: 2 for a sphere, 0 for a torus, added up over components.
   std::int64_t euler() const { return static_cast<std::int64_t>(vertices - edges + triangles); }

@@ -37,7 +37,7 @@ Vector3 center_of(const TriangleMesh& mesh, const Transform& by) {
 }
 
 /// From the axes of the mesh to those of the result.
-Vector3 turned(UpAxis up, const Vector3& v) {
+Vector3 turned_up(UpAxis up, const Vector3& v) {
   return up == UpAxis::kZ ? v : Vector3{v.x, 0 - v.z, v.y};  // of a zero no -0
 }
 
@@ -53,7 +53,7 @@ void turn_normals(TriangleMesh& mesh, const Transform& by) {
   const Vector3 factors = cofactors(by.scale);
   for (std::array<Corners::Normal, 3>& corners : mesh.corners.normals) {
     for (Corners::Normal& n : corners) {
-      n = normal_along(turned(
+      n = normal_along(turned_up(
           by.up, {factors.x * double{n[0]}, factors.y * double{n[1]}, factors.z * double{n[2]}}));
     }
   }
@@ -62,7 +62,7 @@ void turn_normals(TriangleMesh& mesh, const Transform& by) {
 }  // namespace
 
 Vector3 before_centering(const Transform& by, const Vector3& p) {
-  return turned(
+  return turned_up(
       by.up, {p.x * by.unit * by.scale.x, p.y * by.unit * by.scale.y, p.z * by.unit * by.scale.z});
 }
 

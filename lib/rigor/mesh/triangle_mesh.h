@@ -6,7 +6,7 @@
 // Coordinates are doubles in the mesh's own frame, in metres unless the file says nothing of its unit
 // (STL, OBJ), then in whatever its author used. Vertices are those of the file: nothing is welded.
 //
-//   for (const Triangle& t : mesh.triangles) area += area_of(mesh.positions[t[0]], …);
+//   for (const Triangle& t : mesh.triangles) sum += area(facet(mesh, t));
 
 #pragma once
 
@@ -24,6 +24,9 @@ using model::Vector3;
 
 /// Corners as indices into the positions, counter-clockwise seen from outside.
 using Triangle = std::array<std::uint32_t, 3>;
+
+/// Which of its corners each side runs between.
+inline constexpr std::array<std::array<std::size_t, 2>, 3> kSides{{{0, 1}, {1, 2}, {2, 0}}};
 
 /// A run of triangles that the file keeps apart: a solid of an STL, an object, group or material of
 /// an OBJ, a mesh of a scene.
@@ -53,6 +56,9 @@ struct Corners {
   std::vector<std::array<Color, 3>> colors;
 };
 
+/// What a corner without a colour has where another has one.
+inline constexpr Corners::Color kWhite{1, 1, 1, 1};
+
 struct TriangleMesh {
   std::vector<Vector3> positions;
   std::vector<Triangle> triangles;
@@ -67,6 +73,11 @@ using Facet = std::array<Vector3, 3>;
 inline Facet facet(const TriangleMesh& mesh, const Triangle& t) {
   return {mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]};
 }
+
+/// Along the normal, twice as long as the area.
+inline Vector3 area_vector(const Facet& f) { return cross(f[1] - f[0], f[2] - f[0]); }
+
+inline double area(const Facet& f) { return length(area_vector(f)) / 2; }
 
 /// Axis-aligned; `min` is above `max` when it holds nothing.
 struct Bounds {

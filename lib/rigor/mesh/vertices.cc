@@ -40,6 +40,7 @@ template <class Entry>
 std::vector<Entry> listed(const std::vector<std::array<Entry, 3>>& list,
                           const std::vector<std::uint32_t>& faces) {
   std::vector<Entry> entries;
+  entries.reserve(3 * faces.size());
   for (const std::uint32_t face : faces) {
     entries.insert(entries.end(), list[face].begin(), list[face].end());
   }
@@ -52,8 +53,9 @@ void tell_apart(const TriangleMesh& mesh, Seams seams, Vertices& vertices) {
   const auto add = [&streams](const auto& list) {
     streams.push_back({list.data(), sizeof(list[0]), sizeof(list[0])});
   };
-  std::vector<std::uint32_t> parts;
   const std::vector<std::uint32_t> numbers = part_numbers(mesh);
+  std::vector<std::uint32_t> parts;
+  parts.reserve(vertices.index.size());
   for (const std::uint32_t face : vertices.faces) parts.insert(parts.end(), 3, numbers[face]);
   add(vertices.index);
   add(parts);
@@ -105,8 +107,6 @@ class CornersOf {
   std::vector<std::uint32_t> begin_;
   std::vector<std::uint32_t> list_;
 };
-
-Vector3 area_vector(const Facet& f) { return model::cross(f[1] - f[0], f[2] - f[0]); }
 
 /// Where a corner of the result gets what it carries: a triangle of the mesh and which of its corners.
 struct Source {
@@ -219,6 +219,7 @@ void dress(const TriangleMesh& mesh, const Vertices& vertices, std::vector<Trian
 
 Vertices vertices_of(const TriangleMesh& mesh, const Weld& welded, Seams seams) {
   Vertices vertices;
+  vertices.faces.reserve(mesh.triangles.size());
   vertices.index.reserve(3 * mesh.triangles.size());
   for (std::uint32_t face = 0; face < mesh.triangles.size(); ++face) {
     const Triangle places = places_of(welded, mesh.triangles[face]);

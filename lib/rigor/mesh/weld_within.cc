@@ -27,11 +27,11 @@ struct CellHash {
   }
 };
 
-/// Places that stay, in cubes as wide as the distance. They are further apart than that, so a cube
+/// SparsePlaces that stay, in cubes as wide as the distance. They are further apart than that, so a cube
 /// holds few.
-class Places {
+class SparsePlaces {
  public:
-  explicit Places(double distance) : distance_(distance) {}
+  explicit SparsePlaces(double distance) : distance_(distance) {}
 
   /// The nearest place within the distance; p itself, which then stays, when there is none.
   Vector3 place_for(const Vector3& p) {
@@ -74,7 +74,7 @@ bool finite(const Vector3& p) {
 }  // namespace
 
 std::uint64_t weld_within(TriangleMesh& mesh, double distance) {
-  Places places(distance);
+  SparsePlaces places(distance);
   std::uint64_t moved = 0;
   for (Vector3& p : mesh.positions) {
     if (!finite(p)) continue;

@@ -22,7 +22,7 @@ constexpr double kMaxFloat = std::numeric_limits<float>::max();
 constexpr std::uint64_t kMaxGlbBytes = std::numeric_limits<std::uint32_t>::max();
 constexpr double kMaxDouble = std::numeric_limits<double>::max();
 
-struct Writer {
+struct FormatWriter {
   std::string_view ending;
   double largest;  ///< coordinate
   WrittenMesh (*write)(const TriangleMesh& mesh, std::string_view path);
@@ -48,11 +48,11 @@ WrittenMesh glb_file(const TriangleMesh& mesh, std::string_view /*path*/) {
   return {std::move(bytes), {}};
 }
 
-constexpr std::array<Writer, 5> kWriters{{{".dae", kMaxDouble, one_file<write_collada>},
-                                          {".glb", kMaxFloat, glb_file},
-                                          {".obj", kMaxDouble, obj_files},
-                                          {".ply", kMaxDouble, one_file<write_ply>},
-                                          {".stl", kMaxFloat, one_file<write_stl>}}};
+constexpr std::array<FormatWriter, 5> kWriters{{{".dae", kMaxDouble, one_file<write_collada>},
+                                                {".glb", kMaxFloat, glb_file},
+                                                {".obj", kMaxDouble, obj_files},
+                                                {".ply", kMaxDouble, one_file<write_ply>},
+                                                {".stl", kMaxFloat, one_file<write_stl>}}};
 
 /// Not for NaN either.
 bool fits(const std::vector<Vector3>& positions, double largest) {
@@ -65,8 +65,9 @@ bool fits(const std::vector<Vector3>& positions, double largest) {
 
 WrittenMesh write_mesh(const TriangleMesh& mesh, std::string_view path) {
   const std::string ending = extension(path);
-  const auto* writer = std::find_if(kWriters.begin(), kWriters.end(),
-                                    [&ending](const Writer& w) { return w.ending == ending; });
+  const auto* writer =
+      std::find_if(kWriters.begin(), kWriters.end(),
+                   [&ending](const FormatWriter& w) { return w.ending == ending; });
   if (writer == kWriters.end()) {
     return {{}, "meshes are written as .dae, .glb, .obj, .ply or .stl, not as '" + ending + "'"};
   }

@@ -27,7 +27,7 @@
 // Triangles keep their order and their first corner. All but STL weld corners that are equal in all
 // they carry (in .dae and .glb within a part) and leave out positions that no triangle uses. -0 is
 // written as 0. A part without a name, or a material, gets none; readers then make one up. Pictures
-// are only named, as the mesh names them: they must come to lie where the new file looks for them.
+// are only named, as the mesh names them (picture_names.h gives names that lead to them from elsewhere).
 //
 // assimp holds 32-bit numbers. Of a .dae it reads those that are such numbers exactly (from a
 // millionth on), others within two units of the last place (among 396 real meshes).

@@ -12,7 +12,7 @@ namespace rigor::mesh {
 namespace {
 
 /// A vertex has no opacity in this format.
-void append_color(std::string& text, const Corners::Color& color) {
+void append_vertex_color(std::string& text, const Corners::Color& color) {
   append_numbers(text, std::array<float, 3>{color[0], color[1], color[2]});
 }
 
@@ -20,7 +20,7 @@ void append_vertices(std::string& text, const Welded& vertices) {
   for (std::size_t i = 0; i < vertices.positions.size(); ++i) {
     text += "v ";
     append_number(text, vertices.positions[i]);
-    if (!vertices.colors.empty()) append_color(text, vertices.colors[i]);
+    if (!vertices.colors.empty()) append_vertex_color(text, vertices.colors[i]);
     text += '\n';
   }
 }
@@ -35,7 +35,7 @@ void append_values(std::string& text, const char* statement, const std::vector<V
 }
 
 /// Behind how many texture points and normals of other parts those of a part stand.
-struct Before {
+struct NumbersBefore {
   std::size_t texture = 0;
   std::size_t normals = 0;
 };
@@ -49,7 +49,7 @@ void append_corner(std::string& text, std::size_t vertex, std::size_t texture, s
 }
 
 void append_part(std::string& text, const Part& part, const std::vector<Triangle>& vertices,
-                 const Corners& corners, Before& before) {
+                 const Corners& corners, NumbersBefore& before) {
   const Indexed<Corners::Texture> texture = indexed(corners.texture);
   const Indexed<Corners::Normal> normals = indexed(corners.normals);
   append_values(text, "vt", texture.values);
@@ -79,7 +79,7 @@ std::string write_obj(const TriangleMesh& mesh, const std::string& library) {
   const Corners colors{.colors = corners.of(whole(mesh)).colors};
   const Welded vertices = welded(mesh, whole(mesh), colors, Precision::kDouble);
   append_vertices(text, vertices);
-  Before before;
+  NumbersBefore before;
   Part last;
   for (const Part& part : parts_with_triangles(mesh)) {
     if (part.name != last.name) text += "o" + rest_of_obj_line(part.name);

@@ -23,11 +23,9 @@ namespace {
 constexpr double kLeastFixed = 1e-6;
 constexpr double kMostFixed = 1e15;
 
-constexpr Corners::Color kWhite{1, 1, 1, 1};
-
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
-double rounded(double value, Precision precision) {
+double rounded_to(double value, Precision precision) {
   return precision == Precision::kFloat ? as_float(value) : value + 0.0;  // -0 becomes 0
 }
 
@@ -63,7 +61,7 @@ std::vector<Vector3> places(const TriangleMesh& mesh, const Part& part, Precisio
   for (std::size_t i = part.first; i < part.first + part.count; ++i) {
     for (const Vector3& p : facet(mesh, mesh.triangles[i])) {
       corners.push_back(
-          {rounded(p.x, precision), rounded(p.y, precision), rounded(p.z, precision)});
+          {rounded_to(p.x, precision), rounded_to(p.y, precision), rounded_to(p.z, precision)});
     }
   }
   return corners;

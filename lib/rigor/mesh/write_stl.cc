@@ -14,7 +14,7 @@ namespace {
 // Not "solid", by which readers tell the text form.
 constexpr std::string_view kTitle = "binary STL";
 
-void append(std::string& bytes, const Vector3& p) {
+void append_floats(std::string& bytes, const Vector3& p) {
   for (const double coordinate : {p.x, p.y, p.z}) {
     append_bytes(bytes, static_cast<float>(as_float(coordinate)));
   }
@@ -30,7 +30,7 @@ std::string write_stl(const TriangleMesh& mesh) {
   for (const Triangle& t : mesh.triangles) {
     const Facet corners = facet(mesh, t);
     append_bytes(bytes, normal_of(corners));
-    for (const Vector3& corner : corners) append(bytes, corner);
+    for (const Vector3& corner : corners) append_floats(bytes, corner);
     bytes.append(2, '\0');  // attributes
   }
   return bytes;

@@ -19,4 +19,10 @@ struct Id {
   auto operator<=>(const Id&) const = default;
 };
 
+/// Of what will be added to the list next.
+template <class List>
+Id<typename List::value_type> next_id(const List& list) {
+  return {static_cast<std::uint32_t>(list.size())};
+}
+
 }  // namespace rigor::model

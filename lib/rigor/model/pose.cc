@@ -7,20 +7,6 @@
 
 namespace rigor::model {
 
-Vector3 operator+(const Vector3& a, const Vector3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-
-Vector3 operator-(const Vector3& a, const Vector3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-
-Vector3 operator*(double factor, const Vector3& v) {
-  return {factor * v.x, factor * v.y, factor * v.z};
-}
-
-double dot(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 double length(const Vector3& v) { return std::hypot(v.x, v.y, v.z); }
 
 Quaternion operator*(const Quaternion& a, const Quaternion& b) {

@@ -23,11 +23,21 @@ struct Vector3 {
   bool operator==(const Vector3&) const = default;
 };
 
-Vector3 operator+(const Vector3& a, const Vector3& b);
-Vector3 operator-(const Vector3& a, const Vector3& b);
-Vector3 operator*(double factor, const Vector3& v);
-double dot(const Vector3& a, const Vector3& b);
-Vector3 cross(const Vector3& a, const Vector3& b);
+// Here, since they are called for each triangle of a million.
+inline Vector3 operator+(const Vector3& a, const Vector3& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Vector3 operator-(const Vector3& a, const Vector3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Vector3 operator*(double factor, const Vector3& v) {
+  return {factor * v.x, factor * v.y, factor * v.z};
+}
+inline double dot(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
 double length(const Vector3& v);
 
 /// Unit quaternion; w first, as `inspect` prints it (SDF's quat_xyzw writes it last).

@@ -37,9 +37,9 @@ schema::RotationFormat rotation_format(xml::Element element) {
                                                            : schema::RotationFormat::kEulerRpy;
 }
 
-class Walk {
+class SchemaWalk {
  public:
-  Walk(const std::function<void(const SchemaFact&)>& tell, std::string_view root)
+  SchemaWalk(const std::function<void(const SchemaFact&)>& tell, std::string_view root)
       : tell_(tell), urdf_(root == "robot") {}
 
   void element(xml::Element element, const Node& node) {
@@ -279,7 +279,7 @@ class Walk {
 
 void check_conformance(const xml::Document& document, const schema::Node& root,
                        const std::function<void(const SchemaFact&)>& tell) {
-  if (const auto element = document.root()) Walk(tell, root.name()).element(*element, root);
+  if (const auto element = document.root()) SchemaWalk(tell, root.name()).element(*element, root);
 }
 
 }  // namespace rigor::read

@@ -31,9 +31,9 @@ std::string_view template_of(const std::string& path) {
   return {};
 }
 
-class Walk {
+class FolderWalk {
  public:
-  Walk(const Disk& disk, Discovered& found) : disk_(disk), found_(found) {}
+  FolderWalk(const Disk& disk, Discovered& found) : disk_(disk), found_(found) {}
 
   void argument(const std::string& path) {
     switch (disk_.kind(path)) {
@@ -83,7 +83,7 @@ class Walk {
 
 Discovered discover(const Disk& disk, const std::vector<std::string>& paths) {
   Discovered found;
-  Walk walk(disk, found);
+  FolderWalk walk(disk, found);
   for (const std::string& path : paths) walk.argument(path);
   return found;
 }

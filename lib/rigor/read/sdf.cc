@@ -17,11 +17,6 @@ using model::Id;
 
 namespace {
 
-template <class T>
-Id<T> next(const std::vector<T>& list) {
-  return {static_cast<std::uint32_t>(list.size())};
-}
-
 /// A pose from its numbers: x y z and roll pitch yaw (radians, or degrees if so said), or x y z and
 /// a quaternion x y z w.
 model::Pose to_pose(const schema::PoseNumbers& pose, double angle_unit) {
@@ -122,7 +117,7 @@ Id<model::Model> SdfReader::read_included(xml::Element sdf, Scope scope) {
 }
 
 void SdfReader::read_world(xml::Element element) {
-  const Id<model::World> id = next(root_.worlds);
+  const Id<model::World> id = next_id(root_.worlds);
   model::World world;
   world.site = site_of(element);
   world.name = string_field(attribute_text(element, "name"));
@@ -153,7 +148,7 @@ void SdfReader::read_world(xml::Element element) {
 }
 
 Id<model::Model> SdfReader::read_model(xml::Element element, Scope scope) {
-  const Id<model::Model> id = next(root_.models);
+  const Id<model::Model> id = next_id(root_.models);
   model::Model model;
   model.site = site_of(element);
   model.version = version_;
@@ -296,7 +291,7 @@ void SdfReader::override_model(const model::Include& include, std::uint32_t inde
 }
 
 void SdfReader::read_frame(xml::Element element, Scope scope) {
-  const Id<model::Frame> id = next(root_.frames);
+  const Id<model::Frame> id = next_id(root_.frames);
   model::Frame frame;
   frame.site = site_of(element);
   frame.name = string_field(attribute_text(element, "name"));

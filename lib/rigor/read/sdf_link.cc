@@ -97,7 +97,7 @@ model::Surface read_surface(xml::Element collision) {
   return surface;
 }
 
-model::Material read_material(xml::Element visual) {
+model::Material read_visual_material(xml::Element visual) {
   model::Material material;
   const auto element = visual.child("material");
   if (!element) return material;
@@ -135,7 +135,7 @@ void SdfReader::read_visual(xml::Element element, Id<model::Link> link) {
   visual.link = link;
   visual.pose = read_pose(element);
   visual.geometry = read_geometry(element);
-  visual.material = read_material(element);
+  visual.material = read_visual_material(element);
   root_.links[link.value].visuals.push_back({static_cast<std::uint32_t>(root_.visuals.size())});
   root_.visuals.push_back(std::move(visual));
 }

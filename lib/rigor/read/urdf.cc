@@ -16,11 +16,6 @@ namespace {
 
 using model::Id;
 
-template <class T>
-Id<T> next(const std::vector<T>& list) {
-  return {static_cast<std::uint32_t>(list.size())};
-}
-
 /// `<origin xyz="…" rpy="…"/>`, or from URDF 1.2 `quat_xyzw`.
 model::PoseField read_origin(xml::Element parent) {
   model::PoseField field;
@@ -66,7 +61,7 @@ model::Inertial read_inertial(xml::Element link) {
   return inertial;
 }
 
-model::Material read_material(xml::Element element) {
+model::Material read_urdf_material(xml::Element element) {
   model::Material material;
   material.written = true;
   material.site = site_of(element);
@@ -137,7 +132,7 @@ class UrdfReader {
   enum class Controller { kTransmission, kRos2Control };
 
   void read_link(xml::Element element) {
-    const Id<model::Link> id = next(root_.links);
+    const Id<model::Link> id = next_id(root_.links);
     model::Link link;
     link.site = site_of(element);
     link.name = string_field(attribute_text(element, "name"));
@@ -159,7 +154,7 @@ class UrdfReader {
     collision.link = link;
     collision.pose = read_origin(element);
     collision.geometry = read_geometry(element);
-    root_.links[link.value].collisions.push_back(next(root_.collisions));
+    root_.links[link.value].collisions.push_back(next_id(root_.collisions));
     root_.collisions.push_back(std::move(collision));
   }
 
@@ -170,8 +165,9 @@ class UrdfReader {
     visual.link = link;
     visual.pose = read_origin(element);
     visual.geometry = read_geometry(element);
-    if (const auto material = element.child("material")) visual.material = read_material(*material);
-    root_.links[link.value].visuals.push_back(next(root_.visuals));
+    if (const auto material = element.child("material"))
+      visual.material = read_urdf_material(*material);
+    root_.links[link.value].visuals.push_back(next_id(root_.visuals));
     root_.visuals.push_back(std::move(visual));
   }
 
@@ -200,7 +196,7 @@ class UrdfReader {
           site_of(*safety), number_field(attribute_text(*safety, "soft_lower_limit"), 0),
           number_field(attribute_text(*safety, "soft_upper_limit"), 0)};
     }
-    root_.models[model_.value].joints.push_back(next(root_.joints));
+    root_.models[model_.value].joints.push_back(next_id(root_.joints));
     root_.joints.push_back(std::move(joint));
   }
 
@@ -248,7 +244,7 @@ class UrdfReader {
 }  // namespace
 
 Id<model::Model> read_urdf(model::Root& root, xml::Element robot, Scope scope) {
-  const Id<model::Model> id = next(root.models);
+  const Id<model::Model> id = next_id(root.models);
   model::Model model;
   model.site = site_of(robot);
   model.format = model::Format::kUrdf;

@@ -45,6 +45,13 @@ void Workspace::keep_parts(const std::string& path, std::size_t parts) {
   parts_.try_emplace(path, parts);
 }
 
+std::vector<const File*> Workspace::files() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<const File*> files;
+  for (const auto& [path, file] : files_) files.push_back(file.get());
+  return files;
+}
+
 const File& Workspace::keep(const std::string& path, ReadResult read) {
   auto file = std::make_unique<File>();
   file->path = path;

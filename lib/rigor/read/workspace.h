@@ -16,6 +16,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <rigor/read/resolver.h>
 #include <rigor/text/disk.h>
@@ -53,6 +54,9 @@ class Workspace {
   std::optional<std::size_t> parts(const std::string& path);
   void keep_parts(const std::string& path, std::size_t parts);
 
+  /// Those that were opened so far, by path.
+  std::vector<const File*> files() const;
+
   Sources& sources() { return sources_; }
   const Disk& disk() const { return disk_; }
 
@@ -61,7 +65,7 @@ class Workspace {
 
   const Disk& disk_;
   Sources& sources_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::map<std::string, std::unique_ptr<File>> files_;
   std::map<std::string, std::size_t> parts_;
   std::map<std::pair<std::string, std::string>, Resolution> resolved_;  // by file and URI

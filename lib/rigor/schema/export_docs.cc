@@ -42,7 +42,7 @@ std::string bounds_words(const Node& node) {
   return words;
 }
 
-class Writer {
+class DocsWriter {
  public:
   std::string run(const Schema& schema, const Node& root) {
     oldest_ = schema.versions().front();
@@ -101,7 +101,7 @@ class Writer {
 std::optional<std::string> to_docs(const Schema& schema, Version version, std::string_view root) {
   const std::optional<Node> node = schema.root(root, version);
   if (!node) return std::nullopt;
-  return Writer().run(schema, *node);
+  return DocsWriter().run(schema, *node);
 }
 
 }  // namespace rigor::schema

@@ -67,7 +67,7 @@ std::string type_name(Type type) {
   return "value_" + std::string(type == Type::kNone ? "string" : to_string(type));
 }
 
-class Writer {
+class XsdWriter {
  public:
   std::string run(const Node& root) {
     out_ =
@@ -218,7 +218,7 @@ class Writer {
 std::optional<std::string> to_xsd(const Schema& schema, Version version, std::string_view root) {
   const std::optional<Node> node = schema.root(root, version);
   if (!node) return std::nullopt;
-  return Writer().run(*node);
+  return XsdWriter().run(*node);
 }
 
 }  // namespace rigor::schema

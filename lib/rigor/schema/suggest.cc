@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <utility>
 
+#include <rigor/schema/letter.h>
+
 namespace rigor::schema {
 namespace {
 
 constexpr std::size_t kMostEdits = 2;
 // names of robot formats are shorter; the bound keeps a long run of text from costing its square
 constexpr std::size_t kLongestName = 128;
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 std::size_t allowed_edits(std::size_t length) {
   if (length < 3) return 0;

@@ -8,10 +8,12 @@
 #include <span>
 #include <system_error>
 
+#include <rigor/schema/letter.h>
+
 namespace rigor::schema {
 namespace {
 
-using Kind = ValueFault::Kind;
+using FaultKind = ValueFault::Kind;
 
 // A part of a text, by offsets, so that a fault can say where it is.
 struct Token {
@@ -20,7 +22,6 @@ struct Token {
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 Token trim(std::string_view text) {
   Token token{0, text.size()};
@@ -37,7 +38,7 @@ Token next_token(std::string_view text, std::size_t from) {
   return token;
 }
 
-ValueFault fault(Kind kind, Token token) { return {kind, token.begin, token.end}; }
+ValueFault fault(FaultKind kind, Token token) { return {kind, token.begin, token.end}; }
 
 bool equals_ignoring_case(std::string_view text, std::string_view lower_case) {
   if (text.size() != lower_case.size()) return false;
@@ -50,8 +51,8 @@ bool equals_ignoring_case(std::string_view text, std::string_view lower_case) {
 // What follows a number at `at`, inside its token: a decimal comma or other text.
 ValueFault trailing(std::string_view text, Token token, std::size_t at) {
   const bool comma = text[at] == ',' && at + 1 < token.end && is_digit(text[at + 1]);
-  if (comma) return fault(Kind::kDecimalComma, token);
-  return {Kind::kTrailingText, at, token.end};
+  if (comma) return fault(FaultKind::kDecimalComma, token);
+  return {FaultKind::kTrailingText, at, token.end};
 }
 
 // A number that from_chars calls out of range is too small, rather than too large, when its first
@@ -116,18 +117,18 @@ Parsed<Real> read_real(std::string_view text, Token token) {
   const char* const first = text.data() + number.begin;
   const char* const last = text.data() + token.end;
   // a second sign is not a number, though from_chars would take a minus
-  if (first == last || *first == '-') return fault(Kind::kNotANumber, token);
+  if (first == last || *first == '-') return fault(FaultKind::kNotANumber, token);
   Real value = 0;
   const std::from_chars_result read = std::from_chars(
       first, last, value, number.hexadecimal ? std::chars_format::hex : std::chars_format::general);
-  if (read.ec == std::errc::invalid_argument) return fault(Kind::kNotANumber, token);
+  if (read.ec == std::errc::invalid_argument) return fault(FaultKind::kNotANumber, token);
   if (read.ptr != last) {
     return trailing(text, token, static_cast<std::size_t>(read.ptr - text.data()));
   }
   if (read.ec == std::errc::result_out_of_range) {
     const std::string_view digits(first, static_cast<std::size_t>(last - first));
     const bool below = is_below_range(digits, number.hexadecimal);
-    return fault(below ? Kind::kUnderflow : Kind::kOutOfRange, token);
+    return fault(below ? FaultKind::kUnderflow : FaultKind::kOutOfRange, token);
   }
   return number.negative ? -value : value;
 }
@@ -135,7 +136,7 @@ Parsed<Real> read_real(std::string_view text, Token token) {
 Parsed<double> read_finite(std::string_view text, Token token) {
   const Parsed<double> parsed = read_real<double>(text, token);
   const double* const value = std::get_if<double>(&parsed);
-  if (value && !std::isfinite(*value)) return fault(Kind::kNotFinite, token);
+  if (value && !std::isfinite(*value)) return fault(FaultKind::kNotFinite, token);
   return parsed;
 }
 
@@ -148,15 +149,15 @@ Parsed<Integer> read_integer(std::string_view text, Token token) {
   std::uint64_t magnitude = 0;
   const std::from_chars_result read =
       std::from_chars(first, last, magnitude, number.hexadecimal ? 16 : 10);
-  if (read.ec == std::errc::invalid_argument) return fault(Kind::kNotANumber, token);
+  if (read.ec == std::errc::invalid_argument) return fault(FaultKind::kNotANumber, token);
   if (read.ptr != last) {
     return trailing(text, token, static_cast<std::size_t>(read.ptr - text.data()));
   }
-  if (number.negative && !kSigned) return fault(Kind::kNegative, token);
+  if (number.negative && !kSigned) return fault(FaultKind::kNegative, token);
   const auto largest = static_cast<std::uint64_t>(std::numeric_limits<Integer>::max());
   const std::uint64_t limit = largest + (number.negative ? 1 : 0);
   if (read.ec == std::errc::result_out_of_range || magnitude > limit) {
-    return fault(Kind::kOutOfRange, token);
+    return fault(FaultKind::kOutOfRange, token);
   }
   // two's complement, so that the least integer, whose magnitude has no positive twin, comes out
   // right
@@ -169,18 +170,18 @@ template <class Value, class Read>
 Parsed<std::size_t> read_list(std::string_view text, std::size_t least, std::span<Value> values,
                               Read read) {
   const Token whole = trim(text);
-  if (whole.begin == whole.end) return ValueFault{Kind::kEmpty, 0, text.size()};
+  if (whole.begin == whole.end) return ValueFault{FaultKind::kEmpty, 0, text.size()};
   std::size_t count = 0;
   std::size_t at = whole.begin;
   while (at < whole.end) {
     const Token token = next_token(text, at);
-    if (count == values.size()) return ValueFault{Kind::kTooMany, token.begin, whole.end};
+    if (count == values.size()) return ValueFault{FaultKind::kTooMany, token.begin, whole.end};
     const auto parsed = read(text, token);
     if (const ValueFault* found = std::get_if<ValueFault>(&parsed)) return *found;
     values[count++] = std::get<0>(parsed);
     at = next_token(text, token.end).begin;
   }
-  if (count < least) return fault(Kind::kTooFew, whole);
+  if (count < least) return fault(FaultKind::kTooFew, whole);
   return count;
 }
 
@@ -196,7 +197,7 @@ Parsed<std::array<Value, Count>> read_array(std::string_view text, Read read) {
 template <class Value, class Read>
 Parsed<Value> read_one(std::string_view text, Read read) {
   const Token whole = trim(text);
-  if (whole.begin == whole.end) return ValueFault{Kind::kEmpty, 0, text.size()};
+  if (whole.begin == whole.end) return ValueFault{FaultKind::kEmpty, 0, text.size()};
   const Token token = next_token(text, whole.begin);
   Parsed<Value> parsed = read(text, token);
   if (token.end != whole.end && std::holds_alternative<Value>(parsed)) {
@@ -204,7 +205,8 @@ Parsed<Value> read_one(std::string_view text, Read read) {
     // "1.5 kg" has text behind the number, "1 2" has a number too many
     const Parsed<double> number = read_real<double>(text, next_token(text, surplus));
     const bool is_number = std::holds_alternative<double>(number);
-    return ValueFault{is_number ? Kind::kTooMany : Kind::kTrailingText, surplus, whole.end};
+    return ValueFault{is_number ? FaultKind::kTooMany : FaultKind::kTrailingText, surplus,
+                      whole.end};
   }
   return parsed;
 }
@@ -219,11 +221,11 @@ std::optional<ValueFault> fault_of(const Parsed<Value>& parsed) {
 
 Parsed<bool> parse_bool(std::string_view text) {
   const Token whole = trim(text);
-  if (whole.begin == whole.end) return ValueFault{Kind::kEmpty, 0, text.size()};
+  if (whole.begin == whole.end) return ValueFault{FaultKind::kEmpty, 0, text.size()};
   const std::string_view word = text.substr(whole.begin, whole.end - whole.begin);
   if (word == "1" || equals_ignoring_case(word, "true")) return true;
   if (word == "0" || equals_ignoring_case(word, "false")) return false;
-  return fault(Kind::kBadBool, whole);
+  return fault(FaultKind::kBadBool, whole);
 }
 
 Parsed<std::int32_t> parse_int(std::string_view text) {
@@ -261,7 +263,7 @@ Parsed<std::array<double, 4>> parse_color(std::string_view text) {
   const auto read = [](std::string_view all, Token token) -> Parsed<double> {
     const Parsed<double> parsed = read_finite(all, token);
     const double* const value = std::get_if<double>(&parsed);
-    if (value && (*value < 0 || *value > 1)) return fault(Kind::kBadColor, token);
+    if (value && (*value < 0 || *value > 1)) return fault(FaultKind::kBadColor, token);
     return parsed;
   };
   const Parsed<std::size_t> count = read_list(text, 3, std::span<double>(values), read);
@@ -280,7 +282,7 @@ Parsed<SecondsAndNanoseconds> parse_time(std::string_view text) {
     // "1.5" is a number, only not a whole one
     const bool fraction = !value && std::holds_alternative<double>(read_real<double>(all, token));
     nanoseconds = true;
-    if (outside || fraction) return fault(Kind::kBadTime, token);
+    if (outside || fraction) return fault(FaultKind::kBadTime, token);
     return parsed;
   };
   const Parsed<std::size_t> count = read_list(text, 2, std::span<std::int32_t>(values), read);
@@ -305,7 +307,7 @@ std::optional<ValueFault> check(Type type, std::string_view text, RotationFormat
     case Type::kChar: {
       const Token whole = trim(text);
       if (whole.begin < whole.end) return std::nullopt;
-      return ValueFault{Kind::kEmpty, 0, text.size()};
+      return ValueFault{FaultKind::kEmpty, 0, text.size()};
     }
     case Type::kBool: return fault_of(parse_bool(text));
     case Type::kInt: return fault_of(parse_int(text));

@@ -4,6 +4,7 @@
 #include <rigor/text/edit.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace rigor {
 
@@ -14,6 +15,10 @@ std::string_view to_string(Applicability applicability) {
     case Applicability::kManual: break;
   }
   return "manual";
+}
+
+void append(std::vector<Edit>& edits, std::vector<Edit> more) {
+  edits.insert(edits.end(), std::move_iterator(more.begin()), std::move_iterator(more.end()));
 }
 
 std::optional<std::string> apply_edits(std::string_view bytes, std::vector<Edit> edits) {

@@ -42,6 +42,8 @@ struct Fix {
   std::vector<Edit> edits;
 };
 
+void append(std::vector<Edit>& edits, std::vector<Edit> more);
+
 /// The text with the edits done, or nothing when two of them overlap or one reaches past the end.
 /// Two insertions at one place overlap, unless they are the same; then one is done.
 std::optional<std::string> apply_edits(std::string_view bytes, std::vector<Edit> edits);

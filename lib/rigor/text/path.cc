@@ -3,6 +3,7 @@
 
 #include <rigor/text/path.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace rigor {
@@ -50,6 +51,28 @@ std::string join_path(std::string_view folder, std::string_view path) {
   joined += '/';
   joined += path;
   return normalize_path(joined);
+}
+
+std::string relative_path(std::string_view folder, std::string_view path) {
+  const std::string whole = normalize_path(path);
+  const std::string from = normalize_path(folder);
+  if (is_absolute(whole) != is_absolute(from)) return whole;
+  std::string_view rest = whole;
+  std::string_view up = from == "." ? std::string_view() : from;
+  const auto first = [](std::string_view text) { return text.substr(0, text.find('/')); };
+  const auto drop_first = [&first](std::string_view& text) {
+    text.remove_prefix(std::min(text.size(), first(text).size() + 1));
+  };
+  while (!up.empty() && !rest.empty() && first(up) == first(rest)) {
+    drop_first(up);
+    drop_first(rest);
+  }
+  std::string result;
+  for (; !up.empty(); drop_first(up)) {
+    if (first(up) == "..") return whole;
+    result += "../";
+  }
+  return normalize_path(result.append(rest));
 }
 
 std::string_view parent_path(std::string_view path) {

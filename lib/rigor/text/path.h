@@ -19,6 +19,10 @@ std::string normalize_path(std::string_view path);
 /// `path` seen from `folder`, normalized; `path` itself when it is absolute.
 std::string join_path(std::string_view folder, std::string_view path);
 
+/// The other way: `path` as it is written in `folder`, "../meshes/a.stl". `path` itself, normalized, when
+/// that cannot be said: only one of them is absolute, or the folder lies above where both begin.
+std::string relative_path(std::string_view folder, std::string_view path);
+
 /// All but the last part: "." for a bare name, "/" for a name in the root.
 std::string_view parent_path(std::string_view path);
 

@@ -6,12 +6,10 @@
 #include <algorithm>
 #include <utility>
 
+#include <rigor/text/byte_order_mark.h>
+
 namespace rigor {
-namespace {
-
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
-}  // namespace
+namespace {}  // namespace
 
 SourceId Sources::add(std::string path, std::string bytes) {
   const std::lock_guard lock(mutex_);

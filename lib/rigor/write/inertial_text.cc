@@ -16,7 +16,7 @@ namespace {
 using mass::Inertia;
 using mass::MassProperties;
 
-double rounded(double value, int digits) {
+double rounded_to_digits(double value, int digits) {
   std::array<char, 32> buffer;  // sign, 17 digits, point, exponent
   char* const begin = buffer.data();
   const auto written =
@@ -25,9 +25,10 @@ double rounded(double value, int digits) {
   return value + 0.0;  // of -0 this makes 0
 }
 
-Inertia rounded(const Inertia& i, int digits) {
-  return {rounded(i.ixx, digits), rounded(i.ixy, digits), rounded(i.ixz, digits),
-          rounded(i.iyy, digits), rounded(i.iyz, digits), rounded(i.izz, digits)};
+Inertia rounded_to_digits(const Inertia& i, int digits) {
+  return {rounded_to_digits(i.ixx, digits), rounded_to_digits(i.ixy, digits),
+          rounded_to_digits(i.ixz, digits), rounded_to_digits(i.iyy, digits),
+          rounded_to_digits(i.iyz, digits), rounded_to_digits(i.izz, digits)};
 }
 
 /// How far the two smaller principal moments exceed the largest, kg·m²: below zero no body has them,
@@ -39,13 +40,13 @@ double margin(const Inertia& inertia) {
 
 /// With the fewest digits that take nothing from the body: where rounding leaves a margin, it is one
 /// that libsdformat takes as well, whose tolerance is that of the last bits.
-Inertia rounded(const Inertia& exact) {
+Inertia rounded_to_digits(const Inertia& exact) {
   const double needed = std::min(margin(exact), 0.0);
   for (int digits = kDigits; digits < std::numeric_limits<double>::max_digits10; ++digits) {
-    const Inertia candidate = rounded(exact, digits);
+    const Inertia candidate = rounded_to_digits(exact, digits);
     if (margin(candidate) >= needed) return candidate;
   }
-  return rounded(exact, std::numeric_limits<double>::max_digits10);
+  return rounded_to_digits(exact, std::numeric_limits<double>::max_digits10);
 }
 
 double without_noise(double value, double scale) {
@@ -70,14 +71,14 @@ double size_of(const MassProperties& body) {
   return length(body.com) + gyration;
 }
 
-std::string joined(const std::array<std::string, 3>& parts) {
+std::string joined_texts(const std::array<std::string, 3>& parts) {
   return parts[0] + ' ' + parts[1] + ' ' + parts[2];
 }
 
 std::string sdf(const InertialNumbers& numbers, std::string_view rotation) {
   std::string text = "<inertial>\n";
   if (!numbers.com_is_zero() || !rotation.empty()) {
-    text += "  <pose>" + joined(numbers.com) + ' ';
+    text += "  <pose>" + joined_texts(numbers.com) + ' ';
     text.append(rotation.empty() ? "0 0 0" : rotation).append("</pose>\n");
   }
   text += "  <mass>" + numbers.mass + "</mass>\n  <inertia>\n";
@@ -91,7 +92,7 @@ std::string sdf(const InertialNumbers& numbers, std::string_view rotation) {
 std::string urdf(const InertialNumbers& numbers, std::string_view rotation) {
   std::string text = "<inertial>\n";
   if (!numbers.com_is_zero() || !rotation.empty()) {
-    text += "  <origin xyz=\"" + joined(numbers.com) + "\" rpy=\"";
+    text += "  <origin xyz=\"" + joined_texts(numbers.com) + "\" rpy=\"";
     text.append(rotation.empty() ? "0 0 0" : rotation).append("\"/>\n");
   }
   text += "  <mass value=\"" + numbers.mass + "\"/>\n  <inertia";
@@ -103,8 +104,9 @@ std::string urdf(const InertialNumbers& numbers, std::string_view rotation) {
 
 std::string mjcf(const InertialNumbers& numbers) {
   const auto& [ixx, ixy, ixz, iyy, iyz, izz] = numbers.inertia;
-  return "<inertial pos=\"" + joined(numbers.com) + "\" mass=\"" + numbers.mass +
-         "\" fullinertia=\"" + joined({ixx, iyy, izz}) + ' ' + joined({ixy, ixz, iyz}) + "\"/>";
+  return "<inertial pos=\"" + joined_texts(numbers.com) + "\" mass=\"" + numbers.mass +
+         "\" fullinertia=\"" + joined_texts({ixx, iyy, izz}) + ' ' + joined_texts({ixy, ixz, iyz}) +
+         "\"/>";
 }
 
 }  // namespace
@@ -112,10 +114,10 @@ std::string mjcf(const InertialNumbers& numbers) {
 InertialNumbers inertial_numbers(const MassProperties& body) {
   const double size = size_of(body);
   const auto coordinate = [size](double value) {
-    return schema::to_shortest(rounded(without_noise(value, size), kDigits));
+    return schema::to_shortest(rounded_to_digits(without_noise(value, size), kDigits));
   };
-  const Inertia i = rounded(without_noise(body.about_com));
-  return {schema::to_shortest(rounded(body.mass, kDigits)),
+  const Inertia i = rounded_to_digits(without_noise(body.about_com));
+  return {schema::to_shortest(rounded_to_digits(body.mass, kDigits)),
           {coordinate(body.com.x), coordinate(body.com.y), coordinate(body.com.z)},
           {schema::to_shortest(i.ixx), schema::to_shortest(i.ixy), schema::to_shortest(i.ixz),
            schema::to_shortest(i.iyy), schema::to_shortest(i.iyz), schema::to_shortest(i.izz)}};

@@ -16,14 +16,6 @@
 namespace rigor::write {
 namespace {
 
-constexpr std::string_view kSpace = " \t\r\n";
-
-std::optional<double> number_in(std::string_view text) {
-  const auto parsed = schema::parse_double(text);
-  const double* value = std::get_if<double>(&parsed);
-  return value == nullptr ? std::nullopt : std::optional(*value);
-}
-
 struct Piece {
   std::size_t begin;
   std::size_t end;
@@ -40,7 +32,7 @@ std::vector<Piece> pieces_of(std::string_view text) {
   return pieces;
 }
 
-double rounded(double value, int decimals) {
+double rounded_to_decimals(double value, int decimals) {
   using Limits = std::numeric_limits<double>;
   std::array<char, 2 * Limits::max_exponent10 + 32> buffer;  // all digits before and behind a point
   char* const begin = buffer.data();
@@ -74,8 +66,14 @@ double settled(double value, double written, double size) {
   const int magnitude = static_cast<int>(std::floor(std::log10(size)));
   const int decimals =
       std::clamp(kComputedDigits - 1 - magnitude, 0, std::numeric_limits<double>::max_exponent10);
-  const double result = rounded(value, decimals);
-  return result == rounded(written, decimals) ? written : result;
+  const double result = rounded_to_decimals(value, decimals);
+  return result == rounded_to_decimals(written, decimals) ? written : result;
+}
+
+std::optional<double> number_in(std::string_view text) {
+  const auto parsed = schema::parse_double(text);
+  const double* value = std::get_if<double>(&parsed);
+  return value == nullptr ? std::nullopt : std::optional(*value);
 }
 
 std::optional<std::vector<double>> numbers_in(std::string_view text) {

@@ -26,6 +26,12 @@ inline constexpr int kComputedDigits = 15;
 /// at kComputedDigits of `size`, or `written` itself where that is the same then.
 double settled(double value, double written, double size);
 
+/// What separates numbers: XML's white space.
+inline constexpr std::string_view kSpace = " \t\r\n";
+
+/// The number that a text is; nothing when it is something else.
+std::optional<double> number_in(std::string_view text);
+
 /// The numbers of a text; nothing when it holds something else.
 std::optional<std::vector<double>> numbers_in(std::string_view text);
 

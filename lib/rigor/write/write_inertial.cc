@@ -13,6 +13,7 @@
 #include <rigor/read/values.h>
 #include <rigor/schema/value.h>
 #include <rigor/schema/version.h>
+#include <rigor/write/numbers.h>
 #include <rigor/xml/edit.h>
 #include <rigor/xml/style.h>
 
@@ -23,30 +24,22 @@ using mass::MassProperties;
 using xml::Attribute;
 using xml::Element;
 
-constexpr std::string_view kSpace = " \t\r\n";
-
-std::optional<double> number_of(std::string_view text) {
-  const auto parsed = schema::parse_double(text);
-  const double* value = std::get_if<double>(&parsed);
-  return value == nullptr ? std::nullopt : std::optional(*value);
-}
-
 /// A number to write, and how exact it is known: a text that reads as either of them is left alone.
 struct Number {
   std::string text;
   double exact = 0;
 
   bool reads_so(std::string_view other) const {
-    const auto value = number_of(other);
-    return value && (*value == exact || value == number_of(text));
+    const auto value = number_in(other);
+    return value && (*value == exact || value == number_in(text));
   }
 };
 
 Number whole(int value) { return {std::to_string(value), static_cast<double>(value)}; }
 
-using Numbers = std::vector<Number>;
+using NumberTexts = std::vector<Number>;
 
-std::string joined(const Numbers& numbers) {
+std::string joined_numbers(const NumberTexts& numbers) {
   std::string text;
   for (const Number& number : numbers) text += (text.empty() ? "" : " ") + number.text;
   return text;
@@ -124,7 +117,7 @@ class Writer {
   }
 
   std::string pose_text() const {
-    const std::string com = joined(com_);
+    const std::string com = joined_numbers(com_);
     switch (form_) {
       case Form::kSdf: return element_text("pose", com + " 0 0 0");
       case Form::kOldSdf: return "<origin pose=\"" + com + " 0 0 0\"/>";
@@ -166,8 +159,8 @@ class Writer {
   Part pose(Element inertial) {
     const auto pose = inertial.child(form_ == Form::kSdf ? "pose" : "origin");
     if (!pose) return {std::nullopt, com_is_zero_ ? "" : pose_text()};
-    const Numbers no_turn{whole(0), whole(0), whole(0)};
-    const Numbers no_turn_quaternion{whole(0), whole(0), whole(0), whole(1)};
+    const NumberTexts no_turn{whole(0), whole(0), whole(0)};
+    const NumberTexts no_turn_quaternion{whole(0), whole(0), whole(0), whole(1)};
     if (form_ == Form::kUrdf) {
       if (!com_is_zero_ || pose->attribute("xyz")) set_attribute(*pose, "xyz", com_);
       if (pose->attribute("rpy")) set_attribute(*pose, "rpy", no_turn);
@@ -175,7 +168,7 @@ class Writer {
       return {pose, {}};
     }
     const auto format = pose->attribute("rotation_format");
-    Numbers numbers = com_;
+    NumberTexts numbers = com_;
     for (const Number& number :
          format&& read::trimmed(format->value()) == "quat_xyzw" ? no_turn_quaternion : no_turn) {
       numbers.push_back(number);
@@ -216,7 +209,7 @@ class Writer {
     std::vector<Part> parts;
     std::vector<xml::NamedValue> attributes;
     for (std::size_t i = 0; i < kEntries.size(); ++i) {
-      const Number number{inertia_[i].text, *number_of(inertia_[i].text)};
+      const Number number{inertia_[i].text, *number_in(inertia_[i].text)};
       const auto child = tensor->child(kEntries[i]);
       parts.push_back({child, {}});
       if (child) {
@@ -248,7 +241,7 @@ class Writer {
         if (may_miss(i)) continue;
         return false;
       }
-      const auto value = number_of(child ? child->text() : attribute->value());
+      const auto value = number_in(child ? child->text() : attribute->value());
       const bool noise = value == 0.0 && inertia_[i].text == "0";
       if (value != inertia_[i].exact && !noise) return false;
     }
@@ -277,19 +270,19 @@ class Writer {
     flush();
   }
 
-  void set_text(Element element, const Numbers& numbers) {
+  void set_text(Element element, const NumberTexts& numbers) {
     if (set_in_place(element.text_span(), numbers)) return;
-    add(xml::set_text(document_, element, joined(numbers)));
+    add(xml::set_text(document_, element, joined_numbers(numbers)));
   }
 
-  void set_attribute(Element element, std::string_view name, const Numbers& numbers) {
+  void set_attribute(Element element, std::string_view name, const NumberTexts& numbers) {
     const auto attribute = element.attribute(name);
     if (attribute && set_in_place(attribute->value_span(), numbers)) return;
-    add(xml::set_attribute(document_, element, name, joined(numbers)));
+    add(xml::set_attribute(document_, element, name, joined_numbers(numbers)));
   }
 
   /// Replaces those numbers of a text that read otherwise; false when it is not that many.
-  bool set_in_place(Span span, const Numbers& numbers) {
+  bool set_in_place(Span span, const NumberTexts& numbers) {
     const std::string_view bytes = document_.bytes().substr(0, span.end);
     std::vector<Edit> edits;
     std::size_t count = 0;
@@ -312,9 +305,9 @@ class Writer {
   Form form_;
   MassProperties body_;
   bool com_is_zero_ = false;
-  Numbers com_;
+  NumberTexts com_;
   Number mass_;
-  Numbers inertia_;
+  NumberTexts inertia_;
   std::vector<Edit> edits_;
 };
 

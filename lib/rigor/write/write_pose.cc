@@ -21,7 +21,7 @@ namespace {
 
 using model::Quaternion;
 using xml::Element;
-using Numbers = std::vector<double>;
+using PoseNumbers = std::vector<double>;
 
 constexpr double kQuarter = std::numbers::pi / 2;
 constexpr Quaternion kBack{std::numbers::sqrt2 / 2, -std::numbers::sqrt2 / 2, 0, 0};
@@ -39,7 +39,7 @@ double roll_turned_back(double roll, double quarter) {
 }
 
 /// Of x, y, z, w.
-Numbers turned_back(const Numbers& n) {
+PoseNumbers turned_back(const PoseNumbers& n) {
   const Quaternion q = normalized(Quaternion{n[3], n[0], n[1], n[2]}) * kBack;
   constexpr double kSize = 0.5;  // of a component, so that fifteen decimals are kept
   return {settled(q.x, n[0], kSize), settled(q.y, n[1], kSize), settled(q.z, n[2], kSize),
@@ -49,7 +49,7 @@ Numbers turned_back(const Numbers& n) {
 enum class Unit { kRadian, kDegree };
 
 /// Three angles, or four numbers of a quaternion.
-Numbers turned(Numbers rotation, Turn turn, Unit unit) {
+PoseNumbers turned(PoseNumbers rotation, Turn turn, Unit unit) {
   if (turn == Turn::kNone) return rotation;
   if (rotation.size() == 4) return turned_back(rotation);
   rotation[0] = roll_turned_back(rotation[0], unit == Unit::kDegree ? 90 : kQuarter);
@@ -58,7 +58,7 @@ Numbers turned(Numbers rotation, Turn turn, Unit unit) {
 
 /// The numbers of a value, those of the identity where there is no text. Nothing when it is no
 /// pose.
-std::optional<Numbers> read_numbers(std::string_view text, const Numbers& identity) {
+std::optional<PoseNumbers> read_numbers(std::string_view text, const PoseNumbers& identity) {
   if (read::trimmed(text).empty()) return identity;
   const auto numbers = numbers_in(text);
   if (!numbers || numbers->size() != identity.size()) return std::nullopt;
@@ -93,15 +93,15 @@ class PoseWriter {
   }
 
  private:
-  Numbers translation(const Numbers& old) const {
+  PoseNumbers translation(const PoseNumbers& old) const {
     const auto& [x, y, z] = translation_;
     return {settled(x, old[0], size_), settled(y, old[1], size_), settled(z, old[2], size_)};
   }
 
   std::vector<Edit> inserted() const {
-    const Numbers xyz = translation({0, 0, 0});
-    const Numbers rpy = turned({0, 0, 0}, turn_, Unit::kRadian);
-    if (xyz == Numbers{0, 0, 0} && rpy == xyz) return {};
+    const PoseNumbers xyz = translation({0, 0, 0});
+    const PoseNumbers rpy = turned({0, 0, 0}, turn_, Unit::kRadian);
+    if (xyz == PoseNumbers{0, 0, 0} && rpy == xyz) return {};
     std::string text;
     switch (form_) {
       case PoseForm::kPose: text = "<pose>" + joined(xyz) + ' ' + joined(rpy) + "</pose>"; break;
@@ -124,12 +124,12 @@ class PoseWriter {
     const auto attribute = read::attribute_text(element, "pose");
     std::string_view text = element.text();
     if (in_attribute) text = attribute ? attribute->text : std::string_view();
-    const auto old =
-        read_numbers(text, quaternion ? Numbers{0, 0, 0, 0, 0, 0, 1} : Numbers{0, 0, 0, 0, 0, 0});
+    const auto old = read_numbers(
+        text, quaternion ? PoseNumbers{0, 0, 0, 0, 0, 0, 1} : PoseNumbers{0, 0, 0, 0, 0, 0});
     if (!old) return std::nullopt;
 
-    Numbers numbers = translation(*old);
-    const Numbers rotation =
+    PoseNumbers numbers = translation(*old);
+    const PoseNumbers rotation =
         turned({old->begin() + 3, old->end()}, turn_, degrees ? Unit::kDegree : Unit::kRadian);
     numbers.insert(numbers.end(), rotation.begin(), rotation.end());
     if (numbers == *old) return std::vector<Edit>();
@@ -143,22 +143,22 @@ class PoseWriter {
     const std::string_view name = quaternion ? "quat_xyzw" : "rpy";
     const auto xyz = in_attribute(origin, "xyz", {0, 0, 0});
     const auto rotation =
-        in_attribute(origin, name, quaternion ? Numbers{0, 0, 0, 1} : Numbers{0, 0, 0});
+        in_attribute(origin, name, quaternion ? PoseNumbers{0, 0, 0, 1} : PoseNumbers{0, 0, 0});
     if (!xyz || !rotation) return std::nullopt;
     return set_attributes(origin, {{"xyz", *xyz, translation(*xyz)},
                                    {name, *rotation, turned(*rotation, turn_, Unit::kRadian)}});
   }
 
-  static std::optional<Numbers> in_attribute(Element origin, std::string_view name,
-                                             const Numbers& identity) {
+  static std::optional<PoseNumbers> in_attribute(Element origin, std::string_view name,
+                                                 const PoseNumbers& identity) {
     const auto text = read::attribute_text(origin, name);
     return read_numbers(text ? text->text : std::string_view(), identity);
   }
 
   struct Change {
     std::string_view attribute;
-    Numbers before;
-    Numbers after;
+    PoseNumbers before;
+    PoseNumbers after;
   };
 
   /// Those that are missing are added in one edit, since two would be in one place.

@@ -12,7 +12,6 @@
 namespace rigor::xml {
 namespace {
 
-constexpr std::string_view kBlanks = " \t";
 constexpr std::string_view kSpace = " \t\r\n";
 
 /// The first byte at or behind `at` that is none of `set`.

@@ -10,6 +10,7 @@
 #include <array>
 #include <utility>
 
+#include <rigor/text/byte_order_mark.h>
 #include <rigor/text/sources.h>
 #include <rigor/xml/characters.h>
 #include <rigor/xml/decode.h>
@@ -28,8 +29,6 @@ bool is_name_start(char c) {
 }
 
 bool is_name(char c) { return is_name_start(c) || (c >= '0' && c <= '9') || c == '-' || c == '.'; }
-
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 /// A file uses a handful of prefixes; past this many no more are told apart.
 constexpr std::size_t kMaxPrefixes = 64;

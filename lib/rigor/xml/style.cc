@@ -7,13 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include <rigor/text/byte_order_mark.h>
 #include <rigor/text/edit.h>
 
 namespace rigor::xml {
 namespace {
-
-constexpr std::string_view kBlanks = " \t";
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 std::size_t line_begin(std::string_view bytes, std::size_t at) {
   const std::size_t found = at == 0 ? std::string_view::npos : bytes.rfind('\n', at - 1);

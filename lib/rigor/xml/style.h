@@ -16,6 +16,9 @@
 
 namespace rigor::xml {
 
+/// White space that ends no line.
+inline constexpr std::string_view kBlanks = " \t";
+
 /// The white space that the element's line begins with; none where a byte-order mark does.
 std::string indentation(const Document& document, Element element);
 

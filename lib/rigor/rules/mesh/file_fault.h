@@ -12,14 +12,16 @@
 #include <utility>
 
 #include <rigor/mesh/fault.h>
+#include <rigor/rules/mesh/gltf.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules {
 
 /// The first fault of that kind, if it is to be told: of a file that cannot be read, what else is odd
-/// about it comes from the same cause.
+/// about it comes from the same cause, and of a glTF file that cause may have a rule of its own.
 inline const mesh::Fault* fault_of(const MeshFile& file, mesh::FaultKind kind) {
   if (!mesh::fatal(kind) && !file.facts.usable()) return nullptr;
+  if (mesh::fatal(kind) && gltf_explains(file)) return nullptr;
   const auto& faults = file.facts.faults;
   const auto found = std::find_if(faults.begin(), faults.end(),
                                   [kind](const mesh::Fault& fault) { return fault.kind == kind; });

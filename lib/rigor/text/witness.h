@@ -1,0 +1,62 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a computation asked of a disk, and what it was told: as long as the disk would say the same
+// again, so would the computation.
+//
+//   const WitnessDisk asked(disk, path);           // used in place of it
+//   const Facts facts = look_at(asked, path);
+//   ...
+//   if (still_so(disk, asked.witnesses())) reuse(facts);
+
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <rigor/text/digest.h>
+#include <rigor/text/disk.h>
+
+namespace rigor {
+
+/// A question about one path and its answer.
+struct Witness {
+  enum class Question : std::uint8_t {
+    kKind,
+    kContent,  ///< all bytes of a file, or why there are none
+    kList
+  };
+  Question question = Question::kKind;
+  std::string path = {};
+  Digest answer = {};
+};
+
+/// Whether all of them have the same answers now.
+bool still_so(const Disk& disk, const std::vector<Witness>& witnesses);
+
+/// The disk behind it. For use by one thread; open files are as safe as the disk's own.
+class WitnessDisk final : public Disk {
+ public:
+  /// What is asked about `known` is not kept.
+  WitnessDisk(const Disk& disk, std::string known) : disk_(disk), known_(std::move(known)) {}
+
+  std::unique_ptr<OpenFile> open(const std::string& path) const override;
+  ReadResult read(const std::string& path, std::uint64_t max_bytes) const override;
+  PathKind kind(const std::string& path) const override;
+  std::vector<std::string> list(const std::string& folder) const override;
+
+  /// Each question once, by kinds of questions, then by paths.
+  std::vector<Witness> witnesses() const;
+
+ private:
+  void keep(Witness::Question question, const std::string& path) const;
+
+  const Disk& disk_;
+  std::string known_;
+  mutable std::map<std::pair<Witness::Question, std::string>, Digest> answers_;
+};
+
+}  // namespace rigor
