@@ -35,12 +35,15 @@ const std::map<std::string, Names>& rooms() {
       {"mesh", {"text", "xml", "model", "process"}},
       {"mass", {"text", "model", "mesh"}},
       {"write", {"text", "xml", "schema", "model", "read", "mass"}},
-      {"rules", {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "environment"}},
+      {"convert", {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "process"}},
+      {"rules",
+       {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "convert", "environment"}},
       {"environment", {"text", "schema", "read", "rules"}},
       {"author",
-       {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "rules", "environment"}},
+       {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "convert", "rules",
+        "environment"}},
       {"report",
-       {"text", "xml", "schema", "model", "read", "mesh", "mass", "rules", "author",
+       {"text", "xml", "schema", "model", "read", "mesh", "mass", "convert", "rules", "author",
         "environment"}},
   };
   return kRooms;
@@ -51,13 +54,15 @@ const std::map<std::string, Names>& third_parties() {
   static const std::map<std::string, Names> kParties{
       {"tinyxml2.h", {"xml", "tools"}},
       {"Eigen/", {"mass", "report"}},
-      {"fmt/", {"rules", "author", "report", "tools"}},
+      {"fmt/", {"convert", "rules", "author", "report", "tools"}},
       {"nlohmann/", {"report", "tools"}},
       {"CLI/", {"tools"}},
       {"toml++", {"config"}},
       {"assimp/", {"mesh"}},
       {"libqhull", {"mesh"}},
-      {"meshoptimizer", {"mesh", "tools"}}};
+      {"meshoptimizer", {"mesh", "tools"}},
+      {"urdf_parser/", {"convert"}},
+      {"console_bridge/", {"convert"}}};
   return kParties;
 }
 

@@ -11,7 +11,9 @@
 #include <string>
 #include <vector>
 
+#include <rigor/author/conversion.h>
 #include <rigor/environment.h>
+#include <rigor/read/load.h>
 #include <rigor/rules/example.h>
 #include <rigor/rules/validate.h>
 #include <rigor/text/edit.h>
@@ -24,13 +26,30 @@ struct Checked {
   ValidateResult result;
 };
 
-/// Checks an example's first file, with its other files beside it.
-void check(const ParsedExample& example, Checked& checked) {
+/// Converts a model to the other format.
+Diagnostics converted(const Environment& environment, const std::string& path, Sources& sources) {
+  read::Workspace workspace(environment.disk, sources);
+  const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
+  const read::Loaded loaded = read::load(reader, workspace.open(path));
+  const author::ConversionOptions options{.out = "out/" + path};
+  if (loaded.root.format == model::Format::kUrdf) {
+    return author::to_sdf(environment, sources, workspace, loaded, {}, options).diagnostics;
+  }
+  return author::to_urdf(environment, sources, workspace, loaded, {}, options).diagnostics;
+}
+
+/// Checks an example's first file, with its other files beside it; for a rule on conversions, converts
+/// it.
+void check(const Rule& rule, const ParsedExample& example, Checked& checked) {
   MemoryDisk disk;
   for (const ParsedExample::File& file : example.files) disk.put(example_path(file), file.bytes);
   const Environment environment(disk, {});
-  checked.result =
-      validate(environment, {.paths = {example_path(example.files.front())}}, checked.sources);
+  const std::string path = example_path(example.files.front());
+  if (rule.category == Category::kConvert) {
+    checked.result.diagnostics = converted(environment, path, checked.sources);
+  } else {
+    checked.result = validate(environment, {.paths = {path}}, checked.sources);
+  }
 }
 
 std::string describe(const Checked& checked, const Diagnostic& diagnostic) {
@@ -73,7 +92,7 @@ TEST_P(EveryRule, ReportsItsBadExamplesWhereTheyAreMarked) {
     SCOPED_TRACE(example.text);
     const ParsedExample parsed = parse_example(example.text);
     Checked checked;
-    check(parsed, checked);
+    check(rule, parsed, checked);
     const Marks expected = parsed.marked;
     const Marks found = places(checked, rule);
     if (expected.empty()) {
@@ -97,7 +116,7 @@ TEST_P(EveryRule, IsSilentOnItsGoodExamples) {
   for (const Example& example : rule.good) {
     SCOPED_TRACE(example.text);
     Checked checked;
-    check(parse_example(example.text), checked);
+    check(rule, parse_example(example.text), checked);
     for (const Diagnostic& diagnostic : checked.result.diagnostics.list()) {
       if (diagnostic.rule == rule.name || diagnostic.severity == Severity::kError) {
         ADD_FAILURE() << describe(checked, diagnostic);
@@ -112,7 +131,7 @@ TEST_P(EveryRule, FixesWhatItSaysItFixes) {
     SCOPED_TRACE(example.text);
     const ParsedExample parsed = parse_example(example.text);
     Checked checked;
-    check(parsed, checked);
+    check(rule, parsed, checked);
     std::vector<Edit> edits;
     for (const Diagnostic& diagnostic : checked.result.diagnostics.list()) {
       if (diagnostic.rule != rule.name || diagnostic.fixes.empty()) continue;
@@ -128,7 +147,7 @@ TEST_P(EveryRule, FixesWhatItSaysItFixes) {
     ParsedExample again = parsed;
     again.files.front().bytes = *fixed;
     Checked rechecked;
-    check(again, rechecked);
+    check(rule, again, rechecked);
     EXPECT_TRUE(places(rechecked, rule).empty());
   }
 }

@@ -19,10 +19,10 @@ constexpr std::string_view kGreeting =
   rigor inspect PATH           tree, poses and masses of a model
   rigor inertia SHAPE|MODEL    mass and inertia, exactly; written into the file
   rigor mesh-check FILE|MODEL  check, repair, centre, reduce and convert meshes
-  rigor rules                  what is checked
-  rigor explain RULE           why, and what to do about it
-  rigor schema VERSION         the elements of a format
-  rigor resolve URI            where a URI leads
+  rigor sdf2urdf IN -o OUT     convert, with an account of every loss; urdf2sdf back
+  rigor diff A B               what differs between two models, as robots
+  rigor rules, explain RULE    what is checked; why, and what to do about it
+  rigor schema, resolve        the elements of a format; where a URI leads
 
   rigor validate my_robot                  check all models in a folder
   rigor validate --format json robot.urdf  the same for a program
@@ -61,6 +61,9 @@ std::vector<std::unique_ptr<Command>> all_commands() {
   commands.push_back(inspect_command());
   commands.push_back(inertia_command());
   commands.push_back(mesh_check_command());
+  commands.push_back(sdf2urdf_command());
+  commands.push_back(urdf2sdf_command());
+  commands.push_back(diff_command());
   commands.push_back(rules_command());
   commands.push_back(explain_command());
   commands.push_back(schema_command());

@@ -33,11 +33,12 @@ bool looks_like_file(std::string_view text) {
 
 }  // namespace
 
-void OutputOptions::declare(CLI::App& app, std::vector<std::string_view> formats) {
+void OutputOptions::declare(CLI::App& app, std::vector<std::string_view> formats,
+                            const std::string& names) {
   formats_ = std::move(formats);
   app.add_option("--format", format_, "What to print on stdout: " + listed(formats_))
       ->type_name("NAME");
-  app.add_option("--output", outputs_, "Write a format to a file; may be given several times")
+  app.add_option(names, outputs_, "Write a format to a file; may be given several times")
       ->type_name("FORMAT[:FILE]")
       ->allow_extra_args(false);
 }

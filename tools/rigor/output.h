@@ -24,8 +24,9 @@ struct Target {
 
 class OutputOptions {
  public:
-  /// The first format is the default.
-  void declare(CLI::App& app, std::vector<std::string_view> formats);
+  /// The first format is the default. `names` are those of the option that takes FORMAT[:FILE].
+  void declare(CLI::App& app, std::vector<std::string_view> formats,
+               const std::string& names = "--output");
 
   /// Where to write what. At most one target is stdout.
   std::vector<Target> targets() const;

@@ -27,10 +27,6 @@ using model::Vector3;
 using xml::Element;
 using Edits = std::vector<Edit>;
 
-void append(Edits& all, Edits more) {
-  all.insert(all.end(), std::move_iterator(more.begin()), std::move_iterator(more.end()));
-}
-
 bool turns(const MeshReplacement& by) { return by.transform.up == mesh::UpAxis::kY; }
 
 /// s' = P (s/D); y and z change places, since the turn is one about x.

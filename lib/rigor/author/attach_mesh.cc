@@ -23,10 +23,6 @@ using write::PoseForm;
 using xml::Element;
 using Edits = std::vector<Edit>;
 
-void append(Edits& all, Edits more) {
-  all.insert(all.end(), std::move_iterator(more.begin()), std::move_iterator(more.end()));
-}
-
 /// The middle of a shape's bounds, in its own frame. Nothing for a mesh, and where there is none.
 std::optional<Vector3> middle_of(const model::Shape& shape) {
   if (std::holds_alternative<model::NoShape>(shape)) return std::nullopt;

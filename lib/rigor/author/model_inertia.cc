@@ -22,7 +22,7 @@ using mass::NoSolid;
 using mass::PartBody;
 using model::Id;
 
-std::string_view words(NoSolid why) {
+std::string_view reason(NoSolid why) {
   switch (why) {
     case NoSolid::kNone: return "";
     case NoSolid::kNoShape: return "it has no shape";
@@ -39,7 +39,7 @@ std::string_view words(NoSolid why) {
 std::string reason_of(const PartBody& part, From from) {
   const bool flat = part.why == NoSolid::kMesh && part.mesh == mass::MeshState::kFlat;
   return std::string(from == From::kCollisions ? "collision" : "visual") + " '" + part.name +
-         "': " + std::string(flat ? "its mesh is flat and encloses nothing" : words(part.why));
+         "': " + std::string(flat ? "its mesh is flat and encloses nothing" : reason(part.why));
 }
 
 /// Why a body has no answer; empty when it has one.

@@ -107,7 +107,7 @@ bool shows(const Window& window, std::uint32_t offset) {
   return !window.cut_after || offset <= window.cells[window.end - 1].offset;
 }
 
-std::string text_of(const Window& window) {
+std::string window_text(const Window& window) {
   std::string text = window.cut_before ? "…" : "";
   for (std::size_t i = window.begin; i < window.end; ++i) text += window.cells[i].shown;
   if (window.cut_after) text += "…";
@@ -139,7 +139,7 @@ class Drawing {
     const std::uint32_t line = places_.begin(mark.where).line;
     if (line_ != line || !shows(window_, mark.where.begin)) {
       window_ = window_around(places_.bytes(mark.where.source), mark.where.begin);
-      source_line(line, text_of(window_));
+      source_line(line, window_text(window_));
     }
     mark_line(mark, columns_of(window_, mark.where), paint);
   }

@@ -65,7 +65,8 @@ std::string carets(const LineTable& table, std::uint32_t line,
   return signs.empty() ? signs : std::string(kCodeIndent) + signs + '\n';
 }
 
-std::string code(std::string_view bytes, const std::vector<rules::ParsedExample::Marked>& marked) {
+std::string marked_code(std::string_view bytes,
+                        const std::vector<rules::ParsedExample::Marked>& marked) {
   const LineTable table(bytes);
   std::string out;
   // What follows the last line break is no line of its own.
@@ -85,13 +86,15 @@ std::string example(std::string_view title, const rules::Example& source) {
   for (std::size_t i = 0; i < parsed.files.size(); ++i) {
     const rules::ParsedExample::File& file = parsed.files[i];
     if (i == 0) {
-      out += fmt::format("\n{}: {}\n\n{}", title, file.path, code(file.bytes, parsed.marked));
+      out +=
+          fmt::format("\n{}: {}\n\n{}", title, file.path, marked_code(file.bytes, parsed.marked));
     } else {
-      out += fmt::format("\n{}with {}\n\n{}", kIndent, file.path, code(file.bytes, {}));
+      out += fmt::format("\n{}with {}\n\n{}", kIndent, file.path, marked_code(file.bytes, {}));
     }
   }
   if (!source.fixed.empty()) {
-    out += fmt::format("\nFixed: {}\n\n{}", parsed.files.front().path, code(source.fixed, {}));
+    out +=
+        fmt::format("\nFixed: {}\n\n{}", parsed.files.front().path, marked_code(source.fixed, {}));
   }
   return out;
 }

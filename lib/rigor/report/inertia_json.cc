@@ -106,7 +106,7 @@ Json stance_of(const mass::Stance& stance) {
           {"margin", stance.margin ? finite(*stance.margin) : Json(nullptr)}};
 }
 
-std::string text_of(const Json& json) {
+std::string json_text(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
@@ -121,7 +121,7 @@ std::string solid_json(const SolidInertia& solid) {
   json["principal_axes"] = Json::array();
   for (const model::Vector3& axis : principal.axes)
     json["principal_axes"].push_back(vector_of(axis));
-  return text_of(json);
+  return json_text(json);
 }
 
 std::string inertia_json(const InertiaTable& table) {
@@ -141,7 +141,7 @@ std::string inertia_json(const InertiaTable& table) {
                               {"computed", or_null(total.computed, body_of)},
                               {"stance", or_null(total.stance, stance_of)}});
   }
-  return text_of(json);
+  return json_text(json);
 }
 
 std::string materials_json(const std::map<std::string, double>& own) {
@@ -160,7 +160,7 @@ std::string materials_json(const std::map<std::string, double>& own) {
                     {"high", nullptr},
                     {"source", "rigor.toml"}});
   }
-  return text_of({{"materials", list}});
+  return json_text({{"materials", list}});
 }
 
 }  // namespace rigor::report

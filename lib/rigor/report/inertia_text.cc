@@ -22,7 +22,7 @@ using author::LinkInertia;
 using mass::MassFrom;
 using mass::MassProperties;
 
-constexpr int kDigits = 4;
+constexpr int kInertiaDigits = 4;
 
 /// Rows of cells, padded to the width of their column.
 class Grid {
@@ -60,11 +60,12 @@ class Grid {
 
 std::string moments(const MassProperties& body) {
   const mass::Inertia& i = body.about_com;
-  return number(i.ixx, kDigits) + ' ' + number(i.iyy, kDigits) + ' ' + number(i.izz, kDigits);
+  return number(i.ixx, kInertiaDigits) + ' ' + number(i.iyy, kInertiaDigits) + ' ' +
+         number(i.izz, kInertiaDigits);
 }
 
 std::string written_mass(const LinkInertia& link) {
-  std::string text = number(link.written.body.mass, kDigits);
+  std::string text = number(link.written.body.mass, kInertiaDigits);
   switch (link.written.taken) {
     case mass::Taken::kDefaults: return text + " (default)";
     case mass::Taken::kNothing: return "none";
@@ -150,7 +151,7 @@ void rows(const LinkInertia& link, Grid& grid) {
   grid.row({printable(link.name), "written", written_mass(link), written_moments(link), ratio(link),
             verdict(link)});
   if (shown) {
-    grid.row({link.chosen ? "  *" : "", "shapes", number(link.computed->body.mass, kDigits),
+    grid.row({link.chosen ? "  *" : "", "shapes", number(link.computed->body.mass, kInertiaDigits),
               moments(link.computed->body), "", parts(link) + ", " + mass_origin(link)});
   }
   notes(link, grid);
@@ -164,7 +165,8 @@ model::Vector3 shown(const model::Vector3& p) {
 
 std::string total_line(const std::string& what, const MassProperties& body) {
   return fmt::format("  {:8} {} kg, centre of mass {} m, ixx iyy izz {} kg·m² about it\n", what,
-                     number(body.mass, kDigits), numbers(shown(body.com), kDigits), moments(body));
+                     number(body.mass, kInertiaDigits), numbers(shown(body.com), kInertiaDigits),
+                     moments(body));
 }
 
 std::string stance_line(const mass::Stance& stance) {

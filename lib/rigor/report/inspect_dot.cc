@@ -10,7 +10,7 @@ namespace {
 
 using model::Id;
 
-std::string quoted(std::string_view text) {
+std::string dot_string(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') out += '\\';
@@ -29,7 +29,7 @@ std::string edge(const Inspection& inspection, Id<model::Joint> id) {
   const std::string label =
       fmt::format("{} ({})", scoped_name(inspection.root, id), to_string(joint.type));
   return fmt::format("  {} -> {} [label={}];\n", ends.parent_is_world ? "world" : node(ends.parent),
-                     node(ends.child), quoted(label));
+                     node(ends.child), dot_string(label));
 }
 
 }  // namespace
@@ -40,15 +40,15 @@ std::string inspect_dot(const Inspection& inspection) {
   std::string edges;
   bool to_world = false;
   for (std::uint32_t i = 0; i < root.links.size(); ++i) {
-    nodes +=
-        fmt::format("  {} [label={}];\n", node({i}), quoted(scoped_name(root, Id<model::Link>{i})));
+    nodes += fmt::format("  {} [label={}];\n", node({i}),
+                         dot_string(scoped_name(root, Id<model::Link>{i})));
   }
   for (std::uint32_t i = 0; i < root.joints.size(); ++i) {
     edges += edge(inspection, {i});
     to_world = to_world || inspection.frames.ends({i}).parent_is_world;
   }
   if (to_world) nodes = "  world [shape=box];\n" + nodes;
-  return fmt::format("digraph {} {{\n{}{}}}\n", quoted(inspection.path), nodes, edges);
+  return fmt::format("digraph {} {{\n{}{}}}\n", dot_string(inspection.path), nodes, edges);
 }
 
 }  // namespace rigor::report

@@ -16,38 +16,38 @@ namespace {
 
 using model::Id;
 
-constexpr int kDigits = 6;
+constexpr int kTextDigits = 6;
 
-std::string quoted(std::string_view name) { return '"' + printable(name) + '"'; }
+std::string quoted_name(std::string_view name) { return '"' + printable(name) + '"'; }
 
 std::string_view mark(bool written) { return written ? "" : " (default)"; }
 
 std::string pose_text(const std::optional<model::Pose>& pose) {
   if (!pose) return "unknown: a frame problem stands in the way";
-  return fmt::format("{} m, rpy {} rad", numbers(pose->translation, kDigits),
-                     numbers(to_rpy(pose->rotation), kDigits));
+  return fmt::format("{} m, rpy {} rad", numbers(pose->translation, kTextDigits),
+                     numbers(to_rpy(pose->rotation), kTextDigits));
 }
 
 struct ShapeText {
   std::string operator()(const model::Box& s) const {
-    return numbers(s.size.value, kDigits) + " m";
+    return numbers(s.size.value, kTextDigits) + " m";
   }
   std::string operator()(const model::Sphere& s) const { return radius(s.radius.value); }
   std::string operator()(const model::Cylinder& s) const { return round(s); }
   std::string operator()(const model::Capsule& s) const { return round(s); }
   std::string operator()(const model::Cone& s) const { return round(s); }
   std::string operator()(const model::Ellipsoid& s) const {
-    return "radii " + numbers(s.radii.value, kDigits) + " m";
+    return "radii " + numbers(s.radii.value, kTextDigits) + " m";
   }
   std::string operator()(const model::Plane& s) const {
-    return "normal " + numbers(s.normal.value, kDigits);
+    return "normal " + numbers(s.normal.value, kTextDigits);
   }
   std::string operator()(const model::Mesh& s) const {
-    const std::string text = quoted(s.uri.value);
-    return s.scale.written ? text + " scale " + numbers(s.scale.value, kDigits) : text;
+    const std::string text = quoted_name(s.uri.value);
+    return s.scale.written ? text + " scale " + numbers(s.scale.value, kTextDigits) : text;
   }
-  std::string operator()(const model::Heightmap& s) const { return quoted(s.uri.value); }
-  std::string operator()(const model::Image& s) const { return quoted(s.uri.value); }
+  std::string operator()(const model::Heightmap& s) const { return quoted_name(s.uri.value); }
+  std::string operator()(const model::Image& s) const { return quoted_name(s.uri.value); }
   std::string operator()(const model::Polyline& s) const {
     return fmt::format("{} high {} m", counted(s.points.size(), "point"), number(s.height.value));
   }
@@ -66,7 +66,7 @@ class Tree {
   std::string all() {
     out_ = printable(inspection_.path) + ": " + format() + '\n';
     for (const model::World& world : root_.worlds) {
-      out_ += fmt::format("\nworld {}: {}\n", quoted(world.name.value),
+      out_ += fmt::format("\nworld {}: {}\n", quoted_name(world.name.value),
                           counted(world.models.size(), "model"));
     }
     for (const Id<model::Model> top : top_models(root_)) {
@@ -96,7 +96,7 @@ class Tree {
 
   template <class T>
   void entity(int depth, std::string_view kind, Id<T> id, std::string_view more = {}) {
-    line(depth, fmt::format("{} {}{}", kind, quoted(root_[id].name.value), more));
+    line(depth, fmt::format("{} {}{}", kind, quoted_name(root_[id].name.value), more));
     line(depth + 1, fmt::format("pose {}{}", pose_text(inspection_.frames.pose(id)),
                                 mark(root_[id].pose.pose.written)));
   }
@@ -131,7 +131,7 @@ class Tree {
       line(depth, "inertial to be computed, but a collision is no solid");
     }
     line(depth, fmt::format("mass {} kg{}, centre of mass {} m{}", number(body.mass),
-                            mark(computed || written.mass.written), numbers(body.com, kDigits),
+                            mark(computed || written.mass.written), numbers(body.com, kTextDigits),
                             mark(computed || written.pose.pose.written)));
     line(depth,
          fmt::format("inertia ixx {} iyy {} izz {} ixy {} ixz {} iyz {} kg·m²{}", number(i.ixx),
@@ -147,7 +147,7 @@ class Tree {
   void joint(Id<model::Joint> id, int depth) {
     const model::Joint& joint = root_[id];
     const auto end = [](const std::optional<std::string>& name) {
-      return name ? quoted(*name) : "nothing";
+      return name ? quoted_name(*name) : "nothing";
     };
     entity(depth, "joint", id,
            fmt::format(": {} from {} to {}", to_string(joint.type),
@@ -159,9 +159,9 @@ class Tree {
     const model::Axis& axis = root_[id].axes[index];
     const bool prismatic = root_[id].type == model::JointType::kPrismatic;
     const std::optional<model::Vector3> direction = inspection_.frames.axis(id, index);
-    line(depth,
-         fmt::format("{} {}{}", index == 0 ? "axis" : "axis2",
-                     direction ? numbers(*direction, kDigits) : "unknown", mark(axis.xyz.written)));
+    line(depth, fmt::format("{} {}{}", index == 0 ? "axis" : "axis2",
+                            direction ? numbers(*direction, kTextDigits) : "unknown",
+                            mark(axis.xyz.written)));
     line(depth + 1,
          fmt::format("limits {}{} to {}{} {}", number(axis.lower.value), mark(axis.lower.written),
                      number(axis.upper.value), mark(axis.upper.written), prismatic ? "m" : "rad"));
@@ -169,14 +169,15 @@ class Tree {
                                 prismatic ? "N" : "N·m", mark(axis.effort.written),
                                 number(axis.velocity.value), prismatic ? "m/s" : "rad/s",
                                 mark(axis.velocity.written)));
-    if (axis.mimic) line(depth + 1, "mimics " + quoted(axis.mimic->joint.value));
+    if (axis.mimic) line(depth + 1, "mimics " + quoted_name(axis.mimic->joint.value));
   }
 
   void sum(Id<model::Model> top) {
     const Totals all = totals(inspection_, top);
-    line(1, fmt::format("total: {}, {}, {} kg{}", counted(all.links, "link"),
-                        counted(all.joints, "joint"), number(all.mass),
-                        all.com ? ", centre of mass " + numbers(*all.com, kDigits) + " m" : ""));
+    line(1,
+         fmt::format("total: {}, {}, {} kg{}", counted(all.links, "link"),
+                     counted(all.joints, "joint"), number(all.mass),
+                     all.com ? ", centre of mass " + numbers(*all.com, kTextDigits) + " m" : ""));
   }
 
   const Inspection& inspection_;

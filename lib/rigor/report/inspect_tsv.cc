@@ -10,7 +10,7 @@ namespace {
 
 using model::Id;
 
-constexpr int kDigits = 12;
+constexpr int kTsvDigits = 12;
 
 /// A name as one word.
 std::string word(std::string_view name) {
@@ -33,7 +33,7 @@ std::string pose_columns(const model::Pose& pose) {
   const model::Quaternion q = positive_w(pose.rotation);
   std::string out;
   for (const double value : {p.x, p.y, p.z, q.w, q.x, q.y, q.z}) {
-    out += number(value, kDigits) + '\t';
+    out += number(value, kTsvDigits) + '\t';
   }
   return out;
 }
@@ -76,9 +76,9 @@ class Rows {
   std::string link_extra(Id<model::Link> link) const {
     const mass::MassProperties body = inspection_.inertial(link).body;
     const mass::Inertia& i = body.about_com;
-    std::string out = number(body.mass, kDigits) + ' ' + numbers(body.com, kDigits);
+    std::string out = number(body.mass, kTsvDigits) + ' ' + numbers(body.com, kTsvDigits);
     for (const double value : {i.ixx, i.ixy, i.ixz, i.iyy, i.iyz, i.izz}) {
-      out += ' ' + number(value, kDigits);
+      out += ' ' + number(value, kTsvDigits);
     }
     return out;
   }
@@ -92,7 +92,7 @@ class Rows {
     out += to_string(root_[id].type);
     for (std::size_t i = 0; i < root_[id].axes.size(); ++i) {
       const std::optional<model::Vector3> axis = inspection_.frames.axis(id, i);
-      out += ' ' + (axis ? numbers(*axis, kDigits) : "nan nan nan");
+      out += ' ' + (axis ? numbers(*axis, kTsvDigits) : "nan nan nan");
     }
     return out;
   }

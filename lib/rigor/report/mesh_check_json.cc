@@ -17,7 +17,7 @@ namespace {
 void add_shape(Json& json, const mass::MeshShape& shape) {
   const mesh::Topology& topology = shape.topology;
   const bool solid = topology.closed() && shape.moments.volume != 0;
-  json["watertight"] = topology.boundary_edges == 0 && topology.nonmanifold_edges == 0;
+  json["watertight"] = topology.watertight();
   json["edge_manifold"] = topology.nonmanifold_edges == 0;
   json["oriented"] = topology.inconsistent_edges == 0;
   json["components"] = topology.components;

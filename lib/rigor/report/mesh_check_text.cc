@@ -16,15 +16,15 @@
 namespace rigor::report {
 namespace {
 
-constexpr int kDigits = 6;
+constexpr int kMeshDigits = 6;
 
 std::string row(std::string_view name, const std::string& text) {
   return fmt::format("  {:<9}{}\n", name, text);
 }
 
 std::string point(const model::Vector3& p) {
-  return fmt::format("({}, {}, {})", number(p.x, kDigits), number(p.y, kDigits),
-                     number(p.z, kDigits));
+  return fmt::format("({}, {}, {})", number(p.x, kMeshDigits), number(p.y, kMeshDigits),
+                     number(p.z, kMeshDigits));
 }
 
 /// What a length in the file is: STL and OBJ say nothing of their unit.
@@ -36,9 +36,9 @@ std::string_view unit_of(mesh::Format format) {
 
 std::string size_text(const mass::MeshFacts& facts) {
   const model::Vector3 size = facts.bounds.max - facts.bounds.min;
-  return fmt::format("{} × {} × {}{}, from {} to {}", number(size.x, kDigits),
-                     number(size.y, kDigits), number(size.z, kDigits), unit_of(facts.format),
-                     point(facts.bounds.min), point(facts.bounds.max));
+  return fmt::format("{} × {} × {}{}, from {} to {}", number(size.x, kMeshDigits),
+                     number(size.y, kMeshDigits), number(size.z, kMeshDigits),
+                     unit_of(facts.format), point(facts.bounds.min), point(facts.bounds.max));
 }
 
 std::string surface_text(const mass::MeshShape& shape) {
@@ -80,9 +80,9 @@ std::string defects_text(const mesh::Topology& t) {
 }
 
 std::string volume_text(const mass::MeshShape& shape) {
-  std::string text = "area " + number(shape.moments.area, kDigits);
+  std::string text = "area " + number(shape.moments.area, kMeshDigits);
   if (!shape.topology.closed() || shape.moments.volume == 0) return text;
-  return number(shape.moments.volume, kDigits) + ", " + text + ", centre " +
+  return number(shape.moments.volume, kMeshDigits) + ", " + text + ", centre " +
          point(mass::centroid(shape.moments));
 }
 
@@ -94,7 +94,7 @@ std::string uses_text(const rules::CheckedMesh& mesh) {
     text += printable(mesh.uses[i]);
   }
   if (mesh.uses.size() > kShown) text += fmt::format(" and {} more", mesh.uses.size() - kShown);
-  return text + ", scale " + numbers(mesh.scale, kDigits);
+  return text + ", scale " + numbers(mesh.scale, kMeshDigits);
 }
 
 std::string mesh_text(const rules::CheckedMesh& mesh, Color color) {
@@ -118,15 +118,15 @@ std::string mesh_text(const rules::CheckedMesh& mesh, Color color) {
 }
 
 std::string round_text(double radius, double length) {
-  return "radius " + number(radius, kDigits) + ", length " + number(length, kDigits);
+  return "radius " + number(radius, kMeshDigits) + ", length " + number(length, kMeshDigits);
 }
 
 struct PrimitiveText {
   std::string operator()(const mesh::Box& s) const {
-    return "box, size " + numbers(s.size, kDigits);
+    return "box, size " + numbers(s.size, kMeshDigits);
   }
   std::string operator()(const mesh::Sphere& s) const {
-    return "sphere, radius " + number(s.radius, kDigits);
+    return "sphere, radius " + number(s.radius, kMeshDigits);
   }
   std::string operator()(const mesh::Cylinder& s) const {
     return "cylinder, " + round_text(s.radius, s.length);
@@ -138,11 +138,11 @@ struct PrimitiveText {
 
 std::string fit_text(const mesh::Fit& fit) {
   std::string text = row("fit", std::visit(PrimitiveText{}, fit.shape));
-  text += row("pose", numbers(fit.pose.translation, kDigits) + "  " +
-                          numbers(to_rpy(fit.pose.rotation), kDigits));
+  text += row("pose", numbers(fit.pose.translation, kMeshDigits) + "  " +
+                          numbers(to_rpy(fit.pose.rotation), kMeshDigits));
   return text + row("", fmt::format("the mesh's hull fills {:.1f} % of it, and its surface lies {} "
                                     "inside at most",
-                                    100 * fit.fill(), number(fit.deepest, kDigits)));
+                                    100 * fit.fill(), number(fit.deepest, kMeshDigits)));
 }
 
 }  // namespace
@@ -162,7 +162,7 @@ std::string mesh_check_text(const MeshCheckReport& report, Color color) {
     text += paint(printable(file.path), Paint::kStrong, color) + ": written, " +
             counted(file.triangles, "triangle");
     if (file.hausdorff) {
-      text += fmt::format(", at most {} off (sampled)", number(*file.hausdorff, kDigits));
+      text += fmt::format(", at most {} off (sampled)", number(*file.hausdorff, kMeshDigits));
     }
     text += '\n';
   }

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <iterator>
 
+#include <rigor/text/byte_order_mark.h>
+
 namespace rigor::report {
 namespace {
-
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 /// Bytes between the anchors of a long line: what a question has to count at most.
 constexpr std::uint32_t kApart = 1024;

@@ -28,7 +28,7 @@ std::string prose(std::string_view text) {
   return result;
 }
 
-std::string code(std::string_view title, std::string_view text) {
+std::string code_block(std::string_view title, std::string_view text) {
   const std::string_view end = text.ends_with('\n') ? "" : "\n";
   return fmt::format("\n{}\n\n```xml\n{}{}```\n", title, text, end);
 }
@@ -41,11 +41,11 @@ std::string page(const rules::Rule& rule) {
   out += fmt::format("{}.\n\n{}\n\n{}\n", prose(rule.summary), prose(rule.why),
                      prose(rule.what_to_do));
   if (!rule.bad.empty()) {
-    out += code("Bad:", rules::parse_example(rule.bad.front().text).files.front().bytes);
-    if (!rule.bad.front().fixed.empty()) out += code("Fixed:", rule.bad.front().fixed);
+    out += code_block("Bad:", rules::parse_example(rule.bad.front().text).files.front().bytes);
+    if (!rule.bad.front().fixed.empty()) out += code_block("Fixed:", rule.bad.front().fixed);
   }
   if (!rule.good.empty() && (rule.bad.empty() || rule.bad.front().fixed.empty())) {
-    out += code("Good:", rules::parse_example(rule.good.front().text).files.front().bytes);
+    out += code_block("Good:", rules::parse_example(rule.good.front().text).files.front().bytes);
   }
   return out;
 }

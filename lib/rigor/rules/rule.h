@@ -28,6 +28,7 @@
 #include <variant>
 #include <vector>
 
+#include <rigor/convert/note.h>
 #include <rigor/mass/mesh_facts.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
@@ -55,6 +56,7 @@ enum class Category : std::uint8_t {
   kPlugin,
   kSensor,
   kPackage,
+  kConvert,
 };
 
 /// Also the name of the rule's folder.
@@ -111,7 +113,8 @@ struct FactCheck {
 using Check = std::variant<
     FactCheck<xml::Fault, xml::FaultKind>, FactCheck<read::SchemaFact, read::SchemaFactKind>,
     FactCheck<read::Fact, read::FactKind>, FactCheck<model::FrameProblem, model::FrameProblemKind>,
-    FactCheck<read::ConfigFact, read::ConfigFactKind>, CheckOf<model::Root>, CheckOf<model::World>,
+    FactCheck<read::ConfigFact, read::ConfigFactKind>,
+    FactCheck<convert::Note, convert::NoteKind>, CheckOf<model::Root>, CheckOf<model::World>,
     CheckOf<model::Model>, CheckOf<model::Link>, CheckOf<model::Joint>, CheckOf<model::Frame>,
     CheckOf<model::Collision>, CheckOf<model::Visual>, CheckOf<model::Sensor>,
     CheckOf<model::Light>, CheckOf<model::Plugin>, CheckOf<model::Include>, CheckOf<model::Physics>,
@@ -140,6 +143,9 @@ inline Check on_frames(std::vector<model::FrameProblemKind> kinds,
 }
 inline Check on_config(std::vector<read::ConfigFactKind> kinds, CheckOf<read::ConfigFact> check) {
   return FactCheck<read::ConfigFact, read::ConfigFactKind>{std::move(kinds), check};
+}
+inline Check on_conversion(std::vector<convert::NoteKind> kinds, CheckOf<convert::Note> check) {
+  return FactCheck<convert::Note, convert::NoteKind>{std::move(kinds), check};
 }
 
 struct Rule {

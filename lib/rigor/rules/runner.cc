@@ -87,6 +87,11 @@ class Runner::Walk {
     return taken();
   }
 
+  Diagnostics run(const convert::Notes& notes) {
+    for (const convert::Note& note : notes) facts(note);
+    return taken();
+  }
+
   Diagnostics run(const mass::MeshFacts& mesh) {
     check_file({mesh});
     return taken();
@@ -229,6 +234,11 @@ class Runner::Walk {
 Diagnostics Runner::run(const Environment& environment, const Sources& sources,
                         const read::Loaded& loaded, const Meshes& meshes) const {
   return Walk(*this, environment, sources, loaded, meshes).run();
+}
+
+Diagnostics Runner::run(const Environment& environment, const Sources& sources,
+                        const read::Loaded& loaded, const convert::Notes& notes) const {
+  return Walk(*this, environment, sources, loaded, {}).run(notes);
 }
 
 Diagnostics Runner::run(const Environment& environment, const Sources& sources,

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include <rigor/convert/note.h>
 #include <rigor/environment.h>
 #include <rigor/mass/mesh_facts.h>
 #include <rigor/mass/mesh_survey.h>
@@ -44,6 +45,10 @@ class Runner {
   /// What the rules on mesh files find of one that no model names.
   Diagnostics run(const Environment& environment, const Sources& sources,
                   const mass::MeshFacts& mesh) const;
+
+  /// What the rules on conversions say of what became of a model.
+  Diagnostics run(const Environment& environment, const Sources& sources,
+                  const read::Loaded& loaded, const convert::Notes& notes) const;
 
  private:
   struct Active {

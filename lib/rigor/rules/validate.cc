@@ -155,7 +155,7 @@ class Run {
                              fault.errors});
     }
     if (about.facts.empty()) return {};
-    return runner_.run(environment_, sources_, about, {});
+    return runner_.run(environment_, sources_, about, Meshes{});
   }
 
   /// The included file, or the first of those that it includes, that has errors of its own; empty

@@ -1,0 +1,290 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/author/conversion.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <rigor/convert/compare.h>
+#include <rigor/convert/robot.h>
+#include <rigor/convert/robot_lookups.h>
+#include <rigor/convert/urdfdom.h>
+#include <rigor/mass/mesh_survey.h>
+#include <rigor/rules/mesh_finder.h>
+#include <rigor/rules/runner.h>
+#include <rigor/text/path.h>
+
+namespace rigor::author {
+namespace {
+
+using convert::Difference;
+using convert::DifferenceKind;
+using convert::Note;
+using convert::NoteKind;
+using convert::Notes;
+using convert::Outcome;
+
+constexpr std::string_view kProof[] = {"convert-not-the-same", "convert-refused"};
+
+rules::Selection selection_of(const ConversionOptions& options, const rules::Registry& registry) {
+  rules::Selection selection = options.selection;
+  if (selection.select.empty())
+    selection.select = {std::string(to_string(rules::Category::kConvert))};
+  if (options.losses == Losses::kRefused) return selection;
+  for (const rules::Rule& rule : registry.rules()) {
+    const bool proof =
+        std::find(std::begin(kProof), std::end(kProof), rule.name) != std::end(kProof);
+    if (proof || rule.category != rules::Category::kConvert) continue;
+    if (rule.severity != Severity::kError) continue;
+    // In front: what the user says of a rule comes later and holds.
+    selection.severity.insert(selection.severity.begin(),
+                              {std::string(rule.name), Severity::kWarning});
+  }
+  return selection;
+}
+
+/// The account in two lines for the head of a result: a reader of the file sees what it is not.
+std::vector<std::string> head(const std::string& path, const convert::Account& account) {
+  std::string counts;
+  for (std::size_t i = 0; i < account.counts.size(); ++i) {
+    if (account.counts[i] == 0) continue;
+    counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", account.counts[i],
+                          to_string(static_cast<Outcome>(i)));
+  }
+  return {fmt::format("Converted from {} by rigor.", file_name(path)),
+          fmt::format("Elements and attributes: {}.", counts)};
+}
+
+bool holds(const Span& outer, const Span& inner) {
+  return outer.source == inner.source && outer.begin <= inner.begin && inner.end <= outer.end;
+}
+
+/// What the notes have told already, so that it is no news that the result differs there.
+class Told {
+ public:
+  Told(const model::Root& root, const Notes& notes) : notes_(notes) {
+    for (const auto& link : root.links) keep(link.site);
+    for (const auto& collision : root.collisions) keep(collision.site);
+    for (const auto& visual : root.visuals) keep(visual.site);
+    for (const auto& frame : root.frames) keep(frame.site);
+    for (const auto& joint : root.joints) {
+      keep(joint.site);
+      for (const auto& axis : joint.axes) keep(axis.site);
+    }
+  }
+
+  bool has(const Difference& difference) const {
+    const Span where = whole(difference.span_a);
+    return std::any_of(notes_.begin(), notes_.end(), [&](const Note& note) {
+      if (reroutes(note, difference)) return true;
+      if (note.outcome != Outcome::kLost && note.outcome != Outcome::kSubstituted) return false;
+      if (where.nowhere()) return follows(note, difference.kind);
+      return !note.where.nowhere() && (holds(where, note.where) || holds(note.where, where));
+    });
+  }
+
+ private:
+  void keep(const model::Site& site) { whole_[{site.tag.source, site.tag.begin}] = site.span; }
+
+  /// A difference stands at a start tag; the note may speak of something inside.
+  Span whole(const Span& tag) const {
+    const auto found = whole_.find({tag.source, tag.begin});
+    return found == whole_.end() ? tag : found->second;
+  }
+
+  /// Of what stands nowhere in the source: several shapes for one, and the world that only a cut joint
+  /// named.
+  static bool follows(const Note& note, DifferenceKind kind) {
+    const bool shape =
+        kind == DifferenceKind::kCollisionOnlyInB || kind == DifferenceKind::kVisualOnlyInB;
+    return (shape && note.kind == NoteKind::kShape) ||
+           (kind == DifferenceKind::kLinkOnlyInA && note.kind == NoteKind::kLoop);
+  }
+
+  /// What hangs on a link without mass hangs on what that is fixed to.
+  static bool reroutes(const Note& note, const Difference& difference) {
+    return note.kind == NoteKind::kMassless && difference.kind == DifferenceKind::kJointParent &&
+           note.subject.ends_with("/link " + difference.from.text);
+  }
+
+  const Notes& notes_;
+  std::map<std::pair<SourceId, std::uint32_t>, Span> whole_;
+};
+
+std::string value_text(const convert::DifferenceValue& value, std::string_view unit) {
+  if (value.numbers.empty()) return value.text.empty() ? "nothing" : value.text;
+  std::string text = fmt::format("{}", fmt::join(value.numbers, " "));
+  if (!unit.empty()) text += fmt::format(" {}", unit);
+  return text;
+}
+
+Note note_of(const Difference& difference) {
+  return {.kind = NoteKind::kNotTheSame,
+          .outcome = Outcome::kLost,
+          .where = difference.span_a,
+          .subject = difference.a.empty() ? difference.b : difference.a,
+          .written = fmt::format("{}: {}, in the result {}", convert::to_string(difference.kind),
+                                 value_text(difference.from, difference.unit),
+                                 value_text(difference.to, difference.unit))};
+}
+
+/// Both sides of a proof look files up from where they stand.
+class Prover {
+ public:
+  Prover(const Environment& environment, Sources& sources, read::Workspace& workspace,
+         const Conversion& result)
+      : environment_(environment),
+        sources_(sources),
+        workspace_(workspace),
+        surveys_(environment.disk),
+        result_(result),
+        names_{.links = result.links, .joints = result.joints} {}
+
+  /// What is not the same though no note has told so.
+  Notes prove(const read::Loaded& source, model::Id<model::Model> model, const std::string& out) {
+    const model::Frames frames(source.root);
+    const convert::Robot before =
+        convert::robot_of(source.root, frames, model, lookups(source.root));
+    const read::File& file = workspace_.put(out, *result_.text);
+    const read::Loaded written =
+        read::load({workspace_, environment_.resolver, environment_.sdf, environment_.urdf}, file);
+    const model::Frames written_frames(written.root);
+    if (written.root.models.empty()) {
+      return {
+          {.kind = NoteKind::kRefused, .where = source.root.site.tag, .written = "no model in it"}};
+    }
+    const convert::Robot after = convert::robot_of(
+        written.root, written_frames, model::Id<model::Model>{0}, lookups(written.root));
+    const Told told(source.root, result_.account.notes);
+    Notes notes = differences(before, after, told);
+    if (written.root.format == model::Format::kUrdf) ask_urdfdom(source, before, told, notes);
+    return notes;
+  }
+
+ private:
+  convert::RobotLookups lookups(const model::Root& root) {
+    convert::RobotLookups lookups = convert::lookups_in(root, workspace_, environment_.resolver);
+    lookups.find_mesh = rules::mesh_finder(environment_.resolver, sources_, surveys_);
+    return lookups;
+  }
+
+  Notes differences(const convert::Robot& before, const convert::Robot& after,
+                    const Told& told) const {
+    Notes notes;
+    for (const Difference& difference : convert::compare(before, after, names_)) {
+      // Readers of one format disagree on colours: two materials of one name, a script and a colour.
+      if (difference.kind == DifferenceKind::kColor || told.has(difference)) continue;
+      notes.push_back(note_of(difference));
+    }
+    return notes;
+  }
+
+  /// The parser that everything in ROS reads URDF with.
+  void ask_urdfdom(const read::Loaded& source, const convert::Robot& before, const Told& told,
+                   Notes& notes) const {
+    const convert::UrdfdomVerdict verdict = convert::judge_by_urdfdom(*result_.text);
+    if (!verdict.robot) {
+      notes.push_back({.kind = NoteKind::kRefused,
+                       .where = source.root.site.tag,
+                       .written = fmt::format("{}", fmt::join(verdict.messages, "; "))});
+      return;
+    }
+    if (!notes.empty()) return;  // it would say the same once more
+    notes = differences(before, *verdict.robot, told);
+  }
+
+  const Environment& environment_;
+  Sources& sources_;
+  read::Workspace& workspace_;
+  mass::MeshSurveys surveys_;
+  const Conversion& result_;
+  convert::Correspondence names_;
+};
+
+/// What both directions do once they have a result, or none.
+class Conclusion {
+ public:
+  Conclusion(const Environment& environment, Sources& sources, read::Workspace& workspace,
+             const read::Loaded& loaded, const ConversionOptions& options)
+      : environment_(environment),
+        sources_(sources),
+        workspace_(workspace),
+        loaded_(loaded),
+        options_(options) {}
+
+  Conversion of(Conversion result) {
+    Notes notes = result.account.notes;
+    if (result.text && options_.proof == Proof::kVerify) {
+      Prover prover(environment_, sources_, workspace_, result);
+      Notes found = prover.prove(loaded_, result.model, options_.out);
+      std::move(found.begin(), found.end(), std::back_inserter(notes));
+      result.configurations = convert::Tolerance{}.configurations;
+    }
+    const rules::Runner runner(environment_.registry,
+                               selection_of(options_, environment_.registry));
+    result.diagnostics = runner.run(environment_, sources_, loaded_, notes);
+    return result;
+  }
+
+ private:
+  const Environment& environment_;
+  Sources& sources_;
+  read::Workspace& workspace_;
+  const read::Loaded& loaded_;
+  const ConversionOptions& options_;
+};
+
+}  // namespace
+
+std::string_view to_string(Outcome outcome) {
+  constexpr std::array<std::string_view, 6> kWords{"converted", "implied",     "rewritten",
+                                                   "carried",   "substituted", "lost"};
+  return kWords[static_cast<std::size_t>(outcome)];
+}
+
+Conversion to_urdf(const Environment& environment, Sources& sources, read::Workspace& workspace,
+                   const read::Loaded& loaded, const convert::UrdfOptions& how,
+                   const ConversionOptions& options) {
+  const model::Frames frames(loaded.root);
+  const convert::Documents documents(workspace);
+  convert::UrdfConversion converted = convert::sdf_to_urdf(
+      {loaded.root, frames, documents, environment.resolver, environment.sdf, loaded.file->path},
+      how);
+  Conversion result;
+  result.model = converted.model;
+  if (converted.robot) {
+    converted.robot->head = head(loaded.file->path, converted.account);
+    result.text = convert::urdf_text(*converted.robot);
+  }
+  result.files = std::move(converted.files);
+  result.account = std::move(converted.account);
+  result.links = std::move(converted.links);
+  result.joints = std::move(converted.joints);
+  return Conclusion(environment, sources, workspace, loaded, options).of(std::move(result));
+}
+
+Conversion to_sdf(const Environment& environment, Sources& sources, read::Workspace& workspace,
+                  const read::Loaded& loaded, const convert::SdfOptions& how,
+                  const ConversionOptions& options) {
+  const model::Frames frames(loaded.root);
+  const convert::Documents documents(workspace);
+  convert::SdfConversion converted = convert::urdf_to_sdf(
+      {loaded.root, frames, documents, environment.resolver, environment.urdf, loaded.file->path},
+      how);
+  Conversion result;
+  result.model = {0};  // a URDF file holds one
+  if (converted.robot) {
+    converted.robot->head = head(loaded.file->path, converted.account);
+    result.text = convert::sdf_text(*converted.robot);
+  }
+  result.account = std::move(converted.account);
+  result.links = std::move(converted.links);
+  result.joints = std::move(converted.joints);
+  return Conclusion(environment, sources, workspace, loaded, options).of(std::move(result));
+}
+
+}  // namespace rigor::author

@@ -1,0 +1,116 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What became of a part of the source that the target could not take as it stands, as data; one rule
+// `convert-…` turns each kind into words and gives it a severity.
+//
+//   notes.push_back({.kind = NoteKind::kEffortStandIn, .outcome = Outcome::kRewritten,
+//                    .where = axis.effort.span, .subject = subject(root, joint), .written = "-1",
+//                    .instead = "1e16"});
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <rigor/text/span.h>
+
+namespace rigor::convert {
+
+/// What became of an element or attribute of the source. Each has exactly one of these.
+enum class Outcome : std::uint8_t {
+  kConverted,    ///< the target says the same in its own words
+  kImplied,      ///< says what the target takes without being told: a default
+  kRewritten,    ///< exact, but told otherwise: a revolute joint without limits is continuous
+  kCarried,      ///< kept as it is in a place that only some consumers read: a `<gazebo>` block
+  kSubstituted,  ///< something else stands for it
+  kLost,
+};
+
+enum class NoteKind : std::uint8_t {
+  // The file as a whole.
+  kSeveralModels,  ///< and none was chosen; `written` names them
+  kNoModel,
+  kWorld,       ///< what a world holds beside the model
+  kUnresolved,  ///< a reference or an include that leads nowhere: nothing can be converted
+  // The graph.
+  kSeveralRoots,
+  kRootAdded,      ///< one root for several trees, because it was asked for
+  kNoRoot,         ///< a cycle
+  kLoop,           ///< a second parent: the joint is cut
+  kDanglingJoint,  ///< parent or child is missing, or the child is the world
+  kWorldLink,      ///< parent `world`: a link of that name is added
+  kStatic,
+  kNested,   ///< a nested model's names were joined to the parent's
+  kRenamed,  ///< `written` → `instead`
+  kModelPose,
+  kRootPose,
+  kLinkFrame,  ///< the link's frame is not at its joint
+  kFrame,
+  // Joints.
+  kJointType,  ///< a type that the target lacks; `instead` says what stands for it
+  kJointTypeLost,
+  kContinuous,
+  kLimitStandIn,
+  kEffortStandIn,
+  kVelocityStandIn,
+  kLimitInverted,
+  kSpring,
+  kStiffness,
+  kAxisUnit,
+  kAxisZero,
+  kSecondAxis,
+  kMimicReference,
+  kMimicLost,
+  kGimbal,
+  kPhysics,  ///< of the joint: solver parameters that no block can hold
+  // Links.
+  kInertialDefault,
+  kInertialAutomatic,
+  kMassless,  ///< URDF: no mass; SDF would take 1 kg
+  kSurface,
+  kLinkPhysics,  ///< kinematic, wind, damping, buoyancy
+  kSelfCollide,
+  kGravity,
+  // Shapes and looks.
+  kShape,  ///< a shape that the target lacks; `instead` says what stands for it
+  kShapeLost,
+  kSubmesh,
+  kMaterialScript,
+  kMaterialLook,  ///< textures, pbr, emissive, lighting, transparency
+  kVisualExtra,   ///< shadows, layers, visibility flags, laser_retro
+  kUri,
+  kUriNotFound,
+  // What rides along.
+  kSensor,
+  kLight,
+  kPlugin,
+  kSafety,
+  kCalibration,
+  kTransmission,
+  kRos2Control,
+  kTexture,
+  kBlockReference,  ///< a `<gazebo reference>` that names nothing
+  kBlockWithoutCollision,
+  kComment,
+  kUnknown,  ///< no rule of the conversion knows it
+  // What the proof says of the result.
+  kNotTheSame,  ///< read again, it is another robot; `written` is how
+  kRefused,     ///< the official parser does not take it; `written` is what it says
+};
+
+struct Note {
+  NoteKind kind = NoteKind::kUnknown;
+  Outcome outcome = Outcome::kLost;
+  Span where;             ///< of the element, attribute or value in the source
+  std::string subject;    ///< as in a diagnostic
+  std::string written;    ///< what the source says, in short: a value, a name, "universal"
+  std::string instead;    ///< what the target says; empty when it says nothing
+  std::size_t count = 1;  ///< elements and attributes that it speaks of
+};
+
+using Notes = std::vector<Note>;
+
+}  // namespace rigor::convert

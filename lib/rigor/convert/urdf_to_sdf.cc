@@ -1,0 +1,235 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/convert/urdf_to_sdf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <rigor/convert/sdf_draft.h>
+#include <rigor/model/subject.h>
+#include <rigor/read/values.h>
+
+namespace rigor::convert {
+namespace {
+
+using model::Id;
+using Role = SdfNode::Role;
+
+/// All links that need a mass without having one weigh this share of the robot together: a tenth of
+/// what a comparison of masses lets pass.
+constexpr double kNothingShare = 1e-10;
+/// kg, what a robot that has no mass at all is taken for.
+constexpr double kSupposedMass = 1;
+
+double next_to_nothing_of(const model::Root& root, const SdfTree& tree) {
+  double total = 0;
+  int count = 0;
+  for (const Id<model::Link> id : tree.order) {
+    if (!is_massless(root[id])) total += std::abs(root[id].inertial.mass.value);
+    count += is_massless(root[id]) && tree.nodes[id.value].role == Role::kLink ? 1 : 0;
+  }
+  if (!(total > 0) || !std::isfinite(total)) total = kSupposedMass;
+  return std::pow(10, std::floor(std::log10(kNothingShare * total / std::max(count, 1))));
+}
+
+class UrdfToSdf {
+ public:
+  UrdfToSdf(const Source& source, const SdfOptions& options)
+      : source_(source), options_(options), root_(source.root), ledger_(source.documents) {}
+
+  SdfConversion convert() {
+    ledger_.open(root_.site);
+    if (root_.models.empty() || root_.links.empty() || root_.format != model::Format::kUrdf) {
+      ledger_.take_all(root_.site, Outcome::kLost);
+      ledger_.note({.kind = NoteKind::kNoModel, .where = root_.site.name});
+    } else if (auto tree = sdf_tree(source_, options_, ledger_)) {
+      build(*std::move(tree));
+    } else {
+      ledger_.take_all(root_.site, Outcome::kLost);
+    }
+    result_.account = std::move(ledger_).close(
+        [](const model::Site&, xml::Element) { return false; },
+        [](xml::Element, xml::Attribute attribute) { return is_implied_in_urdf(attribute); },
+        urdf_kind_of);
+    return std::move(result_);
+  }
+
+ private:
+  static bool is_implied_in_urdf(xml::Attribute attribute) {
+    return attribute.name().substr(0, 5) == "xmlns";
+  }
+
+  static NoteKind urdf_kind_of(xml::Element element) {
+    static constexpr std::pair<std::string_view, NoteKind> kKinds[] = {
+        {"safety_controller", NoteKind::kSafety},  {"calibration", NoteKind::kCalibration},
+        {"transmission", NoteKind::kTransmission}, {"ros2_control", NoteKind::kRos2Control},
+        {"texture", NoteKind::kTexture},           {"sensor", NoteKind::kSensor},
+    };
+    for (const auto& [name, kind] : kKinds) {
+      if (element.name() == name) return kind;
+    }
+    return NoteKind::kUnknown;
+  }
+
+  void build(SdfTree tree) {
+    const double nothing = next_to_nothing_of(root_, tree);
+    SdfDraft draft{source_, options_, ledger_, std::move(tree), {}, {}, {}, {}, nothing};
+    const model::Model& robot = root_.models[0];
+    ledger_.take(root_.site);
+    ledger_.take(robot.name);
+    ledger_.take(root_.version_text);
+    draft.robot.name = robot.name.value.empty() ? "robot" : robot.name.value;
+    draft.robot.version = version();
+    find_materials(draft);
+    add_sdf_links(draft);
+    for (std::uint32_t i = 0; i < root_.joints.size(); ++i) {
+      draft.joints.push_back(sdf_joint(draft, {i}));
+    }
+    add_gazebo_blocks(draft);
+    tell_parts();
+    assemble(draft);
+    name_map(draft);
+    result_.robot = std::move(draft.robot);
+  }
+
+  int version() const {
+    if (options_.version != 0) return options_.version;
+    const bool mimics =
+        std::any_of(root_.joints.begin(), root_.joints.end(), [](const auto& joint) {
+          return joint.type != model::JointType::kFixed && !joint.axes.empty() &&
+                 joint.axes[0].mimic;
+        });
+    return mimics ? kMimicVersion : kPlainVersion;
+  }
+
+  /// The robot's own are for visuals to use; one that a visual defines can be used by name, too.
+  void find_materials(SdfDraft& draft) {
+    for (const model::RobotMaterial& material : root_.materials) {
+      const xml::Element element = source_.documents.element(material.site);
+      ledger_.take(material.site);
+      ledger_.take(material.name);
+      if (const auto color = element.child("color")) ledger_.take_all(*color);
+      if (element.child("color")) draft.materials.try_emplace(material.name.value, element);
+    }
+    for (const model::Visual& visual : root_.visuals) {
+      if (!visual.material.written || visual.material.name.value.empty()) continue;
+      const xml::Element element = source_.documents.element(visual.material.site);
+      if (element.child("color")) draft.materials.try_emplace(visual.material.name.value, element);
+    }
+  }
+
+  /// Parts of a robot that SDF has no place for, by what they say of themselves.
+  void tell_parts() {
+    const xml::Element robot = source_.documents.element(root_.models[0].site);
+    for (const xml::Element child : robot.children()) {
+      const NoteKind kind = urdf_kind_of(child);
+      if (kind == NoteKind::kUnknown) continue;
+      const auto name = read::string_field(read::attribute_text(child, "name"));
+      ledger_.lose(read::site_of(child), {.kind = kind,
+                                          .where = child.name_span(),
+                                          .subject = model::subject(root_, root_.models[0]),
+                                          .written = name.value});
+    }
+    for (const model::Joint& joint : root_.joints) tell_safety(joint);
+  }
+
+  void tell_safety(const model::Joint& joint) {
+    if (!joint.safety) return;
+    const xml::Element element = source_.documents.element(joint.safety->site);
+    std::string written;
+    for (const xml::Attribute attribute : element.attributes()) {
+      if (!written.empty()) written += ", ";
+      written.append(attribute.name()).append(" ").append(attribute.value());
+    }
+    ledger_.lose(joint.safety->site, {.kind = NoteKind::kSafety,
+                                      .where = element.name_span(),
+                                      .subject = model::subject(root_, joint),
+                                      .written = std::move(written)});
+  }
+
+  /// Each joint, the link that it carries, and what hangs on that.
+  void assemble(SdfDraft& draft) {
+    for (const Id<model::Link> id : draft.tree.order) {
+      const SdfNode& node = draft.node(id);
+      if (node.role == Role::kWorld) {
+        take_world(root_[id]);
+      } else if (node.role == Role::kFrame) {
+        draft.robot.parts.emplace_back(frame_of(draft, node));
+      } else {
+        add_link(draft, id);
+      }
+    }
+  }
+
+  void take_world(const model::Link& world) {
+    ledger_.take_all(world.site, Outcome::kRewritten);
+    ledger_.note({.kind = NoteKind::kWorldLink,
+                  .outcome = Outcome::kRewritten,
+                  .where = world.site.name,
+                  .subject = model::subject(root_, world),
+                  .written = world.name.value,
+                  .instead = "the world"});
+  }
+
+  SdfFrame frame_of(const SdfDraft& draft, const SdfNode& node) const {
+    // The root's frame is the model's, whatever link it is a frame of.
+    if (!node.carrier) return {node.name, draft.node(node.holder).name, {"__model__", {}}};
+    return {node.name,
+            draft.node(node.parent).name,
+            {{}, urdf_written_origin(source_.documents, root_[node.carrier].pose)}};
+  }
+
+  void add_link(SdfDraft& draft, Id<model::Link> id) {
+    const SdfNode& node = draft.node(id);
+    SdfLink& link = *draft.links[id.value];
+    auto& parts = draft.robot.parts;
+    if (node.carrier && draft.joints[node.carrier.value].empty()) {
+      // Placed without a joint: the heir of a root that became its frame, or a free one.
+      const SdfNode& parent = draft.node(node.parent);
+      link.pose = {parent.role == Role::kWorld ? std::string() : parent.name,
+                   urdf_written_origin(source_.documents, root_[node.carrier].pose)};
+    } else if (node.carrier) {
+      auto& joint = draft.joints[node.carrier.value];
+      link.pose.relative_to = std::get<SdfJoint>(joint.back()).name;
+      std::move(joint.begin(), joint.end(), std::back_inserter(parts));
+    }
+    parts.emplace_back(std::move(link));
+  }
+
+  void name_map(const SdfDraft& draft) {
+    for (std::size_t i = 0; i < root_.links.size(); ++i) {
+      result_.links.try_emplace(root_.links[i].name.value, draft.tree.nodes[i].name);
+    }
+    for (std::size_t i = 0; i < root_.joints.size(); ++i) {
+      const std::string& name = draft.tree.joint_names[i];
+      std::vector<std::string> names{name};
+      if (root_.joints[i].type == model::JointType::kPlanar) {
+        names = {name + "_slide", name + "_slide_2", name};
+      }
+      result_.joints.try_emplace(root_.joints[i].name.value, std::move(names));
+    }
+  }
+
+  const Source& source_;
+  const SdfOptions& options_;
+  const model::Root& root_;
+  Ledger ledger_;
+  SdfConversion result_;
+};
+
+}  // namespace
+
+SdfJoint* SdfDraft::joint(Id<model::Joint> id) {
+  return joints[id.value].empty() ? nullptr : &std::get<SdfJoint>(joints[id.value].back());
+}
+
+SdfConversion urdf_to_sdf(const Source& source, const SdfOptions& options) {
+  return UrdfToSdf(source, options).convert();
+}
+
+}  // namespace rigor::convert

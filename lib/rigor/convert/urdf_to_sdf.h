@@ -1,0 +1,72 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// URDF to SDF: the same robot, or an account of what is not the same.
+//
+// Each joint stands where its origin says, relative to its parent link, and each link in its joint, so
+// that every number keeps its author's digits. No mass is lost and none is made up: SDF would give a
+// link without an inertial 1 kg, so one that is fixed to another becomes a frame of it, by the same
+// name, and one that moves gets next to nothing.
+//
+//   SdfConversion result = urdf_to_sdf(source, {});
+//   if (result.robot) write(sdf_text(*result.robot));
+//   for (const Note& note : result.account.notes) …
+
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <rigor/convert/ledger.h>
+#include <rigor/convert/sdf_robot.h>
+#include <rigor/convert/sdf_to_urdf.h>
+
+namespace rigor::convert {
+
+/// What a mesh's URI becomes.
+struct SdfMeshUri {
+  enum class Kind : std::uint8_t {
+    kModel,    ///< `package://P/p` → `model://P/p`
+    kPackage,  ///< `model://M/p` → `package://M/p`
+    kFile,     ///< `file:///absolute`, of what is found
+    kKeep,
+  };
+  Kind kind = Kind::kModel;
+  std::string name;  ///< of kModel and kPackage: in place of the package's; empty: its own
+};
+
+enum class FixedPolicy : std::uint8_t {
+  kKeep,
+  kLump,  ///< links on fixed joints become frames of what carries them, which takes their mass and
+          ///< shapes; `preserveFixedJoint` keeps one
+};
+
+/// A link without mass that is fixed to another.
+enum class MasslessPolicy : std::uint8_t {
+  kLink,   ///< becomes a frame, unless it has shapes: then it stays a link, with next to no mass
+  kFrame,  ///< becomes a frame in any case; its shapes are held by what carries it
+};
+
+struct SdfOptions {
+  SdfMeshUri mesh_uri;
+  FixedPolicy fixed = FixedPolicy::kKeep;
+  MasslessPolicy massless = MasslessPolicy::kLink;
+  /// SDF 1.`version`; 0: 1.9, or 1.11, the first that has them, where joints mimic others.
+  int version = 0;
+};
+
+struct SdfConversion {
+  /// Nothing when there is none to write: no robot, no tree, a joint that leads nowhere.
+  std::optional<SdfRobot> robot;
+  Account account;
+  /// URDF name → SDF name; a planar joint has three.
+  std::map<std::string, std::string> links;
+  std::map<std::string, std::vector<std::string>> joints;
+};
+
+SdfConversion urdf_to_sdf(const Source& source, const SdfOptions& options);
+
+}  // namespace rigor::convert

@@ -1,0 +1,54 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The tree in a model's graph of links and joints: which joint carries which link, and which joints
+// are left out. Nested models are part of it. Private to the room.
+//
+//   UrdfTree tree = urdf_tree(root, frames, model);
+//   if (tree.roots.size() + tree.on_world > 1) …   // several trees
+
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <rigor/model/frames.h>
+#include <rigor/model/model.h>
+
+namespace rigor::convert {
+
+struct UrdfTree {
+  /// A joint that carries its child, which nothing carried before.
+  struct Edge {
+    model::Id<model::Joint> joint;
+    model::Id<model::Link> parent;  ///< none: the world
+    model::Id<model::Link> child;
+  };
+  enum class Flaw : std::uint8_t {
+    kDangling,      ///< an end is missing, is the world, or both are one
+    kSecondParent,  ///< `carrier` carries the child already
+    kCycle,         ///< the child carries the parent, and nothing carries the child
+  };
+  struct LeftOut {
+    model::Id<model::Joint> joint;
+    Flaw flaw;
+    model::Id<model::Joint> carrier;
+  };
+
+  std::vector<model::Id<model::Model>>
+      models;                                 ///< the model first, then those in it, in file order
+  std::vector<model::Id<model::Link>> links;  ///< in file order, as all that follows
+  std::vector<model::Id<model::Frame>> frames;
+  std::vector<Edge> edges;
+  std::vector<LeftOut> left_out;
+  std::vector<model::Id<model::Joint>> gearboxes;  ///< which couple joints and carry nothing
+  std::vector<model::Id<model::Link>> roots;       ///< that neither a joint nor the world carries
+  bool on_world = false;                           ///< whether a joint's parent is the world
+  /// The joint that carries a link, by the link's id; none for roots and other models' links.
+  std::vector<model::Id<model::Joint>> carriers;
+};
+
+UrdfTree urdf_tree(const model::Root& root, const model::Frames& frames,
+                   model::Id<model::Model> model);
+
+}  // namespace rigor::convert

@@ -1,0 +1,80 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <fmt/core.h>
+
+#include <rigor/rules/convert/told.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::convert_joint_type_lost {
+
+void check(const convert::Note& note, Context& context) {
+  context.report(
+      told(note, fmt::format("there is no {} joint in the target, and nothing can stand for it{}{}",
+                             note.written, note.instead.empty() ? "" : ": ", note.instead)));
+}
+
+Rule rule() {
+  return {
+      .name = "convert-joint-type-lost",
+      .category = Category::kConvert,
+      .severity = Severity::kError,
+      .summary = "the target has no such joint, and nothing stands for it",
+      .why = "A joint that cannot be told is left out or welded: the mechanism moves otherwise.",
+      .what_to_do = "Rebuild it from joints that both formats have.",
+      .bad = {{.text = R"(<sdf version='1.9'>
+  <model name='arm'>
+    <link name='base'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <link name='tip'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <joint name='gimbal' type='«warp»'>
+      <parent>base</parent>
+      <child>tip</child>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .good = {{.text = R"(<sdf version='1.9'>
+  <model name='arm'>
+    <link name='base'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <link name='tip'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <joint name='elbow' type='revolute'>
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1</lower>
+          <upper>1</upper>
+          <effort>5</effort>
+          <velocity>2</velocity>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_conversion({convert::NoteKind::kJointTypeLost}, check)},
+  };
+}
+
+}  // namespace rigor::rules::convert_joint_type_lost

@@ -1,0 +1,89 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <fmt/core.h>
+
+#include <rigor/rules/convert/told.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::convert_joint_type {
+
+void check(const convert::Note& note, Context& context) {
+  context.report(told(note, fmt::format("there is no {} joint in the target; {} with --allow-loss",
+                                        note.written, note.instead)));
+}
+
+Rule rule() {
+  return {
+      .name = "convert-joint-type",
+      .category = Category::kConvert,
+      .severity = Severity::kError,
+      .summary = "the target has no joint of this type, and others stand for it",
+      .why =
+          "URDF knows fixed, revolute, continuous and prismatic joints (and floating and planar "
+          "ones, which most consumers leave out). A universal joint is exactly two revolute ones "
+          "with a massless link between; other substitutes come near. Consumers see other joints "
+          "by other names.",
+      .what_to_do = "Look at what stands for it, then accept it with `--allow-loss`.",
+      .bad = {{.text = R"(<sdf version='1.9'>
+  <model name='arm'>
+    <link name='base'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <link name='tip'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <joint name='gimbal' type='«universal»'>
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>1 0 0</xyz>
+      </axis>
+      <axis2>
+        <xyz>0 1 0</xyz>
+      </axis2>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .good = {{.text = R"(<sdf version='1.9'>
+  <model name='arm'>
+    <link name='base'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <link name='tip'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <joint name='elbow' type='revolute'>
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1</lower>
+          <upper>1</upper>
+          <effort>5</effort>
+          <velocity>2</velocity>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_conversion({convert::NoteKind::kJointType}, check)},
+  };
+}
+
+}  // namespace rigor::rules::convert_joint_type

@@ -1,0 +1,55 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <fmt/core.h>
+
+#include <rigor/rules/convert/told.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::convert_link_physics {
+
+void check(const convert::Note& note, Context& context) {
+  context.report(told(note, fmt::format("{} is lost: URDF has no word for it", note.written)));
+}
+
+Rule rule() {
+  return {
+      .name = "convert-link-physics",
+      .category = Category::kConvert,
+      .severity = Severity::kWarning,
+      .formats = Formats::kSdf,
+      .summary = "what a link says to the engine is not in the robot",
+      .why =
+          "Damping of a link's velocity, wind, kinematic motion, batteries, added mass: URDF has "
+          "no word for them.",
+      .what_to_do = "Set them in the simulator where they matter.",
+      .bad = {{.text = R"(<sdf version='1.9'>
+  <model name='arm'>
+    <link name='base'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+      <«velocity_decay»>
+        <linear>0.1</linear>
+      </velocity_decay>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{.text = R"(<sdf version='1.9'>
+  <model name='arm'>
+    <link name='base'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_conversion({convert::NoteKind::kLinkPhysics}, check)},
+  };
+}
+
+}  // namespace rigor::rules::convert_link_physics

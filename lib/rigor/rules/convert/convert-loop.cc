@@ -1,0 +1,100 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <fmt/core.h>
+
+#include <rigor/rules/convert/told.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::convert_loop {
+
+void check(const convert::Note& note, Context& context) {
+  context.report(told(
+      note, fmt::format(
+                "closes a loop: {} already hangs on {}; URDF has trees only, so this joint is cut",
+                note.written, note.instead)));
+}
+
+Rule rule() {
+  return {
+      .name = "convert-loop",
+      .category = Category::kConvert,
+      .severity = Severity::kError,
+      .summary = "a link has a second parent, and its joint is cut",
+      .why =
+          "URDF has trees only: urdfdom refuses or hangs on a link with two parents. Without the "
+          "joint the mechanism moves otherwise: a closed gripper opens, a parallel leg falls "
+          "apart.",
+      .what_to_do =
+          "Close the loop in the simulator (a constraint, a mimic joint), or accept the cut with "
+          "`--allow-loss`.",
+      .bad = {{.text = R"(<sdf version='1.9'>
+  <model name='arm'>
+    <link name='base'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <link name='left'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <link name='tip'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <joint name='a' type='fixed'>
+      <parent>base</parent>
+      <child>left</child>
+    </joint>
+    <joint name='b' type='fixed'>
+      <parent>left</parent>
+      <child>tip</child>
+    </joint>
+    <joint name='c' type='fixed'>
+      <parent>base</parent>
+      <child>«tip»</child>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .good = {{.text = R"(<sdf version='1.9'>
+  <model name='arm'>
+    <link name='base'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <link name='tip'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <joint name='elbow' type='revolute'>
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1</lower>
+          <upper>1</upper>
+          <effort>5</effort>
+          <velocity>2</velocity>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_conversion({convert::NoteKind::kLoop}, check)},
+  };
+}
+
+}  // namespace rigor::rules::convert_loop

@@ -1,0 +1,96 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <fmt/core.h>
+
+#include <rigor/rules/convert/told.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::convert_mimic_lost {
+
+void check(const convert::Note& note, Context& context) {
+  context.report(
+      told(note, fmt::format("the joint no longer follows {}: {}", note.written, note.instead)));
+}
+
+Rule rule() {
+  return {
+      .name = "convert-mimic-lost",
+      .category = Category::kConvert,
+      .severity = Severity::kWarning,
+      .summary = "a joint that followed another moves on its own",
+      .why =
+          "The leader is missing, has two axes, or the target's version has no mimic joints. A "
+          "finger that followed its neighbour now hangs loose.",
+      .what_to_do =
+          "Follow in the controller, or choose a version that has mimic joints: SDF 1.11.",
+      .bad = {{.text = R"(<sdf version='1.11'>
+  <model name='arm'>
+    <link name='base'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <link name='tip'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <joint name='elbow' type='revolute'>
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1</lower>
+          <upper>1</upper>
+          <effort>5</effort>
+          <velocity>2</velocity>
+        </limit>
+        <mimic joint='«nobody»'>
+          <multiplier>2</multiplier>
+          <offset>0.5</offset>
+          <reference>0.1</reference>
+        </mimic>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .good = {{.text = R"(<sdf version='1.9'>
+  <model name='arm'>
+    <link name='base'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <link name='tip'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <joint name='elbow' type='revolute'>
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1</lower>
+          <upper>1</upper>
+          <effort>5</effort>
+          <velocity>2</velocity>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_conversion({convert::NoteKind::kMimicLost}, check)},
+  };
+}
+
+}  // namespace rigor::rules::convert_mimic_lost

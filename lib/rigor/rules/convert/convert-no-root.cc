@@ -1,0 +1,84 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <fmt/core.h>
+
+#include <rigor/rules/convert/told.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::convert_no_root {
+
+void check(const convert::Note& note, Context& context) {
+  context.report(refused(
+      note, fmt::format("every link is a child of a joint ({}): there is no root", note.written)));
+}
+
+Rule rule() {
+  return {
+      .name = "convert-no-root",
+      .category = Category::kConvert,
+      .severity = Severity::kError,
+      .summary = "the joints form a circle without a beginning",
+      .why =
+          "Every link is the child of some joint, so none can be the root that a URDF begins with.",
+      .what_to_do = "Take one joint out of the circle.",
+      .bad = {{.text = R"(<sdf version='1.9'>
+  <model name='arm'>
+    <link name='base'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <link name='tip'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <joint name='there' type='fixed'>
+      <parent>base</parent>
+      <child>tip</child>
+    </joint>
+    <«joint» name='back' type='fixed'>
+      <parent>tip</parent>
+      <child>base</child>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .good = {{.text = R"(<sdf version='1.9'>
+  <model name='arm'>
+    <link name='base'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <link name='tip'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <joint name='elbow' type='revolute'>
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1</lower>
+          <upper>1</upper>
+          <effort>5</effort>
+          <velocity>2</velocity>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_conversion({convert::NoteKind::kNoRoot}, check)},
+  };
+}
+
+}  // namespace rigor::rules::convert_no_root

@@ -1,0 +1,79 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <fmt/core.h>
+
+#include <rigor/rules/convert/told.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::convert_several_roots {
+
+void check(const convert::Note& note, Context& context) {
+  context.report(refused(note, fmt::format("{} links hang on no joint: {}; a URDF has one root",
+                                           note.count, note.written)));
+}
+
+Rule rule() {
+  return {
+      .name = "convert-several-roots",
+      .category = Category::kConvert,
+      .severity = Severity::kError,
+      .summary = "the links form several trees",
+      .why =
+          "A URDF robot is one tree: urdfdom refuses a file with two roots. Joining them would "
+          "invent a joint that the model does not have.",
+      .what_to_do =
+          "Add the joint that is missing, or convert with `--roots add`, which fixes all of them "
+          "to one new root.",
+      .bad = {{.text = R"(<sdf version='1.9'>
+  <«model» name='arm'>
+    <link name='base'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <link name='tip'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{.text = R"(<sdf version='1.9'>
+  <model name='arm'>
+    <link name='base'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <link name='tip'>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <joint name='elbow' type='revolute'>
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1</lower>
+          <upper>1</upper>
+          <effort>5</effort>
+          <velocity>2</velocity>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_conversion({convert::NoteKind::kSeveralRoots}, check)},
+  };
+}
+
+}  // namespace rigor::rules::convert_several_roots

@@ -1,0 +1,113 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// `rigor diff` as its users script it.
+
+#include <algorithm>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cli/program.h>
+#include <convert/robots.h>
+
+namespace rigor::test {
+namespace {
+
+using nlohmann::json;
+
+/// The number of the line that `words` stand in.
+std::string line_of(const std::string& text, const std::string& words) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(text.find(words));
+  return std::to_string(1 + std::count(text.begin(), end, '\n'));
+}
+
+class DiffCli : public testing::Test {
+ protected:
+  DiffCli() {
+    folder_.put("a.urdf", kArmUrdf);
+    folder_.put("a.sdf", kArmSdf);
+  }
+
+  Ran diff(const std::string& arguments) const { return folder_.rigor("diff " + arguments); }
+  Ran diff_with(const std::string& from, const std::string& to) const {
+    folder_.put("b.urdf", with(kArmUrdf, from, to));
+    return diff("a.urdf b.urdf");
+  }
+
+  Folder folder_;
+};
+
+TEST_F(DiffCli, TheSameIsSilent) {
+  for (const char* pair : {"a.urdf a.urdf", "a.sdf a.sdf", "a.urdf a.sdf", "a.sdf a.urdf"}) {
+    const Ran ran = diff(pair);
+    EXPECT_EQ(ran.exit, 0) << pair;
+    EXPECT_EQ(ran.out + ran.err, "") << pair;
+  }
+}
+
+TEST_F(DiffCli, EachDifferenceIsALineWithItsPlace) {
+  const Ran moved = diff_with("xyz=\"0 0 0.5\"", "xyz=\"0 0 0.501\"");
+  EXPECT_EQ(moved.exit, 1);
+  EXPECT_EQ(moved.out, "b.urdf:" + line_of(kArmUrdf, "\"elbow\" type") +
+                           ": joint elbow: moved by 1 mm: xyz 0 0 0.5 → 0 0 0.501 m\n");
+  EXPECT_EQ(moved.err, "rigor: 1 difference\n");
+  EXPECT_EQ(diff_with("value=\"2\"", "value=\"2.5\"").out,
+            "b.urdf:3: link base: mass 2 → 2.5 kg (+25 %)\n");
+  EXPECT_EQ(diff_with("upper=\"1.6\"", "upper=\"1e16\"").out,
+            "b.urdf:" + line_of(kArmUrdf, "<limit lower=\"-1.5") +
+                ": joint shoulder: upper limit 1.6 rad → unlimited\n");
+  EXPECT_EQ(diff_with("<link name=\"tool\"/>", "<link name=\"tool\"/><link name=\"spare\"/>").out,
+            "b.urdf:" + line_of(kArmUrdf, "\"tool\"") + ": link spare: added: 0 kg\n");
+}
+
+TEST_F(DiffCli, Json) {
+  folder_.put("b.urdf", with(kArmUrdf, "damping=\"0.1\"", "damping=\"0.2\""));
+  const Ran ran = diff("a.urdf b.urdf --format json");
+  EXPECT_EQ(ran.exit, 1);
+  const json report = json::parse(ran.out);
+  EXPECT_EQ(report["tool"]["name"], "rigor");
+  EXPECT_EQ(report["schema_version"], 1);
+  EXPECT_EQ(report["a"]["path"], "a.urdf");
+  EXPECT_EQ(report["b"]["model"], "arm");
+  EXPECT_EQ(report["summary"], json({{"same", false}, {"differences", 1}}));
+  const json& d = report["differences"][0];
+  EXPECT_EQ(d["kind"], "damping");
+  EXPECT_EQ(d["a"]["subject"], "joint shoulder");
+  EXPECT_EQ(std::to_string(d["b"]["line"].get<int>()), line_of(kArmUrdf, "<axis xyz=\"0.48"));
+  EXPECT_EQ(d["from"], 0.1);
+  EXPECT_EQ(d["to"], 0.2);
+  EXPECT_EQ(d["unit"], "N·m·s/rad");
+  const Ran same = diff("a.urdf a.sdf --format json");
+  EXPECT_EQ(same.exit, 0);
+  EXPECT_EQ(json::parse(same.out)["summary"]["same"], true);
+}
+
+TEST_F(DiffCli, WrongInvocationsAreTwo) {
+  EXPECT_EQ(diff("a.urdf").exit, 2);
+  EXPECT_EQ(diff("a.urdf none.urdf").exit, 2);
+  EXPECT_EQ(diff("a.urdf a.sdf --format xml").exit, 2);
+  EXPECT_EQ(diff("a.urdf a.sdf --strict").exit, 2);
+  EXPECT_EQ(diff("a.urdf a.sdf --model leg").exit, 2);
+  folder_.put("two.sdf", R"(<sdf version="1.9"><world name="w">
+    <model name="arm"><link name="l"/></model><model name="leg"><link name="l"/></model></world></sdf>)");
+  const Ran two = diff("two.sdf two.sdf");
+  EXPECT_EQ(two.exit, 2);
+  EXPECT_NE(two.err.find("--model: arm, leg"), std::string::npos) << two.err;
+  EXPECT_EQ(diff("two.sdf two.sdf --model leg").exit, 0);
+}
+
+TEST_F(DiffCli, WhatCannotBeReadIsNotTheSame) {
+  folder_.put("cut.urdf", "<robot name=\"arm\"><link name=\"a\">");
+  folder_.put("note.sdf", "<note/>");
+  for (const char* broken : {"cut.urdf", "note.sdf"}) {
+    const Ran ran = diff(std::string(broken) + " " + broken);
+    EXPECT_EQ(ran.exit, 1) << broken;
+    EXPECT_EQ(ran.out, "") << broken;
+    EXPECT_NE(ran.err.find(broken), std::string::npos) << ran.err;
+  }
+}
+
+}  // namespace
+}  // namespace rigor::test

@@ -1,0 +1,167 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "conversion.h"
+
+#include <algorithm>
+
+#include <rigor/convert/compare.h>
+#include <rigor/read/load.h>
+#include <rigor/report/concise.h>
+#include <rigor/report/conversion.h>
+#include <rigor/report/pretty.h>
+#include <rigor/report/printable.h>
+#include <rigor/report/robot_diff.h>
+#include <rigor/report/summary.h>
+#include <rigor/text/path.h>
+
+#include "atomic_file.h"
+#include "model_file.h"
+#include "robot_file.h"
+
+namespace rigor::tool {
+namespace {
+
+/// What a reader of the pretty report needs not be told: what is exact.
+Diagnostics without_infos(const Diagnostics& all) {
+  Diagnostics list;
+  for (const Diagnostic& diagnostic : all.list()) {
+    if (diagnostic.severity != Severity::kInfo) list.add(diagnostic);
+  }
+  return list;
+}
+
+}  // namespace
+
+void ConversionCommand::declare(CLI::App& app) {
+  app_ = &app;
+  app.add_option("in", in_, "The model: a file, or a folder with a model.config")
+      ->type_name("IN")
+      ->required();
+  app.add_option("-o,--out", out_, "Write the result there; to stdout when absent")
+      ->type_name("FILE");
+  app.add_flag("--allow-loss", allow_loss_, "Write it though a loss is an error");
+  app.add_flag("--verify", verify_, "Read the result again and compare (the default)");
+  app.add_flag("--no-verify", no_verify_, "Do not");
+  app.add_option("--check", check_, "Compare with this file instead of writing one")
+      ->type_name("FILE");
+  app.add_flag("-v,--verbose", verbose_, "Tell what is exact as well");
+  output_.declare(app, {"pretty", "concise", "json"}, "--report,--output");
+  color_.declare(app);
+  selection_.declare(app);
+  search_.declare(app);
+}
+
+void ConversionCommand::refuse_stdout_twice() const {
+  if (!out_.empty() || !check_.empty()) return;
+  const bool said = app_->count("--format") + app_->count("--report") > 0;
+  const std::vector<Target> targets = output_.targets();
+  const auto to_stdout = [](const Target& target) { return target.file.empty(); };
+  if (said && std::any_of(targets.begin(), targets.end(), to_stdout)) {
+    throw UsageError(
+        "the model goes to stdout: write it with -o FILE, or the report with --report json:FILE");
+  }
+}
+
+int ConversionCommand::run(const Convert& convert) const {
+  refuse_stdout_twice();
+  if (verify_ && no_verify_) throw UsageError("--verify and --no-verify: give one of them");
+  if (!out_.empty() && !check_.empty())
+    throw UsageError("--check compares and -o writes: give one of them");
+
+  const RealDisk disk;
+  const Environment environment(disk, search_.paths());
+  Sources sources;
+  read::Workspace workspace(disk, sources);
+  const read::File& file = open_model(workspace, in_);
+  const read::Loaded loaded =
+      read::load({workspace, environment.resolver, environment.sdf, environment.urdf}, file);
+  if (loaded.root.format != from_ || !file.document->complete()) {
+    say("rigor: " + report::printable(file.path) +
+        (file.document->complete() ? ": holds no " : ": is not well-formed ") +
+        (from_ == model::Format::kSdf ? "SDF" : "URDF") + "; `rigor validate` says more");
+    return kFindings;
+  }
+  author::ConversionOptions options;
+  options.selection = selection_.selection();
+  require_known(options.selection, environment.registry);
+  options.proof = no_verify_ || !check_.empty() ? author::Proof::kNone : author::Proof::kVerify;
+  options.losses = allow_loss_ ? author::Losses::kAllowed : author::Losses::kRefused;
+  options.out = !out_.empty() ? out_ : file.path + ending_;
+  const author::Conversion result = convert(environment, sources, workspace, loaded, options);
+  if (!check_.empty()) return check(environment, sources, workspace, loaded, result);
+  tell(result, sources);
+  const bool fails = selection_.fails(result.diagnostics);
+  if (!result.text || fails || result.diagnostics.count(Severity::kError) > 0) {
+    say("rigor: nothing is written");
+    return fails || !result.text ? kFindings : kClean;
+  }
+  write_result(result);
+  return kClean;
+}
+
+void ConversionCommand::tell(const author::Conversion& result, const Sources& sources) const {
+  const Diagnostics shown = verbose_ ? result.diagnostics : without_infos(result.diagnostics);
+  const bool to_stderr = out_.empty() && check_.empty();
+  if (to_stderr) {
+    std::string text = report::pretty(shown, sources, report::Color::kPlain);
+    if (!text.empty()) text.pop_back();
+    if (!text.empty()) say(text);
+  }
+  for (const Target& target : output_.targets()) {
+    if (to_stderr && target.file.empty()) continue;
+    switch (target.format) {
+      case 0: write(target, report::pretty(shown, sources, color_.of(target))); break;
+      case 1: write(target, report::concise(result.diagnostics, sources)); break;
+      default: write(target, report::conversion_json({result, sources, in_}));
+    }
+  }
+  say(report::conversion_summary(result));
+}
+
+/// The side files first: a result that names a file is never there without it.
+void ConversionCommand::write_result(const author::Conversion& result) const {
+  for (const convert::SideFile& file : result.files) {
+    replace_file(join_path(parent_path(out_), file.name), file.bytes);
+  }
+  write({0, out_}, *result.text);
+}
+
+/// As robots, with the names that the conversion would have given. What a format has no place for is
+/// no difference: a hand-kept file need not hold it.
+int ConversionCommand::check(const Environment& environment, Sources& sources,
+                             read::Workspace& workspace, const read::Loaded& loaded,
+                             const author::Conversion& result) const {
+  RobotFiles files(environment, sources, workspace);
+  const read::Loaded kept = files.load(check_);
+  const auto a = files.robot(loaded, loaded.root[result.model].name.value);
+  const auto b = files.robot(kept, {});
+  if (!a || !b) return kFindings;
+  const auto differences =
+      convert::compare(*a, *b, {.links = result.links, .joints = result.joints});
+  const report::RobotDiff diff{
+      {loaded.file->path, *a}, {kept.file->path, *b}, differences, sources};
+  for (const Target& target : output_.targets()) {
+    write(target,
+          target.format == 2 ? report::robot_diff_json(diff) : report::robot_diff_text(diff));
+  }
+  say(differences.empty() ? "the same robot" : report::counted(differences.size(), "difference"));
+  return differences.empty() ? kClean : kFindings;
+}
+
+NamedMeshes mesh_naming(const std::string& text, const std::vector<std::string>& schemes) {
+  if (text.empty()) return {MeshNaming::kDefault, {}};
+  if (text == "file") return {MeshNaming::kFile, {}};
+  if (text == "keep") return {MeshNaming::kKeep, {}};
+  std::string known;
+  for (const std::string& scheme : schemes) {
+    const std::string start = scheme + "://";
+    if (text.starts_with(start) && text.size() > start.size()) {
+      return {MeshNaming::kScheme, text.substr(start.size())};
+    }
+    known += start + "NAME, ";
+  }
+  throw UsageError("--mesh-uri " + text + ": it is " + known + "file or keep");
+}
+
+}  // namespace rigor::tool

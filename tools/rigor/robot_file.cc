@@ -1,0 +1,79 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "robot_file.h"
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include <rigor/convert/robot_lookups.h>
+#include <rigor/report/inspect.h>
+#include <rigor/report/printable.h>
+#include <rigor/report/summary.h>
+#include <rigor/rules/mesh_finder.h>
+
+#include "command.h"
+#include "model_file.h"
+#include "output.h"
+
+namespace rigor::tool {
+namespace {
+
+using model::Id;
+
+/// What keeps a file from being compared; empty when nothing does.
+std::string unreadable(const read::Loaded& loaded) {
+  if (!loaded.file->document->complete()) return " is not well-formed";
+  const model::Format format = loaded.root.format;
+  if (format != model::Format::kSdf && format != model::Format::kUrdf) return " is no robot model";
+  if (loaded.root.models.empty()) return " has no model";
+  const auto missing = [](const read::Fact& fact) {
+    return fact.kind == read::FactKind::kIncludeNotFound ||
+           fact.kind == read::FactKind::kIncludeUnreadable ||
+           fact.kind == read::FactKind::kIncludeCycle;
+  };
+  const auto lost = std::count_if(loaded.facts.begin(), loaded.facts.end(), missing);
+  if (lost == 0) return {};
+  return ": " + report::counted(static_cast<std::size_t>(lost), "include") +
+         " could not be followed";
+}
+
+/// Of several the one that is named; the only one whatever it is called.
+Id<model::Model> chosen(const read::Loaded& loaded, const std::string& model) {
+  const std::vector<Id<model::Model>> models = report::top_models(loaded.root);
+  if (models.size() == 1) return models.front();
+  std::vector<std::string> names;
+  for (const Id<model::Model> id : models) names.push_back(loaded.root[id].name.value);
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  if (model.empty()) {
+    throw UsageError(loaded.file->path + ": " + report::counted(models.size(), "model") +
+                     "; choose one with --model: " + listed(known));
+  }
+  return models[choice(loaded.file->path + ": model", model, known)];
+}
+
+}  // namespace
+
+read::Loaded RobotFiles::load(const std::string& path) {
+  const read::Reader reader{workspace_, environment_.resolver, environment_.sdf, environment_.urdf};
+  return read::load(reader, open_model(workspace_, path));
+}
+
+std::optional<convert::Robot> RobotFiles::robot(const read::Loaded& loaded,
+                                                const std::string& model) {
+  std::string why = unreadable(loaded);
+  if (why.empty()) {
+    convert::RobotLookups lookups =
+        convert::lookups_in(loaded.root, workspace_, environment_.resolver);
+    lookups.find_mesh = rules::mesh_finder(environment_.resolver, sources_, surveys_);
+    const model::Frames frames(loaded.root);
+    convert::Robot robot = convert::robot_of(loaded.root, frames, chosen(loaded, model), lookups);
+    if (robot.unknown.empty()) return robot;
+    why = ": " + robot.unknown.front();
+  }
+  say("rigor: " + report::printable(loaded.file->path + why) + "; `rigor validate` says more");
+  return std::nullopt;
+}
+
+}  // namespace rigor::tool
