@@ -239,7 +239,7 @@ class JointComparer {
     if (!x.follow && !y.follow) return;
     if (x.follow && y.follow && same_follow(*x.follow, *y.follow)) return;
     Difference& d = add(DifferenceKind::kMimic);
-    const auto say = [](const std::optional<RobotAxis::Follow>& follow, DifferenceValue& value) {
+    const auto say = [](const std::optional<RobotFollow>& follow, DifferenceValue& value) {
       if (!follow) return;
       value.text = follow->joint + (follow->axis > 0 ? " axis 2" : "");
       value.numbers = {follow->multiplier, follow->offset};
@@ -248,7 +248,7 @@ class JointComparer {
     say(y.follow, d.to);
   }
 
-  bool same_follow(const RobotAxis::Follow& x, const RobotAxis::Follow& y) const {
+  bool same_follow(const RobotFollow& x, const RobotFollow& y) const {
     // A folded reference comes with the rounding of its product.
     const double scale = std::max({1.0, std::abs(x.offset), std::abs(x.multiplier)});
     const bool offset =
@@ -256,7 +256,7 @@ class JointComparer {
     return offset && near(x.multiplier, y.multiplier, c_.tolerance) && same_leader(x, y);
   }
 
-  bool same_leader(const RobotAxis::Follow& x, const RobotAxis::Follow& y) const {
+  bool same_leader(const RobotFollow& x, const RobotFollow& y) const {
     for (std::uint32_t i = 0; i < c_.a.joints.size(); ++i) {
       if (c_.a.joints[i].name != x.joint || x.axis >= c_.match.axes[i].size()) continue;
       const RobotMatch::Axis& other = c_.match.axes[i][x.axis];

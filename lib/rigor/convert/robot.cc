@@ -300,8 +300,8 @@ class RobotBuilder {
   }
 
   /// SDF: follower = multiplier · (leader - reference) + offset.
-  RobotAxis::Follow follow(const model::Joint& joint, const model::Mimic& mimic) const {
-    RobotAxis::Follow follow;
+  RobotFollow follow(const model::Joint& joint, const model::Mimic& mimic) const {
+    RobotFollow follow;
     const Id<model::Joint> leader = frames_.names().find_joint(joint.model, mimic.joint.value);
     follow.joint = leader ? name_of(leader) : mimic.joint.value;
     follow.axis = mimic.axis.value == "axis2" ? 1 : 0;

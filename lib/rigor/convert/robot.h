@@ -77,6 +77,14 @@ struct RobotBody {
   Span span;
 };
 
+/// position = multiplier · leader's + offset (SDF's reference is folded into the offset).
+struct RobotFollow {
+  std::string joint;
+  std::uint32_t axis = 0;  ///< of the leader
+  double multiplier = 1;
+  double offset = 0;
+};
+
 /// One degree of freedom.
 struct RobotAxis {
   enum class Motion : std::uint8_t { kTurn, kSlide, kScrew };
@@ -93,14 +101,7 @@ struct RobotAxis {
   double spring_reference = 0;  ///< rad or m; SDF only
   double spring_stiffness = 0;  ///< N·m/rad or N/m; SDF only
 
-  /// position = multiplier · leader's + offset (SDF's reference is folded into the offset).
-  struct Follow {
-    std::string joint;
-    std::uint32_t axis = 0;  ///< of the leader
-    double multiplier = 1;
-    double offset = 0;
-  };
-  std::optional<Follow> follow;
+  std::optional<RobotFollow> follow;
   Span span;
   Span limit_span;  ///< of `<limit>`; nowhere when there is none
 };

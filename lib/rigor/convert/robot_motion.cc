@@ -133,7 +133,7 @@ RobotPositions followed(const Robot& robot, RobotPositions positions) {
         const Place at = chain.back();
         const auto lead = leader(at);
         if (!lead) continue;
-        const RobotAxis::Follow& follow = *robot.joints[at.joint].axes[at.axis].follow;
+        const RobotFollow& follow = *robot.joints[at.joint].axes[at.axis].follow;
         positions[at.joint][at.axis] =
             follow.multiplier * positions[lead->joint][lead->axis] + follow.offset;
       }

@@ -116,7 +116,7 @@ RobotAxis axis_in_urdfdom(const urdf::Joint& joint) {
   }
   if (joint.mimic) {
     axis.follow =
-        RobotAxis::Follow{joint.mimic->joint_name, 0, joint.mimic->multiplier, joint.mimic->offset};
+        RobotFollow{joint.mimic->joint_name, 0, joint.mimic->multiplier, joint.mimic->offset};
   }
   return axis;
 }

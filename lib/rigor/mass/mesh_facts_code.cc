@@ -208,7 +208,7 @@ class FactsWriter {
 
   template <class T>
   void code(T& v) {
-    members(v, [this](auto&... each) { (code(each), ...); });
+    members(v, [&](auto&... each) { (code(each), ...); });
   }
 
  private:
@@ -260,7 +260,7 @@ class FactsReader {
 
   template <class T>
   void code(T& v) {
-    members(v, [this](auto&... each) { (code(each), ...); });
+    members(v, [&](auto&... each) { (code(each), ...); });
   }
 
  private:

@@ -1,0 +1,131 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// `rigor sdf2urdf` and `rigor urdf2sdf` as a script uses them: what is written where, and exit codes.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+
+namespace rigor::test {
+namespace {
+
+std::string link_named(const std::string& name) {
+  return "<link name='" + name +
+         "'><inertial><mass>2</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>"
+         "</inertial></link>";
+}
+
+std::string arm(const std::string& joint_type, const std::string& more = "") {
+  return "<sdf version='1.9'><model name='arm'>" + link_named("base") + link_named("tip") +
+         "<joint name='elbow' type='" + joint_type +
+         "'><pose relative_to='base'>0 0 0.50 0 0 0</pose><parent>base</parent><child>tip</child>"
+         "<axis><xyz>0 0 1</xyz><limit><lower>-1</lower><upper>1</upper><effort>5</effort>"
+         "<velocity>2</velocity></limit></axis></joint>" +
+         more + "</model></sdf>";
+}
+
+class ConversionCli : public testing::Test {
+ protected:
+  void SetUp() override { folder.put("arm.sdf", arm("revolute")); }
+  bool exists(const std::string& name) const { return std::filesystem::exists(folder.path(name)); }
+
+  Folder folder;
+};
+
+TEST_F(ConversionCli, WritesTheModelToStdoutAndTheRestToStderr) {
+  const Ran ran = folder.rigor("sdf2urdf arm.sdf");
+  EXPECT_EQ(ran.exit, 0);
+  EXPECT_TRUE(ran.out.starts_with("<?xml")) << ran.out;
+  EXPECT_NE(ran.out.find("<joint name=\"elbow\" type=\"revolute\">"), std::string::npos);
+  EXPECT_NE(ran.out.find("xyz=\"0 0 0.50\""), std::string::npos) << "the author's digits";
+  EXPECT_NE(ran.err.find("20 joint positions"), std::string::npos) << ran.err;
+}
+
+TEST_F(ConversionCli, RefusesAReportWhereTheModelGoes) {
+  const Ran ran = folder.rigor("sdf2urdf arm.sdf --format json");
+  EXPECT_EQ(ran.exit, 2);
+  EXPECT_EQ(ran.out, "");
+  EXPECT_NE(ran.err.find("--report json:FILE"), std::string::npos);
+  EXPECT_EQ(folder.rigor("sdf2urdf arm.sdf --report json:report.json").exit, 0);
+  EXPECT_TRUE(exists("report.json"));
+}
+
+TEST_F(ConversionCli, AccountsForEveryElementAndAttribute) {
+  EXPECT_EQ(folder.rigor("sdf2urdf arm.sdf -o arm.urdf --format json >all.json").exit, 0);
+  const auto report =
+      nlohmann::json::parse(folder.rigor("sdf2urdf arm.sdf -o a.urdf --format json").out);
+  std::size_t sum = 0;
+  for (const auto& [outcome, count] : report["account"].items()) sum += count.get<std::size_t>();
+  // model@name; link@name, inertial, mass, inertia and three moments twice; joint with two attributes,
+  // pose with one, parent, child, axis, xyz, limit and four numbers; each element itself besides.
+  EXPECT_EQ(sum, 2U + 2 * 8 + 3 + 2 + 2 + 3 + 4);
+  EXPECT_EQ(report["account"]["lost"], 0);
+  EXPECT_EQ(report["verified_configurations"], 20);
+}
+
+TEST_F(ConversionCli, ALossThatIsAnErrorWritesNothingUnlessItIsAllowed) {
+  folder.put("ball.sdf", arm("ball"));
+  EXPECT_EQ(folder.rigor("sdf2urdf ball.sdf -o ball.urdf").exit, 1);
+  EXPECT_FALSE(exists("ball.urdf"));
+  EXPECT_EQ(folder.rigor("sdf2urdf ball.sdf").out, "");
+  EXPECT_EQ(folder.rigor("sdf2urdf ball.sdf -o ball.urdf --allow-loss").exit, 0);
+  EXPECT_TRUE(exists("ball.urdf"));
+
+  folder.put("loop.sdf", arm("revolute",
+                             "<joint name='again' type='fixed'><parent>base</parent>"
+                             "<child>tip</child></joint>"));
+  EXPECT_EQ(folder.rigor("sdf2urdf loop.sdf -o loop.urdf").exit, 1);
+  EXPECT_FALSE(exists("loop.urdf"));
+  EXPECT_EQ(folder.rigor("sdf2urdf loop.sdf -o loop.urdf --allow-loss").exit, 0);
+}
+
+TEST_F(ConversionCli, ChoosesOneOfSeveralModels) {
+  folder.put("lab.sdf", "<sdf version='1.9'><world name='lab'><model name='a'>" + link_named("x") +
+                            "</model><model name='b'>" + link_named("y") +
+                            "</model></world></sdf>");
+  EXPECT_EQ(folder.rigor("sdf2urdf lab.sdf").exit, 1);
+  const Ran ran = folder.rigor("sdf2urdf lab.sdf --model b");
+  EXPECT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_NE(ran.out.find("<link name=\"y\">"), std::string::npos);
+  EXPECT_EQ(ran.out.find("<link name=\"x\">"), std::string::npos);
+}
+
+TEST_F(ConversionCli, ChecksAHandKeptFile) {
+  ASSERT_EQ(folder.rigor("sdf2urdf arm.sdf -o arm.urdf").exit, 0);
+  EXPECT_EQ(folder.rigor("sdf2urdf arm.sdf --check arm.urdf").exit, 0);
+  std::string moved = folder.get("arm.urdf");
+  const std::size_t at = moved.find("0 0 0.50");
+  ASSERT_NE(at, std::string::npos);
+  moved.replace(at, 8, "0 0 0.51");
+  folder.put("arm.urdf", moved);
+  const Ran ran = folder.rigor("sdf2urdf arm.sdf --check arm.urdf");
+  EXPECT_EQ(ran.exit, 1);
+  EXPECT_NE(ran.out.find("10 mm"), std::string::npos) << ran.out;
+}
+
+TEST_F(ConversionCli, GoesThereAndBack) {
+  ASSERT_EQ(folder.rigor("sdf2urdf arm.sdf -o arm.urdf").exit, 0);
+  ASSERT_EQ(folder.rigor("urdf2sdf arm.urdf -o back.sdf").exit, 0);
+  EXPECT_EQ(folder.rigor("diff arm.sdf back.sdf").exit, 0);
+  EXPECT_EQ(folder.rigor("validate back.sdf").exit, 0);
+}
+
+TEST_F(ConversionCli, SaysWhatIsNoInputForIt) {
+  folder.put("broken.sdf", "<sdf version='1.9'><model name='a'");
+  EXPECT_EQ(folder.rigor("sdf2urdf broken.sdf").exit, 1);
+  EXPECT_EQ(folder.rigor("urdf2sdf arm.sdf").exit, 1);
+  EXPECT_EQ(folder.rigor("sdf2urdf nowhere.sdf").exit, 2);
+  EXPECT_EQ(folder.rigor("sdf2urdf arm.sdf --mesh-uri http://x").exit, 2);
+  EXPECT_EQ(folder.rigor("sdf2urdf arm.sdf --loop maybe").exit, 2);
+  EXPECT_EQ(folder.rigor("sdf2urdf arm.sdf --output robot.urdf").exit, 2);
+}
+
+}  // namespace
+}  // namespace rigor::test
