@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -37,15 +38,7 @@ Rule rule() {
   </gazebo>
 </robot>
 )"}},
-      .good = {{.text = R"(<robot name='arm'>
-  <link name='base'>
-    <inertial>
-      <mass value='1'/>
-      <inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>
-    </inertial>
-  </link>
-</robot>
-)"}},
+      .good = {{.text = kUrdfLink}},
       .checks = {on_conversion({convert::NoteKind::kBlockReference}, check)},
   };
 }

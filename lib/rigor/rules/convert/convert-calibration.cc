@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -43,15 +44,7 @@ Rule rule() {
   </joint>
 </robot>
 )"}},
-      .good = {{.text = R"(<robot name='arm'>
-  <link name='base'>
-    <inertial>
-      <mass value='1'/>
-      <inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>
-    </inertial>
-  </link>
-</robot>
-)"}},
+      .good = {{.text = kUrdfLink}},
       .checks = {on_conversion({convert::NoteKind::kCalibration}, check)},
   };
 }

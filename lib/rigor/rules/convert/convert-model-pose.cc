@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -39,17 +40,7 @@ Rule rule() {
   </model>
 </sdf>
 )"}},
-      .good = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kModelPose}, check)},
   };
 }

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -30,17 +31,7 @@ Rule rule() {
   <world name='empty'/>
 </sdf>
 )"}},
-      .good = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kNoModel}, check)},
   };
 }
