@@ -117,6 +117,31 @@ TEST_F(ConversionCli, GoesThereAndBack) {
   EXPECT_EQ(folder.rigor("validate back.sdf").exit, 0);
 }
 
+TEST_F(ConversionCli, FixesAStaticModelToTheWorldWhenAsked) {
+  folder.put("wall.sdf", "<sdf version='1.9'><model name='wall'><static>true</static>" +
+                             link_named("x") + "</model></sdf>");
+  const std::string world = "<link name=\"world\"/>";
+  EXPECT_EQ(folder.rigor("sdf2urdf wall.sdf").out.find(world), std::string::npos);
+  EXPECT_NE(folder.rigor("sdf2urdf wall.sdf --static world-link").out.find(world),
+            std::string::npos);
+}
+
+TEST_F(ConversionCli, WritesShapesThatBecomeMeshesBesideTheResult) {
+  std::string model = arm("revolute");
+  model.insert(
+      model.find("</link>"),
+      "<collision name='c'><geometry><ellipsoid><radii>1 2 3</radii></ellipsoid></geometry>"
+      "</collision>");
+  folder.put("egg.sdf", model);
+  EXPECT_EQ(folder.rigor("sdf2urdf egg.sdf --shapes mesh").exit, 2) << "there is no place for it";
+  EXPECT_EQ(folder.rigor("sdf2urdf egg.sdf --shapes mesh -o out.urdf").exit, 0);
+  const std::string urdf = folder.get("out.urdf");
+  const std::size_t at = urdf.find("<mesh filename=\"");
+  ASSERT_NE(at, std::string::npos);
+  const std::size_t begin = at + 16;
+  EXPECT_TRUE(exists(urdf.substr(begin, urdf.find('"', begin) - begin)));
+}
+
 TEST_F(ConversionCli, SaysWhatIsNoInputForIt) {
   folder.put("broken.sdf", "<sdf version='1.9'><model name='a'");
   EXPECT_EQ(folder.rigor("sdf2urdf broken.sdf").exit, 1);

@@ -116,11 +116,15 @@ void ConversionCommand::tell(const author::Conversion& result, const Sources& so
       default: write(target, report::conversion_json({result, sources, in_}));
     }
   }
-  say(report::conversion_summary(result));
+  const std::string summary = report::conversion_summary(result);
+  if (!summary.empty()) say(summary);
 }
 
 /// The side files first: a result that names a file is never there without it.
 void ConversionCommand::write_result(const author::Conversion& result) const {
+  if (out_.empty() && !result.files.empty()) {
+    throw UsageError("some shapes become files beside the result: write it with -o FILE");
+  }
   for (const convert::SideFile& file : result.files) {
     replace_file(join_path(parent_path(out_), file.name), file.bytes);
   }

@@ -30,7 +30,8 @@ class SdfToUrdf final : public Command {
     app->add_option("--frames", frames_, "Frames: links, drop")->group(group);
     app->add_option("--model-pose", model_pose_, "Pose of the model: drop, world-link")
         ->group(group);
-    app->add_option("--static", static_, "A static model: world-link, block")->group(group);
+    app->add_option("--static", static_, "A static model: block (for Gazebo), world-link")
+        ->group(group);
     app->add_option("--roots", roots_, "Several trees: refuse, add (one root for all)")
         ->group(group);
     app->add_flag("--keep-link-frames", keep_link_frames_,
@@ -80,8 +81,8 @@ class SdfToUrdf final : public Command {
     if (second("--model-pose value", model_pose_, "drop", "world-link")) {
       how.model_pose = convert::ModelPosePolicy::kWorldLink;
     }
-    if (second("--static value", static_, "world-link", "block")) {
-      how.static_model = convert::StaticPolicy::kBlock;
+    if (second("--static value", static_, "block", "world-link")) {
+      how.static_model = convert::StaticPolicy::kWorldLink;
     }
     if (second("--roots value", roots_, "refuse", "add")) how.roots = convert::RootPolicy::kAddRoot;
     if (keep_link_frames_) how.link_frames = convert::LinkFramePolicy::kKeepLinks;

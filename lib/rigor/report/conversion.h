@@ -25,7 +25,7 @@ struct ConversionReport {
 std::string conversion_json(const ConversionReport& report);
 
 /// In a line, without a line break: "212 elements and attributes: 200 converted, 12 lost; the same
-/// robot at 20 joint positions".
+/// robot at 20 joint positions". Empty when there is no account.
 std::string conversion_summary(const author::Conversion& result);
 
 }  // namespace rigor::report

@@ -10,8 +10,9 @@
 namespace rigor::rules::convert_joint_type {
 
 void check(const convert::Note& note, Context& context) {
-  context.report(told(note, fmt::format("there is no {} joint in the target; {} with --allow-loss",
-                                        note.written, note.instead)));
+  context.report(
+      told(note, fmt::format("there is no {} joint in the target; with --allow-loss it becomes {}",
+                             note.written, note.instead)));
 }
 
 Rule rule() {

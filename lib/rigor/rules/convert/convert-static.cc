@@ -20,11 +20,11 @@ Rule rule() {
       .name = "convert-static",
       .category = Category::kConvert,
       .severity = Severity::kInfo,
-      .summary = "a static model is fixed to the world",
+      .summary = "that a model never moves is told in another way",
       .why =
           "URDF has no word for a model that never moves. A fixed joint to a link named world says "
-          "the same.",
-      .what_to_do = "Nothing: the robot is the same.",
+          "the same; a `<gazebo>` block says it to Gazebo alone.",
+      .what_to_do = "Nothing, or fix it to the world for all: `--static world-link`.",
       .bad = {{.text = R"(<sdf version='1.9'>
   <model name='arm'>
     <link name='base'>
