@@ -5,9 +5,11 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <random>
 #include <string>
+#include <variant>
 
 #include <gtest/gtest.h>
 
@@ -88,6 +90,22 @@ TEST(Value, EveryDoubleSurvivesItsShortestText) {
     const std::string text = to_shortest(value);
     const double back = value_of(parse_double(text));
     ASSERT_EQ(std::bit_cast<std::uint64_t>(back), std::bit_cast<std::uint64_t>(value)) << text;
+  }
+}
+
+TEST(Value, ShortDecimalsAreReadExactly) {
+  std::mt19937_64 random(7);
+  for (int i = 0; i < 200'000; ++i) {
+    const std::size_t digits = 1 + random() % 17;
+    std::string text;
+    for (std::size_t k = 0; k < digits; ++k) text += static_cast<char>('0' + random() % 10);
+    if (random() % 3 != 0) text.insert(random() % (digits + 1), ".");
+    if (random() % 4 == 0) text.insert(0, random() % 2 == 0 ? "-" : "+");
+    const auto parsed = parse_double(text);
+    const double* value = std::get_if<double>(&parsed);
+    ASSERT_NE(value, nullptr) << text;
+    const double expected = std::strtod(text.c_str(), nullptr);
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(*value), std::bit_cast<std::uint64_t>(expected)) << text;
   }
 }
 

@@ -74,19 +74,15 @@ class SchemaWalk {
   }
 
   void attribute_value(xml::Element element, xml::Attribute attribute, const Node& known) {
-    SchemaFact fact{.kind = Kind::kBadValue,
-                    .where = attribute.value_span(),
-                    .element = element,
-                    .attribute = attribute,
-                    .node = known,
-                    .text = attribute.value()};
     if (known.deprecated_since()) {
-      SchemaFact old = fact;
-      old.kind = Kind::kDeprecated;
-      old.where = attribute.name_span();
-      add(old);
+      add({.kind = Kind::kDeprecated,
+           .where = attribute.name_span(),
+           .element = element,
+           .attribute = attribute,
+           .node = known,
+           .text = attribute.value()});
     }
-    typed(fact, attribute.value(), known, attribute.verbatim(), schema::RotationFormat::kEulerRpy);
+    typed({element, attribute, attribute.value()}, known, known.type());
   }
 
   void unknown_attribute(xml::Element element, xml::Attribute attribute, const Node& node) {
@@ -148,20 +144,18 @@ class SchemaWalk {
   /// Only the first of its name can be read where one is allowed; told once, at the second.
   /// `others` is where those of the same parent begin in `seen_`.
   void repeated(std::size_t others, xml::Element child, const Node& known) {
-    const Cardinality cardinality = known.cardinality();
-    if (cardinality == Cardinality::kMany || cardinality == Cardinality::kOneOrMore) return;
     const auto first =
         std::find_if(seen_.begin() + static_cast<std::ptrdiff_t>(others), seen_.end(),
                      [&child](const Seen& seen) { return seen.element.name() == child.name(); });
-    if (first == seen_.end()) {
-      seen_.push_back({child});
-    } else if (!std::exchange(first->told, true)) {
-      add({.kind = Kind::kRepeatedElement,
-           .where = child.name_span(),
-           .element = child,
-           .node = known,
-           .related = first->element.name_span()});
-    }
+    if (first == seen_.end()) return seen_.push_back({child});
+    const Cardinality cardinality = known.cardinality();
+    if (cardinality == Cardinality::kMany || cardinality == Cardinality::kOneOrMore) return;
+    if (std::exchange(first->told, true)) return;
+    add({.kind = Kind::kRepeatedElement,
+         .where = child.name_span(),
+         .element = child,
+         .node = known,
+         .related = first->element.name_span()});
   }
 
   void unknown_element(xml::Element child, const Node& node) {
@@ -191,7 +185,8 @@ class SchemaWalk {
 
   void value(xml::Element element, const Node& node) {
     const Span lost = element.lost_text();
-    const bool takes_text = node.type() != Type::kNone;
+    const Type type = node.type();
+    const bool takes_text = type != Type::kNone;
     const std::string_view text = element.text();
     if (!lost.nowhere()) {
       add({.kind = Kind::kLostText, .where = lost, .element = element, .node = node});
@@ -201,21 +196,26 @@ class SchemaWalk {
            .element = element,
            .node = node});
     }
-    if (!takes_text) return;
     // An element without a value takes its default; whether it may stands with the type.
-    SchemaFact fact{.kind = Kind::kBadValue,
-                    .where = element.text_span(),
-                    .element = element,
-                    .node = node,
-                    .text = text};
-    typed(fact, text, node, element.text_verbatim(), rotation_format(element));
+    if (takes_text) typed({element, std::nullopt, text}, node, type);
   }
 
-  void typed(SchemaFact& fact, std::string_view text, const Node& node, bool verbatim,
-             schema::RotationFormat format) {
-    const Type type = node.type();
+  /// The value of an attribute, or of the element when it is about none.
+  struct Value {
+    xml::Element element;
+    std::optional<xml::Attribute> attribute;
+    std::string_view text;
+  };
+
+  void typed(const Value& given, const Node& node, Type type) {
+    const std::string_view text = given.text;
     if (type != Type::kString) {
+      const bool pose = type == Type::kPose && !given.attribute;
+      const auto format = pose ? rotation_format(given.element) : schema::RotationFormat::kEulerRpy;
       if (const auto fault = schema::check(type, text, format)) {
+        SchemaFact fact = about(Kind::kBadValue, given, node);
+        const bool verbatim =
+            given.attribute ? given.attribute->verbatim() : given.element.text_verbatim();
         if (verbatim) {
           fact.where.end = fact.where.begin + static_cast<std::uint32_t>(fault->end);
           fact.where.begin += static_cast<std::uint32_t>(fault->begin);
@@ -224,20 +224,30 @@ class SchemaWalk {
         return add(fact);
       }
       if (is_number(type) && has_a_name(text) && !takes_form(schema::classify(text))) {
+        SchemaFact fact = about(Kind::kBadValue, given, node);
         fact.value_fault = {schema::ValueFault::Kind::kNotFinite, 0, text.size()};
         return add(fact);
       }
     }
     const std::string_view value = trimmed(text);
     // What the schema writes as its own default is never out of its own bounds or list.
-    if (!node.enumeration().empty() && !value.empty() && !node.enumeration().contains(value)) {
-      fact.kind = Kind::kNotInEnumeration;
-      return add(fact);
+    const schema::Enumeration list = node.enumeration();
+    if (!list.empty() && !value.empty() && !list.contains(value)) {
+      return add(about(Kind::kNotInEnumeration, given, node));
     }
     if (is_number(type) && (node.minimum() || node.maximum()) && outside(value, node)) {
-      fact.kind = Kind::kOutOfRange;
-      add(fact);
+      add(about(Kind::kOutOfRange, given, node));
     }
+  }
+
+  static SchemaFact about(Kind kind, const Value& given, const Node& node) {
+    const auto& attribute = given.attribute;
+    return {.kind = kind,
+            .where = attribute ? attribute->value_span() : given.element.text_span(),
+            .element = given.element,
+            .attribute = attribute,
+            .node = node,
+            .text = given.text};
   }
 
   /// Whether it could be inf, nan or hexadecimal: a quick look, as nearly no number is.
@@ -264,7 +274,7 @@ class SchemaWalk {
            (node.maximum() && given > number(*node.maximum()));
   }
 
-  /// The first of a name that may stand once.
+  /// The first of a name that the schema knows here.
   struct Seen {
     xml::Element element;
     bool told = false;

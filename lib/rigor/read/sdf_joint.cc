@@ -95,8 +95,8 @@ model::Axis SdfReader::read_axis(xml::Element element) const {
 }
 
 void SdfReader::read_joint(xml::Element element, Scope scope) {
-  const model::Id<model::Joint> id{static_cast<std::uint32_t>(root_.joints.size())};
-  model::Joint joint;
+  const model::Id<model::Joint> id = model::next_id(root_.joints);
+  model::Joint& joint = root_.joints.emplace_back();
   joint.site = site_of(element);
   joint.name = string_field(attribute_text(element, "name"));
   joint.type_name = string_field(attribute_text(element, "type"));
@@ -111,7 +111,6 @@ void SdfReader::read_joint(xml::Element element, Scope scope) {
   }
   joint.thread_pitch = number_field(child_text(element, "thread_pitch"), 1);
   joint.gearbox_ratio = number_field(child_text(element, "gearbox_ratio"), 1);
-  root_.joints.push_back(std::move(joint));
   auto& siblings =
       scope.model ? root_.models[scope.model.value].joints : root_.worlds[scope.world.value].joints;
   siblings.push_back(id);

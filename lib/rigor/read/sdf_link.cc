@@ -17,8 +17,8 @@ constexpr int kDensity = 11;
 }  // namespace
 
 void SdfReader::read_link(xml::Element element, Id<model::Model> parent) {
-  const Id<model::Link> id{static_cast<std::uint32_t>(root_.links.size())};
-  model::Link link;
+  const Id<model::Link> id = model::next_id(root_.links);
+  model::Link& link = root_.links.emplace_back();
   link.site = site_of(element);
   link.name = string_field(attribute_text(element, "name"));
   link.model = parent;
@@ -26,7 +26,6 @@ void SdfReader::read_link(xml::Element element, Id<model::Model> parent) {
   link.inertial = read_inertial(element);
   link.kinematic = bool_field(child_text(element, "kinematic"), false);
   link.gravity = bool_field(child_text(element, "gravity"), true);
-  root_.links.push_back(std::move(link));
   root_.models[parent.value].links.push_back(id);
   for (const xml::Element child : element.children()) {
     const std::string_view name = child.name();
@@ -113,7 +112,8 @@ model::Material read_visual_material(xml::Element visual) {
 }  // namespace
 
 void SdfReader::read_collision(xml::Element element, Id<model::Link> link) {
-  model::Collision collision;
+  root_.links[link.value].collisions.push_back(model::next_id(root_.collisions));
+  model::Collision& collision = root_.collisions.emplace_back();
   collision.site = site_of(element);
   collision.name = string_field(attribute_text(element, "name"));
   collision.link = link;
@@ -123,21 +123,17 @@ void SdfReader::read_collision(xml::Element element, Id<model::Link> link) {
   if (version_ >= kDensity) {
     collision.density = number_field(child_text(element, "density"), 1000);
   }
-  root_.links[link.value].collisions.push_back(
-      {static_cast<std::uint32_t>(root_.collisions.size())});
-  root_.collisions.push_back(std::move(collision));
 }
 
 void SdfReader::read_visual(xml::Element element, Id<model::Link> link) {
-  model::Visual visual;
+  root_.links[link.value].visuals.push_back(model::next_id(root_.visuals));
+  model::Visual& visual = root_.visuals.emplace_back();
   visual.site = site_of(element);
   visual.name = string_field(attribute_text(element, "name"));
   visual.link = link;
   visual.pose = read_pose(element);
   visual.geometry = read_geometry(element);
   visual.material = read_visual_material(element);
-  root_.links[link.value].visuals.push_back({static_cast<std::uint32_t>(root_.visuals.size())});
-  root_.visuals.push_back(std::move(visual));
 }
 
 }  // namespace rigor::read

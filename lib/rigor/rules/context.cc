@@ -101,6 +101,11 @@ const std::vector<Uri>& Context::uris() {
   return *uris_;
 }
 
+const std::vector<NameScope>& Context::repeated_names() {
+  if (!repeated_names_) repeated_names_ = NameCollector(document(), root()).collect();
+  return *repeated_names_;
+}
+
 const mass::MeshSurvey* Context::survey(const model::Mesh& mesh) {
   if (inputs_.meshes == nullptr || mesh.uri.value.empty()) return nullptr;
   const read::Resolution& found = resolve(mesh.uri.value);

@@ -22,6 +22,7 @@
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
 #include <rigor/read/resolver.h>
+#include <rigor/rules/names.h>
 #include <rigor/rules/uris.h>
 #include <rigor/schema/schema.h>
 #include <rigor/text/diagnostic.h>
@@ -91,6 +92,8 @@ class Context {
   const Disk& disk() const { return inputs_.resolver.disk(); }
   /// The URIs that stand in the file. Collected once.
   const std::vector<Uri>& uris();
+  /// The scopes of the file in which some name repeats. Collected once.
+  const std::vector<NameScope>& repeated_names();
 
   /// What the mesh's triangles enclose; null when its file is not found, or meshes are not opened.
   const mass::MeshSurvey* survey(const model::Mesh& mesh);
@@ -144,6 +147,7 @@ class Context {
   std::size_t compared_ = 0;
   std::unordered_map<std::string, read::Resolution> resolved_;
   std::optional<std::vector<Uri>> uris_;
+  std::optional<std::vector<NameScope>> repeated_names_;
   std::map<std::pair<const model::Link*, mass::From>, mass::LinkBody> bodies_;
   std::string mesh_;  // empty when none is looked at
   std::set<std::tuple<std::string_view, std::string, std::string>> told_of_meshes_;

@@ -60,6 +60,7 @@ class Parser {
   std::variant<Tables, Fault> run() {
     if (!read_lines() || !resolve_uses() || !check_blocks()) return std::move(*fault_);
     group_entries();
+    find_keys();
     if (!check_names()) return std::move(*fault_);
     reach();
     return std::move(tables_);
@@ -158,6 +159,8 @@ class Parser {
     added.first_facet = static_cast<std::uint32_t>(tables_.facets.size());
     if (!read_facets(added, line)) return false;
     added.last_facet = static_cast<std::uint32_t>(tables_.facets.size());
+    std::stable_sort(tables_.facets.begin() + added.first_facet, tables_.facets.end(),
+                     [](const Facet& a, const Facet& b) { return a.key < b.key; });
     if (added.exists == 0) {
       return fail(number_, quoted(name) + " exists in none of the versions of the line around it");
     }
@@ -294,8 +297,22 @@ class Parser {
       if (line.kind == Kind::kBlock) continue;
       const std::uint32_t at =
           (line.kind == Kind::kAttribute ? next_attribute : next_child)[line.parent]++;
-      tables_.entries[at] = Entry{line.name.data(), static_cast<std::uint32_t>(line.name.size()), i,
-                                  line.exists, line.exists & required(line)};
+      const Entry entry{line.name.data(), static_cast<std::uint32_t>(line.name.size()), i,
+                        line.exists, line.exists & required(line)};
+      tables_.entries[at] = entry;
+      Line& around = lines[line.parent];
+      (line.kind == Kind::kAttribute ? around.requires_attribute : around.requires_child) |=
+          entry.required;
+    }
+  }
+
+  void find_keys() {
+    for (Line& line : tables_.lines) {
+      for (const Line* one : {&line, &tables_.lines[line.declaration]}) {
+        for (std::uint32_t i = one->first_facet; i < one->last_facet; ++i) {
+          line.keys |= only(tables_.facets[i].key);
+        }
+      }
     }
   }
 

@@ -16,7 +16,8 @@ namespace {
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 bool named(const Entry& entry, std::string_view name) {
-  return entry.length == name.size() && std::memcmp(entry.name, name.data(), name.size()) == 0;
+  return entry.length == name.size() && entry.name[0] == name[0] &&
+         std::memcmp(entry.name, name.data(), name.size()) == 0;
 }
 
 // The entry of that name which exists in this version; kNone when there is none.
@@ -78,11 +79,12 @@ bool Enumeration::contains(std::string_view value) const {
 
 const Facet* Tables::facet(std::uint32_t place, std::uint32_t declaration, Key key,
                            int minor) const {
+  if ((lines[place].keys & only(key)) == 0) return nullptr;
   const Facet* found = nullptr;
   for (const std::uint32_t at : {place, declaration}) {
     const Line& line = lines[at];
     // versions rise within a key, so the last that holds is the one
-    for (std::uint32_t i = line.first_facet; i < line.last_facet; ++i) {
+    for (std::uint32_t i = line.first_facet; i < line.last_facet && facets[i].key <= key; ++i) {
       if (facets[i].key == key && facets[i].from <= minor) found = &facets[i];
     }
     if (found || place == declaration) break;
@@ -199,21 +201,16 @@ NodeRange Node::attributes() const {
 
 NodeRange Node::required_children() const {
   const Line& line = tables_->lines[declaration_];
-  return {tables_, line.first_child, line.last_child, minor_, NodeRange::Filter::kRequired};
+  const bool any = (line.requires_child & only(minor_)) != 0;
+  return {tables_, any ? line.first_child : line.last_child, line.last_child, minor_,
+          NodeRange::Filter::kRequired};
 }
 
 NodeRange Node::required_attributes() const {
   const Line& line = tables_->lines[declaration_];
-  return {tables_, line.first_attribute, line.last_attribute, minor_, NodeRange::Filter::kRequired};
-}
-
-NodeRange::Iterator::Iterator(const NodeRange& range, std::uint32_t at)
-    : tables_(range.tables_),
-      at_(at),
-      last_(range.last_),
-      minor_(range.minor_),
-      required_(range.filter_ == Filter::kRequired) {
-  skip();
+  const bool any = (line.requires_attribute & only(minor_)) != 0;
+  return {tables_, any ? line.first_attribute : line.last_attribute, line.last_attribute, minor_,
+          NodeRange::Filter::kRequired};
 }
 
 void NodeRange::Iterator::skip() {

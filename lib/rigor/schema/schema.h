@@ -151,7 +151,14 @@ class NodeRange {
 
    private:
     friend class NodeRange;
-    Iterator(const NodeRange& range, std::uint32_t at);
+    Iterator(const NodeRange& range, std::uint32_t at)
+        : tables_(range.tables_),
+          at_(at),
+          last_(range.last_),
+          minor_(range.minor_),
+          required_(range.filter_ == Filter::kRequired) {
+      if (at_ != last_) skip();
+    }
     void skip();  // to the next that the filter holds, or the end
 
     const Tables* tables_ = nullptr;

@@ -37,6 +37,11 @@ enum class Key : std::uint8_t {
   kInstead,
 };
 
+// Nearly all that is asked of a line is whether it has a facet that it has not.
+using KeySet = std::uint16_t;
+
+constexpr KeySet only(Key key) { return static_cast<KeySet>(1U << static_cast<unsigned>(key)); }
+
 struct Facet {
   std::string_view value;
   Key key;
@@ -53,11 +58,14 @@ struct Line {
   std::uint32_t number = 0;                       // in the file, from 1
   std::uint32_t parent = 0;                       // line around it; itself for a block
   std::uint32_t declaration = 0;                  // of a use: the block's root element; else itself
-  std::uint32_t first_facet = 0, last_facet = 0;  // half-open
+  std::uint32_t first_facet = 0, last_facet = 0;  // half-open, by key, then version
   std::uint32_t first_child = 0, last_child = 0;  // half-open, into entries: elements and uses
   std::uint32_t first_attribute = 0, last_attribute = 0;
   VersionSet exists = 0;     // where it is written that it exists, seen from the block's own root
   VersionSet reachable = 0;  // and a document of that version can contain it
+  VersionSet requires_child = 0;  // some child of it is required
+  VersionSet requires_attribute = 0;
+  KeySet keys = 0;  // of its facets and of its declaration's
   Kind kind = Kind::kBlock;
   bool open = false;
 };

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <rigor/schema/value.h>
 
+#include <cfloat>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <span>
 #include <system_error>
+#include <type_traits>
 
 #include <rigor/schema/letter.h>
 
@@ -30,9 +32,14 @@ Token trim(std::string_view text) {
   return token;
 }
 
+std::size_t skip_space(std::string_view text, std::size_t from) {
+  while (from < text.size() && is_space(text[from])) ++from;
+  return from;
+}
+
 // The next word at or after `from`; empty at the end of the text.
 Token next_token(std::string_view text, std::size_t from) {
-  while (from < text.size() && is_space(text[from])) ++from;
+  from = skip_space(text, from);
   Token token{from, from};
   while (token.end < text.size() && !is_space(text[token.end])) ++token.end;
   return token;
@@ -111,6 +118,31 @@ Unsigned take_prefix(std::string_view text, Token token) {
   return number;
 }
 
+constexpr std::ptrdiff_t kMostDigits = 15;  // 10^15 is below 2^53
+constexpr std::array<double, kMostDigits + 1> kPowersOfTen = {
+    1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+
+// A plain decimal of few digits, as nearly every number of a model is; nothing for any other. Its
+// digits and the power of ten are both exact doubles, so that their quotient is the nearest double
+// to the number (Clinger 1990, "How to read floating point numbers accurately"), where doubles are
+// computed as such.
+std::optional<double> read_short_decimal(const char* first, const char* last) {
+  if (FLT_EVAL_METHOD != 0 || last - first > kMostDigits) return std::nullopt;
+  std::int64_t digits = 0;
+  const char* point = nullptr;
+  for (const char* at = first; at != last; ++at) {
+    if (is_digit(*at)) {
+      digits = digits * 10 + (*at - '0');
+    } else if (*at == '.' && point == nullptr && last - first > 1) {
+      point = at;
+    } else {
+      return std::nullopt;
+    }
+  }
+  const std::ptrdiff_t decimals = point != nullptr ? last - point - 1 : 0;
+  return static_cast<double>(digits) / kPowersOfTen[static_cast<std::size_t>(decimals)];
+}
+
 template <class Real>
 Parsed<Real> read_real(std::string_view text, Token token) {
   const Unsigned number = take_prefix(text, token);
@@ -118,6 +150,11 @@ Parsed<Real> read_real(std::string_view text, Token token) {
   const char* const last = text.data() + token.end;
   // a second sign is not a number, though from_chars would take a minus
   if (first == last || *first == '-') return fault(FaultKind::kNotANumber, token);
+  if (std::is_same_v<Real, double> && !number.hexadecimal) {
+    if (const auto plain = read_short_decimal(first, last)) {
+      return static_cast<Real>(number.negative ? -*plain : *plain);
+    }
+  }
   Real value = 0;
   const std::from_chars_result read = std::from_chars(
       first, last, value, number.hexadecimal ? std::chars_format::hex : std::chars_format::general);
@@ -179,7 +216,7 @@ Parsed<std::size_t> read_list(std::string_view text, std::size_t least, std::spa
     const auto parsed = read(text, token);
     if (const ValueFault* found = std::get_if<ValueFault>(&parsed)) return *found;
     values[count++] = std::get<0>(parsed);
-    at = next_token(text, token.end).begin;
+    at = skip_space(text, token.end);
   }
   if (count < least) return fault(FaultKind::kTooFew, whole);
   return count;

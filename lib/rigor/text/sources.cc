@@ -9,8 +9,6 @@
 #include <rigor/text/byte_order_mark.h>
 
 namespace rigor {
-namespace {}  // namespace
-
 SourceId Sources::add(std::string path, std::string bytes) {
   const std::lock_guard lock(mutex_);
   sources_.push_back({std::move(path), std::move(bytes)});

@@ -20,15 +20,26 @@
 namespace rigor::xml {
 namespace {
 
-bool is_space(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
+/// What a byte may be part of; in a table, since every byte of a tag is asked.
+enum ByteClass : std::uint8_t { kSpaceByte = 1, kNameStartByte = 2, kNameByte = 4 };
 
-bool is_name_start(char c) {
-  const auto byte = static_cast<unsigned char>(c);
-  return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || byte == '_' ||
-         byte == ':' || byte >= 0x80;
+constexpr std::array<std::uint8_t, 256> kByteClasses = [] {
+  std::array<std::uint8_t, 256> classes{};
+  for (const char c : {' ', '\n', '\t', '\r'}) classes[static_cast<unsigned char>(c)] = kSpaceByte;
+  for (std::size_t c = 0; c < classes.size(); ++c) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    if (letter || c == '_' || c == ':' || c >= 0x80) classes[c] = kNameStartByte | kNameByte;
+    if ((c >= '0' && c <= '9') || c == '-' || c == '.') classes[c] = kNameByte;
+  }
+  return classes;
+}();
+
+bool is_of(char c, ByteClass wanted) {
+  return (kByteClasses[static_cast<unsigned char>(c)] & wanted) != 0;
 }
-
-bool is_name(char c) { return is_name_start(c) || (c >= '0' && c <= '9') || c == '-' || c == '.'; }
+bool is_space(char c) { return is_of(c, kSpaceByte); }
+bool is_name_start(char c) { return is_of(c, kNameStartByte); }
+bool is_name(char c) { return is_of(c, kNameByte); }
 
 /// A file uses a handful of prefixes; past this many no more are told apart.
 constexpr std::size_t kMaxPrefixes = 64;
@@ -57,6 +68,7 @@ class Builder {
   }
 
   Document build() {
+    has_codes_ = needs_decoding(bytes_);
     if (is_wide_encoding(bytes_)) {
       fail({FaultKind::kUtf16, span(0, std::min<std::size_t>(bytes_.size(), 2)), {}, {}});
     } else {
@@ -161,7 +173,7 @@ class Builder {
   /// Decodes once, here, so that values are plain views afterwards.
   Document::TextRecord text_record(std::uint32_t begin, std::uint32_t end) {
     const std::string_view raw = bytes_.substr(begin, end - begin);
-    if (!needs_decoding(raw)) return {begin, end, kNone};
+    if (!has_codes_ || !needs_decoding(raw)) return {begin, end, kNone};
     Decoded decoded = decode(raw);
     for (const auto& unknown : decoded.unknown) {
       note({FaultKind::kUndefinedEntity, span(begin + unknown.begin, begin + unknown.end), {}, {}});
@@ -344,15 +356,22 @@ class Builder {
 
   void end_tag() {
     const std::uint32_t begin = at_ + 2;
-    const std::uint32_t end = name_end(begin);
+    // Nearly always it is the name that is open, which need not be looked at letter by letter.
+    const std::string_view wanted =
+        open_ == kNone ? std::string_view() : Element(document_, open_).name();
+    const std::string_view rest = bytes_.substr(begin);
+    const bool matches =
+        rest.size() > wanted.size() && rest.starts_with(wanted) && !is_name(rest[wanted.size()]);
+    const std::uint32_t end =
+        matches ? begin + static_cast<std::uint32_t>(wanted.size()) : name_end(begin);
     const std::uint32_t angle = skip_space(end);
     if (angle == bytes_.size() || bytes_[angle] != '>') {
       return fail({FaultKind::kUnclosedTag, span(at_, end), {}, {}});
     }
     if (open_ == kNone) return fail({FaultKind::kUnexpectedEnd, span(at_, angle + 1), {}, {}});
-    const Element element(document_, open_);
-    if (element.name() != bytes_.substr(begin, end - begin)) {
-      return fail({FaultKind::kMismatchedEnd, span(at_, angle + 1), element.tag_span(), {}});
+    if (!matches) {
+      const Span open_tag = Element(document_, open_).tag_span();
+      return fail({FaultKind::kMismatchedEnd, span(at_, angle + 1), open_tag, {}});
     }
     close(angle + 1);
     token(TokenKind::kEndTag, angle + 1);
@@ -362,6 +381,8 @@ class Builder {
   /// before is taken as bound; where it ends is of no use to anybody who writes models.
   void check_prefixes(std::uint32_t index) {
     const Element element(document_, index);
+    const Span tag = element.tag_span();
+    if (bytes_.substr(tag.begin, tag.size()).find(':') == std::string_view::npos) return;
     for (const Attribute attribute : element.attributes()) {
       const std::string_view name = attribute.name();
       if (name.starts_with("xmlns:") && known_prefixes_.size() < kMaxPrefixes) {
@@ -438,6 +459,7 @@ class Builder {
 
   std::string_view bytes_;
   Document document_;
+  bool has_codes_ = false;  // whether any text may need decoding
   std::uint32_t at_ = 0;
   std::uint32_t open_ = kNone;
   int depth_ = 0;

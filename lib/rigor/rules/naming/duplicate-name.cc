@@ -17,7 +17,7 @@ bool counts(const NameScope& scope, const Named& named, const Context& context) 
 }
 
 void check(const model::Root& /*root*/, Context& context) {
-  for (const NameScope& scope : name_scopes(context)) {
+  for (const NameScope& scope : context.repeated_names()) {
     for_each_repetition(scope, Kinds::kSame, [&](const Named& first, const Named& again) {
       if (!counts(scope, again, context)) return;
       context.report({.where = again.where,

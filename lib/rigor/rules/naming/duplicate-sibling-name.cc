@@ -10,7 +10,7 @@ namespace rigor::rules::duplicate_sibling_name {
 namespace {
 
 void check(const model::Root& /*root*/, Context& context) {
-  for (const NameScope& scope : name_scopes(context)) {
+  for (const NameScope& scope : context.repeated_names()) {
     for_each_repetition(
         scope, Kinds::kDifferent, [&context](const Named& first, const Named& again) {
           context.report({.where = again.where,

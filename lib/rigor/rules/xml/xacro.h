@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 #include <rigor/xml/document.h>
@@ -13,7 +14,11 @@ namespace rigor::rules {
 
 /// Whether a value still has xacro's `${…}` or `$(…)` in it.
 inline bool has_xacro(std::string_view value) {
-  return value.find("${") != std::string_view::npos || value.find("$(") != std::string_view::npos;
+  for (std::size_t at = value.find('$'); at != std::string_view::npos; at = value.find('$', at)) {
+    ++at;
+    if (at < value.size() && (value[at] == '{' || value[at] == '(')) return true;
+  }
+  return false;
 }
 
 /// Whether xacro was to put parts into the element: what it lacks may be among them.
