@@ -16,6 +16,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -227,6 +228,47 @@ TEST_F(ProcessChild, AnIgnoredSigchldLosesNoResult) {
   EXPECT_EQ(result.end, End::kDone);
   EXPECT_EQ(result.bytes, "here");
 }
+
+TEST_F(ProcessChild, SeveralGiveTheirResultsInTheirOwnOrder) {
+  std::vector<std::function<std::string()>> works;
+  for (int i = 0; i < 20; ++i) {
+    works.push_back([i] {
+      // The first ones work longest, so that they end last.
+      volatile double sum = 0;
+      for (int k = 0; k < (20 - i) * 100'000; ++k) sum = sum + k;
+      return std::string(static_cast<std::size_t>(i) * 10'000, 'x') + std::to_string(i);
+    });
+  }
+  for (const unsigned jobs : {1U, 3U, 64U}) {
+    std::vector<std::size_t> told;
+    const std::vector<ChildResult> results =
+        run_in_children(limits_, works, jobs, [&](std::size_t ended) { told.push_back(ended); });
+    ASSERT_EQ(results.size(), works.size());
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      EXPECT_EQ(results[i].end, End::kDone);
+      EXPECT_EQ(results[i].bytes, std::string(i * 10'000, 'x') + std::to_string(i));
+    }
+    ASSERT_EQ(told.size(), works.size());
+    for (std::size_t i = 0; i < told.size(); ++i) EXPECT_EQ(told[i], i + 1);
+  }
+}
+
+TEST_F(ProcessChild, OneThatCrashesTakesNoOtherAlong) {
+  const std::vector<ChildResult> results = run_in_children(
+      limits_,
+      {[] { return std::string("first"); }, []() -> std::string { std::abort(); },
+       []() -> std::string { throw std::runtime_error("no"); }, [] { return std::string("last"); }},
+      2);
+  ASSERT_EQ(results.size(), 4U);
+  EXPECT_EQ(results[0].bytes, "first");
+  EXPECT_EQ(results[1].end, End::kCrashed);
+  EXPECT_EQ(results[1].signal, SIGABRT);
+  EXPECT_EQ(results[2].end, End::kFailed);
+  EXPECT_EQ(results[2].bytes, "no");
+  EXPECT_EQ(results[3].bytes, "last");
+}
+
+TEST_F(ProcessChild, NoWorksGiveNoResults) { EXPECT_TRUE(run_in_children(limits_, {}, 4).empty()); }
 
 }  // namespace
 }  // namespace rigor::process

@@ -4,6 +4,7 @@
 #include <rigor/process/child.h>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,9 +16,12 @@
 #include <csignal>
 #include <cstring>
 #include <exception>
+#include <memory>
 #include <new>
+#include <optional>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace rigor::process {
 namespace {
@@ -44,15 +48,13 @@ constexpr int kResult = STDERR_FILENO + 1;
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() { close(); }
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
 
   int number() const { return number_; }
-  void close() {
-    if (number_ >= 0) ::close(number_);
-    number_ = -1;
-  }
 
  private:
   int number_;
@@ -171,17 +173,6 @@ void apply(const ChildLimits& limits) {
 
 // ---- In the parent
 
-std::string read_all(int descriptor) {
-  std::string bytes;
-  std::array<char, 1U << 16U> chunk;  // a pipe holds as much
-  while (true) {
-    const ssize_t got = ::read(descriptor, chunk.data(), chunk.size());
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return bytes;
-    bytes.append(chunk.data(), static_cast<std::size_t>(got));
-  }
-}
-
 End end_by(int signal) {
   return signal == SIGXCPU || signal == SIGALRM ? End::kOutOfTime : End::kCrashed;
 }
@@ -198,6 +189,60 @@ ChildResult result_of(std::string bytes, int signal) {
 
 ChildResult not_started(int error) {
   return {End::kNotStarted, 0, std::generic_category().message(error)};
+}
+
+/// One child on its way: what it has written so far.
+class Running {
+ public:
+  Running(std::size_t its_index, const ChildLimits& limits,
+          const std::function<std::string()>& work)
+      : index(its_index) {
+    std::array<int, 2> ends;
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
+      error = errno;
+      return;
+    }
+    reading_.emplace(ends[0]);
+    const Descriptor writing(ends[1]);
+    const pid_t pid = ::fork();
+    if (pid == 0) run(limits, work, writing.number());
+    if (pid < 0) {
+      error = errno;
+    } else {
+      child_.emplace(pid);
+    }
+  }
+
+  /// Takes what there is; true at the end.
+  bool read_some() {
+    if (!ready) return false;
+    ready = false;
+    std::array<char, 1U << 16U> chunk;  // a pipe holds as much
+    const ssize_t got = ::read(reading_->number(), chunk.data(), chunk.size());
+    if (got < 0 && errno == EINTR) return false;
+    if (got <= 0) return true;
+    bytes_.append(chunk.data(), static_cast<std::size_t>(got));
+    return false;
+  }
+
+  ChildResult result() { return result_of(std::move(bytes_), child_->wait()); }
+  int descriptor() const { return reading_->number(); }
+
+  std::size_t index;
+  int error = 0;       ///< why it could not be started
+  bool ready = false;  ///< there is something to read
+
+ private:
+  std::optional<Descriptor> reading_;
+  std::optional<Child> child_;
+  std::string bytes_;
+};
+
+void wait_for_any(const std::vector<std::unique_ptr<Running>>& running) {
+  std::vector<pollfd> waiting;
+  for (const auto& one : running) waiting.push_back({one->descriptor(), POLLIN, 0});
+  if (::poll(waiting.data(), waiting.size(), -1) < 0) return;  // interrupted: asked again
+  for (std::size_t i = 0; i < running.size(); ++i) running[i]->ready = waiting[i].revents != 0;
 }
 
 /// "segmentation fault": the C library's words, in any locale in English, but for the capital.
@@ -219,18 +264,41 @@ std::string in_units(std::uint64_t bytes) {
 }  // namespace
 
 ChildResult run_in_child(const ChildLimits& limits, const std::function<std::string()>& work) {
-  std::array<int, 2> ends;
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return not_started(errno);
-  const Descriptor reading(ends[0]);
-  Descriptor writing(ends[1]);
+  return run_in_children(limits, {work}, 1).front();
+}
 
-  const pid_t pid = ::fork();
-  if (pid < 0) return not_started(errno);
-  if (pid == 0) run(limits, work, writing.number());
-  Child child(pid);
-  writing.close();
-  std::string bytes = read_all(reading.number());
-  return result_of(std::move(bytes), child.wait());
+std::vector<ChildResult> run_in_children(const ChildLimits& limits,
+                                         const std::vector<std::function<std::string()>>& works,
+                                         unsigned jobs,
+                                         const std::function<void(std::size_t)>& done) {
+  std::vector<ChildResult> results(works.size());
+  std::vector<std::unique_ptr<Running>> running;
+  std::size_t next = 0;
+  std::size_t ended = 0;
+  while (ended < works.size()) {
+    while (next < works.size() && running.size() < std::max(jobs, 1U)) {
+      auto started = std::make_unique<Running>(next, limits, works[next]);
+      ++next;
+      if (started->error == 0) {
+        running.push_back(std::move(started));
+      } else {
+        results[started->index] = not_started(started->error);
+        if (done) done(++ended);
+      }
+    }
+    wait_for_any(running);
+    for (std::size_t i = 0; i < running.size();) {
+      if (!running[i]->read_some()) {
+        ++i;
+        continue;
+      }
+      results[running[i]->index] = running[i]->result();
+      running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
+      ++ended;
+      if (done) done(ended);
+    }
+  }
+  return results;
 }
 
 std::string describe(const ChildResult& result, const ChildLimits& limits) {

@@ -15,9 +15,11 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace rigor::process {
 
@@ -50,6 +52,13 @@ struct ChildResult {
 /// parent holds open are closed to it. What it prints goes nowhere. No handler of `atexit` runs.
 /// Blocks until the child is gone.
 ChildResult run_in_child(const ChildLimits& limits, const std::function<std::string()>& work);
+
+/// Several, at most `jobs` of them at a time, each as by itself. Results are in the order of the works,
+/// whatever the order they end in; `done` is called here with how many have ended.
+std::vector<ChildResult> run_in_children(const ChildLimits& limits,
+                                         const std::vector<std::function<std::string()>>& works,
+                                         unsigned jobs,
+                                         const std::function<void(std::size_t)>& done = {});
 
 /// "crashed (segmentation fault)", "took more than 60 s of CPU time": for messages.
 std::string describe(const ChildResult& result, const ChildLimits& limits);
