@@ -86,6 +86,28 @@ TEST_F(ConversionCli, ALossThatIsAnErrorWritesNothingUnlessItIsAllowed) {
   EXPECT_EQ(folder.rigor("sdf2urdf loop.sdf -o loop.urdf --allow-loss").exit, 0);
 }
 
+TEST_F(ConversionCli, AGearboxIsProvedAsTheMimicThatStandsForIt) {
+  const auto link = [](const std::string& name) {
+    return "<link name='" + name + "'><inertial><mass>1</mass><inertia><ixx>.1</ixx><iyy>.1</iyy>" +
+           "<izz>.1</izz></inertia></inertial></link>";
+  };
+  const auto wheel = [](const std::string& name) {
+    return "<joint name='to_" + name + "' type='revolute'><parent>base</parent><child>" + name +
+           "</child><axis><xyz>0 0 1</xyz></axis></joint>";
+  };
+  folder.put("gears.sdf", "<sdf version='1.9'><model name='gears'>" + link("base") + link("a") +
+                              link("b") + wheel("a") + wheel("b") +
+                              "<joint name='g' type='gearbox'><parent>a</parent><child>b</child>"
+                              "<gearbox_ratio>3</gearbox_ratio>"
+                              "<gearbox_reference_body>base</gearbox_reference_body>"
+                              "<axis><xyz>0 0 1</xyz></axis><axis2><xyz>0 0 1</xyz></axis2></joint>"
+                              "</model></sdf>");
+  EXPECT_EQ(folder.rigor("sdf2urdf gears.sdf -o gears.urdf").exit, 1) << "a joint less is an error";
+  const Ran ran = folder.rigor("sdf2urdf gears.sdf -o gears.urdf --allow-loss");
+  EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+  EXPECT_NE(folder.get("gears.urdf").find("multiplier=\"-3\""), std::string::npos);
+}
+
 TEST_F(ConversionCli, ChoosesOneOfSeveralModels) {
   folder.put("lab.sdf", "<sdf version='1.9'><world name='lab'><model name='a'>" + link_named("x") +
                             "</model><model name='b'>" + link_named("y") +

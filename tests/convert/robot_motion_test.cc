@@ -37,9 +37,28 @@ model::JointPositions named(const convert::Robot& robot, const std::string& mode
 }
 
 /// How many collisions were held against each other.
+/// Frames move what a joint names as its child; a robot whose joint hangs the other way round moves the
+/// parent instead (turned_joints_test.cc).
+bool has_turned_joint(const model::Root& root, const model::Frames& frames,
+                      const convert::Robot& robot, Id<model::Model> top) {
+  for (std::uint32_t i = 0; i < root.joints.size(); ++i) {
+    const std::string name = scoped_name(root, Id<model::Joint>{i});
+    const model::Frames::Ends& ends = frames.ends(Id<model::Joint>{i});
+    if (ends.child.value >= root.links.size()) continue;
+    for (const convert::RobotJoint& joint : robot.joints) {
+      if (scoped_name(root, top) + "::" + joint.name != name) continue;
+      const std::string child = scoped_name(root, top) + "::" + robot.bodies[joint.child].name;
+      if (child != scoped_name(root, ends.child)) return true;
+    }
+  }
+  return false;
+}
+
 std::size_t hold(const model::Root& root, Id<model::Model> top) {
-  const convert::Robot robot = convert::robot_of(root, model::Frames(root), top);
+  const model::Frames at_rest(root);
+  const convert::Robot robot = convert::robot_of(root, at_rest, top);
   if (!robot.unknown.empty() || !moves_alike(robot)) return 0;
+  if (has_turned_joint(root, at_rest, robot, top)) return 0;
   std::size_t count = 0;
   for (const convert::RobotPositions& positions : convert::configurations(robot, 3)) {
     const model::Frames frames(root, named(robot, scoped_name(root, top), positions));

@@ -351,5 +351,15 @@ TEST(SdfToUrdf, TheCorpusConverts) {
   EXPECT_GE(static_cast<double>(converted), 0.9 * static_cast<double>(converted + refused));
 }
 
+TEST(SdfToUrdf, CommentsGoWithWhatTheyStandBefore) {
+  const Converted converted("\n  <!-- the base -->\n" + sdf_link("base") +
+                            "\n<!--1-->\n<!--2-->\n" + sdf_joint("j", "fixed", "base", "arm") +
+                            " <!-- of the joint -->\n" + sdf_link("arm"));
+  const UrdfRobot& robot = converted.result.robot.value();
+  EXPECT_EQ(robot.links[0].comments, std::vector<std::string>{" the base "});
+  EXPECT_TRUE(robot.links[1].comments.empty());
+  EXPECT_EQ(converted.joint("j").comments, (std::vector<std::string>{"1", "2"}));
+}
+
 }  // namespace
 }  // namespace rigor::convert

@@ -359,9 +359,35 @@ TEST(UrdfToSdf, TellsWhatItLoses) {
       "<transmission name='t'><type>x</type></transmission><ros2_control name='c' "
       "type='system'/><odd x='1'/>"));
   EXPECT_EQ(note_kinds_of(result),
-            (std::vector{NoteKind::kTexture, NoteKind::kCalibration, NoteKind::kSafety,
-                         NoteKind::kTransmission, NoteKind::kRos2Control, NoteKind::kUnknown}));
-  for (const Note& note : result.account.notes) EXPECT_EQ(note.outcome, Outcome::kLost);
+            (std::vector{NoteKind::kMaterialLook, NoteKind::kTexture, NoteKind::kCalibration,
+                         NoteKind::kSafety, NoteKind::kTransmission, NoteKind::kRos2Control,
+                         NoteKind::kUnknown}));
+  for (const Note& note : result.account.notes) {
+    // SDF's materials have no names.
+    const bool name = note.kind == NoteKind::kMaterialLook;
+    EXPECT_EQ(note.outcome, name ? Outcome::kRewritten : Outcome::kLost);
+  }
+}
+
+TEST(UrdfToSdf, TheFirstDefinitionOfAMaterialCounts) {
+  // As urdfdom takes it: the robot's own, whatever a visual says under its name.
+  const auto look = [](const std::string& rgba) {
+    return "<visual>" + std::string(kBallXml) + "<material name='m'><color rgba='" + rgba +
+           "'/></material></visual>";
+  };
+  const std::string links = link_xml("a", inertial_xml("1") + look("0 1 0 1") + look("0 0 1 1"));
+  const auto colors = [](const std::string& sdf) {
+    std::string found;
+    for (std::size_t at = 0; (at = sdf.find("<diffuse>", at)) != std::string::npos;) {
+      at += 9;
+      found += sdf.substr(at, sdf.find('<', at) - at) + ';';
+    }
+    return found;
+  };
+  EXPECT_EQ(colors(sdf_text_of(robot_xml(links))), "0 1 0 1;0 1 0 1;");
+  EXPECT_EQ(colors(sdf_text_of(
+                robot_xml("<material name='m'><color rgba='1 0 0 1'/></material>" + links))),
+            "1 0 0 1;1 0 0 1;");
 }
 
 TEST(UrdfToSdf, RefusesWhatIsNoTree) {

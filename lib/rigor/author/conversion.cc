@@ -80,7 +80,7 @@ class Told {
   bool has(const Difference& difference) const {
     const Span where = whole(difference.span_a);
     return std::any_of(notes_.begin(), notes_.end(), [&](const Note& note) {
-      if (reroutes(note, difference)) return true;
+      if (reroutes(note, difference) || couples(note, difference)) return true;
       if (note.outcome != Outcome::kLost && note.outcome != Outcome::kSubstituted) return false;
       if (where.nowhere()) return follows(note, difference.kind);
       return !note.where.nowhere() && (holds(where, note.where) || holds(note.where, where));
@@ -109,6 +109,12 @@ class Told {
   static bool reroutes(const Note& note, const Difference& difference) {
     return note.kind == NoteKind::kMassless && difference.kind == DifferenceKind::kJointParent &&
            note.subject.ends_with("/link " + difference.from.text);
+  }
+
+  /// The joints that a gearbox couples have no mimic in the source.
+  static bool couples(const Note& note, const Difference& difference) {
+    return note.kind == NoteKind::kJointType && note.written == "gearbox" &&
+           difference.kind == DifferenceKind::kMimic && difference.from.numbers.empty();
   }
 
   const Notes& notes_;

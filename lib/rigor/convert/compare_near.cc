@@ -32,6 +32,13 @@ std::string_view uri_without_scheme(std::string_view uri) {
   return scheme == std::string_view::npos ? uri : uri.substr(scheme + 3);
 }
 
+/// Whether a URI that nobody resolved names this file: `package://arm/a.stl` is `…/arm/a.stl`.
+bool leads_to(std::string_view uri, std::string_view path) {
+  const std::string_view tail = uri_without_scheme(uri);
+  return tail.size() < uri.size() && path.size() > tail.size() && path.ends_with(tail) &&
+         path[path.size() - tail.size() - 1] == '/';
+}
+
 }  // namespace
 
 Apart apart(const model::Pose& a, const model::Pose& b) {
@@ -85,7 +92,8 @@ bool same_file(const RobotShape& a, const RobotShape& b) {
   if (a.submesh != b.submesh) return false;
   if (a.uri == b.uri) return true;  // beside its model, wherever that was copied to
   if (!a.path.empty() && !b.path.empty()) return a.path == b.path;
-  return uri_without_scheme(a.uri) == uri_without_scheme(b.uri);
+  return uri_without_scheme(a.uri) == uri_without_scheme(b.uri) || leads_to(b.uri, a.path) ||
+         leads_to(a.uri, b.path);
 }
 
 bool near(const RobotShape& a, const RobotShape& b, const Tolerance& tolerance) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -135,6 +136,18 @@ std::vector<PartPair> pair_parts(const std::vector<RobotPart>& a, const std::vec
     if (found == in_b.end() || taken[found->second]) continue;
     pairs[i].b = found->second;
     taken[found->second] = true;
+  }
+  // One that is lost must not shift the others: a box is paired with a box.
+  std::unordered_map<std::string_view, std::deque<std::uint32_t>> by_kind;
+  for (std::uint32_t i = 0; i < b.size(); ++i) {
+    if (!taken[i]) by_kind[b[i].shape.kind].push_back(i);
+  }
+  for (PartPair& pair : pairs) {
+    std::deque<std::uint32_t>& same = by_kind[a[pair.a].shape.kind];
+    if (pair.b != kNoIndex || same.empty()) continue;
+    pair.b = same.front();
+    taken[pair.b] = true;
+    same.pop_front();
   }
   std::uint32_t next = 0;
   const auto skip = [&] {

@@ -67,7 +67,7 @@ struct PartPair {
   std::uint32_t b = kNoIndex;
 };
 
-/// By name, the rest in their order.
+/// By name, the rest in their order: those of one kind of shape first.
 std::vector<PartPair> pair_parts(const std::vector<RobotPart>& a, const std::vector<RobotPart>& b);
 
 }  // namespace rigor::convert

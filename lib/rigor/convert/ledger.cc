@@ -113,6 +113,27 @@ void Ledger::lose(const model::Site& site, Note lost) {
   note(std::move(lost));
 }
 
+void Ledger::pass_over(xml::Element element, std::string subject, std::string written) {
+  const std::size_t count = take_all(element, Outcome::kImplied);
+  note({.kind = NoteKind::kIdle,
+        .outcome = Outcome::kImplied,
+        .where = element.name_span(),
+        .subject = std::move(subject),
+        .written = std::move(written),
+        .instead = {},
+        .count = count});
+}
+
+void Ledger::pass_over_value(Span value, std::string subject, std::string written) {
+  if (value.nowhere()) return;
+  take_value(value, Outcome::kImplied);
+  note({.kind = NoteKind::kIdle,
+        .outcome = Outcome::kImplied,
+        .where = value,
+        .subject = std::move(subject),
+        .written = std::move(written)});
+}
+
 /// Settles what nobody took, one opened element at a time: from its last node to its first, so that
 /// an element comes after all that it holds, then forward to tell what is lost.
 class LedgerCloser {

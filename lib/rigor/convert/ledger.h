@@ -67,6 +67,11 @@ class Ledger {
   /// Takes all of an element as lost and says so: `count` becomes what was not taken before.
   void lose(const model::Site& site, Note note);
 
+  /// Takes all of an element, or one value, as what no reader of the source takes from it, and says so:
+  /// `written` says what it is and why.
+  void pass_over(xml::Element element, std::string subject, std::string written);
+  void pass_over_value(Span value, std::string subject, std::string written);
+
   /// What nobody took: an element or attribute that `implied` says a default of is implied, and so is
   /// an element that holds nothing else. An element that only holds what was taken is converted with
   /// it. Of the rest, the outermost of each subtree is one note with the number of elements and

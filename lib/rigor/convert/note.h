@@ -99,6 +99,9 @@ enum class NoteKind : std::uint8_t {
   // What the proof says of the result.
   kNotTheSame,  ///< read again, it is another robot; `written` is how
   kRefused,     ///< the official parser does not take it; `written` is what it says
+  // What is the same robot all the same.
+  kIdle,    ///< no reader of the source takes it
+  kTurned,  ///< a joint whose parent became its child, since the child has another parent
 };
 
 struct Note {

@@ -11,6 +11,7 @@
 #include <numbers>
 #include <utility>
 
+#include <rigor/convert/turned_joints.h>
 #include <rigor/mass/resolve.h>
 
 namespace rigor::convert {
@@ -107,6 +108,7 @@ class RobotBuilder {
     find_inside();
     add_bodies();
     add_joints();
+    if (!urdf) turn_joints();
     convert::connect(robot_);
     place();
     fill();
@@ -175,6 +177,20 @@ class RobotBuilder {
     }
   }
 
+  /// A body that joints lead to from two sides hangs on one of them.
+  void turn_joints() {
+    std::vector<Limb> limbs;
+    for (const RobotJoint& joint : robot_.joints) {
+      limbs.push_back({joint.parent, joint.child, can_turn(joint.type)});
+    }
+    const auto hangs = hang_limbs(limbs, robot_.bodies.size(), world_);
+    turned_.resize(hangs.size());
+    for (std::size_t i = 0; i < hangs.size(); ++i) {
+      turned_[i] = hangs[i] == Limb::Hang::kTurned;
+      if (turned_[i]) std::swap(robot_.joints[i].parent, robot_.joints[i].child);
+    }
+  }
+
   std::uint32_t world() {
     if (world_ == kNoIndex) {
       world_ = static_cast<std::uint32_t>(robot_.bodies.size());
@@ -199,6 +215,9 @@ class RobotBuilder {
       joint.X_PJ = in_parent(joints_[i], joint, X_MJ);
       joint.X_CJ = joint.closes_loop ? compose(inverse(X_MC), X_MJ) : Pose{};
       add_axes(joint, joints_[i]);
+      if (i < turned_.size() && turned_[i]) {
+        for (RobotAxis& axis : joint.axes) axis.direction = -1 * axis.direction;
+      }
     }
   }
 
@@ -364,6 +383,7 @@ class RobotBuilder {
   std::vector<bool> inside_;
   std::vector<Id<model::Link>> links_;    // of each body but the world
   std::vector<Id<model::Joint>> joints_;  // of each joint of the robot
+  std::vector<bool> turned_;              // of each joint, whether parent and child changed places
   std::vector<std::uint32_t> body_of_;    // of each link of the root
   std::vector<Pose> X_ML_;                // of each body but the world
   std::uint32_t world_ = kNoIndex;

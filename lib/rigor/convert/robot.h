@@ -108,7 +108,8 @@ struct RobotAxis {
 
 struct RobotJoint {
   std::string name;  ///< scoped inside the model
-  /// Never kContinuous. A floating joint has no axes: its child is free.
+  /// Parent and child are those of the file, or, where the child has another parent and it is no loop,
+  /// the other way round with the axis negated: the same motion. Never kContinuous. A floating joint has no axes: its child is free.
   model::JointType type = model::JointType::kUnknown;
   std::uint32_t parent = kNoIndex;  ///< bodies
   std::uint32_t child = kNoIndex;

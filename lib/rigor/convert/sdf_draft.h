@@ -8,7 +8,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -56,7 +58,8 @@ struct SdfDraft {
   SdfRobot robot;                             ///< without its parts
   std::vector<std::optional<SdfLink>> links;  ///< by link
   std::vector<std::vector<SdfPart>> joints;   ///< by joint; several parts for a planar one
-  std::unordered_map<std::string_view, xml::Element> materials;  ///< that define a colour, by name
+  std::unordered_map<std::string_view, xml::Element> materials;  ///< what defines each name
+  std::set<std::string, std::less<>> used_materials;             ///< that a visual names
   double next_to_nothing = 0;  ///< kg, of a link that must have mass
 
   const SdfNode& node(model::Id<model::Link> id) const { return tree.nodes[id.value]; }

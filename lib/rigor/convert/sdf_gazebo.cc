@@ -113,7 +113,8 @@ class BlockConverter {
     ledger_.take(block_.reference);
     for (const xml::Element child : element_.children()) {
       if (is_among(kHints, child.name())) {
-        ledger_.take_all(child, Outcome::kImplied);
+        ledger_.pass_over(child, whose(),
+                          std::string(child.name()) + ", advice to another converter");
       } else if (whole) {
         add_to_model(child);
       } else if (joint_ && (is_joint_key(child.name()) || !link_)) {
@@ -132,20 +133,23 @@ class BlockConverter {
 
   static std::string_view value(xml::Element element) { return read::trimmed(element.text()); }
 
+  std::string whose() const {
+    return model::subject(draft_.source.root, draft_.source.root.models[0]);
+  }
+
   void note(NoteKind kind, std::string written) {
     ledger_.note({.kind = kind,
                   .outcome = Outcome::kLost,
                   .where = block_.reference.written ? block_.reference.span : block_.site.name,
-                  .subject = model::subject(draft_.source.root, draft_.source.root.models[0]),
+                  .subject = whose(),
                   .written = std::move(written)});
   }
 
   void lose() {
-    ledger_.lose(block_.site,
-                 {.kind = NoteKind::kBlockReference,
-                  .where = block_.reference.span,
-                  .subject = model::subject(draft_.source.root, draft_.source.root.models[0]),
-                  .written = block_.reference.value});
+    ledger_.lose(block_.site, {.kind = NoteKind::kBlockReference,
+                               .where = block_.reference.span,
+                               .subject = whose(),
+                               .written = block_.reference.value});
   }
 
   void add_to_model(xml::Element child) {
@@ -222,7 +226,8 @@ class BlockConverter {
       without_collision_ += (without_collision_.empty() ? "" : ", ") + std::string(child.name());
       ledger_.take_all(child, Outcome::kLost);
     } else {
-      ledger_.take_all(child, Outcome::kImplied);  // the look of what is not drawn
+      ledger_.pass_over(child, model::subject(draft_.source.root, draft_.source.root[link_]),
+                        std::string(child.name()) + " of a link that is not drawn");
     }
   }
 

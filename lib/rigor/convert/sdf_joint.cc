@@ -86,7 +86,16 @@ class SdfJointConverter {
   void take_idle_axis() {
     const xml::Element element = draft_.source.documents.element(joint_.site);
     for (const char* name : {"axis", "limit", "dynamics", "joint_properties", "mimic"}) {
-      if (const auto child = element.child(name)) ledger_.take_all(*child, Outcome::kImplied);
+      if (const auto child = element.child(name)) {
+        ledger_.pass_over(*child, model::subject(root_, joint_),
+                          std::string(name) + " of a " + joint_.type_name.value + " joint");
+      }
+    }
+  }
+
+  void pass_over_rpy(xml::Element axis) {
+    if (const auto idle = axis.attribute("rpy")) {
+      ledger_.pass_over_value(idle->value_span(), model::subject(root_, joint_), "rpy of an axis");
     }
   }
 
@@ -125,7 +134,12 @@ class SdfJointConverter {
     const model::Vector3 normal = joint_.axes[0].xyz.value;
     const double size = length(normal);
     const auto axes = planar_axes(size > 0 ? (1 / size) * normal : model::Vector3{1, 0, 0});
-    take_idle_axis();
+    // What else it says of moving stays in the account as lost.
+    ledger_.take(joint_.axes[0].xyz, Outcome::kSubstituted);
+    ledger_.take(joint_.axes[0].site, Outcome::kSubstituted);
+    if (!joint_.axes[0].site.span.nowhere()) {
+      pass_over_rpy(draft_.source.documents.element(joint_.axes[0].site));
+    }
     std::vector<SdfPart> parts;
     std::string before;
     for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -169,9 +183,7 @@ class SdfJointConverter {
     ledger_.take(axis.xyz);
     ledger_.take(axis.site);
     const xml::Element element = draft_.source.documents.element(axis.site);
-    if (const auto idle = element.attribute("rpy")) {
-      ledger_.take_value(idle->value_span(), Outcome::kImplied);
-    }
+    pass_over_rpy(element);
     SdfJoint joint = joint_of(std::move(type));
     joint.axis = SdfAxis{.xyz = xyz};
     add_limit(*joint.axis, axis);
@@ -192,9 +204,12 @@ class SdfJointConverter {
       note(NoteKind::kContinuous, Outcome::kRewritten, joint_.type_name.span, "continuous",
            "revolute without limits");
       ledger_.take(joint_.type_name, Outcome::kRewritten);
-      // No reader of URDF takes these of a joint that goes round and round.
-      ledger_.take(axis.lower, Outcome::kImplied);
-      ledger_.take(axis.upper, Outcome::kImplied);
+      for (const auto* bound : {&axis.lower, &axis.upper}) {
+        if (!bound->written) continue;
+        ledger_.pass_over_value(bound->span, model::subject(root_, joint_),
+                                (bound == &axis.lower ? "lower" : "upper") +
+                                    std::string(" limit of a continuous joint"));
+      }
       limit.at("lower").text = kNoLowerLimit;
       limit.at("upper").text = kNoUpperLimit;
     } else {

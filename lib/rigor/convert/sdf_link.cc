@@ -119,7 +119,7 @@ class SdfLinkConverter {
     ledger_.take(link.name, outcome);
     const xml::Element element = draft_.source.documents.element(link.site);
     if (const auto type = element.attribute("type")) {
-      ledger_.take_value(type->value_span(), Outcome::kImplied);
+      ledger_.pass_over_value(type->value_span(), model::subject(root_, link), "type of a link");
     }
   }
 
@@ -142,7 +142,7 @@ class SdfLinkConverter {
     const xml::Element element = draft_.source.documents.element(geometry.site);
     const auto around = element.name() == "geometry" ? element : element.parent();
     if (const auto name = around ? around->attribute("name") : std::nullopt) {
-      ledger_.take_value(name->value_span(), Outcome::kImplied);  // no reader asks for it
+      ledger_.pass_over_value(name->value_span(), subject, "name of a geometry");
     }
     auto converted = std::visit(ToUrdfGeometry{draft_, subject}, geometry.shape);
     if (converted) {
@@ -165,29 +165,50 @@ class SdfLinkConverter {
 
   void add_visual(Id<Link> id, const model::Visual& visual) {
     SdfShape shape = head_of(id, visual, visual_names_, "visual");
-    if (!set_geometry(shape, visual.geometry, model::subject(root_, visual))) return;
-    add_material(shape, visual.material);
+    const std::string whose = model::subject(root_, visual);
+    if (!set_geometry(shape, visual.geometry, whose)) return;
+    add_material(shape, visual.material, whose);
     link_.visuals.push_back(std::move(shape));
   }
 
   void add_collision(Id<Link> id, const model::Collision& collision) {
     SdfShape shape = head_of(id, collision, collision_names_, "collision");
     const xml::Element element = draft_.source.documents.element(collision.site);
-    // A collision is not drawn, and nobody reads how talkative it is.
+    const std::string whose = model::subject(root_, collision);
     for (const char* idle : {"material", "verbose"}) {
-      if (const auto child = element.child(idle)) ledger_.take_all(*child, Outcome::kImplied);
+      if (const auto child = element.child(idle)) {
+        ledger_.pass_over(*child, whose, std::string(idle) + " of a collision");
+      }
     }
-    if (!set_geometry(shape, collision.geometry, model::subject(root_, collision))) return;
+    if (!set_geometry(shape, collision.geometry, whose)) return;
     link_.collisions.push_back(std::move(shape));
   }
 
-  void add_material(SdfShape& shape, const model::Material& material) {
+  /// The first that uses a name tells that SDF has none; what it stands for is in each.
+  void take_material_name(const model::Field<std::string>& name, const std::string& subject) {
+    ledger_.take(name, Outcome::kRewritten);
+    if (!name.written || !draft_.used_materials.insert(name.value).second) return;
+    ledger_.note({.kind = NoteKind::kMaterialLook,
+                  .outcome = Outcome::kRewritten,
+                  .where = name.span,
+                  .subject = subject,
+                  .written = "name " + name.value,
+                  .instead = "what it stands for"});
+  }
+
+  void add_material(SdfShape& shape, const model::Material& material, const std::string& subject) {
     if (!material.written) return;
     ledger_.take(material.site);
-    ledger_.take(material.name);
+    take_material_name(material.name, subject);
     const auto defined = draft_.materials.find(material.name.value);
-    xml::Element element = draft_.source.documents.element(material.site);
-    if (!element.child("color") && defined != draft_.materials.end()) element = defined->second;
+    const xml::Element own = draft_.source.documents.element(material.site);
+    const xml::Element element = defined != draft_.materials.end() ? defined->second : own;
+    if (!(element == own)) {
+      for (const xml::Element child : own.children()) {
+        ledger_.pass_over(child, subject,
+                          std::string(child.name()) + " of a material that is defined before");
+      }
+    }
     const auto color = element.child("color");
     const auto rgba = color ? read::attribute_text(*color, "rgba") : std::nullopt;
     if (!rgba) return;

@@ -8,7 +8,9 @@
 #include <numbers>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include <rigor/convert/comments.h>
 #include <rigor/convert/digits.h>
 #include <rigor/convert/number_text.h>
 #include <rigor/convert/urdf_draft.h>
@@ -103,7 +105,6 @@ class UrdfBuilder {
     } else {
       take_pose(source_, ledger_, root_[id].pose);
       ledger_.take(root_[id].placement_frame);
-      ledger_.take(root_[id].canonical_link);
     }
     add_model_blocks(draft_, id);
   }
@@ -167,6 +168,7 @@ class UrdfBuilder {
     }
     const std::string& name = naming_.links.at(id);
     draft_.robot.links.push_back(urdf_link(draft_, id, X_JL));
+    draft_.robot.links.back().comments = comments_on(root_[id].site);
     const auto [first, last] = cut_.equal_range(id);
     for (auto cut = first; cut != last; ++cut) {
       draft_.robot.links.back().comments.push_back(cut->second);
@@ -236,7 +238,8 @@ class UrdfBuilder {
     const UrdfJointPlace place{
         .parent = edge.parent ? naming_.links.at(edge.parent) : root_link_,
         .child = naming_.links.at(edge.child),
-        .origin = origin_like(source_.documents, X_PJ, {&joint.pose, &root_[edge.child].pose})};
+        .origin = origin_like(source_.documents, X_PJ, {&joint.pose, &root_[edge.child].pose}),
+        .turned = edge.turned};
     take_pose(source_, ledger_, joint.pose);
     tell_gimbal(joint, place.origin);
     if (!edge.parent) {
@@ -244,8 +247,25 @@ class UrdfBuilder {
       note(NoteKind::kWorldLink, Outcome::kRewritten, joint.parent.span,
            model::subject(root_, joint), "world", "world");
     }
+    if (edge.turned) tell_turned(joint, place);
+    const std::size_t first = draft_.robot.joints.size();
     add_joint(draft_, edge.joint, names, place);
+    draft_.robot.joints[first].comments = comments_on(joint.site);
     add_joint_blocks(draft_, edge.joint, names.joints.front());
+  }
+
+  /// What stands before an element goes along with it.
+  std::vector<std::string> comments_on(const model::Site& site) const {
+    if (site.span.nowhere()) return {};
+    const xml::Element element = source_.documents.element(site);
+    return comments_before(source_.documents.of(site.span.source), element);
+  }
+
+  void tell_turned(const model::Joint& joint, const UrdfJointPlace& place) {
+    ledger_.take(joint.parent, Outcome::kRewritten);
+    ledger_.take(joint.child, Outcome::kRewritten);
+    note(NoteKind::kTurned, Outcome::kRewritten, joint.child.span, model::subject(root_, joint),
+         joint.child.value, "parent " + place.parent + ", child " + place.child);
   }
 
   void tell_gimbal(const model::Joint& joint, const UrdfOrigin& origin) {

@@ -84,6 +84,16 @@ Notes without_poses(const Source& source, const UrdfTree& tree) {
   return notes;
 }
 
+/// A robot stands in no world.
+void lose_name(Ledger& ledger, xml::Element world) {
+  const auto name = world.attribute("name");
+  if (!name) return;
+  ledger.note({.kind = NoteKind::kIdle,
+               .outcome = Outcome::kImplied,
+               .where = name->span(),
+               .written = "name " + std::string(name->value()) + " of the world"});
+}
+
 }  // namespace
 
 UrdfChoice choose_model(const Source& source, const std::string& name) {
@@ -136,6 +146,7 @@ void lose_surroundings(const Source& source, Ledger& ledger, Id<model::Model> mo
   // What stands beside the model, and beside the world that it may stand in.
   for (auto at = std::optional(document.element(kept.element)); at && at->parent();
        at = at->parent()) {
+    if (at->name() == "world") lose_name(ledger, *at);
     for (const xml::Element sibling : at->parent()->children()) {
       if (sibling == *at) continue;
       const model::Site site = read::site_of(sibling);

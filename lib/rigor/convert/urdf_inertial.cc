@@ -41,9 +41,12 @@ class InertialConverter {
         tell(NoteKind::kInertialDefault, Outcome::kRewritten, "mass");
         return written();
       case mass::Taken::kAutomatic:
+        pass_over_overridden();
         tell(NoteKind::kInertialAutomatic, Outcome::kRewritten, "auto");
         return computed();
       case mass::Taken::kAutomaticUnknown:
+        pass_over_overridden();
+        draft_.ledger.take(link_.inertial.mass, Outcome::kLost);
         tell(NoteKind::kInertialAutomatic, Outcome::kLost, "auto");
         return computed();
     }
@@ -65,17 +68,45 @@ class InertialConverter {
     Ledger& ledger = draft_.ledger;
     if (!i.written) return;
     ledger.take(i.site);
-    take_pose(draft_.source, ledger, i.pose);
+    ledger.take(i.mass);
+    ledger.take(i.automatic);
+    if (i.automatic.value) return take_densities();
+    model::PoseField pose = i.pose;
+    pose.relative_to = {};  // that of an inertial is always in its link
+    take_pose(draft_.source, ledger, pose);
     if (i.tensor_written) ledger.take(i.tensor_site);
-    for (const auto* number : {&i.mass, &i.ixx, &i.ixy, &i.ixz, &i.iyy, &i.iyz, &i.izz}) {
+    for (const auto* number : {&i.ixx, &i.ixy, &i.ixz, &i.iyy, &i.iyz, &i.izz}) {
       ledger.take(*number);
     }
-    ledger.take(i.automatic);
-    if (!i.automatic.value) return;
-    ledger.take(i.density);
+  }
+
+  /// Where the mass is written only its distribution is computed: one density counts for nothing.
+  void take_densities() {
+    const auto take = [this](const model::Field<double>& density) {
+      if (!link_.inertial.mass.written || link_.collisions.size() > 1) {
+        return draft_.ledger.take(density);
+      }
+      if (!density.written) return;
+      draft_.ledger.pass_over_value(density.span, subject(draft_.source.root, link_),
+                                    "density of an automatic inertial whose mass is written");
+    };
+    take(link_.inertial.density);
     for (const model::Id<model::Collision> id : link_.collisions) {
-      ledger.take(draft_.source.root[id].density);
+      take(draft_.source.root[id].density);
     }
+  }
+
+  /// What is computed from the collisions instead.
+  void pass_over_overridden() {
+    const model::Inertial& i = link_.inertial;
+    const std::string whose = subject(draft_.source.root, link_);
+    const auto pass_over = [&](const model::Site& site) {
+      const xml::Element element = draft_.source.documents.element(site);
+      draft_.ledger.pass_over(element, whose,
+                              std::string(element.name()) + " of an automatic inertial");
+    };
+    if (i.tensor_written) pass_over(i.tensor_site);
+    if (!i.pose.site.span.nowhere()) pass_over(i.pose.site);
   }
 
   void tell(NoteKind kind, Outcome outcome, std::string written) {

@@ -91,9 +91,23 @@ class UrdfJointWriter {
                   .instead = std::move(instead)});
   }
 
+  /// The first axis. Of a joint that hangs the other way round, the same position turns the other way.
+  void set_first_axis(UrdfJoint& joint) {
+    set_axis(draft_, id_, 0, joint);
+    if (!place_.turned) return;
+    for (Number& number : *joint.axis) {
+      if (number.value != 0) number = {-number.value, {}};
+    }
+  }
+
   /// Axes that no consumer of SDF reads.
   void take_idle_axes() {
-    for (const model::Axis& axis : joint_.axes) ledger_.take_all(axis.site, Outcome::kImplied);
+    for (const model::Axis& axis : joint_.axes) {
+      if (axis.site.span.nowhere()) continue;
+      const xml::Element element = draft_.source.documents.element(axis.site);
+      ledger_.pass_over(element, model::subject(draft_.source.root, joint_),
+                        std::string(element.name()) + " of a " + joint_.type_name.value + " joint");
+    }
   }
 
   void lose_second_axis() {
@@ -111,7 +125,7 @@ class UrdfJointWriter {
 
   void write_single(std::string type) {
     UrdfJoint joint = in_row(0, std::move(type));
-    set_axis(draft_, id_, 0, joint);
+    set_first_axis(joint);
     lose_second_axis();
     add(std::move(joint));
   }
@@ -144,7 +158,7 @@ class UrdfJointWriter {
          "a revolute joint and a prismatic one that mimics it");
     add_links_between();
     UrdfJoint turn = in_row(0, "revolute");
-    set_axis(draft_, id_, 0, turn);
+    set_first_axis(turn);
     lose_second_axis();
     UrdfJoint slide = in_row(1, "prismatic");
     slide.axis = turn.axis;

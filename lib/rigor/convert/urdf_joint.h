@@ -28,6 +28,7 @@ std::size_t urdf_joint_count(model::JointType type);
 struct UrdfJointPlace {
   std::string parent, child;  ///< links
   UrdfOrigin origin;          ///< of the joint in the parent's frame
+  bool turned = false;        ///< the parent is the file's child
 };
 
 /// Adds the joints and the links between them to the draft, and takes what the joint says of itself but

@@ -176,13 +176,21 @@ class GearboxAdder {
                                  Id<model::Joint> gearbox, std::size_t k) const {
     if (!reference || !end) return std::nullopt;
     // The joint that carries the one or the other.
-    double sign = 1;
-    Id<model::Joint> id = tree_.carriers[end.value];
-    if (!id || draft_.source.frames.ends(id).parent != reference) {
-      sign = -1;
-      id = tree_.carriers[reference.value];
-      if (!id || draft_.source.frames.ends(id).parent != end) return std::nullopt;
+    const auto connects = [&](Id<model::Joint> id, Id<model::Link> parent, Id<model::Link> child) {
+      if (!id) return false;
+      const model::Frames::Ends& ends = draft_.source.frames.ends(id);
+      return ends.parent == parent && ends.child == child;
+    };
+    std::optional<double> side;
+    Id<model::Joint> id;
+    for (const Id<model::Link> link : {end, reference}) {
+      if (side) break;
+      id = tree_.carriers[link.value];
+      if (connects(id, reference, end)) side = 1;
+      if (connects(id, end, reference)) side = -1;
     }
+    if (!side) return std::nullopt;
+    double sign = *side;
     const JointType type = draft_.source.root[id].type;
     if (type != JointType::kRevolute && type != JointType::kContinuous) return std::nullopt;
     const auto axis = draft_.source.frames.axis(id, 0);

@@ -78,7 +78,7 @@ class UrdfToSdf {
 
   void build(SdfTree tree) {
     const double nothing = next_to_nothing_of(root_, tree);
-    SdfDraft draft{source_, options_, ledger_, std::move(tree), {}, {}, {}, {}, nothing};
+    SdfDraft draft{source_, options_, ledger_, std::move(tree), {}, {}, {}, {}, {}, nothing};
     const model::Model& robot = root_.models[0];
     ledger_.take(root_.site);
     ledger_.take(robot.name);
@@ -87,6 +87,7 @@ class UrdfToSdf {
     draft.robot.version = version();
     find_materials(draft);
     add_sdf_links(draft);
+    tell_unused_materials(draft);
     for (std::uint32_t i = 0; i < root_.joints.size(); ++i) {
       draft.joints.push_back(sdf_joint(draft, {i}));
     }
@@ -107,19 +108,30 @@ class UrdfToSdf {
     return mimics ? kMimicVersion : kPlainVersion;
   }
 
-  /// The robot's own are for visuals to use; one that a visual defines can be used by name, too.
+  /// As urdfdom takes them: the robot's own, else the first that a visual defines.
   void find_materials(SdfDraft& draft) {
     for (const model::RobotMaterial& material : root_.materials) {
       const xml::Element element = source_.documents.element(material.site);
+      draft.materials.try_emplace(material.name.value, element);
+    }
+    for (const model::Visual& visual : root_.visuals) {
+      if (!visual.material.defines_color || visual.material.name.value.empty()) continue;
+      draft.materials.try_emplace(visual.material.name.value,
+                                  source_.documents.element(visual.material.site));
+    }
+  }
+
+  void tell_unused_materials(const SdfDraft& draft) {
+    for (const model::RobotMaterial& material : root_.materials) {
+      const xml::Element element = source_.documents.element(material.site);
+      if (!draft.used_materials.contains(material.name.value)) {
+        ledger_.pass_over(element, model::subject(root_, root_.models[0]),
+                          "material " + material.name.value + ", which no visual uses");
+        continue;
+      }
       ledger_.take(material.site);
       ledger_.take(material.name);
       if (const auto color = element.child("color")) ledger_.take_all(*color);
-      if (element.child("color")) draft.materials.try_emplace(material.name.value, element);
-    }
-    for (const model::Visual& visual : root_.visuals) {
-      if (!visual.material.written || visual.material.name.value.empty()) continue;
-      const xml::Element element = source_.documents.element(visual.material.site);
-      if (element.child("color")) draft.materials.try_emplace(visual.material.name.value, element);
     }
   }
 

@@ -3,41 +3,28 @@
 
 #include <rigor/convert/urdf_tree.h>
 
-#include <numeric>
+#include <algorithm>
+#include <utility>
+
+#include <rigor/convert/turned_joints.h>
 
 namespace rigor::convert {
 namespace {
 
 using model::Id;
 
-/// Which links hang together (union-find with path halving).
-class LinkGroups {
- public:
-  explicit LinkGroups(std::size_t links) : up_(links) { std::iota(up_.begin(), up_.end(), 0U); }
-
-  bool together(Id<model::Link> a, Id<model::Link> b) { return top(a.value) == top(b.value); }
-  void join(Id<model::Link> a, Id<model::Link> b) { up_[top(b.value)] = top(a.value); }
-
- private:
-  std::uint32_t top(std::uint32_t at) {
-    while (up_[at] != at) at = up_[at] = up_[up_[at]];
-    return at;
-  }
-
-  std::vector<std::uint32_t> up_;
-};
-
 class UrdfTreeBuilder {
  public:
   UrdfTreeBuilder(const model::Root& root, const model::Frames& frames)
-      : root_(root), frames_(frames), groups_(root.links.size()) {}
+      : root_(root), frames_(frames) {}
 
   UrdfTree build(Id<model::Model> top) && {
     find_parts(top);
     tree_.carriers.resize(root_.links.size());
     for (std::uint32_t i = 0; i < root_.joints.size(); ++i) {
-      if (is_inside(root_.joints[i].model)) add({i});
+      if (is_inside(root_.joints[i].model)) look_at({i});
     }
+    hang();
     for (const Id<model::Link> link : tree_.links) {
       if (!tree_.carriers[link.value]) tree_.roots.push_back(link);
     }
@@ -64,34 +51,49 @@ class UrdfTreeBuilder {
 
   bool is_part(Id<model::Link> link) const { return link && is_inside(root_[link].model); }
 
-  void add(Id<model::Joint> joint) {
+  void look_at(Id<model::Joint> joint) {
     const auto& [parent, child, parent_is_world] = frames_.ends(joint);
-    const auto leave_out = [&](UrdfTree::Flaw flaw, Id<model::Joint> carrier = {}) {
-      tree_.left_out.push_back({joint, flaw, carrier});
-    };
     if (!is_part(child) || !(parent_is_world || is_part(parent)) || parent == child) {
-      return leave_out(UrdfTree::Flaw::kDangling);
-    }
-    if (root_[joint].type == model::JointType::kGearbox) {
+      tree_.left_out.push_back({joint, UrdfTree::Flaw::kDangling, {}});
+    } else if (root_[joint].type == model::JointType::kGearbox) {
       tree_.gearboxes.push_back(joint);
-      return;
+    } else {
+      joints_.push_back(joint);
+      limbs_.push_back(
+          {parent_is_world ? world() : parent.value, child.value, can_turn(root_[joint].type)});
     }
-    Id<model::Joint>& carrier = tree_.carriers[child.value];
-    if (carrier) return leave_out(UrdfTree::Flaw::kSecondParent, carrier);
-    // The child is the root of its group, so that the parent, if it is in it, hangs on the child.
-    if (!parent_is_world && groups_.together(parent, child)) {
-      return leave_out(UrdfTree::Flaw::kCycle);
+  }
+
+  std::uint32_t world() const { return static_cast<std::uint32_t>(root_.links.size()); }
+
+  void hang() {
+    const std::vector<Limb::Hang> hangs = hang_limbs(limbs_, root_.links.size() + 1, world());
+    for (std::size_t i = 0; i < limbs_.size(); ++i) {
+      if (hangs[i] == Limb::Hang::kLeftOut) continue;
+      const bool turned = hangs[i] == Limb::Hang::kTurned;
+      const bool on_world = limbs_[i].parent == world();
+      Id<model::Link> parent = on_world ? Id<model::Link>{} : Id<model::Link>{limbs_[i].parent};
+      Id<model::Link> child{limbs_[i].child};
+      if (turned) std::swap(parent, child);
+      tree_.edges.push_back({joints_[i], parent, child, turned});
+      tree_.carriers[child.value] = joints_[i];
+      tree_.on_world |= on_world;
     }
-    carrier = joint;
-    tree_.edges.push_back({joint, parent, child});
-    tree_.on_world |= parent_is_world;
-    if (!parent_is_world) groups_.join(parent, child);
+    for (std::size_t i = 0; i < limbs_.size(); ++i) {
+      if (hangs[i] != Limb::Hang::kLeftOut) continue;
+      const Id<model::Joint> carrier = tree_.carriers[limbs_[i].child];
+      tree_.left_out.push_back(
+          {joints_[i], carrier ? UrdfTree::Flaw::kSecondParent : UrdfTree::Flaw::kCycle, carrier});
+    }
+    std::sort(tree_.left_out.begin(), tree_.left_out.end(),
+              [](const auto& a, const auto& b) { return a.joint.value < b.joint.value; });
   }
 
   const model::Root& root_;
   const model::Frames& frames_;
-  LinkGroups groups_;
   std::vector<bool> inside_;
+  std::vector<Id<model::Joint>> joints_;  // of each limb
+  std::vector<Limb> limbs_;
   UrdfTree tree_;
 };
 

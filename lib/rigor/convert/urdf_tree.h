@@ -18,11 +18,12 @@
 namespace rigor::convert {
 
 struct UrdfTree {
-  /// A joint that carries its child, which nothing carried before.
+  /// A joint that carries its child, which no other does.
   struct Edge {
     model::Id<model::Joint> joint;
     model::Id<model::Link> parent;  ///< none: the world
     model::Id<model::Link> child;
+    bool turned = false;  ///< the file has parent and child the other way round
   };
   enum class Flaw : std::uint8_t {
     kDangling,      ///< an end is missing, is the world, or both are one

@@ -95,7 +95,13 @@ class XmlLayout {
     if (const std::size_t last = end_of_leaf(); last != 0 && (!pose_ || tag.end != tag_end_)) {
       const std::uint32_t end = document_.tokens()[last].end;
       std::string leaf = tag_text(tag);
-      leaf += bytes_.substr(tag.end, end - tag.end);
+      const std::string_view content =
+          bytes_.substr(tag.end, document_.tokens()[last].begin - tag.end);
+      // Lines of nothing would be indented anew each time that a file goes there and back.
+      const bool empty_lines =
+          read::trimmed(content).empty() && content.find('\n') != std::string_view::npos;
+      if (!empty_lines) leaf += content;
+      leaf += bytes_.substr(document_.tokens()[last].begin, end - document_.tokens()[last].begin);
       line(leaf);
       at_ = last + 1;
       return;
