@@ -36,15 +36,18 @@ const std::map<std::string, Names>& rooms() {
       {"mass", {"text", "model", "mesh"}},
       {"write", {"text", "xml", "schema", "model", "read", "mass"}},
       {"convert", {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "process"}},
+      {"simulate",
+       {"text", "xml", "schema", "model", "config", "process", "read", "mesh", "mass", "convert"}},
       {"rules",
-       {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "convert", "environment"}},
+       {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "convert", "simulate",
+        "environment"}},
       {"environment", {"text", "schema", "read", "rules"}},
       {"author",
-       {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "convert", "rules",
-        "environment"}},
+       {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "convert", "simulate",
+        "rules", "environment"}},
       {"report",
-       {"text", "xml", "schema", "model", "read", "mesh", "mass", "convert", "rules", "author",
-        "environment"}},
+       {"text", "xml", "schema", "model", "read", "mesh", "mass", "convert", "simulate", "rules",
+        "author", "environment"}},
   };
   return kRooms;
 }
@@ -62,7 +65,8 @@ const std::map<std::string, Names>& third_parties() {
       {"libqhull", {"mesh"}},
       {"meshoptimizer", {"mesh", "tools"}},
       {"urdf_parser/", {"convert"}},
-      {"console_bridge/", {"convert"}}};
+      {"console_bridge/", {"convert"}},
+      {"ode/", {"simulate", "tools"}}};
   return kParties;
 }
 

@@ -8,13 +8,17 @@
 #include <algorithm>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include <rigor/author/conversion.h>
+#include <rigor/author/simulation.h>
+#include <rigor/config/scenario.h>
 #include <rigor/environment.h>
 #include <rigor/read/load.h>
 #include <rigor/rules/example.h>
+#include <rigor/rules/runner.h>
 #include <rigor/rules/validate.h>
 #include <rigor/text/edit.h>
 
@@ -38,8 +42,49 @@ Diagnostics converted(const Environment& environment, const std::string& path, S
   return author::to_urdf(environment, sources, workspace, loaded, {}, options).diagnostics;
 }
 
+/// What an example is put through: the tests named in the comment of its first line, and the scenarios
+/// beside it. When it says nothing, what the rule's bad example is put through; else it settles.
+simulate::Plan plan_of(const Rule& rule, const ParsedExample& example) {
+  simulate::Plan plan;
+  const std::string& bytes = example.files.front().bytes;
+  const std::string line = bytes.substr(0, bytes.find('\n'));
+  std::smatch named;
+  if (std::regex_match(line, named, std::regex("<!-- rigor simulate --test (.+) -->"))) {
+    std::istringstream tests(named[1]);
+    for (std::string test; std::getline(tests, test, ',');) plan.tests.push_back(test);
+  }
+  for (const ParsedExample::File& file : example.files) {
+    if (!file.path.ends_with(".scenario.toml")) continue;
+    plan.scenarios.push_back(config::read_scenario(file.path, file.bytes));
+    EXPECT_TRUE(plan.scenarios.back().problems.empty());
+  }
+  if (!plan.tests.empty() || !plan.scenarios.empty()) return plan;
+  const ParsedExample bad = parse_example(rule.bad.front().text);
+  if (bad.files.front().bytes != bytes) return plan_of(rule, bad);
+  plan.tests.emplace_back("settle");
+  return plan;
+}
+
+/// Simulates an example, as `rigor simulate` does. Causes go into the findings that they explain: they
+/// are asked for once more on their own.
+Diagnostics simulated(const Environment& environment, const Rule& rule,
+                      const ParsedExample& example, Sources& sources) {
+  read::Workspace workspace(environment.disk, sources);
+  const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
+  const author::Simulator simulator(environment, sources, workspace,
+                                    {.plan = plan_of(rule, example)});
+  const read::Loaded loaded =
+      read::load(reader, workspace.open(example_path(example.files.front())));
+  const author::PreparedModel model = simulator.prepare(loaded, {});
+  author::SimulatedModel result = std::move(simulator.run({{&model, {}}}).front());
+  EXPECT_TRUE(result.left_out.empty() && result.problems.empty());
+  const Runner runner(environment.registry, {.select = {"simulate"}});
+  result.diagnostics.take(runner.run(environment, sources, loaded, model.causes));
+  return std::move(result.diagnostics);
+}
+
 /// Checks an example's first file, with its other files beside it; for a rule on conversions, converts
-/// it.
+/// it; for one on simulations, simulates it.
 void check(const Rule& rule, const ParsedExample& example, Checked& checked) {
   MemoryDisk disk;
   for (const ParsedExample::File& file : example.files) disk.put(example_path(file), file.bytes);
@@ -47,6 +92,8 @@ void check(const Rule& rule, const ParsedExample& example, Checked& checked) {
   const std::string path = example_path(example.files.front());
   if (rule.category == Category::kConvert) {
     checked.result.diagnostics = converted(environment, path, checked.sources);
+  } else if (rule.category == Category::kSimulate) {
+    checked.result.diagnostics = simulated(environment, rule, example, checked.sources);
   } else {
     checked.result = validate(environment, {.paths = {path}}, checked.sources);
   }
@@ -70,6 +117,9 @@ Marks places(const Checked& checked, const Rule& rule) {
   }
   const auto before = [](const auto& a, const auto& b) { return a.begin < b.begin; };
   std::sort(marks.begin(), marks.end(), before);
+  if (rule.category == Category::kSimulate) {  // several tests, or metrics, may show the same
+    marks.erase(std::unique(marks.begin(), marks.end()), marks.end());
+  }
   return marks;
 }
 
@@ -102,10 +152,13 @@ TEST_P(EveryRule, ReportsItsBadExamplesWhereTheyAreMarked) {
     }
     for (const Diagnostic& diagnostic : checked.result.diagnostics.list()) {
       const bool own = diagnostic.rule == rule.name;
-      if (!own && diagnostic.severity == Severity::kError) {
+      // What tips over does not settle either.
+      const bool alone = rule.category != Category::kSimulate;
+      if (!own && alone && diagnostic.severity == Severity::kError) {
         ADD_FAILURE() << "one fault, two errors: " << describe(checked, diagnostic);
       }
-      if (own && found != expected) ADD_FAILURE() << describe(checked, diagnostic);
+      const bool elsewhere = found != expected && !diagnostic.where.nowhere();
+      if (own && elsewhere) ADD_FAILURE() << describe(checked, diagnostic);
       EXPECT_FALSE(diagnostic.message.ends_with('.')) << diagnostic.message;
     }
   }
@@ -127,6 +180,10 @@ TEST_P(EveryRule, IsSilentOnItsGoodExamples) {
 
 TEST_P(EveryRule, FixesWhatItSaysItFixes) {
   const Rule& rule = *GetParam();
+  if (rule.category == Category::kSimulate) {  // a run has no edits to offer
+    EXPECT_EQ(rule.fix, FixGrade::kNone);
+    return;
+  }
   for (const Example& example : rule.bad) {
     SCOPED_TRACE(example.text);
     const ParsedExample parsed = parse_example(example.text);

@@ -45,6 +45,8 @@ std::unique_ptr<Command> mesh_check_command();
 std::unique_ptr<Command> sdf2urdf_command();
 std::unique_ptr<Command> urdf2sdf_command();
 std::unique_ptr<Command> diff_command();
+std::unique_ptr<Command> simulate_command();
+std::unique_ptr<Command> merge_command();
 std::unique_ptr<Command> rules_command();
 std::unique_ptr<Command> explain_command();
 std::unique_ptr<Command> schema_command();

@@ -21,6 +21,7 @@ constexpr std::string_view kGreeting =
   rigor mesh-check FILE|MODEL  check, repair, centre, reduce and convert meshes
   rigor sdf2urdf IN -o OUT     convert, with an account of every loss; urdf2sdf back
   rigor diff A B               what differs between two models, as robots
+  rigor simulate MODEL         drop it, drive it, sweep its joints: a verdict
   rigor rules, explain RULE    what is checked; why, and what to do about it
   rigor schema, resolve        the elements of a format; where a URI leads
 
@@ -64,6 +65,8 @@ std::vector<std::unique_ptr<Command>> all_commands() {
   commands.push_back(sdf2urdf_command());
   commands.push_back(urdf2sdf_command());
   commands.push_back(diff_command());
+  commands.push_back(simulate_command());
+  commands.push_back(merge_command());
   commands.push_back(rules_command());
   commands.push_back(explain_command());
   commands.push_back(schema_command());

@@ -12,7 +12,7 @@
 namespace rigor::report {
 namespace {
 
-std::string escaped(std::string_view cell) {
+std::string table_cell(std::string_view cell) {
   std::string text;
   for (const char c : cell) {
     if (c == '|' || c == '<') text += '\\';
@@ -58,7 +58,7 @@ std::string rules_markdown(const rules::Registry& registry) {
   for (const rules::Rule& rule : registry.rules()) {
     out += fmt::format("| [{0}](#{0}) | {1} | {2} | {3} | {4} |\n", rule.name,
                        to_string(rule.category), to_string(rule.severity), fix_name(rule.fix),
-                       escaped(rule.summary));
+                       table_cell(rule.summary));
   }
   for (const rules::Rule& rule : registry.rules()) out += page(rule);
   return out;

@@ -36,6 +36,7 @@
 #include <rigor/read/fact.h>
 #include <rigor/read/model_config.h>
 #include <rigor/rules/context.h>
+#include <rigor/simulate/fact.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/xml/fault.h>
 
@@ -57,6 +58,7 @@ enum class Category : std::uint8_t {
   kSensor,
   kPackage,
   kConvert,
+  kSimulate,
 };
 
 /// Also the name of the rule's folder.
@@ -113,8 +115,8 @@ struct FactCheck {
 using Check = std::variant<
     FactCheck<xml::Fault, xml::FaultKind>, FactCheck<read::SchemaFact, read::SchemaFactKind>,
     FactCheck<read::Fact, read::FactKind>, FactCheck<model::FrameProblem, model::FrameProblemKind>,
-    FactCheck<read::ConfigFact, read::ConfigFactKind>,
-    FactCheck<convert::Note, convert::NoteKind>, CheckOf<model::Root>, CheckOf<model::World>,
+    FactCheck<read::ConfigFact, read::ConfigFactKind>, FactCheck<convert::Note, convert::NoteKind>,
+    FactCheck<simulate::Fact, simulate::FactKind>, CheckOf<model::Root>, CheckOf<model::World>,
     CheckOf<model::Model>, CheckOf<model::Link>, CheckOf<model::Joint>, CheckOf<model::Frame>,
     CheckOf<model::Collision>, CheckOf<model::Visual>, CheckOf<model::Sensor>,
     CheckOf<model::Light>, CheckOf<model::Plugin>, CheckOf<model::Include>, CheckOf<model::Physics>,
@@ -146,6 +148,10 @@ inline Check on_config(std::vector<read::ConfigFactKind> kinds, CheckOf<read::Co
 }
 inline Check on_conversion(std::vector<convert::NoteKind> kinds, CheckOf<convert::Note> check) {
   return FactCheck<convert::Note, convert::NoteKind>{std::move(kinds), check};
+}
+
+inline Check on_simulation(std::vector<simulate::FactKind> kinds, CheckOf<simulate::Fact> check) {
+  return FactCheck<simulate::Fact, simulate::FactKind>{std::move(kinds), check};
 }
 
 struct Rule {

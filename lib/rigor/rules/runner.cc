@@ -87,8 +87,9 @@ class Runner::Walk {
     return taken();
   }
 
-  Diagnostics run(const convert::Notes& notes) {
-    for (const convert::Note& note : notes) facts(note);
+  template <class Fact>
+  Diagnostics run(const std::vector<Fact>& given) {
+    for (const Fact& fact : given) facts(fact);
     return taken();
   }
 
@@ -239,6 +240,11 @@ Diagnostics Runner::run(const Environment& environment, const Sources& sources,
 Diagnostics Runner::run(const Environment& environment, const Sources& sources,
                         const read::Loaded& loaded, const convert::Notes& notes) const {
   return Walk(*this, environment, sources, loaded, {}).run(notes);
+}
+
+Diagnostics Runner::run(const Environment& environment, const Sources& sources,
+                        const read::Loaded& loaded, const simulate::Facts& shown) const {
+  return Walk(*this, environment, sources, loaded, {}).run(shown);
 }
 
 Diagnostics Runner::run(const Environment& environment, const Sources& sources,

@@ -22,6 +22,7 @@
 #include <rigor/rules/registry.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/validate.h>
+#include <rigor/simulate/fact.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/text/sources.h>
 
@@ -49,6 +50,10 @@ class Runner {
   /// What the rules on conversions say of what became of a model.
   Diagnostics run(const Environment& environment, const Sources& sources,
                   const read::Loaded& loaded, const convert::Notes& notes) const;
+
+  /// What the rules on simulations say of what a run showed.
+  Diagnostics run(const Environment& environment, const Sources& sources,
+                  const read::Loaded& loaded, const simulate::Facts& shown) const;
 
  private:
   struct Active {

@@ -1,0 +1,153 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/author/simulation.h>
+
+#include <utility>
+
+#include <rigor/rules/runner.h>
+#include <rigor/simulate/advice.h>
+#include <rigor/simulate/scene_input.h>
+
+namespace rigor::author {
+namespace {
+
+using simulate::Facts;
+
+/// The rules that speak of simulations, unless others are asked for.
+rules::Selection simulation_rules(const rules::Selection& chosen) {
+  rules::Selection selection = chosen;
+  if (selection.select.empty()) selection.select = {"simulate"};
+  return selection;
+}
+
+bool is_cause(const simulate::Fact& fact) { return fact.kind >= simulate::FactKind::kCauseInertia; }
+
+/// What is behind a finding: the places as labels, the words and each remedy once as help.
+class Causes {
+ public:
+  void add(const Diagnostic& cause) {
+    if (!cause.where.nowhere()) labels_.push_back({cause.where, cause.message});
+    words_ += (words_.empty() ? "" : "; ") + cause.subject + ' ' + cause.message;
+    if (remedies_.find(cause.help) == std::string::npos) remedies_ += "; " + cause.help;
+  }
+
+  void go_into(Diagnostic& shown) {
+    shown.related.insert(shown.related.end(), labels_.begin(), labels_.end());
+    if (words_.empty()) return;
+    shown.help += (shown.help.empty() ? "" : "; ") + words_ + remedies_;
+    *this = {};
+  }
+
+ private:
+  std::vector<Label> labels_;
+  std::string words_;
+  std::string remedies_;
+};
+
+}  // namespace
+
+Simulator::Simulator(const Environment& environment, const Sources& sources,
+                     read::Workspace& workspace, SimulationOptions options)
+    : environment_(environment),
+      sources_(sources),
+      workspace_(workspace),
+      options_(std::move(options)) {
+  options_.selection = simulation_rules(options_.selection);
+}
+
+PreparedModel Simulator::prepare(const read::Loaded& loaded,
+                                 const model::JointPositions& positions) const {
+  const simulate::SceneFiles files(loaded, workspace_, environment_.resolver, positions);
+  PreparedModel model{loaded, simulate::build_scene(files.input(), options_.scene), {}, {}};
+  simulate::Scene& scene = model.made.scene;
+  const SolverChoice& solver = options_.solver;
+  if (solver.step) scene.solver.step = *solver.step;
+  if (solver.solver) scene.solver.solver = *solver.solver;
+  if (solver.iterations) scene.solver.iterations = *solver.iterations;
+  if (solver.gravity) scene.gravity = *solver.gravity;
+  if (model.made.blocked() || scene.bodies.empty()) return model;
+  model.wheels = simulate::find_wheels(scene, options_.plan.wheels);
+  model.causes = simulate::causes_in(scene, files.input(), model.wheels);
+  return model;
+}
+
+/// What can be said before anything is run.
+SimulatedModel Simulator::start(const SimulationCase& one) const {
+  SimulatedModel result;
+  result.path = one.model->loaded.file->path;
+  result.one = one.one;
+  result.scene = one.model->made.scene;
+  result.blocked = one.model->made.blocked();
+  vary(result.scene, one.one);
+  return result;
+}
+
+std::vector<SimulatedModel> Simulator::run(const std::vector<SimulationCase>& cases) const {
+  std::vector<SimulatedModel> results;
+  std::vector<simulate::Task> tasks;
+  for (const SimulationCase& one : cases) results.push_back(start(one));
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    SimulatedModel& result = results[i];
+    simulate::Task task{
+        result.scene, cases[i].model->causes, {}, cases[i].model->wheels, result.scene.solver};
+    if (!result.blocked && result.scene.bodies.empty()) {
+      for (const std::string& test : options_.plan.tests) {
+        if (test != "settle") result.left_out.push_back(test + ": nothing moves");
+      }
+    } else if (!result.blocked) {
+      simulate::Planned planned = scenarios_of(options_.plan, result.scene, cases[i].model->wheels);
+      task.scenarios = std::move(planned.scenarios);
+      result.left_out = std::move(planned.left_out);
+      result.problems = std::move(planned.problems);
+    }
+    tasks.push_back(std::move(task));
+  }
+  std::vector<simulate::Simulation> simulations =
+      simulate::simulate(tasks, {options_.confirm, options_.jobs, options_.progress});
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    results[i].simulation = std::move(simulations[i]);
+    conclude(cases[i], results[i]);
+  }
+  return results;
+}
+
+/// A warning where a fact is not severe; causes go into the finding that they follow. One that follows
+/// none is a finding of its own.
+Diagnostics Simulator::told(const SimulationCase& one, const Facts& facts) const {
+  const rules::Runner runner(environment_.registry, options_.selection);
+  std::vector<Diagnostic> list;
+  Causes causes;
+  bool of_last = false;  // whether causes belong to the last finding of the list
+  for (const simulate::Fact& fact : facts) {
+    simulate::Fact told = fact;
+    if (is_cause(fact)) told.test.clear();
+    const Diagnostics said = runner.run(environment_, sources_, one.model->loaded, {told});
+    for (Diagnostic diagnostic : said.list()) {
+      if (is_cause(fact) && of_last) {
+        causes.add(diagnostic);
+        continue;
+      }
+      if (of_last) causes.go_into(list.back());
+      of_last = !is_cause(fact);
+      if (!fact.severe && diagnostic.severity == Severity::kError) {
+        diagnostic.severity = Severity::kWarning;
+      }
+      list.push_back(std::move(diagnostic));
+    }
+  }
+  if (of_last) causes.go_into(list.back());
+  Diagnostics diagnostics;
+  for (Diagnostic& diagnostic : list) diagnostics.add(std::move(diagnostic));
+  return diagnostics;
+}
+
+void Simulator::conclude(const SimulationCase& one, SimulatedModel& result) const {
+  result.diagnostics = told(one, one.model->made.facts);
+  for (const simulate::Run& run : result.simulation.runs) {
+    result.diagnostics.take(told(one, run.facts));
+  }
+  result.diagnostics.sort();
+}
+
+}  // namespace rigor::author

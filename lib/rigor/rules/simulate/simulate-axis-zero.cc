@@ -1,0 +1,60 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+#include <string_view>
+
+#include <rigor/rules/rule.h>
+#include <rigor/rules/simulate/sample.h>
+#include <rigor/rules/simulate/told.h>
+
+namespace rigor::rules::simulate_axis_zero {
+namespace {
+
+std::string words_for(std::string_view name) {
+  if (name == "axis" || name == "axis2") return "there is no <" + std::string(name) + ">";
+  if (name == "axis2 along axis") return "both axes of the joint point along one line";
+  if (name == "normal") return "the plane's normal is 0 0 0: it has no direction";
+  return "the axis is 0 0 0: it has no direction";
+}
+
+}  // namespace
+
+void check(const simulate::Fact& fact, Context& context) {
+  context.report(shown(fact, words_for(fact.name)));
+}
+
+Rule rule() {
+  return {
+      .name = "simulate-axis-zero",
+      .category = Category::kSimulate,
+      .severity = Severity::kError,
+      .summary = "an axis has no direction",
+      .why = "A hinge about 0 0 0 turns about nothing; ODE ends the process on it.",
+      .what_to_do = "Write the direction that the joint turns about or slides along.",
+      .bad = {{.text = R"(<sdf version='1.9'>
+  <model name='crane'>
+    <link name='arm'>
+      <pose>0 0 1 0 0 0</pose>
+      <inertial>
+        <pose>0.2 0 0 0 0 0</pose>
+        <mass>1</mass>
+        <inertia><ixx>0.001</ixx><iyy>0.02</iyy><izz>0.02</izz></inertia>
+      </inertial>
+    </link>
+    <joint name='shoulder' type='revolute'>
+      <parent>world</parent>
+      <child>arm</child>
+      <axis>
+        <xyz>«0 0 0»</xyz>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .good = {{.text = kArm}},
+      .checks = {on_simulation({simulate::FactKind::kAxisZero}, check)},
+  };
+}
+
+}  // namespace rigor::rules::simulate_axis_zero

@@ -1,0 +1,54 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <fmt/core.h>
+
+#include <rigor/rules/rule.h>
+#include <rigor/rules/simulate/sample.h>
+#include <rigor/rules/simulate/told.h>
+
+namespace rigor::rules::simulate_cause_effort {
+
+void check(const simulate::Fact& fact, Context& context) {
+  context.report(stated(
+      fact,
+      fmt::format("carries {:.3g} N·m (of a slider N) and may use {:.3g}", fact.value, fact.limit),
+      "raise the effort limit or lighten what it carries"));
+}
+
+Rule rule() {
+  return {
+      .name = "simulate-cause-effort",
+      .category = Category::kSimulate,
+      .severity = Severity::kWarning,
+      .summary = "a joint's effort limit is below what it carries",
+      .why = "At its limit the joint cannot hold the weight that hangs on it.",
+      .what_to_do = "Raise `<effort>`, or make what it carries lighter.",
+      .bad = {{.text = R"(<!-- rigor simulate --test hold -->
+<sdf version='1.9'>
+  <model name='crane'>
+    <link name='arm'>
+      <pose>0 0 1 0 0 0</pose>
+      <inertial>
+        <pose>0.2 0 0 0 0 0</pose>
+        <mass>1</mass>
+        <inertia><ixx>0.001</ixx><iyy>0.02</iyy><izz>0.02</izz></inertia>
+      </inertial>
+    </link>
+    <joint name='shoulder' type='revolute'>
+      <parent>world</parent>
+      <child>arm</child>
+      <axis>
+        <xyz>0 1 0</xyz>
+        <«limit»><effort>1</effort></limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .good = {{.text = kArm}},
+      .checks = {on_simulation({simulate::FactKind::kCauseEffort}, check)},
+  };
+}
+
+}  // namespace rigor::rules::simulate_cause_effort

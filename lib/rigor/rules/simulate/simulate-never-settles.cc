@@ -1,0 +1,50 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <fmt/core.h>
+
+#include <rigor/rules/rule.h>
+#include <rigor/rules/simulate/sample.h>
+#include <rigor/rules/simulate/told.h>
+
+namespace rigor::rules::simulate_never_settles {
+
+void check(const simulate::Fact& fact, Context& context) {
+  context.report(shown(fact, fmt::format("is not at rest before {:.3g} s (limit {:.3g} s)",
+                                         fact.value, fact.limit)));
+}
+
+Rule rule() {
+  return {
+      .name = "simulate-never-settles",
+      .category = Category::kSimulate,
+      .severity = Severity::kError,
+      .summary = "the model does not come to rest",
+      .why =
+          "It was only set down. Something keeps moving it: contacts that fight, a joint "
+          "without damping, an inertia that is far too small, a wheel that rolls away.",
+      .what_to_do =
+          "Give joints that swing freely some damping; check inertias with `rigor inertia "
+          "MODEL`.",
+      .bad = {{.text = R"(<sdf version='1.9'>
+  <model name='«ball»'>
+    <link name='body'>
+      <pose>0 0 0.1 0 0 0</pose>
+      <inertial>
+        <pose>0.02 0 0 0 0 0</pose>
+        <mass>6</mass>
+        <inertia><ixx>0.04</ixx><iyy>0.04</iyy><izz>0.04</izz></inertia>
+      </inertial>
+      <collision name='c'>
+        <geometry><sphere><radius>0.1</radius></sphere></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{.text = kStandingBox}},
+      .checks = {on_simulation({simulate::FactKind::kNeverSettles}, check)},
+  };
+}
+
+}  // namespace rigor::rules::simulate_never_settles

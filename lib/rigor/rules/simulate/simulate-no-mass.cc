@@ -1,0 +1,51 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <fmt/core.h>
+
+#include <rigor/rules/rule.h>
+#include <rigor/rules/simulate/sample.h>
+#include <rigor/rules/simulate/told.h>
+
+namespace rigor::rules::simulate_no_mass {
+
+void check(const simulate::Fact& fact, Context& context) {
+  context.report(shown(
+      fact,
+      fmt::format("the mass of a link that moves is {:.6g} kg, and must be above 0", fact.value)));
+}
+
+Rule rule() {
+  return {
+      .name = "simulate-no-mass",
+      .category = Category::kSimulate,
+      .severity = Severity::kError,
+      .summary = "a body that moves has no mass",
+      .why =
+          "An engine divides by the mass. ODE ends the process on a mass of zero or less; "
+          "Gazebo throws; a URDF link without an inertial is left out by Gazebo together with"
+          " what hangs on it.",
+      .what_to_do =
+          "Give the link a mass: `rigor inertia MODEL --write` computes it from the link's "
+          "shapes.",
+      .bad = {{.text = R"(<sdf version='1.9'>
+  <model name='crate'>
+    <link name='body'>
+      <pose>0 0 0.1 0 0 0</pose>
+      <inertial>
+        <mass>«0»</mass>
+        <inertia><ixx>0.04</ixx><iyy>0.04</iyy><izz>0.04</izz></inertia>
+      </inertial>
+      <collision name='c'>
+        <geometry><box><size>0.2 0.2 0.2</size></box></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{.text = kStandingBox}},
+      .checks = {on_simulation({simulate::FactKind::kNoMass}, check)},
+  };
+}
+
+}  // namespace rigor::rules::simulate_no_mass

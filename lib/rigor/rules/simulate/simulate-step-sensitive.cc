@@ -1,0 +1,63 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <fmt/core.h>
+
+#include <rigor/rules/rule.h>
+#include <rigor/rules/simulate/sample.h>
+#include <rigor/rules/simulate/told.h>
+
+namespace rigor::rules::simulate_step_sensitive {
+
+void check(const simulate::Fact& fact, Context& context) {
+  context.report(
+      shown(fact, fmt::format("ends elsewhere with half the time step, by {:.3g} % of its "
+                              "way or size (limit {:.3g} %)",
+                              100 * fact.value, 100 * fact.limit)));
+}
+
+Rule rule() {
+  return {
+      .name = "simulate-step-sensitive",
+      .category = Category::kSimulate,
+      .severity = Severity::kWarning,
+      .summary = "half the time step gives another result",
+      .why =
+          "The model is at the edge of what can be computed with this step: small changes "
+          "will break it.",
+      .what_to_do = "Use a smaller `<max_step_size>`; look for stiff springs and small inertias.",
+      .bad = {{.text = R"(<sdf version='1.9'>
+  <model name='«pendulum»'>
+    <link name='rod'>
+      <pose>0 0 2 0 0 0</pose>
+      <inertial>
+        <pose>0 0 -0.2 0 0 0</pose>
+        <mass>0.001</mass>
+        <inertia><ixx>1e-5</ixx><iyy>1e-5</iyy><izz>1e-5</izz></inertia>
+      </inertial>
+    </link>
+    <link name='bob'>
+      <pose>0 0 1.6 0 0 0</pose>
+      <inertial>
+        <pose>0 0 -0.2 0 0 0</pose>
+        <mass>1000</mass>
+        <inertia><ixx>10</ixx><iyy>10</iyy><izz>10</izz></inertia>
+      </inertial>
+    </link>
+    <joint name='pivot' type='ball'>
+      <parent>world</parent>
+      <child>rod</child>
+    </joint>
+    <joint name='hinge' type='ball'>
+      <parent>rod</parent>
+      <child>bob</child>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .good = {{.text = kStandingBox}},
+      .checks = {on_simulation({simulate::FactKind::kStepSensitive}, check)},
+  };
+}
+
+}  // namespace rigor::rules::simulate_step_sensitive

@@ -1,0 +1,58 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <fmt/core.h>
+
+#include <rigor/rules/rule.h>
+#include <rigor/rules/simulate/sample.h>
+#include <rigor/rules/simulate/told.h>
+
+namespace rigor::rules::simulate_weight_not_borne {
+
+void check(const simulate::Fact& fact, Context& context) {
+  context.report(shown(
+      fact,
+      fmt::format("at rest the ground bears {:.4g} % more or less than the weight (limit {:.3g} %)",
+                  100 * fact.value, 100 * fact.limit)));
+}
+
+Rule rule() {
+  return {
+      .name = "simulate-weight-not-borne",
+      .category = Category::kSimulate,
+      .severity = Severity::kError,
+      .summary = "the ground does not bear the model's weight",
+      .why =
+          "At rest, what the ground pushes back must be the weight. Here it is not: something of "
+          "the model falls, bounces or goes through the ground.",
+      .what_to_do =
+          "Give each link that should touch the ground a collision, and a joint to each link that "
+          "is not to fall.",
+      .bad = {{.text = R"(<sdf version='1.9'>
+  <model name='«crate»'>
+    <link name='body'>
+      <pose>0 0 0.1 0 0 0</pose>
+      <inertial>
+        <mass>6</mass>
+        <inertia><ixx>0.04</ixx><iyy>0.04</iyy><izz>0.04</izz></inertia>
+      </inertial>
+      <collision name='c'>
+        <geometry><box><size>0.2 0.2 0.2</size></box></geometry>
+      </collision>
+    </link>
+    <link name='lid'>
+      <pose>0 0 0.3 0 0 0</pose>
+      <inertial>
+        <mass>6</mass>
+        <inertia><ixx>0.04</ixx><iyy>0.04</iyy><izz>0.04</izz></inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{.text = kStandingBox}},
+      .checks = {on_simulation({simulate::FactKind::kUnbalanced}, check)},
+  };
+}
+
+}  // namespace rigor::rules::simulate_weight_not_borne

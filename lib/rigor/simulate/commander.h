@@ -1,0 +1,54 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Carries out what a scenario does to a scene, step by step.
+//
+//   Commander commander(scene, scenario, settings);
+//   while (going) { commander.tell(engine); engine.step(); }
+//
+// Of several commands for one axis the one that began last holds. A ramp rises from what the command
+// before it (of the same kind) had come to, else from zero, or from where the axis stands.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <rigor/simulate/engine.h>
+#include <rigor/simulate/scenario.h>
+#include <rigor/simulate/scene.h>
+
+namespace rigor::simulate {
+
+class Commander {
+ public:
+  /// The three are only referred to.
+  Commander(const Scene& scene, const Scenario& scenario, const SolverSettings& settings);
+
+  /// Before each step.
+  void tell(Engine& engine);
+
+ private:
+  struct Told {
+    std::uint32_t joint = 0;
+    std::uint32_t axis = 0;
+    std::size_t index = 0;                 ///< in `State::axes`
+    std::vector<const Command*> commands;  ///< by their begin
+    const Command* now = nullptr;
+    double from = 0;
+    double integral = 0;  ///< of a position's error
+  };
+
+  void tell(Told& told, Engine& engine) const;
+  void begin(Told& told, const Command* next, const AxisState& axis, double time) const;
+  void reach_position(Told& told, Engine& engine, const AxisState& axis, double time) const;
+  void tilt(Engine& engine, double time) const;
+
+  const Scene& scene_;
+  const Scenario& scenario_;
+  double step_;
+  std::vector<Told> told_;
+};
+
+}  // namespace rigor::simulate

@@ -1,0 +1,171 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/simulate/plan.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include <rigor/simulate/tests.h>
+
+namespace rigor::simulate {
+namespace {
+
+/// Whether a scoped name is, or ends in, what somebody wrote: "robot::arm::elbow" is "elbow".
+bool ends_in(std::string_view scoped, std::string_view written) {
+  if (!scoped.ends_with(written)) return false;
+  const std::size_t before = scoped.size() - written.size();
+  return before == 0 || (before >= 2 && scoped.substr(before - 2, 2) == "::");
+}
+
+/// The file's name without folder and ending: "drive" of "tests/drive.scenario.toml".
+std::string title_of(const config::ScenarioFile& file) {
+  if (file.path.empty()) return "command";
+  std::string_view name = file.path;
+  name.remove_prefix(name.find_last_of('/') + 1);
+  const std::size_t ending = name.find('.', 1);
+  return std::string(name.substr(0, ending));
+}
+
+class Planner {
+ public:
+  Planner(const Scene& scene, Planned& planned) : scene_(scene), planned_(planned) {}
+
+  void add(const config::ScenarioFile& file) {
+    scenario_ = {};
+    scenario_.name = title_of(file);
+    scenario_.spawn = file.on_ground ? Spawn::kOnGround : Spawn::kAsWritten;
+    scenario_.ground = file.ground;
+    scenario_.ground_mu = file.ground_mu.value_or(1.0);
+    scenario_.step = file.time_step;
+    if (file.solver) {
+      scenario_.solver = *file.solver == "dantzig" ? Solver::kDantzig : Solver::kQuick;
+    }
+    if (file.gravity) {
+      const auto& [x, y, z] = *file.gravity;
+      scenario_.gravity_W = Vector3{x, y, z};
+    }
+    double begin = 0;
+    for (const config::ScenarioStep& step : file.steps) {
+      scenario_.phases.push_back({step.name, begin, step.until});
+      for (const auto& command : step.commands) add(command, begin, step.until);
+      for (const auto& push : step.pushes) add(push);
+      if (step.tilt) {
+        const auto& [x, y, z] = step.tilt->axis;
+        scenario_.tilts.push_back({begin, step.until, step.tilt->angle, {x, y, z}});
+      }
+      begin = step.until;
+    }
+    scenario_.duration = begin;
+    for (const auto& demand : file.asserts) add(demand);
+    planned_.scenarios.push_back(scenario_);
+  }
+
+ private:
+  void add(const config::ScenarioCommand& command, double begin, double end) {
+    constexpr std::array kKinds{CommandKind::kEffort, CommandKind::kVelocity,
+                                CommandKind::kPosition};
+    for (const std::string& name : command.joints) {
+      const std::uint32_t joint = find("joint", name, scene_.joints);
+      if (joint == kWorld) continue;
+      if (command.axis >= scene_.joints[joint].axes.size()) {
+        planned_.problems.push_back(
+            {"axis " + std::to_string(command.axis) + " of joint " + name, {}, {}});
+        continue;
+      }
+      Command made{.joint = joint,
+                   .axis = command.axis,
+                   .kind = kKinds[static_cast<std::size_t>(command.kind)],
+                   .value = command.value,
+                   .begin = begin,
+                   .end = end,
+                   .ramp = command.ramp,
+                   .effort = command.effort.value_or(kInfinity)};
+      if (command.gains) {
+        const auto& [p, i, d] = *command.gains;
+        made.gains = Gains{p, i, d};
+      }
+      scenario_.commands.push_back(made);
+    }
+  }
+
+  void add(const config::ScenarioPush& push) {
+    const std::uint32_t link = find("link", push.link, scene_.links);
+    if (link == kWorld || scene_.links[link].body == kWorld) return;
+    const auto& [x, y, z] = push.impulse;
+    const auto& [px, py, pz] = push.point;
+    scenario_.pushes.push_back({.body = scene_.links[link].body,
+                                .impulse_W = {x, y, z},
+                                .p_BP = transform(scene_.links[link].X_BL, {px, py, pz}),
+                                .at = push.at});
+  }
+
+  void add(const config::ScenarioAssert& demand) {
+    using Of = config::ScenarioAssert::Of;
+    constexpr std::array<const char*, 3> kAlong{"x", "y", "z"};
+    constexpr std::array<const char*, 3> kAbout{"roll", "pitch", "yaw"};
+    Assertion made{.name = demand.name,
+                   .at = demand.at.value_or(kInfinity),
+                   .least = demand.min.value_or(-kInfinity),
+                   .most = demand.max.value_or(kInfinity)};
+    if (demand.of == Of::kMetric) {
+      made.metric = demand.name_of;
+    } else if (demand.of == Of::kPosition || demand.of == Of::kOrientation) {
+      const std::uint32_t link = find("link", demand.name_of, scene_.links);
+      if (link == kWorld) return;
+      const char* axis = demand.of == Of::kPosition ? kAlong[demand.axis] : kAbout[demand.axis];
+      made.quantity = std::string(axis) + " of " + scene_.links[link].name;
+    } else {
+      const std::uint32_t joint = find("joint", demand.name_of, scene_.joints);
+      if (joint == kWorld) return;
+      made.quantity = (demand.of == Of::kJointPosition ? "position of " : "velocity of ") +
+                      scene_.joints[joint].name;
+    }
+    scenario_.assertions.push_back(std::move(made));
+  }
+
+  /// kWorld, and a problem, when no or more than one thing has the name.
+  template <class Thing>
+  std::uint32_t find(const char* kind, const std::string& name, const std::vector<Thing>& things) {
+    std::vector<std::uint32_t> matching;
+    for (std::uint32_t i = 0; i < things.size(); ++i) {
+      if (things[i].name == name) return i;
+      if (ends_in(things[i].name, name)) matching.push_back(i);
+    }
+    if (matching.size() == 1) return matching.front();
+    PlanProblem problem{std::string(kind) + ' ' + name, name, {}};
+    for (const std::uint32_t i : matching) problem.candidates.push_back(things[i].name);
+    if (matching.empty()) {
+      for (const Thing& thing : things) {
+        problem.candidates.push_back(thing.name);
+        problem.candidates.push_back(thing.name.substr(thing.name.rfind(':') + 1));
+      }
+    }
+    planned_.problems.push_back(std::move(problem));
+    return kWorld;
+  }
+
+  const Scene& scene_;
+  Planned& planned_;
+  Scenario scenario_;
+};
+
+}  // namespace
+
+Planned scenarios_of(const Plan& plan, const Scene& scene, const DriveTrain& wheels) {
+  Planned planned;
+  for (const std::string& test : plan.tests) {
+    MadeTest made = make_test(test, scene, wheels);
+    if (made.scenario) {
+      planned.scenarios.push_back(std::move(*made.scenario));
+    } else {
+      planned.left_out.push_back(test + ": " + made.why_not);
+    }
+  }
+  Planner planner(scene, planned);
+  for (const config::ScenarioFile& file : plan.scenarios) planner.add(file);
+  return planned;
+}
+
+}  // namespace rigor::simulate

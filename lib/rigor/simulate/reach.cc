@@ -1,0 +1,101 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/simulate/reach.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rigor::simulate {
+namespace {
+
+/// Points of a shape, in its frame, among which is the farthest in any direction of a few; radius
+/// that a ball about each of them adds.
+struct ReachPoints {
+  std::vector<Vector3> points;
+  double around = 0;
+};
+
+Vector3 unit_or_zero(const Vector3& v) {
+  const double size = length(v);
+  return size > 0 ? (1 / size) * v : Vector3{};
+}
+
+/// The rims of a cylinder: where they are lowest (`down` is in the shape's frame), and seven more.
+void add_rims(const mesh::Cylinder& cylinder, const Vector3& down, std::vector<Vector3>& points) {
+  const Vector3 across = unit_or_zero({down.x, down.y, 0});
+  const double begin = std::atan2(across.y, across.x);
+  for (const double end : {-0.5, 0.5}) {
+    for (int i = 0; i < 8; ++i) {
+      const double angle = begin + i * std::numbers::pi / 4;
+      points.push_back({cylinder.radius * std::cos(angle), cylinder.radius * std::sin(angle),
+                        end * cylinder.length});
+    }
+  }
+}
+
+ReachPoints reach_points(const Scene& scene, const SceneShape& shape, const Vector3& toward) {
+  ReachPoints all;
+  if (const auto* box = std::get_if<mesh::Box>(&shape.kind)) {
+    for (int i = 0; i < 8; ++i) {
+      all.points.push_back({((i & 1) - 0.5) * box->size.x, ((i >> 1 & 1) - 0.5) * box->size.y,
+                            ((i >> 2 & 1) - 0.5) * box->size.z});
+    }
+  } else if (const auto* sphere = std::get_if<mesh::Sphere>(&shape.kind)) {
+    all = {{{}}, sphere->radius};
+  } else if (const auto* cylinder = std::get_if<mesh::Cylinder>(&shape.kind)) {
+    add_rims(*cylinder, toward, all.points);
+  } else if (const auto* capsule = std::get_if<mesh::Capsule>(&shape.kind)) {
+    all = {{{0, 0, -capsule->length / 2}, {0, 0, capsule->length / 2}}, capsule->radius};
+  } else if (const auto* hull = std::get_if<ConvexHull>(&shape.kind)) {
+    all.points = scene.meshes[hull->mesh].positions;
+  } else if (const auto* soup = std::get_if<TriangleSoup>(&shape.kind)) {
+    all.points = scene.meshes[soup->mesh].positions;
+  }
+  return all;
+}
+
+}  // namespace
+
+Pose start_pose(const Scene& scene, const SceneShape& shape) {
+  return shape.body < scene.bodies.size() ? compose(scene.bodies[shape.body].X_WB, shape.X_BS)
+                                          : shape.X_BS;
+}
+
+double reach(const Scene& scene, const SceneShape& shape, const Vector3& direction_W) {
+  if (std::holds_alternative<HalfSpace>(shape.kind) ||
+      std::holds_alternative<HeightGrid>(shape.kind)) {
+    return kInfinity;
+  }
+  const Pose X_WS = start_pose(scene, shape);
+  const Vector3 toward = rotate(conjugate(X_WS.rotation), direction_W);
+  const ReachPoints all = reach_points(scene, shape, toward);
+  double farthest = -kInfinity;
+  for (const Vector3& p : all.points) farthest = std::max(farthest, dot(p, toward));
+  return farthest + all.around * length(direction_W) + dot(X_WS.translation, direction_W);
+}
+
+std::vector<Vector3> low_points(const Scene& scene, const SceneShape& shape, double height) {
+  const Pose X_WS = start_pose(scene, shape);
+  const Vector3 down = rotate(conjugate(X_WS.rotation), {0, 0, -1});
+  const ReachPoints all = reach_points(scene, shape, down);
+  std::vector<Vector3> low;
+  for (const Vector3& p : all.points) {
+    const Vector3 p_W = transform(X_WS, p) + all.around * Vector3{0, 0, -1};
+    if (p_W.z <= height) low.push_back(p_W);
+  }
+  return low;
+}
+
+double lowest_of_model(const Scene& scene, std::uint32_t model) {
+  double lowest = kInfinity;
+  for (const SceneShape& shape : scene.shapes) {
+    if (shape.body >= scene.bodies.size() || scene.bodies[shape.body].model != model) continue;
+    const double down = reach(scene, shape, {0, 0, -1});
+    if (down < kInfinity) lowest = std::min(lowest, -down);  // a plane has no lowest point
+  }
+  return lowest;
+}
+
+}  // namespace rigor::simulate

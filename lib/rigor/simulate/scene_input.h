@@ -1,0 +1,50 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a scene is made from, for a file that was loaded: where all is, the file's elements, and its
+// meshes, each read once.
+//
+//   const SceneFiles files(loaded, workspace, environment.resolver);
+//   SceneResult made = build_scene(files.input(), {});
+
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include <rigor/convert/documents.h>
+#include <rigor/mass/mesh_survey.h>
+#include <rigor/mesh/read.h>
+#include <rigor/model/frames.h>
+#include <rigor/read/load.h>
+#include <rigor/read/resolver.h>
+#include <rigor/read/workspace.h>
+#include <rigor/simulate/build.h>
+
+namespace rigor::simulate {
+
+class SceneFiles {
+ public:
+  /// Joints stand at `positions` when a run begins. The other arguments outlive this.
+  SceneFiles(const read::Loaded& loaded, read::Workspace& workspace, const read::Resolver& resolver,
+             const model::JointPositions& positions = {});
+  SceneFiles(const SceneFiles&) = delete;
+  SceneFiles& operator=(const SceneFiles&) = delete;
+
+  /// Meshes are read when they are asked for. Not for several threads at a time.
+  const SceneInput& input() const { return input_; }
+
+ private:
+  std::string path_of(const model::Mesh& mesh) const;
+
+  read::Workspace& workspace_;
+  const read::Resolver& resolver_;
+  model::Frames frames_;
+  convert::Documents documents_;
+  mass::MeshSurveys surveys_;
+  std::map<std::string, std::unique_ptr<mesh::LoadedMesh>> meshes_;
+  SceneInput input_;
+};
+
+}  // namespace rigor::simulate

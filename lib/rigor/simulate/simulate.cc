@@ -1,0 +1,220 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/simulate/simulate.h>
+
+#include <algorithm>
+#include <utility>
+
+#include <rigor/process/child.h>
+#include <rigor/simulate/advice.h>
+#include <rigor/simulate/assertion.h>
+#include <rigor/simulate/confirm.h>
+#include <rigor/simulate/metric_parts.h>
+#include <rigor/simulate/stage.h>
+
+namespace rigor::simulate {
+namespace {
+
+/// A scenario of a task with settings, to be run in a child.
+struct RunOrder {
+  const Task* task = nullptr;
+  const Scenario* scenario = nullptr;
+  SolverSettings settings;
+};
+
+std::string run_and_encode(const RunOrder& order) {
+  return encode(run(stage(order.task->scene, *order.scenario), *order.scenario, order.settings));
+}
+
+/// Runs and counts them for the caller, over several batches.
+class RunQueue {
+ public:
+  explicit RunQueue(const SimulateOptions& options) : options_(options) {}
+
+  std::vector<Record> run_all(const std::vector<RunOrder>& orders) {
+    std::vector<std::function<std::string()>> works;
+    for (const RunOrder& order : orders) {
+      works.push_back([&order] { return run_and_encode(order); });
+    }
+    total_ += works.size();
+    const auto tell = [&](std::size_t done) {
+      if (options_.progress) options_.progress(before_ + done, total_);
+    };
+    std::vector<Record> records;
+    for (const process::ChildResult& result :
+         process::run_in_children(kRunLimits, works, options_.jobs, tell)) {
+      records.push_back(record_of(result));
+    }
+    before_ = total_;
+    return records;
+  }
+
+ private:
+  const SimulateOptions& options_;
+  std::size_t before_ = 0;  // of earlier batches
+  std::size_t total_ = 0;
+};
+
+/// A run of a task, and the task.
+struct TaskRun {
+  const Task* task = nullptr;
+  Run run;
+};
+
+Run judged_run(const RunOrder& order, Record record) {
+  Run run{.test = order.scenario->name, .seed = order.settings.seed, .scenario = *order.scenario};
+  run.metrics = metrics_of(order.task->scene, *order.scenario, record, order.task->wheels);
+  run.record = std::move(record);
+  if (was_stopped(run.record)) run.verdict = Verdict::kInvalid;
+  return run;
+}
+
+bool to_be_confirmed(const Run& run) {
+  return run.verdict == Verdict::kInvalid ||
+         std::any_of(run.metrics.begin(), run.metrics.end(),
+                     [](const Metric& metric) { return metric.verdict == Verdict::kFail; });
+}
+
+void add_difference(const Scene& scene, std::string_view id, double difference, Run& run) {
+  if (!(difference < kInfinity)) return;
+  Fact about = about_scene(scene);
+  about.test = run.test;
+  run.metrics.push_back(make_metric(id, difference, std::move(about)));
+}
+
+void add_comparison(const Scene& scene, std::string_view id, const Record& other, Run& run) {
+  add_difference(scene, id, difference_of(scene, run.record, other), run);
+}
+
+void confirm_failures(RunQueue& queue, std::vector<TaskRun>& runs) {
+  std::vector<RunOrder> orders;
+  std::vector<std::pair<std::size_t, Variant>> whose;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!to_be_confirmed(runs[i].run)) continue;
+    for (Variant& variant : variants_of(settings_in(runs[i].run.scenario, runs[i].task->solver))) {
+      orders.push_back({runs[i].task, &runs[i].run.scenario, variant.settings});
+      whose.emplace_back(i, std::move(variant));
+    }
+  }
+  std::vector<Record> records = queue.run_all(orders);
+  for (std::size_t k = 0; k < whose.size();) {
+    const std::size_t i = whose[k].first;
+    const Task& task = *runs[i].task;
+    Run& run = runs[i].run;
+    std::vector<Again> agains;
+    for (; k < whose.size() && whose[k].first == i; ++k) {
+      Again again{whose[k].second, std::move(records[k]), {}, false};
+      again.metrics = metrics_of(task.scene, run.scenario, again.record, task.wheels);
+      again.stopped = was_stopped(again.record);
+      agains.push_back(std::move(again));
+    }
+    confirm(agains, run);
+    add_comparison(task.scene, "dt.sensitivity", agains[kHalfStep].record, run);
+    add_comparison(task.scene, "solver.agreement", agains[kOtherSolver].record, run);
+    double spread = 0;
+    for (std::size_t seed = kOtherSolver + 1; seed < agains.size(); ++seed) {
+      spread = std::max(spread, difference_of(task.scene, run.record, agains[seed].record));
+    }
+    add_difference(task.scene, "seed.spread", spread, run);
+  }
+}
+
+bool same_fact(const Fact& a, const Fact& b) {
+  return a.kind == b.kind && a.subject == b.subject && a.name == b.name;
+}
+
+void add_once(Facts& facts, const Fact& fact, const std::string& test) {
+  const auto same = [&](const Fact& other) { return same_fact(other, fact); };
+  if (std::any_of(facts.begin(), facts.end(), same)) return;
+  facts.push_back(fact);
+  facts.back().test = test;
+}
+
+/// The verdict, and what is to be said about it, each fact with what is likely to be behind it.
+void conclude_run(const Scene& scene, const Facts& causes, Run& run) {
+  if (was_stopped(run.record)) {
+    Fact refused{.kind = FactKind::kEngineRefused, .name = run.record.message, .test = run.test};
+    refused.subject = scene.name;
+    refused.severe = run.verdict == Verdict::kInvalid;
+    run.facts.push_back(std::move(refused));
+  }
+  for (const Metric& metric : run.metrics) {
+    run.verdict = worse(run.verdict, metric.verdict);
+    if (!metric.fact) continue;
+    run.facts.push_back(*metric.fact);
+    for (const Fact& cause : explain(*metric.fact, causes)) add_once(run.facts, cause, run.test);
+  }
+  for (Fact& broken : broken_assertions(scene, run.scenario, run.record, run.metrics)) {
+    run.verdict = worse(run.verdict, Verdict::kFail);
+    run.facts.push_back(std::move(broken));
+  }
+}
+
+/// What is plainly wrong is worth a word even where no run showed it: such causes come first.
+void add_unexplained(const Facts& causes, Simulation& simulation) {
+  if (simulation.runs.empty()) return;
+  Facts alone;
+  for (const Fact& cause : causes) {
+    const auto told = [&](const Run& run) {
+      return std::any_of(run.facts.begin(), run.facts.end(),
+                         [&](const Fact& fact) { return same_fact(fact, cause); });
+    };
+    if (!cause.severe) continue;
+    if (std::none_of(simulation.runs.begin(), simulation.runs.end(), told)) {
+      add_once(alone, cause, {});
+    }
+  }
+  if (alone.empty()) return;
+  for (Fact& cause : alone) cause.severe = false;  // nothing failed by it
+  Run& first = simulation.runs.front();
+  first.facts.insert(first.facts.begin(), alone.begin(), alone.end());
+  first.verdict = worse(first.verdict, Verdict::kWarn);
+}
+
+}  // namespace
+
+Verdict worse(Verdict a, Verdict b) {
+  const auto rank = [](Verdict verdict) {
+    switch (verdict) {
+      case Verdict::kPass: return 0;
+      case Verdict::kWarn: return 1;
+      case Verdict::kSolver: return 2;
+      case Verdict::kFail: return 3;
+      case Verdict::kInvalid: return 4;
+    }
+    return 4;
+  };
+  return rank(a) < rank(b) ? b : a;
+}
+
+std::vector<Simulation> simulate(const std::vector<Task>& tasks, const SimulateOptions& options) {
+  std::vector<RunOrder> orders;
+  for (const Task& task : tasks) {
+    for (const Scenario& scenario : task.scenarios) {
+      orders.push_back({&task, &scenario, settings_in(scenario, task.solver)});
+    }
+  }
+  RunQueue queue(options);
+  std::vector<Record> records = queue.run_all(orders);
+  std::vector<TaskRun> runs;
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    runs.push_back({orders[i].task, judged_run(orders[i], std::move(records[i]))});
+  }
+  if (options.confirm == Confirm::kFailures) confirm_failures(queue, runs);
+  std::vector<Simulation> simulations(tasks.size());
+  for (TaskRun& one : runs) {
+    conclude_run(one.task->scene, one.task->causes, one.run);
+    simulations[static_cast<std::size_t>(one.task - tasks.data())].runs.push_back(
+        std::move(one.run));
+  }
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    add_unexplained(tasks[i].causes, simulations[i]);
+    for (const Run& run : simulations[i].runs) {
+      simulations[i].verdict = worse(simulations[i].verdict, run.verdict);
+    }
+  }
+  return simulations;
+}
+
+}  // namespace rigor::simulate

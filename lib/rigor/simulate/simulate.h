@@ -1,0 +1,77 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Simulates scenes in tests and says whether they are physically sane.
+//
+//   std::vector<Simulation> results = simulate({{scene, causes, {settle, drive}, wheels, scene.solver}}, {});
+//   if (results.front().verdict == Verdict::kFail) say(results.front().runs.front().facts);
+//
+// A failure is confirmed before it is believed: the same test with half the step, with the other solver
+// and with other seeds. What most of these runs do not show is called the solver's. Each run is a child
+// process; this function uses no threads and forks at most `jobs` at a time, whichever task they are of:
+// first all that was asked for, then all that failures are confirmed by.
+
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <rigor/simulate/fact.h>
+#include <rigor/simulate/metric.h>
+#include <rigor/simulate/run.h>
+#include <rigor/simulate/scenario.h>
+#include <rigor/simulate/scene.h>
+#include <rigor/simulate/wheels.h>
+
+namespace rigor::simulate {
+
+enum class Confirm : std::uint8_t { kNo, kFailures };
+
+/// A scene in its scenarios. What is referred to outlives the call.
+struct Task {
+  const Scene& scene;
+  const Facts& causes;  ///< see advice.h: facts of runs come with those that explain them
+  std::vector<Scenario> scenarios;
+  const DriveTrain& wheels;
+  SolverSettings solver;  ///< usually the scene's; its seed is the run's
+};
+
+struct SimulateOptions {
+  Confirm confirm = Confirm::kFailures;
+  unsigned jobs = 1;
+  /// Called in the parent after each child, for progress: done, of how many that are known of.
+  std::function<void(std::size_t, std::size_t)> progress = {};
+};
+
+/// One of the runs that a failure was held against.
+struct Confirmation {
+  std::string what;  ///< "half the step", "dantzig", "seed 1"
+  Verdict verdict = Verdict::kPass;
+  bool agrees = false;  ///< shows the same failure
+};
+
+struct Run {
+  std::string test;
+  std::uint64_t seed = 0;
+  Verdict verdict = Verdict::kPass;
+  Scenario scenario;
+  std::vector<Metric> metrics;
+  Facts facts;  ///< what it showed, each followed by its causes
+  std::vector<Confirmation> confirmations;
+  Record record;
+};
+
+struct Simulation {
+  Verdict verdict = Verdict::kPass;  ///< the worst of the runs': invalid, fail, solver, warn, pass
+  std::vector<Run> runs;
+};
+
+/// In the order of the tasks; the same for any number of jobs.
+std::vector<Simulation> simulate(const std::vector<Task>& tasks, const SimulateOptions& options);
+
+/// The worse of two.
+Verdict worse(Verdict a, Verdict b);
+
+}  // namespace rigor::simulate

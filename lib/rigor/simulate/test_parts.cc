@@ -1,0 +1,142 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/simulate/test_parts.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <rigor/simulate/reach.h>
+
+namespace rigor::simulate {
+namespace {
+
+/// Of the speed that the scene's size would give in free fall: what a robot with legs or wheels of this
+/// size does easily (a Froude number of 0.18).
+constexpr double kDriveShare = 0.3;
+
+/// With a ramp of a second, a tenth of gravity: no robot tips that stands on its own.
+constexpr double kDriveSpeed = 1;  // m/s
+
+// s. Springs of robots swing at 2 Hz with a tenth of damping.
+constexpr double kSettleTime = 1;
+constexpr double kSprungSettleTime = 5;
+
+bool held_by_brake(const Scene& scene, const SceneJoint& joint) {
+  if (!can_be_told(joint) || joint.axes[0].spring_stiffness > 0) return false;
+  if (joint.child >= scene.bodies.size()) return false;
+  if (joint.type == model::JointType::kPrismatic || !can_turn_over(joint)) return true;
+  const double lowest = lowest_of_model(scene, scene.bodies[joint.child].model);
+  return !touches_ground(scene, joint.child, lowest + kTouchGap);
+}
+
+/// kg·m² (of a slider kg): how a body resists the axis when everything else gives way.
+double own_inertia(const Scene& scene, const SceneJoint& joint, std::uint32_t b) {
+  if (b >= scene.bodies.size()) return kInfinity;
+  const SceneBody& body = scene.bodies[b];
+  if (joint.type == model::JointType::kPrismatic) return body.mass.mass;
+  const Vector3 axis = rotate(conjugate(body.X_WB.rotation), joint.axes[0].direction_W);
+  const mass::Inertia& I = mass::about(transform(inverse(body.X_WB), joint.anchor_W), body.mass);
+  return I.ixx * axis.x * axis.x + I.iyy * axis.y * axis.y + I.izz * axis.z * axis.z +
+         2 * (I.ixy * axis.x * axis.y + I.ixz * axis.x * axis.z + I.iyz * axis.y * axis.z);
+}
+
+}  // namespace
+
+bool is_wheel_joint(const DriveTrain& wheels, std::uint32_t joint) {
+  const auto is = [&](const Wheel& wheel) { return wheel.joint == joint; };
+  return std::any_of(wheels.left.begin(), wheels.left.end(), is) ||
+         std::any_of(wheels.right.begin(), wheels.right.end(), is);
+}
+
+double settling_time(const Scene& scene) {
+  const auto is_sprung = [](const SceneJoint& joint) {
+    return std::any_of(joint.axes.begin(), joint.axes.end(),
+                       [](const SceneAxis& axis) { return axis.spring_stiffness > 0; });
+  };
+  const bool sprung = std::any_of(scene.joints.begin(), scene.joints.end(), is_sprung);
+  return sprung ? kSprungSettleTime : kSettleTime;
+}
+
+Phase rest_of(double begin, double end) { return {"rest", end - (end - begin) / 5, end}; }
+
+bool can_be_told(const SceneJoint& joint) {
+  const bool kind = joint.type == model::JointType::kRevolute ||
+                    joint.type == model::JointType::kContinuous ||
+                    joint.type == model::JointType::kPrismatic;
+  return kind && joint.axes.size() == 1 && joint.mimics.empty();
+}
+
+void add_brakes(const Scene& scene, const DriveTrain& wheels, Scenario& scenario) {
+  for (std::uint32_t j = 0; j < scene.joints.size(); ++j) {
+    if (is_wheel_joint(wheels, j) || !held_by_brake(scene, scene.joints[j])) continue;
+    scenario.commands.push_back(
+        {.joint = j, .kind = CommandKind::kVelocity, .value = 0, .end = scenario.duration});
+  }
+}
+
+double drive_speed(const Scene& scene, const DriveTrain& wheels) {
+  const double falling = std::sqrt(2 * length(scene.gravity) * scene.size);
+  double speed = std::min(kDriveSpeed, kDriveShare * falling);
+  for (const auto* side : {&wheels.left, &wheels.right}) {
+    for (const Wheel& wheel : *side) {
+      const double limit = scene.joints[wheel.joint].axes[0].velocity;
+      if (limit > 0) speed = std::min(speed, limit * wheel.radius);
+    }
+  }
+  return speed;
+}
+
+void add_drive(const DriveTrain& wheels, double left, double right, const Phase& when, double ramp,
+               Scenario& scenario) {
+  const auto command = [&](const Wheel& wheel, double speed) {
+    scenario.commands.push_back({.joint = wheel.joint,
+                                 .kind = CommandKind::kVelocity,
+                                 .value = wheel.sign * speed / wheel.radius,
+                                 .begin = when.begin,
+                                 .end = when.end,
+                                 .ramp = ramp});
+  };
+  for (const Wheel& wheel : wheels.left) command(wheel, left);
+  for (const Wheel& wheel : wheels.right) command(wheel, right);
+}
+
+double carried_inertia(const Scene& scene, const SceneJoint& joint) {
+  const Vector3& axis = joint.axes[0].direction_W;
+  double sum = 0;
+  for (const std::uint32_t b : carried_bodies(scene, joint.child)) {
+    const SceneBody& body = scene.bodies[b];
+    if (joint.type == model::JointType::kPrismatic) {
+      sum += body.mass.mass;
+      continue;
+    }
+    const mass::MassProperties in_W = mass::transformed(body.X_WB, body.mass);
+    const mass::Inertia I = mass::about(joint.anchor_W, in_W);
+    const Vector3 Ia{I.ixx * axis.x + I.ixy * axis.y + I.ixz * axis.z,
+                     I.ixy * axis.x + I.iyy * axis.y + I.iyz * axis.z,
+                     I.ixz * axis.x + I.iyz * axis.y + I.izz * axis.z};
+    sum += dot(axis, Ia);
+  }
+  return sum;
+}
+
+double effective_inertia(const Scene& scene, const SceneJoint& joint) {
+  return 1 /
+         (1 / own_inertia(scene, joint, joint.child) + 1 / own_inertia(scene, joint, joint.parent));
+}
+
+double carried_load(const Scene& scene, const SceneJoint& joint) {
+  const Vector3& axis = joint.axes[0].direction_W;
+  double sum = 0;
+  for (const std::uint32_t b : carried_bodies(scene, joint.child)) {
+    const SceneBody& body = scene.bodies[b];
+    if (!body.gravity) continue;
+    const Vector3 weight = body.mass.mass * scene.gravity;
+    const Vector3 arm = transform(body.X_WB, body.mass.com) - joint.anchor_W;
+    const bool slides = joint.type == model::JointType::kPrismatic;
+    sum += dot(axis, slides ? weight : cross(arm, weight));
+  }
+  return std::abs(sum);
+}
+
+}  // namespace rigor::simulate

@@ -1,0 +1,78 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Which joints of a model drive it: revolute joints without limits (or with limits beyond a turn), whose
+// axis is level, whose child has a round shape about that axis that reaches the ground.
+//
+//   DriveTrain train = find_wheels(scene, {});
+//   if (train.wheels.empty()) say_why(train);
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <rigor/simulate/scene.h>
+
+namespace rigor::simulate {
+
+struct Wheel {
+  std::uint32_t joint = 0;
+  std::uint32_t shape = kWorld;  ///< that rolls
+  double radius = 0;             ///< m, of the circle that rolls (of a mesh, its outline over 2 pi)
+  double width = 0;              ///< m, of the line it touches the ground along; 0 for a ball
+  Vector3 centre_W;              ///< at the start: where the axis is nearest the shape's middle
+  Vector3 middle_W;  ///< of the shape itself; off the axis where the wheel is off centre
+  /// The shape's own axis of rotation, a unit vector; zero for a ball.
+  Vector3 shape_axis_W;
+  /// +1 when a positive velocity rolls it forward.
+  double sign = 1;
+};
+
+/// What of a shape can roll about an axis.
+struct RoundShape {
+  double radius = 0;  ///< m
+  double width = 0;   ///< m
+  Vector3 middle_W;
+  Vector3 axis_W;  ///< its own; zero for a ball
+};
+
+/// Nothing when it is not round about an axis that is roughly this one.
+std::optional<RoundShape> round_about(const Scene& scene, const SceneShape& shape,
+                                      const Vector3& axis_W);
+
+struct DriveTrain {
+  std::uint32_t model = kWorld;  ///< index in the scene
+  Vector3 forward_W{1, 0,
+                    0};     ///< level unit vector, across the axes: the model's x where that fits
+  std::vector<Wheel> left;  ///< seen along `forward_W`
+  std::vector<Wheel> right;
+  double track = 0;                    ///< m, between the middles of left and right
+  std::vector<std::uint32_t> casters;  ///< other shapes that touch the ground
+  /// Joints with an upright axis and limits that carry a round shape which touches the ground.
+  std::vector<std::uint32_t> steering;
+
+  /// Whether it turns on the spot when its sides run against each other.
+  bool steers() const { return !left.empty() && !right.empty() && track > 0; }
+  bool empty() const { return left.empty() && right.empty(); }
+};
+
+/// `named` are joints that the user says are wheels, by name; else they are found.
+DriveTrain find_wheels(const Scene& scene, const std::vector<std::string>& named);
+
+/// A shape touches the ground when it is not higher than this above the lowest point of the model:
+/// what contacts sink in, and the care with which models are drawn.
+inline constexpr double kTouchGap = 0.003;  // m
+
+/// Whether a hinge may turn beyond a full turn.
+bool can_turn_over(const SceneJoint& joint);
+
+/// A body and all that joints hang on it.
+std::vector<std::uint32_t> carried_bodies(const Scene& scene, std::uint32_t body);
+
+/// Whether the body, or one that joints hang on it, has a shape that reaches below `height`.
+bool touches_ground(const Scene& scene, std::uint32_t body, double height);
+
+}  // namespace rigor::simulate

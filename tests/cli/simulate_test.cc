@@ -1,0 +1,321 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// `rigor simulate` and `rigor merge` as their users script them.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <tinyxml2.h>
+#include <nlohmann/json.hpp>
+
+#include <cli/program.h>
+
+namespace rigor::test {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kCrate = R"(<sdf version='1.9'>
+  <model name='crate'>
+    <link name='body'>
+      <pose>0 0 0.1 0 0 0</pose>
+      <inertial>
+        <mass>6</mass>
+        <inertia><ixx>0.04</ixx><iyy>0.04</iyy><izz>0.04</izz></inertia>
+      </inertial>
+      <collision name='c'><geometry><box><size>0.2 0.2 0.2</size></box></geometry></collision>
+    </link>
+  </model>
+</sdf>
+)";
+
+/// A slider on the world's side: 2 kg that a command moves along x.
+constexpr const char* kSlider = R"(<sdf version='1.9'>
+  <model name='slide'>
+    <link name='cart'>
+      <pose>0 0 1 0 0 0</pose>
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>0.01</ixx><iyy>0.01</iyy><izz>0.01</izz></inertia>
+      </inertial>
+    </link>
+    <joint name='rail' type='prismatic'>
+      <parent>world</parent>
+      <child>cart</child>
+      <axis><xyz>1 0 0</xyz><limit><lower>-5</lower><upper>5</upper></limit></axis>
+    </joint>
+  </model>
+</sdf>
+)";
+
+class SimulateCli : public testing::Test {
+ protected:
+  SimulateCli() {
+    folder_.put("crate.sdf", kCrate);
+    folder_.put("slide.sdf", kSlider);
+  }
+
+  Ran simulate(const std::string& arguments) const {
+    return folder_.rigor("simulate " + arguments);
+  }
+  json simulated(const std::string& arguments) const {
+    return json::parse(simulate(arguments + " --format json").out);
+  }
+
+  Folder folder_;
+};
+
+TEST_F(SimulateCli, ASaneModelPasses) {
+  const Ran ran = simulate("crate.sdf");
+  EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+  EXPECT_NE(ran.out.find("crate.sdf: pass"), std::string::npos) << ran.out;
+  EXPECT_EQ(ran.err, "1 model: 1 pass\n");
+}
+
+TEST_F(SimulateCli, JsonIsAsTheContractSays) {
+  const json result = simulated("crate.sdf");
+  EXPECT_EQ(result["model"], "crate.sdf");
+  EXPECT_EQ(result["verdict"], "pass");
+  EXPECT_TRUE(result["diagnostics"].is_array());
+  ASSERT_EQ(result["runs"].size(), 1U);
+  const json& run = result["runs"][0];
+  EXPECT_EQ(run["test"], "settle");
+  EXPECT_EQ(run["verdict"], "pass");
+  EXPECT_TRUE(run["commands"].is_array());
+  EXPECT_FALSE(run["state_hash"].get<std::string>().empty());
+  ASSERT_FALSE(run["metrics"].empty());
+  for (const json& metric : run["metrics"]) {
+    for (const char* key : {"id", "value", "unit", "warn", "fail", "verdict"}) {
+      EXPECT_TRUE(metric.contains(key)) << metric;
+    }
+  }
+  const json& pose = run["final"]["pose"]["crate::body"];
+  ASSERT_EQ(pose.size(), 7U);
+  EXPECT_NEAR(pose[2].get<double>(), 0.1, 2e-3);
+  EXPECT_NEAR(pose[3].get<double>(), 1, 1e-3);
+}
+
+TEST_F(SimulateCli, TheSameCommandGivesTheSameBytes) {
+  const std::string all = "crate.sdf --test settle,drop,push --seeds 2 --format json";
+  const Ran once = simulate(all);
+  EXPECT_EQ(once.out, simulate(all).out);
+  EXPECT_EQ(once.out, simulate(all + " -j 2").out);
+  EXPECT_EQ(once.out, simulate(all + " -j 7").out);
+}
+
+TEST_F(SimulateCli, ACommandMovesWhatItNames) {
+  // 2 m/s, reached after 1 s of ramp: 1 m, and then 2 m/s for 1.5 s.
+  const json fast = simulated("slide.sdf --command rail=velocity:2 --duration 2.5");
+  EXPECT_NEAR(fast["runs"][0]["final"]["pose"]["slide::cart"][0].get<double>(), 4, 0.02);
+  // 4 N on 2 kg for 1 s without a ramp: 1 m. The same in either direction.
+  for (const int sign : {1, -1}) {
+    const json pushed = simulated("slide.sdf --command rail=effort:" + std::to_string(4 * sign) +
+                                  " --duration 1 --ramp 0");
+    EXPECT_NEAR(pushed["runs"][0]["final"]["pose"]["slide::cart"][0].get<double>(), sign, 2e-3);
+  }
+  const json placed = simulated("slide.sdf --command rail=position:1.5 --duration 3");
+  EXPECT_NEAR(placed["runs"][0]["final"]["pose"]["slide::cart"][0].get<double>(), 1.5, 5e-3);
+}
+
+TEST_F(SimulateCli, AScenarioDemands) {
+  folder_.put("go.scenario.toml", R"(model = "slide.sdf"
+[[step]]
+until = 2.5
+commands = [{joint = "rail", velocity = 2, ramp = 1}]
+[[assert]]
+name = "arrives"
+position = "cart"
+axis = "x"
+min = 3.9
+max = 4.1
+)");
+  EXPECT_EQ(simulate("--scenario go.scenario.toml").exit, 0);
+  folder_.put("far.scenario.toml", R"(model = "slide.sdf"
+[[step]]
+until = 2.5
+commands = [{joint = "rail", velocity = 2, ramp = 1}]
+[[assert]]
+name = "arrives"
+position = "cart"
+axis = "x"
+min = 4.5
+)");
+  const Ran failed = simulate("--scenario far.scenario.toml");
+  EXPECT_EQ(failed.exit, 1);
+  EXPECT_NE(failed.out.find("simulate-assertion"), std::string::npos) << failed.out;
+  EXPECT_NE(failed.out.find("arrives"), std::string::npos) << failed.out;
+}
+
+TEST_F(SimulateCli, AScenarioSaysHowItIsRun) {
+  // Free fall from 0.1 m above: t²g/2 at the moon's gravity, and so many steps as the step allows.
+  folder_.put("fall.toml", R"(model = "crate.sdf"
+[world]
+gravity = [0, 0, -1.62]
+ground = false
+[run]
+time-step = 0.01
+solver = "dantzig"
+[[step]]
+until = 1
+)");
+  const json moon = simulated("--scenario fall.toml");
+  EXPECT_EQ(moon["runs"][0]["steps"], 100);
+  // Semi-implicit Euler: g t (t + h) / 2.
+  const double fallen = 0.1 - moon["runs"][0]["final"]["pose"]["crate::body"][2].get<double>();
+  EXPECT_NEAR(fallen, 1.62 * 1 * 1.01 / 2, 1e-9);
+  const json finer = simulated("--scenario fall.toml --time-step 0.005 --gravity 0 0 -9.8");
+  EXPECT_EQ(finer["runs"][0]["steps"], 200) << "the command line goes before the file";
+  const double faster = 0.1 - finer["runs"][0]["final"]["pose"]["crate::body"][2].get<double>();
+  EXPECT_NEAR(faster, 9.8 * 1 * 1.005 / 2, 1e-9);
+}
+
+TEST_F(SimulateCli, WhatCannotMovePasses) {
+  std::string text = kCrate;
+  folder_.put("still.sdf", text.insert(text.find("<link"), "<static>true</static>"));
+  const Ran ran = simulate("still.sdf --test settle,drive");
+  EXPECT_EQ(ran.exit, 0) << ran.out;
+  EXPECT_NE(ran.out.find("simulate-nothing-moves"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("drive: nothing moves"), std::string::npos) << ran.out;
+}
+
+TEST_F(SimulateCli, AWrongInvocationIsTold) {
+  const auto usage = [this](const std::string& arguments, const std::string& says) {
+    const Ran ran = simulate(arguments);
+    EXPECT_EQ(ran.exit, 2) << arguments;
+    EXPECT_EQ(ran.out, "") << arguments;
+    EXPECT_NE(ran.err.find(says), std::string::npos) << arguments << ": " << ran.err;
+  };
+  usage("", "needs a model");
+  usage("nothing.sdf", "nothing.sdf");
+  usage("crate.sdf --test sttle", "settle");
+  usage("slide.sdf --command rial=velocity:1", "did you mean");
+  usage("slide.sdf --command rail=velocty:1", "velocity");
+  usage("slide.sdf --command rail=velocity:fast", "no finite number");
+  usage("crate.sdf --grid fricton=0:1:3", "friction");
+  usage("crate.sdf --grid mass=0:1:3", "above zero");
+  usage("crate.sdf --shard 3/2", "I/N");
+  usage("crate.sdf --time-step 0", "above 0");
+  usage("crate.sdf --resume", "jsonl");
+  folder_.put("bad.toml", "[[step]]\nuntil = 1\nunitl = 2\n");
+  usage("crate.sdf --scenario bad.toml", "bad.toml:3: [step] unknown key unitl");
+}
+
+TEST_F(SimulateCli, WhatAnEngineCannotTakeIsADiagnosis) {
+  std::string text = kCrate;
+  folder_.put("bad.sdf", text.replace(text.find(">6<"), 3, ">nan<"));
+  const Ran ran = simulate("bad.sdf --format json");
+  EXPECT_EQ(ran.exit, 1);
+  const json result = json::parse(ran.out);
+  EXPECT_EQ(result["verdict"], "invalid");
+  ASSERT_FALSE(result["diagnostics"].empty());
+  EXPECT_EQ(result["diagnostics"][0]["line"], 6);
+}
+
+TEST_F(SimulateCli, AFolderGivesATable) {
+  folder_.put("models/a.sdf", kCrate);
+  folder_.put("models/deep/b.sdf", kCrate);
+  const Ran ran = simulate("models");
+  EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+  EXPECT_NE(ran.out.find("models/a.sdf"), std::string::npos);
+  EXPECT_NE(ran.out.find("models/deep/b.sdf"), std::string::npos);
+  EXPECT_EQ(ran.err, "2 models: 2 pass\n");
+}
+
+TEST_F(SimulateCli, JunitIsWellFormedAndCounts) {
+  const Ran ran = simulate("crate.sdf --test settle,drive --format junit");
+  tinyxml2::XMLDocument document;
+  ASSERT_EQ(document.Parse(ran.out.c_str()), tinyxml2::XML_SUCCESS) << ran.out;
+  const tinyxml2::XMLElement* suite = document.RootElement()->FirstChildElement("testsuite");
+  ASSERT_NE(suite, nullptr);
+  EXPECT_EQ(suite->IntAttribute("tests"), 2);
+  EXPECT_EQ(suite->IntAttribute("failures"), 0);
+  EXPECT_EQ(suite->IntAttribute("skipped"), 1);
+}
+
+TEST_F(SimulateCli, CsvHasTheTrajectory) {
+  const Ran ran = simulate("slide.sdf --command rail=velocity:2 --duration 2.5 --format csv");
+  EXPECT_EQ(ran.out.substr(0, 21), "model,test,seed,time,");
+  EXPECT_NE(ran.out.find("slide::rail.position"), std::string::npos);
+  // A row each hundredth of a second, the first and last moments among them.
+  const auto lines = std::count(ran.out.begin(), ran.out.end(), '\n');
+  EXPECT_GE(lines, 251);
+  EXPECT_LE(lines, 253);
+}
+
+TEST_F(SimulateCli, HtmlLoadsNothingAndNamesAreHarmless) {
+  std::string text = kCrate;
+  const std::string hostile = "&lt;/script&gt;&lt;img src=x onerror=alert(1)&gt;";
+  for (const char* name : {"crate", "body"}) {
+    const std::string quoted = std::string("'") + name + "'";
+    text.replace(text.find(quoted), quoted.size(), "'" + hostile + name + "'");
+  }
+  folder_.put("hostile.sdf", text);
+  const Ran ran = simulate("hostile.sdf --format html");
+  EXPECT_NE(ran.out.find("default-src 'none'"), std::string::npos);
+  EXPECT_NE(ran.out.find("<svg"), std::string::npos);
+  EXPECT_EQ(ran.out.find("<img"), std::string::npos);
+  EXPECT_EQ(ran.out.find("<script"), std::string::npos);
+  EXPECT_EQ(ran.out.find("http"), ran.out.find("http-equiv")) << "nothing is loaded";
+}
+
+class SweepCli : public SimulateCli {
+ protected:
+  static constexpr const char* kSweep = "crate.sdf --grid friction=0.2:1:3 --seeds 2 ";
+};
+
+TEST_F(SweepCli, ShardsMergeIntoTheWhole) {
+  ASSERT_EQ(simulate(kSweep + std::string("--output jsonl:whole.jsonl")).exit, 0);
+  const std::string whole = folder_.get("whole.jsonl");
+  EXPECT_EQ(std::count(whole.begin(), whole.end(), '\n'), 6);
+  for (const int parts : {2, 3, 7}) {
+    std::string names;
+    for (int part = 1; part <= parts; ++part) {
+      const std::string name = "part" + std::to_string(part) + ".jsonl";
+      ASSERT_EQ(
+          simulate(kSweep + ("--shard " + std::to_string(part) + '/' + std::to_string(parts)) +
+                   " -j 2 --output jsonl:" + name)
+              .exit,
+          0);
+      names += ' ' + name;
+    }
+    const Ran merged = folder_.rigor("merge" + names);
+    EXPECT_EQ(merged.exit, 0) << merged.err;
+    EXPECT_EQ(merged.out, whole) << parts;
+  }
+}
+
+TEST_F(SweepCli, MergeNamesWhatIsMissingOrDoubled) {
+  ASSERT_EQ(simulate(kSweep + std::string("--output jsonl:whole.jsonl")).exit, 0);
+  const std::string whole = folder_.get("whole.jsonl");
+  const std::size_t second = whole.find('\n') + 1;
+  folder_.put("gap.jsonl", whole.substr(second));
+  const Ran gap = folder_.rigor("merge gap.jsonl -o out.jsonl");
+  EXPECT_EQ(gap.exit, 1);
+  EXPECT_NE(gap.err.find("case 0 of 6 is missing"), std::string::npos) << gap.err;
+  EXPECT_EQ(folder_.get("out.jsonl"), "");
+  const Ran doubled = folder_.rigor("merge whole.jsonl gap.jsonl");
+  EXPECT_EQ(doubled.exit, 1);
+  EXPECT_NE(doubled.err.find("case 1 (friction=0.2 seed=1) is in whole.jsonl:2 and in gap.jsonl:1"),
+            std::string::npos)
+      << doubled.err;
+  folder_.put("other.jsonl", "{}\n");
+  EXPECT_EQ(folder_.rigor("merge other.jsonl").exit, 2);
+}
+
+TEST_F(SweepCli, ResumesAfterATornLine) {
+  const std::string to_file = kSweep + std::string("--output jsonl:runs.jsonl");
+  ASSERT_EQ(simulate(to_file).exit, 0);
+  const std::string whole = folder_.get("runs.jsonl");
+  std::size_t third = 0;
+  for (int line = 0; line < 3; ++line) third = whole.find('\n', third) + 1;
+  folder_.put("runs.jsonl", whole.substr(0, third + 40));
+  const Ran resumed = simulate(to_file + " --resume");
+  EXPECT_EQ(resumed.exit, 0) << resumed.err;
+  EXPECT_EQ(folder_.get("runs.jsonl"), whole);
+}
+
+}  // namespace
+}  // namespace rigor::test

@@ -1,0 +1,218 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/simulate/advice.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <rigor/environment.h>
+#include <rigor/read/load.h>
+#include <rigor/read/workspace.h>
+#include <rigor/simulate/advice_parts.h>
+#include <rigor/simulate/scene_input.h>
+#include <rigor/text/disk.h>
+#include <rigor/text/sources.h>
+
+#include "simulate/hand_robot.h"
+
+namespace rigor {
+namespace {
+
+using namespace simulate;
+using hand::tutorial_robot;
+
+/// Input of a file with nothing in it, for causes that look at the scene only.
+struct NoFile {
+  RealDisk disk;
+  Environment environment{disk, {}};
+  Sources sources;
+  read::Workspace workspace{disk, sources};
+  read::Loaded loaded;
+  SceneFiles files;
+
+  explicit NoFile(const std::string& path = "testdata/none.sdf")
+      : loaded(read::load({workspace, environment.resolver, environment.sdf, environment.urdf},
+                          workspace.open(path))),
+        files(loaded, workspace, environment.resolver) {}
+};
+
+std::vector<Fact> of_kind(const Facts& facts, FactKind kind) {
+  std::vector<Fact> some;
+  for (const Fact& fact : facts) {
+    if (fact.kind == kind) some.push_back(fact);
+  }
+  return some;
+}
+
+Facts causes_of(const Scene& scene) {
+  const NoFile none;
+  return causes_in(scene, none.files.input(), find_wheels(scene, {}));
+}
+
+TEST(Advice, TheTutorialRobotsWheelsHave200TimesTheInertiaOfTheirShape) {
+  const NoFile file(std::string(RIGOR_TESTDATA) + "models/my_robot/model.sdf");
+  const SceneResult made = build_scene(file.files.input(), {});
+  ASSERT_FALSE(made.blocked());
+  const Facts causes = causes_in(made.scene, file.files.input(), find_wheels(made.scene, {}));
+  const std::vector<Fact> inertias = of_kind(causes, FactKind::kCauseDefaultInertia);
+  ASSERT_EQ(inertias.size(), 3U);
+  // 1 kg m² against 1 kg (0.1 m)²/2.
+  const auto wheel = std::find_if(inertias.begin(), inertias.end(), [](const Fact& fact) {
+    return fact.subject == "my_robot/link left_wheel";
+  });
+  ASSERT_NE(wheel, inertias.end());
+  EXPECT_NEAR(wheel->value, 200, 0.01);
+  EXPECT_FALSE(wheel->where.nowhere());
+  const Facts behind = explain({.kind = FactKind::kDriveBackwards}, causes);
+  ASSERT_FALSE(behind.empty());
+  EXPECT_EQ(behind[0].kind, FactKind::kCauseDefaultInertia);
+}
+
+TEST(Advice, NothingIsWrongWithAGoodRobot) { EXPECT_TRUE(causes_of(tutorial_robot()).empty()); }
+
+TEST(Advice, AWheelOffCentreTiltedOrReversed) {
+  Scene scene = tutorial_robot();
+  scene.shapes[2].X_BS.translation = {0.004, 0, 0};
+  scene.shapes[3].X_BS.rotation = model::from_rpy(0.05, 0, 0);
+  scene.joints[1].axes[0].direction_W = {0, -1, 0};
+  const Facts causes = causes_of(scene);
+  const std::vector<Fact> off = of_kind(causes, FactKind::kCauseWheelOffCentre);
+  ASSERT_EQ(off.size(), 1U);
+  EXPECT_NEAR(off[0].value, 0.004, 1e-12);
+  EXPECT_EQ(off[0].subject, "my_robot/joint left_wheel_hinge");
+  EXPECT_TRUE(off[0].severe);
+  const std::vector<Fact> axes = of_kind(causes, FactKind::kCauseWheelAxis);
+  ASSERT_EQ(axes.size(), 2U);
+  for (const Fact& axis : axes) {
+    EXPECT_EQ(axis.subject, "my_robot/joint right_wheel_hinge");
+    EXPECT_NEAR(axis.value, axis.name == "tilted" ? 0.05 : -1, 1e-9);
+  }
+}
+
+TEST(Advice, ACasterThatGrips) {
+  Scene scene = tutorial_robot();
+  scene.shapes[1].surface.mu = 0.8;
+  const std::vector<Fact> casters = of_kind(causes_of(scene), FactKind::kCauseCasterFriction);
+  ASSERT_EQ(casters.size(), 1U);
+  EXPECT_EQ(casters[0].value, 0.8);
+}
+
+TEST(Advice, AWheelWithoutFrictionOrSmallerThanTheOther) {
+  Scene scene = tutorial_robot();
+  scene.shapes[2].surface.mu = 0.02;
+  EXPECT_TRUE(of_kind(causes_of(scene), FactKind::kCauseWheelFriction).empty());  // mu2 grips
+  scene.shapes[2].surface.mu2 = 0;
+  scene.shapes[3].kind = mesh::Cylinder{0.095, 0.05};
+  const Facts causes = causes_of(scene);
+  const std::vector<Fact> slippery = of_kind(causes, FactKind::kCauseWheelFriction);
+  ASSERT_EQ(slippery.size(), 1U);
+  EXPECT_EQ(slippery[0].subject, "collision shape 2");
+  EXPECT_EQ(slippery[0].value, 0.02);
+  EXPECT_FALSE(slippery[0].severe);  // a plugin may move it
+  const std::vector<Fact> radii = of_kind(causes, FactKind::kCauseWheelRadii);
+  ASSERT_EQ(radii.size(), 1U);
+  EXPECT_EQ(radii[0].subject, "collision shape 3");
+  EXPECT_NEAR(radii[0].value, 0.095, 1e-12);
+  EXPECT_NEAR(radii[0].limit, 0.1, 1e-12);
+  EXPECT_EQ(explain({.kind = FactKind::kDriveSlips}, causes)[0].kind,
+            FactKind::kCauseWheelFriction);
+}
+
+TEST(Advice, ALinkThatIsKinematicOrWithoutGravity) {
+  Scene scene = tutorial_robot();
+  scene.bodies[0].kinematic = true;
+  scene.bodies[1].gravity = false;
+  scene.bodies[2].gravity = false;
+  scene.bodies[2].mass.mass = 0.02;  // of 5.52 kg: nobody misses it
+  const std::vector<Fact> flags = of_kind(causes_of(scene), FactKind::kCauseFlag);
+  ASSERT_EQ(flags.size(), 2U);
+  EXPECT_EQ(flags[0].subject, "my_robot/link chassis");
+  EXPECT_EQ(flags[0].name, "kinematic");
+  EXPECT_EQ(flags[1].subject, "my_robot/link left_wheel");
+  EXPECT_EQ(flags[1].name, "gravity");
+  for (SceneBody& body : scene.bodies) body = {.mass = body.mass, .gravity = false, .model = 0};
+  EXPECT_TRUE(of_kind(causes_of(scene), FactKind::kCauseFlag).empty());  // all of it floats
+}
+
+/// A crate of 10 kg on its four corners sinks by m g / 4 kp.
+TEST(Advice, ContactsTooSoftForTheWeight) {
+  Scene scene;
+  scene.models.push_back({.name = "crate", .base = 0});
+  SceneBody body;
+  body.name = "crate::body";
+  body.X_WB.translation = {0, 0, 0.5};
+  body.mass = {10, {}, {1, 0, 0, 1, 0, 1}};
+  scene.bodies = {body};
+  scene.shapes = {hand::shape_of(0, mesh::Box{{1, 1, 1}})};
+  scene.shapes[0].surface.kp = 1000;
+  const std::vector<Fact> soft = of_kind(causes_of(scene), FactKind::kCauseSoftContact);
+  ASSERT_EQ(soft.size(), 1U);
+  EXPECT_NEAR(soft[0].value, 10 * 9.8 / 4000, 1e-12);
+  EXPECT_TRUE(soft[0].severe);
+  scene.shapes[0].surface.kp = 1e4;  // 2.5 mm
+  EXPECT_TRUE(of_kind(causes_of(scene), FactKind::kCauseSoftContact).empty());
+}
+
+TEST(Advice, MassesThatDifferByMoreThanAHundred) {
+  Scene scene = tutorial_robot();
+  scene.bodies[1].mass = hand::cylinder_mass(0.04, 0.1, 0.05);  // 125 times lighter
+  const std::vector<Fact> ratios = of_kind(causes_of(scene), FactKind::kCauseMassRatio);
+  ASSERT_EQ(ratios.size(), 1U);
+  EXPECT_NEAR(ratios[0].value, 125, 1e-9);
+  EXPECT_EQ(ratios[0].subject, "my_robot/link left_wheel");
+  EXPECT_EQ(ratios[0].name, "my_robot/link chassis");
+}
+
+TEST(Advice, ATowerIsTopHeavy) {
+  Scene scene;
+  scene.models.push_back({.name = "tower", .base = 0});
+  SceneBody body;
+  body.name = "tower::body";
+  body.X_WB.translation = {0, 0, 1};
+  body.mass = {10, {}, {1, 0, 0, 1, 0, 1}};
+  scene.bodies = {body};
+  scene.shapes = {hand::shape_of(0, mesh::Box{{0.2, 0.2, 2}})};
+  const std::vector<Fact> heavy = of_kind(causes_of(scene), FactKind::kCauseTopHeavy);
+  ASSERT_EQ(heavy.size(), 1U);
+  EXPECT_NEAR(heavy[0].value, std::atan2(0.1, 1), 1e-9);
+  scene.shapes.clear();
+  EXPECT_EQ(of_kind(causes_of(scene), FactKind::kCauseNoCollision).size(), 1U);
+}
+
+TEST(Advice, AStartOutsideLimitsAndAnEffortThatDoesNotCarry) {
+  Scene scene = tutorial_robot();
+  SceneBody arm;
+  arm.name = "my_robot::arm";
+  arm.X_WB.translation = {0.5, 0, 0.2};
+  arm.mass = {2, {}, {0.1, 0, 0, 0.1, 0, 0.1}};
+  scene.bodies.push_back(arm);
+  scene.joints.push_back(hand::hinge("my_robot::shoulder", 0, 3, {0, 0, 0.2}, {0, 1, 0}));
+  scene.joints[2].axes[0].lower = 0.3;
+  scene.joints[2].axes[0].upper = 1;
+  scene.joints[2].axes[0].effort = 5;
+  const Facts causes = causes_of(scene);
+  const std::vector<Fact> outside = of_kind(causes, FactKind::kCauseStartOutsideLimits);
+  ASSERT_EQ(outside.size(), 1U);
+  EXPECT_NEAR(outside[0].value, 0.3, 1e-12);
+  scene.joints[2].axes[0].start = 0.5;
+  EXPECT_TRUE(of_kind(causes_of(scene), FactKind::kCauseStartOutsideLimits).empty());
+  const std::vector<Fact> weak = of_kind(causes, FactKind::kCauseEffort);
+  ASSERT_EQ(weak.size(), 1U);
+  EXPECT_NEAR(weak[0].value, 2 * 9.8 * 0.5, 1e-9);
+  EXPECT_EQ(weak[0].limit, 5);
+}
+
+TEST(Advice, AtMostThreeAreNamedAndTheLikeliestFirst) {
+  Facts causes(5, {.kind = FactKind::kCauseInertia});
+  causes.push_back({.kind = FactKind::kCauseCasterFriction});
+  const Facts behind = explain({.kind = FactKind::kTurnOff}, causes);
+  ASSERT_EQ(behind.size(), 3U);
+  EXPECT_EQ(behind[0].kind, FactKind::kCauseCasterFriction);
+  EXPECT_TRUE(explain({.kind = FactKind::kSpawnedAbove}, causes).empty());
+}
+
+}  // namespace
+}  // namespace rigor

@@ -1,0 +1,171 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/simulate/simulate.h>
+
+#include <gtest/gtest.h>
+
+#include <rigor/simulate/assertion.h>
+#include <rigor/simulate/confirm.h>
+#include <rigor/simulate/metric_parts.h>
+#include <rigor/simulate/tests.h>
+
+#include "simulate/hand_robot.h"
+
+namespace rigor {
+namespace {
+
+using namespace simulate;
+using hand::tutorial_robot;
+
+simulate::Run failed_run() {
+  simulate::Run run{.test = "t"};
+  run.metrics = {make_metric("ground.sink", 1, {}), make_metric("rest.creep", 0, {})};
+  return run;
+}
+
+std::vector<Again> agains_that_fail(std::size_t failing, std::size_t all) {
+  std::vector<Again> agains(all);
+  for (std::size_t i = 0; i < all; ++i) {
+    agains[i].metrics = {make_metric("ground.sink", i < failing ? 1 : 0, {})};
+  }
+  return agains;
+}
+
+TEST(Simulate, AFailureThatMostOtherRunsDoNotShowIsTheSolvers) {
+  simulate::Run run = failed_run();
+  confirm(agains_that_fail(1, 4), run);  // two of five
+  EXPECT_EQ(run.metrics[0].verdict, Verdict::kSolver);
+  ASSERT_TRUE(run.metrics[0].fact);
+  EXPECT_EQ(run.metrics[0].fact->kind, FactKind::kSolverDiffers);
+  EXPECT_EQ(run.metrics[0].fact->name, "ground.sink");
+  ASSERT_EQ(run.confirmations.size(), 4U);
+  EXPECT_TRUE(run.confirmations[0].agrees);
+  EXPECT_FALSE(run.confirmations[3].agrees);
+}
+
+TEST(Simulate, AFailureThatMostRunsShowIsTheModels) {
+  simulate::Run run = failed_run();
+  confirm(agains_that_fail(2, 4), run);  // three of five
+  EXPECT_EQ(run.metrics[0].verdict, Verdict::kFail);
+  EXPECT_EQ(run.metrics[0].fact->kind, FactKind::kSinks);
+}
+
+TEST(Simulate, AnExplosionElsewhereIsNoContradiction) {
+  simulate::Run run = failed_run();
+  std::vector<Again> agains = agains_that_fail(0, 4);
+  for (Again& again : agains) again.record.end = Record::End::kNotFinite;
+  confirm(agains, run);
+  EXPECT_EQ(run.metrics[0].verdict, Verdict::kFail);
+}
+
+TEST(Simulate, ACrashIsInvalidOrTheSolvers) {
+  simulate::Run run{.test = "t", .verdict = Verdict::kInvalid};
+  run.record.end = Record::End::kCrashed;
+  std::vector<Again> agains(4);
+  confirm(agains, run);
+  EXPECT_EQ(run.verdict, Verdict::kSolver);
+  for (Again& again : agains) again.stopped = true;
+  confirm(agains, run);
+  EXPECT_EQ(run.verdict, Verdict::kInvalid);
+}
+
+TEST(Simulate, VariantsDifferInOneThingEach) {
+  const std::vector<Variant> variants = variants_of({.step = 0.002, .seed = 7});
+  ASSERT_EQ(variants.size(), 4U);
+  EXPECT_EQ(variants[kHalfStep].settings.step, 0.001);
+  EXPECT_EQ(variants[kOtherSolver].settings.solver, Solver::kDantzig);
+  EXPECT_EQ(variants[2].settings.seed, 8U);
+  EXPECT_EQ(variants[3].settings.seed, 9U);
+  EXPECT_EQ(variants[3].settings.step, 0.002);
+}
+
+TEST(Simulate, VerdictsHaveAnOrder) {
+  const Verdict order[] = {Verdict::kPass, Verdict::kWarn, Verdict::kSolver, Verdict::kFail,
+                           Verdict::kInvalid};
+  for (std::size_t i = 1; i < 5; ++i) {
+    EXPECT_EQ(worse(order[i - 1], order[i]), order[i]);
+    EXPECT_EQ(worse(order[i], order[i - 1]), order[i]);
+  }
+}
+
+Scene grounded_robot() {
+  Scene scene = tutorial_robot();
+  for (SceneShape& shape : scene.shapes) shape.extent = 0.2;
+  return scene;
+}
+
+TEST(Simulate, ASaneRobotSettlesAndDrivesAsFarAsItsWheelsRoll) {
+  const Scene scene = grounded_robot();
+  const DriveTrain wheels = find_wheels(scene, {});
+  const Facts causes;
+  Task task{scene, causes, {}, wheels, scene.solver};
+  for (const char* test : {"settle", "drive"}) {
+    task.scenarios.push_back(*make_test(test, scene, wheels).scenario);
+  }
+  const std::vector<Simulation> one = simulate::simulate({task}, {.jobs = 1});
+  const std::vector<Simulation> two = simulate::simulate({task, task}, {.jobs = 2});
+  ASSERT_EQ(one.size(), 1U);
+  EXPECT_EQ(one[0].verdict, Verdict::kPass);
+  ASSERT_EQ(one[0].runs.size(), 2U);
+  for (const Metric& metric : one[0].runs[1].metrics) {
+    if (metric.id == "drive.ratio" || metric.id == "drive.lateral") {
+      EXPECT_LT(metric.value, 0.005) << metric.id;
+    }
+  }
+  // The same bytes, however many ran at a time.
+  for (const Simulation& simulation : two) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(encode(simulation.runs[i].record), encode(one[0].runs[i].record));
+    }
+  }
+}
+
+TEST(Simulate, ACauseThatNoRunShowedComesFirstAndWarns) {
+  const Scene scene = grounded_robot();
+  const DriveTrain wheels = find_wheels(scene, {});
+  const Facts causes{{.kind = FactKind::kCauseMeshWheel, .subject = "w", .severe = true},
+                     {.kind = FactKind::kCauseEffort, .subject = "e", .severe = false}};
+  Task task{scene, causes, {*make_test("settle", scene, wheels).scenario}, wheels, scene.solver};
+  const std::vector<Simulation> result = simulate::simulate({task}, {});
+  EXPECT_EQ(result[0].verdict, Verdict::kWarn);
+  ASSERT_EQ(result[0].runs[0].facts.size(), 1U);
+  EXPECT_EQ(result[0].runs[0].facts[0].kind, FactKind::kCauseMeshWheel);
+  EXPECT_FALSE(result[0].runs[0].facts[0].severe);
+}
+
+TEST(Simulate, AssertionsOfPosesJointsAndMetrics) {
+  Scene scene = tutorial_robot();
+  Record record;
+  record.times = {0, 0.1, 0.2};
+  for (int i = 0; i < 3; ++i) {
+    for (std::size_t l = 0; l < 3; ++l) {
+      record.link_poses.push_back({{0.5 * i, 0, 0}, model::from_rpy(0.1, 0.2, 0.3)});
+    }
+    for (const double value : {1.0 * i, 2.0, 3.0, 4.0}) record.axis_values.push_back(value);
+  }
+  EXPECT_NEAR(*quantity_at(scene, record, "x of chassis", 0.15), 0.75, 1e-12);
+  EXPECT_NEAR(*quantity_at(scene, record, "x of my_robot::chassis", kInfinity), 1, 1e-12);
+  EXPECT_NEAR(*quantity_at(scene, record, "pitch of chassis", 0.1), 0.2, 1e-12);
+  EXPECT_NEAR(*quantity_at(scene, record, "position of left_wheel_hinge", 0.05), 0.5, 1e-12);
+  EXPECT_NEAR(*quantity_at(scene, record, "velocity of right_wheel_hinge", 0.05), 4, 1e-12);
+  EXPECT_FALSE(quantity_at(scene, record, "x of nobody", 0.1));
+  EXPECT_FALSE(quantity_at(scene, record, "x of chassis", 0.3));
+  Scenario scenario{.name = "s"};
+  scenario.assertions = {
+      {.name = "far", .quantity = "x of chassis", .at = 0.2, .least = 2},
+      {.name = "near", .quantity = "x of chassis", .at = 0.2, .most = 2},
+      {.name = "still", .metric = "rest.creep", .most = 1},
+      {.name = "unknown", .metric = "rest.sleep", .most = 1},
+  };
+  const Facts broken =
+      broken_assertions(scene, scenario, record, {make_metric("rest.creep", 0.5, {})});
+  ASSERT_EQ(broken.size(), 2U);
+  EXPECT_EQ(broken[0].name, "far");
+  EXPECT_EQ(broken[0].value, 1);
+  EXPECT_EQ(broken[0].limit, 2);
+  EXPECT_EQ(broken[1].name, "unknown");
+}
+
+}  // namespace
+}  // namespace rigor

@@ -1,0 +1,244 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/simulate/tests.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <rigor/simulate/footprint.h>
+#include <rigor/simulate/test_parts.h>
+
+#include "simulate/hand_robot.h"
+
+namespace rigor {
+namespace {
+
+using namespace simulate;
+using hand::hinge;
+using hand::shape_of;
+using hand::tutorial_robot;
+
+Scenario made_test(std::string_view name, const Scene& scene) {
+  const MadeTest made = make_test(name, scene, find_wheels(scene, {}));
+  EXPECT_TRUE(made.scenario) << made.why_not;
+  return made.scenario ? *made.scenario : Scenario{};
+}
+
+/// A crate on the ground that carries a joint: a pole of 1 kg, 0.4 m from the hinge at x = 0, z = 0.5.
+Scene crate_with_pole() {
+  Scene scene;
+  scene.size = 1;
+  scene.models.push_back({.name = "crate", .base = 0});
+  SceneBody crate;
+  crate.name = "crate::crate";
+  crate.X_WB.translation = {0, 0, 0.25};
+  crate.mass = {100, {}, {4, 0, 0, 4, 0, 4}};
+  SceneBody pole;
+  pole.name = "crate::pole";
+  pole.X_WB.translation = {0.4, 0, 0.5};
+  pole.mass = {1, {}, {0.02, 0, 0, 0.02, 0, 0.02}};
+  scene.bodies = {crate, pole};
+  scene.shapes = {shape_of(0, mesh::Box{{0.5, 0.5, 0.5}}), shape_of(1, mesh::Sphere{0.05})};
+  scene.joints.push_back(hinge("crate::pole_joint", 0, 1, {0, 0, 0.5}, {0, -1, 0}));
+  scene.joints[0].axes[0].lower = -0.5;
+  scene.joints[0].axes[0].upper = 1;
+  return scene;
+}
+
+TEST(Tests, AllThatAreNamedAreMadeForAWheeledRobot) {
+  const Scene scene = tutorial_robot();
+  for (const std::string_view name : kTestNames) {
+    if (name == "joint-sweep" || name == "hold") continue;
+    const Scenario scenario = made_test(name, scene);
+    EXPECT_EQ(scenario.name, name);
+    EXPECT_FALSE(scenario.phases.empty());
+    for (const Phase& phase : scenario.phases) {
+      EXPECT_LT(phase.begin, phase.end) << name;
+      EXPECT_LE(phase.end, scenario.duration) << name;
+    }
+    for (const Command& command : scenario.commands) EXPECT_LE(command.end, scenario.duration);
+  }
+  EXPECT_EQ(make_test("joint-sweep", scene, find_wheels(scene, {})).scenario, std::nullopt)
+      << "its wheels are no joints to sweep";
+  EXPECT_FALSE(make_test("dance", scene, {}).why_not.empty());
+}
+
+TEST(Tests, DriveRampsForASecondAndThenKeepsItsSpeed) {
+  const Scene scene = tutorial_robot();
+  const Scenario drive = made_test("drive", scene);
+  EXPECT_DOUBLE_EQ(drive.duration, 5);
+  ASSERT_EQ(drive.commands.size(), 2U);
+  // 0.3 √(2 · 9.8 m/s² · size), at a radius of 0.1 m.
+  const double speed = 0.3 * std::sqrt(2 * 9.8 * scene.size);
+  for (const Command& command : drive.commands) {
+    EXPECT_NEAR(command.value, speed / 0.1, 1e-9);
+    EXPECT_EQ(command.begin, 1);
+    EXPECT_EQ(command.end, 5);
+    EXPECT_EQ(command.ramp, 1);
+    EXPECT_EQ(command.kind, CommandKind::kVelocity);
+  }
+}
+
+TEST(Tests, DriveKeepsTheWheelsVelocityLimit) {
+  Scene scene = tutorial_robot();
+  scene.joints[1].axes[0].velocity = 2;
+  for (const Command& command : made_test("drive", scene).commands) {
+    EXPECT_NEAR(command.value, 2, 1e-12);
+  }
+}
+
+TEST(Tests, DriveTellsAReversedWheelThePositiveVelocityToo) {
+  Scene scene = tutorial_robot();
+  scene.joints[1].axes[0].direction_W = {0, -1, 0};
+  for (const Command& command : made_test("drive", scene).commands) EXPECT_GT(command.value, 0);
+  // But `brake` and `turn` are about something else.
+  double sum = 0;
+  for (const Command& command : made_test("brake", scene).commands) sum += command.value;
+  EXPECT_NEAR(sum, 0, 1e-12);
+}
+
+TEST(Tests, TurnHasAnArcAndASpin) {
+  const Scenario turn = made_test("turn", tutorial_robot());
+  double arc_left = 0;
+  double arc_right = 0;
+  double spin = 0;
+  const auto begin_of = [&](std::string_view name) {
+    return std::find_if(turn.phases.begin(), turn.phases.end(),
+                        [&](const Phase& phase) { return phase.name == name; })
+        ->begin;
+  };
+  for (const Command& command : turn.commands) {
+    if (command.begin == begin_of("arc"))
+      (command.joint == 0 ? arc_left : arc_right) = command.value;
+    if (command.begin == begin_of("spin")) spin += command.value;
+  }
+  EXPECT_NEAR(arc_right, 2 * arc_left, 1e-12);
+  EXPECT_GT(arc_left, 0);
+  EXPECT_NEAR(spin, 0, 1e-12);
+}
+
+TEST(Tests, ATricycleDoesNotTurnByItsSidesSpeeds) {
+  Scene scene = tutorial_robot();
+  SceneBody fork;
+  fork.X_WB.translation = {-0.15, 0, 0.1};
+  scene.bodies.push_back(fork);
+  scene.shapes[1].body = 3;
+  scene.shapes[1].X_BS = {{0, 0, -0.05}, {}};
+  scene.joints.push_back(hinge("fork", 0, 3, {-0.15, 0, 0.1}, {0, 0, 1}));
+  scene.joints.back().axes[0].lower = -1;
+  scene.joints.back().axes[0].upper = 1;
+  EXPECT_FALSE(make_test("turn", scene, find_wheels(scene, {})).scenario);
+  // In `drive` the fork is held straight.
+  const Scenario drive = made_test("drive", scene);
+  const auto& commands = drive.commands;
+  EXPECT_TRUE(std::any_of(commands.begin(), commands.end(), [](const Command& command) {
+    return command.joint == 2 && command.kind == CommandKind::kVelocity && command.value == 0;
+  }));
+}
+
+TEST(Tests, PushHasAFifthOfTheMomentumOfAFallAtTheCentreOfMass) {
+  const Scene scene = tutorial_robot();
+  const Scenario push = made_test("push", scene);
+  ASSERT_EQ(push.pushes.size(), 1U);
+  EXPECT_NEAR(length(push.pushes[0].impulse_W), 0.2 * 6 * std::sqrt(2 * 9.8 * scene.size), 1e-9);
+  EXPECT_NEAR(push.pushes[0].impulse_W.x, 0, 1e-12) << "sideways: forward it would roll";
+  // 1 kg of wheels at x = 0.1 and 5 kg of chassis at 0, all at z = 0.1, as the chassis' frame is.
+  EXPECT_NEAR(push.pushes[0].p_BP.x, 0.1 / 6, 1e-12);
+  EXPECT_NEAR(push.pushes[0].p_BP.z, 0, 1e-12);
+}
+
+TEST(Tests, TheTableTiltsTowardsTheWeakestSide) {
+  Scene scene;
+  scene.models.push_back({.name = "box", .base = 0});
+  SceneBody body;
+  body.X_WB.translation = {0, 0, 0.5};
+  body.mass = {1, {0.05, 0, 0}, {1, 0, 0, 1, 0, 1}};
+  scene.bodies = {body};
+  scene.shapes = {shape_of(0, mesh::Box{{0.4, 0.8, 1}})};
+  const Scenario table = made_test("tilt-table", scene);
+  ASSERT_EQ(table.tilts.size(), 1U);
+  // The edge at x = 0.2 is 0.15 from the centre of mass, which is 0.5 above it. About -y, gravity turns
+  // towards +x.
+  EXPECT_NEAR(table.tilts[0].axis.y, -1, 1e-12);
+  EXPECT_NEAR(table.tilts[0].angle, std::atan2(0.15, 0.5) + 0.1745, 1e-9);
+}
+
+TEST(Tests, ASweepGoesToBothLimitsAndBack) {
+  const Scene scene = crate_with_pole();
+  const Scenario sweep = made_test("joint-sweep", scene);
+  std::vector<double> targets;
+  for (const Command& command : sweep.commands) {
+    if (command.kind == CommandKind::kPosition) targets.push_back(command.value);
+  }
+  EXPECT_EQ(targets, (std::vector<double>{-0.5, 1, 0}));
+  EXPECT_EQ(sweep.phases.back().name, "sweep crate::pole_joint");
+}
+
+TEST(Tests, ASweepTakesAQuarterOfTheVelocityLimit) {
+  Scene scene = crate_with_pole();
+  scene.joints[0].axes[0].velocity = 4;
+  double fastest = 0;
+  for (const Command& command : made_test("joint-sweep", scene).commands) {
+    if (command.kind == CommandKind::kVelocity)
+      fastest = std::max(fastest, std::abs(command.value));
+  }
+  EXPECT_NEAR(fastest, 1, 1e-12);
+}
+
+TEST(Tests, ASweepsVelocitiesLeadToItsTargets) {
+  const Scene scene = crate_with_pole();
+  double at = 0;
+  for (const Command& command : made_test("joint-sweep", scene).commands) {
+    if (command.begin == 0) continue;  // stands still before
+    if (command.kind == CommandKind::kPosition) {
+      EXPECT_NEAR(at, command.value, 1e-9);
+      continue;
+    }
+    // What the rise from rest lacks of the full speed, the fall to rest afterwards has.
+    at += command.value * (command.end - command.begin);
+  }
+}
+
+TEST(Tests, HoldHasGainsThatTheLoadHardlyBends) {
+  const Scene scene = crate_with_pole();
+  const Scenario hold = made_test("hold", scene);
+  ASSERT_EQ(hold.commands.size(), 1U);
+  ASSERT_TRUE(hold.commands[0].gains);
+  const double load = 1 * 9.8 * 0.4;
+  EXPECT_NEAR(carried_load(scene, scene.joints[0]), load, 1e-12);
+  EXPECT_NEAR(carried_inertia(scene, scene.joints[0]), 0.02 + 0.16, 1e-12);
+  // The crate's own, about the hinge's line 0.25 m above its middle: 4 + 100 · 0.0625.
+  EXPECT_NEAR(effective_inertia(scene, scene.joints[0]), 1 / (1 / 0.18 + 1 / 10.25), 1e-12);
+  EXPECT_LE(load / hold.commands[0].gains->p, 0.005 + 1e-12);
+  EXPECT_LE(hold.commands[0].gains->d * 0.001, 0.25 * 0.18);
+}
+
+TEST(Tests, BrakesHoldWhatIsNoWheelNoSpringAndNoFollower) {
+  Scene scene = crate_with_pole();
+  EXPECT_EQ(made_test("settle", scene).commands.size(), 1U);
+  scene.joints[0].axes[0].spring_stiffness = 10;
+  EXPECT_EQ(made_test("settle", scene).commands.size(), 0U);
+  EXPECT_EQ(made_test("settle", scene).duration, 5) << "springs take longer";
+  scene.joints[0].axes[0].spring_stiffness = 0;
+  scene.joints[0].mimics.emplace_back();
+  EXPECT_EQ(made_test("settle", scene).commands.size(), 0U);
+  EXPECT_EQ(made_test("settle", tutorial_robot()).commands.size(), 0U);
+}
+
+TEST(Tests, JointsAreHeldAndSweptFromWhereTheyStart) {
+  Scene scene = crate_with_pole();
+  scene.joints[0].axes[0].start = 0.4;
+  EXPECT_EQ(made_test("hold", scene).commands.at(0).value, 0.4);
+  const Scenario sweep = made_test("joint-sweep", scene);
+  double last = 0;
+  for (const Command& command : sweep.commands) {
+    if (command.kind == CommandKind::kPosition) last = command.value;
+  }
+  EXPECT_EQ(last, 0.4);
+}
+
+}  // namespace
+}  // namespace rigor
