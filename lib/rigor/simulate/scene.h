@@ -64,7 +64,7 @@ struct HeightGrid {
 using SceneShapeKind = std::variant<mesh::Box, mesh::Sphere, mesh::Cylinder, mesh::Capsule,
                                     ConvexHull, TriangleSoup, HalfSpace, HeightGrid>;
 
-/// `<surface>`, as SDFormat defaults it. Gazebo takes the smaller mu of a pair; see engine_contact.cc.
+/// `<surface>`, as SDFormat defaults it. Gazebo takes the smaller mu of a pair; see engine_contacts.cc.
 struct ContactSurface {
   double mu = 1;
   double mu2 = 1;
@@ -206,9 +206,6 @@ struct Scene {
   /// The diagonal of the bounds of all that moves, m: the length that speeds and errors are held against.
   double size = 1;
 };
-
-/// Whether a joint connects the two, so that they do not collide.
-bool jointed(const Scene& scene, std::uint32_t body_a, std::uint32_t body_b);
 
 /// Sum over what moves, kg.
 double moving_mass(const Scene& scene);
