@@ -23,10 +23,10 @@ namespace {
 class MeshCacheCli : public testing::Test {
  protected:
   MeshCacheCli() {
-    constexpr unsigned kAround = 250;
-    static_assert(2 * kAround * 100 == mass::MeshCache::kLeastTriangles);
-    folder_.put("large.stl", *mesh::write_mesh(torus_mesh(2, 1, kAround, 100), "large.stl").bytes);
-    folder_.put("small.stl", *mesh::write_mesh(torus_mesh(2, 1, kAround, 99), "small.stl").bytes);
+    constexpr unsigned kAround = 10;
+    static_assert(2 * kAround * 50 == mass::MeshCache::kLeastTriangles);
+    folder_.put("large.stl", *mesh::write_mesh(torus_mesh(2, 1, kAround, 50), "large.stl").bytes);
+    folder_.put("small.stl", *mesh::write_mesh(torus_mesh(2, 1, kAround, 49), "small.stl").bytes);
   }
 
   Ran check(const std::string& arguments, const std::string& variables = "") const {

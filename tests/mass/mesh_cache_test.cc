@@ -62,7 +62,7 @@ class MeshCacheTest : public testing::Test {
   }
 
   MeshFacts find(const Files& files, const std::string& path) const {
-    return cache().find(MemoryDisk(files), path, MeshDepth::kAll);
+    return cache().facts(MemoryDisk(files), path, MeshDepth::kAll);
   }
 
   std::vector<Digest> keys() const {
@@ -82,9 +82,9 @@ class MeshCacheTest : public testing::Test {
   void lie() const {
     const FolderStore store(folder_.path("cache"));
     ASSERT_EQ(keys().size(), 1U);
-    std::optional<CachedMeshFacts> entry = decode(store.get(keys().front()).value_or(""));
+    std::optional<CachedMesh> entry = decode(store.get(keys().front()).value_or(""));
     ASSERT_TRUE(entry);
-    entry->facts.largest_part = kLie;
+    std::get<MeshFacts>(entry->found).largest_part = kLie;
     store.put(keys().front(), encode(*entry));
   }
 
@@ -140,6 +140,27 @@ TEST_F(MeshCacheTest, WhatChangesBesideTheMeshIsSeen) {
   }
 }
 
+TEST_F(MeshCacheTest, WhatAMeshEnclosesIsKeptBesideItsFacts) {
+  const MemoryDisk disk(box_files());
+  const auto all_of_survey = [](const MeshSurvey& survey) { return encode({{}, {}, survey}); };
+  const MeshSurvey expected = survey_mesh(disk, {"meshes/box.obj"});
+  ASSERT_TRUE(expected.hull && expected.topology);
+  find(box_files(), "meshes/box.obj");
+  EXPECT_EQ(all_of_survey(cache().survey(disk, {"meshes/box.obj"})), all_of_survey(expected));
+  EXPECT_EQ(keys().size(), 2U);
+  // Believed: of an entry of its own, and only of the same choice.
+  for (const Digest& key : keys()) {
+    const FolderStore store(folder_.path("cache"));
+    CachedMesh entry = *decode(*store.get(key));
+    if (auto* survey = std::get_if<MeshSurvey>(&entry.found)) survey->triangles = kLie;
+    store.put(key, encode(entry));
+  }
+  EXPECT_EQ(cache().survey(disk, {"meshes/box.obj"}).triangles, kLie);
+  EXPECT_EQ(cache().survey(disk, {"meshes/box.obj", "", true}).triangles, expected.triangles);
+  EXPECT_EQ(all_of(find(box_files(), "meshes/box.obj")),
+            all_of(mesh_facts(disk, "meshes/box.obj", MeshDepth::kAll)));
+}
+
 TEST_F(MeshCacheTest, ABufferThatChangesIsSeen) {
   find(gltf_files(), "a.gltf");
   lie();
@@ -157,21 +178,21 @@ TEST_F(MeshCacheTest, OthersFindOtherThings) {
   const auto known = [&](const MeshFacts& facts) { return facts.largest_part == kLie; };
   find(box_files(), "meshes/box.obj");
   lie();
-  EXPECT_TRUE(known(cache().find(disk, "meshes/box.obj", MeshDepth::kAll)));
-  EXPECT_FALSE(known(cache().find(disk, "meshes/box.obj", MeshDepth::kFile)));
-  EXPECT_FALSE(known(cache().find(disk, "./meshes/box.obj", MeshDepth::kAll)));
+  EXPECT_TRUE(known(cache().facts(disk, "meshes/box.obj", MeshDepth::kAll)));
+  EXPECT_FALSE(known(cache().facts(disk, "meshes/box.obj", MeshDepth::kFile)));
+  EXPECT_FALSE(known(cache().facts(disk, "./meshes/box.obj", MeshDepth::kAll)));
   const MeshCache other(FolderStore(folder_.path("cache")), "another program", kAnyMesh);
-  EXPECT_FALSE(known(other.find(disk, "meshes/box.obj", MeshDepth::kAll)));
+  EXPECT_FALSE(known(other.facts(disk, "meshes/box.obj", MeshDepth::kAll)));
 }
 
 TEST_F(MeshCacheTest, WhatIsSmallOrCannotBeReadIsNotKept) {
   const MemoryDisk disk({{"bad.obj", "v 0 0 nonsense\n"}, {"empty.stl", ""}});
   for (const char* path : {"bad.obj", "empty.stl", "missing.stl", "what.is.this"}) {
-    EXPECT_EQ(all_of(cache().find(disk, path, MeshDepth::kAll)),
+    EXPECT_EQ(all_of(cache().facts(disk, path, MeshDepth::kAll)),
               all_of(mesh_facts(disk, path, MeshDepth::kAll)));
   }
   const MemoryDisk box(box_files());
-  EXPECT_EQ(cache(12).find(box, "meshes/box.obj", MeshDepth::kAll).triangles, 11U);
+  EXPECT_EQ(cache(12).facts(box, "meshes/box.obj", MeshDepth::kAll).triangles, 11U);
   EXPECT_TRUE(keys().empty());
 }
 

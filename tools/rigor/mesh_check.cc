@@ -87,7 +87,7 @@ MeshChecking::MeshChecking(const MeshCheckArguments& arguments)
       disk_(real_),
       environment_(disk_, arguments.search.paths()),
       cache_(arguments.cache.cache()),
-      files_(disk_, mass::MeshDepth::kAll, cache_ ? &*cache_ : nullptr) {
+      files_(disk_, mass::MeshDepth::kAll, {cache_ ? &*cache_ : nullptr}) {
   rules::MeshCheckOptions options{arguments.paths, arguments.selection.selection()};
   require_known(options.selection, environment_.registry);
   result_ = rules::mesh_check(environment_, options, files_, sources_);

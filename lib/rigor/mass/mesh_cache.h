@@ -1,22 +1,27 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The facts of large meshes, kept in a folder from one run of a program to the next. They are those of
-// the same bytes at the same path, as the same program with the same importer of scenes found them,
-// and are used as long as everything else that was looked at (libraries of materials, buffers, pictures,
+// What was found of meshes, kept in a folder from one run of a program to the next. It is that of the
+// same bytes at the same path, as the same program with the same importer of scenes found it,
+// and is used as long as everything else that was looked at (libraries of materials, buffers, pictures,
 // names that were not there) is as it was. Whether there is a cache can be told from time alone.
 //
 //   const MeshCache cache(FolderStore("/home/me/.cache/rigor"), "rigor 0.1.0");
-//   MeshFiles files(disk, MeshDepth::kAll, &cache);
+//   MeshFiles files(disk, MeshDepth::kAll, {.cache = &cache});
 
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
-#include <utility>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 #include <rigor/mass/mesh_facts.h>
+#include <rigor/mass/mesh_reads.h>
+#include <rigor/mass/mesh_survey.h>
 #include <rigor/text/digest.h>
 #include <rigor/text/disk.h>
 #include <rigor/text/folder_store.h>
@@ -24,33 +29,44 @@
 
 namespace rigor::mass {
 
+struct CachedMesh;
+
 class MeshCache {
  public:
-  /// The facts of fewer triangles are found in less than 50 ms.
-  static constexpr std::uint64_t kLeastTriangles = 50'000;
+  /// Fewer triangles, in a format that rigor reads itself, are read as fast as they are looked up. Scenes
+  /// are kept whatever their size: importing one takes a process.
+  static constexpr std::uint64_t kLeastTriangles = 1000;
 
-  /// `program` tells apart programs that may find other facts in the same bytes.
-  MeshCache(FolderStore store, std::string program, std::uint64_t least = kLeastTriangles)
-      : store_(std::move(store)), program_(std::move(program)), least_(least) {}
+  /// `program` tells apart programs that may find something else in the same bytes.
+  MeshCache(FolderStore store, std::string program, std::uint64_t least = kLeastTriangles);
 
-  /// What `mesh_facts` gives.
-  MeshFacts find(const Disk& disk, const std::string& path, MeshDepth depth) const;
+  /// What `mesh_facts` and `survey_mesh` give. Safe across threads.
+  MeshFacts facts(const Disk& disk, const std::string& path, MeshDepth depth,
+                  MeshReads* reads = nullptr) const;
+  MeshSurvey survey(const Disk& disk, const MeshChoice& choice, MeshReads* reads = nullptr) const;
 
  private:
-  /// Of the file as it is now; nothing when none of its facts are kept.
-  std::optional<Digest> key(const Disk& disk, const std::string& path, MeshDepth depth) const;
-  bool keeps(const MeshFacts& facts) const;
+  class Importer;
+
+  template <class Found, class Find>
+  Found find(const Disk& disk, const std::string& path, std::string_view what,
+             const Find& find) const;
+  /// Of the file as it is now; nothing when nothing of it is kept.
+  std::optional<Digest> key(const Disk& disk, const std::string& path, std::string_view what) const;
+  std::string importer_of(mesh::Format format) const;
+  bool holds(const Disk& disk, const CachedMesh& entry) const;
 
   FolderStore store_;
   std::string program_;
   std::uint64_t least_;
+  std::shared_ptr<Importer> importer_;
 };
 
-/// An entry: facts, and what they hang on besides the mesh file.
-struct CachedMeshFacts {
+/// An entry: what was found, and what it hangs on besides the mesh file.
+struct CachedMesh {
   std::vector<Witness> witnesses;
   std::string importer;  ///< of scenes; empty where none is needed
-  MeshFacts facts;
+  std::variant<MeshFacts, MeshSurvey> found;
 };
 
 }  // namespace rigor::mass

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <rigor/mass/mesh_cache.h>
+#include <rigor/mass/mesh_reads.h>
 #include <rigor/mesh/convexity.h>
 #include <rigor/mesh/select.h>
 
@@ -93,12 +94,12 @@ MeshFacts mesh_facts(const Disk& disk, const std::string& path, const mesh::Load
 
 const MeshFacts& MeshFiles::find(const std::string& path, MeshDepth depth) {
   depth = std::max(depth, least_);
-  auto& entry = known_[{path, depth}];
-  if (!entry) {
-    entry = std::make_unique<MeshFacts>(cache_ ? cache_->find(disk_, path, depth)
-                                               : mesh_facts(disk_, path, depth));
-  }
-  return *entry;
+  return known_.find({path, depth}, [&] {
+    const auto [cache, reads] = memory_;
+    if (cache) return cache->facts(disk_, path, depth, reads);
+    return reads ? mesh_facts(disk_, path, *reads->find(path), depth)
+                 : mesh_facts(disk_, path, depth);
+  });
 }
 
 }  // namespace rigor::mass

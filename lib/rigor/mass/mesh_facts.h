@@ -10,8 +10,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,6 +21,7 @@
 #include <rigor/mesh/self_intersection.h>
 #include <rigor/mesh/topology.h>
 #include <rigor/text/disk.h>
+#include <rigor/text/found_once.h>
 
 namespace rigor::mass {
 
@@ -70,23 +69,28 @@ MeshFacts mesh_facts(const Disk& disk, const std::string& path, const mesh::Load
                      MeshDepth depth);
 
 class MeshCache;
+class MeshReads;
 
-/// Facts found once, however many links use a mesh.
+/// What spares looking at a mesh again, where there is such; it outlives who uses it.
+struct MeshMemory {
+  const MeshCache* cache = nullptr;  ///< what earlier runs found
+  MeshReads* reads = nullptr;        ///< what is in memory
+};
+
+/// Facts found once, however many links use a mesh. Safe across threads.
 class MeshFiles {
  public:
-  /// Each mesh is looked at as deep as is asked, and at least as deep as `least`. What a cache knows is
-  /// not looked at again; it outlives this.
-  explicit MeshFiles(const Disk& disk, MeshDepth least = MeshDepth::kFile,
-                     const MeshCache* cache = nullptr)
-      : disk_(disk), least_(least), cache_(cache) {}
+  /// Each mesh is looked at as deep as is asked, and at least as deep as `least`.
+  explicit MeshFiles(const Disk& disk, MeshDepth least = MeshDepth::kFile, MeshMemory memory = {})
+      : disk_(disk), least_(least), memory_(memory) {}
 
   const MeshFacts& find(const std::string& path, MeshDepth depth);
 
  private:
   const Disk& disk_;
   MeshDepth least_;
-  const MeshCache* cache_;
-  std::map<std::pair<std::string, MeshDepth>, std::unique_ptr<MeshFacts>> known_;
+  MeshMemory memory_;
+  FoundOnce<std::pair<std::string, MeshDepth>, MeshFacts> known_;
 };
 
 }  // namespace rigor::mass

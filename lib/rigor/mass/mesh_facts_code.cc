@@ -162,9 +162,21 @@ void members(Witness& v, const Use& use) {
 }
 
 template <class Use>
-void members(CachedMeshFacts& v, const Use& use) {
-  auto& [witnesses, importer, facts] = v;
-  use(witnesses, importer, facts);
+void members(mesh::Winding& v, const Use& use) {
+  auto& [doubled, inverted, lines] = v;
+  use(doubled, inverted, lines);
+}
+
+template <class Use>
+void members(MeshSurvey& v, const Use& use) {
+  auto& [format, faults, triangles, bounds, moments, closed, winding, topology, hull] = v;
+  use(format, faults, triangles, bounds, moments, closed, winding, topology, hull);
+}
+
+template <class Use>
+void members(CachedMesh& v, const Use& use) {
+  auto& [witnesses, importer, found] = v;
+  use(witnesses, importer, found);
 }
 
 // ---- How it is written: numbers in eight bytes, the lowest first; lists after
@@ -173,7 +185,7 @@ void members(CachedMeshFacts& v, const Use& use) {
 using FactsNumber = std::uint64_t;
 
 template <class T>
-concept FactsInteger = std::unsigned_integral<T> || std::is_enum_v<T>;  // also bool
+concept FactsInteger = std::integral<T> || std::is_enum_v<T>;  // also bool
 
 class FactsWriter {
  public:
@@ -204,6 +216,11 @@ class FactsWriter {
   void code(std::optional<T>& v) {
     number(v ? 1 : 0);
     if (v) code(*v);
+  }
+
+  void code(std::variant<MeshFacts, MeshSurvey>& v) {
+    number(v.index());
+    std::visit([this](auto& found) { code(found); }, v);
   }
 
   template <class T>
@@ -258,6 +275,11 @@ class FactsReader {
     if (number() != 0) code(v.emplace());
   }
 
+  void code(std::variant<MeshFacts, MeshSurvey>& v) {
+    if (number() != 0) v.emplace<MeshSurvey>();
+    std::visit([this](auto& found) { code(found); }, v);
+  }
+
   template <class T>
   void code(T& v) {
     members(v, [&](auto&... each) { (code(each), ...); });
@@ -289,15 +311,15 @@ class FactsReader {
 
 }  // namespace
 
-std::string encode(CachedMeshFacts entry) {
+std::string encode(CachedMesh entry) {
   FactsWriter writer;
   writer.code(entry);
   return writer.take();
 }
 
-std::optional<CachedMeshFacts> decode(std::string_view bytes) {
+std::optional<CachedMesh> decode(std::string_view bytes) {
   FactsReader reader(bytes);
-  CachedMeshFacts entry;
+  CachedMesh entry;
   reader.code(entry);
   if (!reader.whole()) return std::nullopt;
   return entry;

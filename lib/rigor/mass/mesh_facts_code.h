@@ -4,7 +4,7 @@
 // Entries of the cache of meshes as bytes and back, exactly.
 //
 //   const std::string bytes = encode({witnesses, importer, facts});
-//   if (const auto same = decode(bytes)) use(same->facts);
+//   if (const auto same = decode(bytes)) use(same->found);
 
 #pragma once
 
@@ -18,11 +18,11 @@ namespace rigor::mass {
 
 /// To be raised when the same members get another meaning. New members need not: the compiler stops
 /// until they are named in mesh_facts_code.cc, and other programs' entries are not looked at.
-inline constexpr std::string_view kMeshFactsCode = "1";
+inline constexpr std::string_view kMeshFactsCode = "2";
 
-std::string encode(CachedMeshFacts entry);
+std::string encode(CachedMesh entry);
 
 /// Nothing of bytes that no `encode` has given.
-std::optional<CachedMeshFacts> decode(std::string_view bytes);
+std::optional<CachedMesh> decode(std::string_view bytes);
 
 }  // namespace rigor::mass

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include <rigor/mass/facet_stream.h>
+#include <rigor/mass/mesh_cache.h>
+#include <rigor/mass/mesh_reads.h>
 #include <rigor/mesh/hull.h>
 #include <rigor/mesh/select.h>
 #include <rigor/mesh/stl.h>
@@ -16,6 +18,9 @@ namespace rigor::mass {
 namespace {
 
 using mesh::TriangleMesh;
+
+// A file of more is not held in memory for what one pass over it tells.
+constexpr std::uint64_t kStreamedBytes = std::uint64_t{32} << 20U;
 
 // Less volume than this share of the bounds' is that of a sheet: of what a modeller means as a solid,
 // the thinnest is a plate a thousand times as wide as thick.
@@ -43,18 +48,15 @@ std::optional<FacetSums> stream(const OpenFile& file, unsigned threads) {
   return sums;
 }
 
-/// The triangles of the chosen part.
-TriangleMesh part_of(TriangleMesh mesh, const MeshChoice& choice) {
-  if (!choice.submesh.empty()) {
-    std::vector<mesh::Triangle> kept;
-    for (const mesh::Part& part : mesh.parts) {
-      if (part.name != choice.submesh) continue;
-      const auto first = mesh.triangles.begin() + static_cast<std::ptrdiff_t>(part.first);
-      kept.insert(kept.end(), first, first + static_cast<std::ptrdiff_t>(part.count));
-    }
-    mesh.triangles = std::move(kept);
-    mesh.parts.clear();
+TriangleMesh part_of(TriangleMesh mesh, std::string_view name) {
+  std::vector<mesh::Triangle> kept;
+  for (const mesh::Part& part : mesh.parts) {
+    if (part.name != name) continue;
+    const auto first = mesh.triangles.begin() + static_cast<std::ptrdiff_t>(part.first);
+    kept.insert(kept.end(), first, first + static_cast<std::ptrdiff_t>(part.count));
   }
+  mesh.triangles = std::move(kept);
+  mesh.parts.clear();
   return mesh;
 }
 
@@ -104,6 +106,37 @@ void add_hull(const TriangleMesh& mesh, MeshSurvey& survey) {
     survey.hull = moments_of(*hull);
 }
 
+/// Of a plain binary STL whose triangles say what they enclose.
+std::optional<MeshSurvey> streamed(const Disk& disk, const MeshChoice& choice, unsigned threads) {
+  if (!choice.submesh.empty() || choice.center) return std::nullopt;
+  const auto file = disk.open(choice.path);
+  const auto sums = file ? stream(*file, threads) : std::nullopt;
+  if (!sums) return std::nullopt;
+  MeshSurvey survey;
+  survey.format = mesh::Format::kStlBinary;
+  take(*sums, survey);
+  if (needs_hull(survey)) return std::nullopt;
+  return survey;
+}
+
+MeshSurvey survey_of(const mesh::LoadedMesh& loaded, const MeshChoice& choice) {
+  MeshSurvey survey;
+  survey.format = loaded.format;
+  survey.faults = loaded.faults;
+  if (!survey.usable()) return survey;
+  std::optional<TriangleMesh> own;
+  if (!choice.submesh.empty()) own = part_of(loaded.mesh, choice.submesh);
+  if (choice.center) move_to_center(own ? *own : own.emplace(loaded.mesh));
+  const TriangleMesh& mesh = own ? *own : loaded.mesh;
+  if (mesh.triangles.empty()) {
+    survey.faults.push_back({mesh::FaultKind::kEmpty, "it has no part named " + choice.submesh});
+    return survey;
+  }
+  take(sums_of(mesh), survey);
+  if (needs_hull(survey)) add_hull(mesh, survey);
+  return survey;
+}
+
 }  // namespace
 
 bool MeshSurvey::usable() const {
@@ -112,36 +145,22 @@ bool MeshSurvey::usable() const {
 }
 
 MeshSurvey survey_mesh(const Disk& disk, const MeshChoice& choice, unsigned threads) {
-  MeshSurvey survey;
-  if (choice.submesh.empty() && !choice.center) {
-    if (const auto file = disk.open(choice.path)) {
-      if (const auto sums = stream(*file, threads)) {
-        survey.format = mesh::Format::kStlBinary;
-        take(*sums, survey);
-        if (!needs_hull(survey)) return survey;
-      }
-    }
-  }
-  mesh::LoadedMesh loaded = mesh::read_mesh(disk, choice.path);
-  survey.format = loaded.format;
-  survey.faults = std::move(loaded.faults);
-  if (!survey.usable()) return survey;
-  TriangleMesh mesh = part_of(std::move(loaded.mesh), choice);
-  if (mesh.triangles.empty()) {
-    survey.faults.push_back({mesh::FaultKind::kEmpty, "it has no part named " + choice.submesh});
-    return survey;
-  }
-  if (choice.center) move_to_center(mesh);
-  take(sums_of(mesh), survey);
-  if (needs_hull(survey)) add_hull(mesh, survey);
-  return survey;
+  if (auto survey = streamed(disk, choice, threads)) return *std::move(survey);
+  return survey_of(mesh::read_mesh(disk, choice.path), choice);
+}
+
+MeshSurvey survey_mesh(const Disk& disk, const MeshChoice& choice, MeshReads& reads) {
+  const auto file = disk.open(choice.path);
+  if (file && file->size() > kStreamedBytes) return survey_mesh(disk, choice);
+  return survey_of(*reads.find(choice.path), choice);
 }
 
 const MeshSurvey& MeshSurveys::find(const MeshChoice& choice) {
-  const std::lock_guard lock(mutex_);
-  auto& entry = known_[{choice.path, choice.submesh, choice.center}];
-  if (!entry) entry = std::make_unique<MeshSurvey>(survey_mesh(disk_, choice));
-  return *entry;
+  return known_.find({choice.path, choice.submesh, choice.center}, [&] {
+    const auto [cache, reads] = memory_;
+    if (cache) return cache->survey(disk_, choice, reads);
+    return reads ? survey_mesh(disk_, choice, *reads) : survey_mesh(disk_, choice);
+  });
 }
 
 MeshBody body_of(const MeshSurvey& survey, const model::Vector3& scale) {

@@ -14,20 +14,19 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include <rigor/mass/mesh_facts.h>
 #include <rigor/mass/polyhedron.h>
 #include <rigor/mass/shapes.h>
 #include <rigor/mesh/read.h>
 #include <rigor/mesh/topology.h>
 #include <rigor/mesh/winding.h>
 #include <rigor/text/disk.h>
+#include <rigor/text/found_once.h>
 
 namespace rigor::mass {
 
@@ -57,17 +56,20 @@ struct MeshSurvey {
 /// `threads` of zero means as many as there are cores.
 MeshSurvey survey_mesh(const Disk& disk, const MeshChoice& choice, unsigned threads = 1);
 
+/// The same of a mesh that others look at as well. One of a binary STL that is large is streamed even so.
+MeshSurvey survey_mesh(const Disk& disk, const MeshChoice& choice, MeshReads& reads);
+
 /// Surveys made once, however many links use a mesh. Safe across threads.
 class MeshSurveys {
  public:
-  explicit MeshSurveys(const Disk& disk) : disk_(disk) {}
+  explicit MeshSurveys(const Disk& disk, MeshMemory memory = {}) : disk_(disk), memory_(memory) {}
 
   const MeshSurvey& find(const MeshChoice& choice);
 
  private:
   const Disk& disk_;
-  std::mutex mutex_;
-  std::map<std::tuple<std::string, std::string, bool>, std::unique_ptr<MeshSurvey>> known_;
+  MeshMemory memory_;
+  FoundOnce<std::tuple<std::string, std::string, bool>, MeshSurvey> known_;
 };
 
 /// What a mesh is good for.

@@ -82,7 +82,7 @@ dWorldID make_ode_world(const Scene& scene, const SolverSettings& settings) {
 
 OdeSession::OdeSession(std::uint64_t seed) {
   dInitODE2(0);
-  dAllocateODEDataForThread(dAllocateMaskAll);
+  dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll));
   dSetErrorHandler(throw_ode_error);
   dSetDebugHandler(throw_ode_error);
   dSetMessageHandler(count_ode_message);

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <mutex>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -75,6 +76,16 @@ std::vector<StoredEntry> newest_first(const std::string& folder) {
 
 }  // namespace
 
+struct FolderStore::Room {
+  std::mutex mutex;
+  bool known = false;
+  std::uint64_t bytes = 0;
+  std::size_t count = 0;
+};
+
+FolderStore::FolderStore(std::string folder, std::uint64_t max_bytes)
+    : folder_(std::move(folder)), max_bytes_(max_bytes), room_(std::make_shared<Room>()) {}
+
 std::optional<std::string> FolderStore::get(const Digest& key) const {
   std::optional<std::string> entry = RealDisk().read(path_of(key), kMaxEntryBytes).bytes;
   const std::size_t head = kEntryMagic.size() + key.size();
@@ -99,20 +110,30 @@ void FolderStore::put(const Digest& key, std::string_view bytes) const {
     ::unlink(unfinished.c_str());
     return;
   }
-  make_room();
+  make_room(entry.size());
 }
 
 std::string FolderStore::path_of(const Digest& key) const {
   return folder_ + '/' + hex(key).append(kEntryEnding);
 }
 
-void FolderStore::make_room() const {
-  std::uint64_t bytes = 0;
-  std::size_t count = 0;
+void FolderStore::make_room(std::uint64_t added) const {
+  const std::lock_guard lock(room_->mutex);
+  room_->bytes += added;
+  ++room_->count;
+  if (room_->known && room_->count <= kMaxEntries && room_->bytes <= max_bytes_) return;
+  room_->known = true;
+  room_->bytes = 0;
+  room_->count = 0;
   for (const StoredEntry& entry : newest_first(folder_)) {
-    bytes += entry.bytes;
     std::error_code ignored;
-    if (++count > kMaxEntries || bytes > max_bytes_) fs::remove(entry.path, ignored);
+    const bool fits = room_->count < kMaxEntries && room_->bytes + entry.bytes <= max_bytes_;
+    if (!fits) {
+      fs::remove(entry.path, ignored);
+      continue;
+    }
+    room_->bytes += entry.bytes;
+    ++room_->count;
   }
 }
 
