@@ -43,8 +43,9 @@ std::uint32_t skip_comments(std::string_view bytes, std::uint32_t at) {
     const std::uint32_t next = skip(bytes, past, kBlanks);
     if (ends_line(bytes, next)) return past;
     const std::string_view rest = bytes.substr(next);
+    if (!rest.starts_with(kOpen)) return at;
     const std::size_t close = rest.find(kClose, kOpen.size());
-    if (!rest.starts_with(kOpen) || close == std::string_view::npos) return at;
+    if (close == std::string_view::npos) return at;
     if (rest.substr(0, close).find('\n') != std::string_view::npos) return at;
     past = static_cast<std::uint32_t>(next + close + kClose.size());
   }
