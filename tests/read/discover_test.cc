@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace rigor::read {
 namespace {
 
@@ -27,6 +29,93 @@ TEST(Discover, AFolderWithoutModelsIsNoUse) {
   MemoryDisk disk;
   disk.put("r/readme.txt", "");
   EXPECT_EQ(discover(disk, {"r"}).unusable.size(), 1U);
+}
+
+/// A repository with a bit of everything that is left out.
+MemoryDisk ignoring_repository() {
+  MemoryDisk disk;
+  for (const char* path :
+       {"/w/.git/HEAD", "/w/arm/a.sdf", "/w/arm/gen.sdf", "/w/build/b.sdf", "/w/ws/install/c.sdf",
+        "/w/ws/install/COLCON_IGNORE", "/w/ws/d.urdf", "/w/vendor/e.sdf"}) {
+    disk.put(path, "");
+  }
+  disk.put("/w/.gitignore", "build/\ngen.*\n");
+  return disk;
+}
+
+std::vector<std::string> left_out_paths(const Discovered& found) {
+  std::vector<std::string> paths;
+  for (const LeftOut& left : found.left_out) paths.push_back(left.path);
+  return paths;
+}
+
+TEST(Discover, WhatGitAndColconIgnoreIsPassedOver) {
+  const MemoryDisk disk = ignoring_repository();
+  EXPECT_EQ(discover(disk, {"/w"}).files,
+            (std::vector<std::string>{"/w/arm/a.sdf", "/w/vendor/e.sdf", "/w/ws/d.urdf"}));
+  // The file of patterns stands above the folder that is walked.
+  EXPECT_EQ(discover(disk, {"/w/arm"}).files, std::vector<std::string>{"/w/arm/a.sdf"});
+  const Discovered all = discover(disk, {"/w/arm"}, {.git_ignoring = GitIgnoring::kPassOver});
+  EXPECT_EQ(all.files, (std::vector<std::string>{"/w/arm/a.sdf", "/w/arm/gen.sdf"}));
+}
+
+TEST(Discover, WhatIsNamedIsTaken) {
+  const MemoryDisk disk = ignoring_repository();
+  const std::vector<std::string> named{"/w/arm/gen.sdf", "/w/build/b.sdf", "/w/ws/install"};
+  EXPECT_EQ(discover(disk, named).files,
+            (std::vector<std::string>{"/w/arm/gen.sdf", "/w/build/b.sdf", "/w/ws/install/c.sdf"}));
+
+  const Discovered judged = discover(disk, named, {.named = NamedPaths::kJudge});
+  EXPECT_TRUE(judged.files.empty());
+  EXPECT_TRUE(judged.unusable.empty());
+  EXPECT_EQ(left_out_paths(judged), named);
+  EXPECT_TRUE(judged.left_out[1].excluded);
+  EXPECT_EQ(judged.left_out[1].why, "left out by /w/.gitignore line 1: build/");
+}
+
+TEST(Discover, RelativePathsLieInTheWorkingFolder) {
+  MemoryDisk disk = ignoring_repository();
+  disk.put("a.sdf", "");  // the memory's "." is where relative paths lead
+  disk.put("gen.sdf", "");
+  const Discovered found = discover(disk, {"."}, {.working_folder = "/w/arm"});
+  EXPECT_EQ(std::count(found.files.begin(), found.files.end(), "gen.sdf"), 0);
+  EXPECT_EQ(std::count(found.files.begin(), found.files.end(), "a.sdf"), 1);
+}
+
+TEST(Discover, WhatIsExcludedIsPassedOver) {
+  const MemoryDisk disk = ignoring_repository();
+  DiscoverOptions options;
+  options.excluded = [](const std::string& path, PathKind) -> std::string {
+    return path.starts_with("/w/vendor") ? "rigor.toml line 3: vendor/" : "";
+  };
+  EXPECT_EQ(discover(disk, {"/w"}, options).files,
+            (std::vector<std::string>{"/w/arm/a.sdf", "/w/ws/d.urdf"}));
+  EXPECT_EQ(discover(disk, {"/w/vendor/e.sdf"}, options).files.size(), 1U);
+  options.named = NamedPaths::kJudge;
+  EXPECT_EQ(left_out_paths(discover(disk, {"/w/vendor/e.sdf"}, options)),
+            std::vector<std::string>{"/w/vendor/e.sdf"});
+}
+
+TEST(Discover, AFolderWhoseModelsAreAllLeftOutSaysSo) {
+  MemoryDisk disk;
+  disk.put("/r/.gitignore", "*.sdf\n");
+  disk.put("/r/a.sdf", "");
+  disk.put("/r/b.sdf", "");
+  const Discovered found = discover(disk, {"/r"});
+  ASSERT_EQ(found.unusable.size(), 1U);
+  EXPECT_EQ(found.unusable[0],
+            "/r: holds no .sdf, .world, .urdf or model.config but in what is left out: /r/a.sdf by "
+            "/r/.gitignore line 1: *.sdf, and 1 more");
+}
+
+TEST(Discover, WhatIsNotWantedIsCounted) {
+  const MemoryDisk disk = ignoring_repository();
+  DiscoverOptions options;
+  options.wanted = [](const std::string& path) { return path.ends_with(".urdf"); };
+  const Discovered found = discover(disk, {"/w", "/w/arm"}, options);
+  EXPECT_EQ(found.files, std::vector<std::string>{"/w/ws/d.urdf"});
+  EXPECT_EQ(found.unwanted, 2U);
+  EXPECT_TRUE(found.unusable.empty());
 }
 
 }  // namespace

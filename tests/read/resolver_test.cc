@@ -49,6 +49,35 @@ TEST(Resolver, SearchesInTheOrderOfTheContract) {
   }
 }
 
+TEST(Resolver, TheConfigurationComesAfterTheCommandLine) {
+  const ConfiguredPaths configured{{"/conf", "/conf2"},
+                                   {{"arm", "/conf/arms"}, {"leg", "/conf/legs"}}};
+  SearchPaths search = paths();
+  search.configured = [&configured](std::string_view file) {
+    return file.starts_with("/w/") ? &configured : nullptr;
+  };
+  const std::vector<std::string> places{"/given/m/a.stl", "/conf/m/a.stl", "/conf2/m/a.stl",
+                                        "/w/models/m/a.stl"};
+  for (std::size_t first = 0; first < places.size(); ++first) {
+    MemoryDisk disk =
+        disk_with({places.begin() + static_cast<std::ptrdiff_t>(first), places.end()});
+    disk.put("/w/models/other/model.config", "x");
+    const Resolver resolver(disk, search);
+    for (const char* uri : {"model://m/a.stl", "m/a.stl"}) {
+      EXPECT_EQ(resolver.resolve(uri, "/w/models/other/model.sdf").path, places[first]);
+    }
+  }
+  const MemoryDisk disk = disk_with(
+      {"/conf/arms/a", "/packages/arm/a", "/conf/legs/b", "/conf2/hand/c", "/conf/m/a.stl"});
+  const Resolver resolver(disk, search);
+  EXPECT_EQ(resolver.resolve("package://arm/a", "/w/x.urdf").path, "/packages/arm/a");
+  EXPECT_EQ(resolver.resolve("package://leg/b", "/w/x.urdf").path, "/conf/legs/b");
+  EXPECT_EQ(resolver.resolve("package://leg/b", "/w/x.urdf").tried.back().origin, "rigor.toml");
+  EXPECT_EQ(resolver.resolve("package://hand/c", "/w/x.urdf").path, "/conf2/hand/c");
+  EXPECT_EQ(resolver.resolve("model://m/a.stl", "/elsewhere/x.sdf").path, std::nullopt)
+      << "that file has another configuration";
+}
+
 TEST(Resolver, AWorldFindsTheModelsAroundIt) {
   const MemoryDisk disk = disk_with({"/w/models/m/model.config"});
   const Resolver resolver(disk, {});

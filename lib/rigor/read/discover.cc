@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <set>
 #include <string_view>
+#include <utility>
 
+#include <rigor/read/repository_ignores.h>
 #include <rigor/text/path.h>
 
 namespace rigor::read {
@@ -14,6 +16,8 @@ namespace {
 
 /// Folders nest this deep at most: a link that leads back up would never end.
 constexpr int kMaxFolderDepth = 64;
+
+constexpr std::string_view kColconMarker = "COLCON_IGNORE";
 
 bool is_model(const std::string& path) {
   const std::string ending = extension(path);
@@ -31,33 +35,55 @@ std::string_view template_of(const std::string& path) {
   return {};
 }
 
+std::vector<std::string> absolute_folders(const Disk& disk, const std::vector<std::string>& paths,
+                                          const std::string& working_folder) {
+  std::vector<std::string> folders;
+  if (!working_folder.empty()) folders.push_back(normalize_path(working_folder));
+  for (const std::string& path : paths) {
+    if (disk.kind(path) == PathKind::kFolder) folders.push_back(join_path(working_folder, path));
+  }
+  return folders;
+}
+
 class FolderWalk {
  public:
-  FolderWalk(const Disk& disk, Discovered& found) : disk_(disk), found_(found) {}
+  FolderWalk(const Disk& disk, const std::vector<std::string>& paths,
+             const DiscoverOptions& options, Discovered& found)
+      : disk_(disk),
+        options_(options),
+        found_(found),
+        ignores_(disk, absolute_folders(disk, paths, options.working_folder)) {}
 
   void argument(const std::string& path) {
-    switch (disk_.kind(path)) {
-      case PathKind::kMissing:
-      case PathKind::kOther: found_.unusable.push_back(path + ": no such file or folder"); break;
-      case PathKind::kFile: file(path); break;
-      case PathKind::kFolder: {
-        const std::size_t before = found_.files.size() + found_.left_out.size();
-        folder(path, 0);
-        if (found_.files.size() + found_.left_out.size() == before) {
-          found_.unusable.push_back(path + ": holds no .sdf, .world, .urdf or model.config");
-        }
-        break;
-      }
+    const PathKind kind = disk_.kind(path);
+    if (kind != PathKind::kFile && kind != PathKind::kFolder) {
+      found_.unusable.push_back(path + ": no such file or folder");
+      return;
+    }
+    std::string why = options_.named == NamedPaths::kJudge ? why_not_named(path, kind) : "";
+    if (!why.empty()) {
+      found_.left_out.push_back({path, "left out by " + why, true});
+    } else if (kind == PathKind::kFile) {
+      file(path);
+    } else {
+      passed_over_.clear();
+      met_ = 0;
+      folder(path, 0);
+      if (met_ == 0) no_model_in(path);
     }
   }
 
  private:
   void file(const std::string& path) {
     const std::string_view why = template_of(path);
-    if (!why.empty()) {
-      found_.left_out.push_back({path, std::string(why)});
-    } else if (seen_.insert(normalize_path(path)).second) {
+    ++met_;
+    if (!seen_.insert(normalize_path(path)).second) return;
+    if (options_.wanted && !options_.wanted(path)) {
+      ++found_.unwanted;
+    } else if (why.empty()) {
       found_.files.push_back(path);
+    } else {
+      found_.left_out.push_back({path, std::string(why)});
     }
   }
 
@@ -67,25 +93,83 @@ class FolderWalk {
       if (name.starts_with('.')) continue;
       const std::string inside = path == "." ? name : join_path(path, name);
       const PathKind kind = disk_.kind(inside);
-      if (kind == PathKind::kFolder) folder(inside, depth + 1);
-      if (kind == PathKind::kFile && (is_model(inside) || !template_of(inside).empty())) {
+      const bool is_folder = kind == PathKind::kFolder;
+      if (!is_folder && kind != PathKind::kFile) continue;
+      if (!is_folder && !is_model(inside) && template_of(inside).empty()) continue;
+      if (std::string why = why_not(inside, kind); !why.empty()) {
+        passed_over_.push_back({inside, std::move(why)});
+      } else if (is_folder) {
+        folder(inside, depth + 1);
+      } else {
         file(inside);
       }
     }
   }
 
+  std::string why_not(const std::string& path, PathKind kind) {
+    if (options_.excluded) {
+      if (std::string why = options_.excluded(path, kind); !why.empty()) return why;
+    }
+    if (kind == PathKind::kFolder && is_marked(path)) return join_path(path, kColconMarker);
+    if (options_.git_ignoring == GitIgnoring::kPassOver) return {};
+    return ignores_.left_out(absolute(path), kind).value_or("");
+  }
+
+  /// Of a path that no walk led to: what is above it may be left out as well.
+  std::string why_not_named(const std::string& path, PathKind kind) {
+    if (std::string why = why_not(path, kind); !why.empty()) return why;
+    if (options_.git_ignoring == GitIgnoring::kHonour) {
+      if (auto why = ignores_.left_out_with_folders(absolute(path), kind)) return *why;
+    }
+    const std::string top = absolute(".");
+    std::string above(parent_path(absolute(path)));
+    for (; above != top && is_within(above, top); above = std::string(parent_path(above))) {
+      if (is_marked(above)) return join_path(above, kColconMarker);
+    }
+    return {};
+  }
+
+  bool is_marked(const std::string& folder) const {
+    return disk_.kind(join_path(folder, kColconMarker)) == PathKind::kFile;
+  }
+
+  std::string absolute(const std::string& path) const {
+    return join_path(options_.working_folder, path);
+  }
+
+  void no_model_in(const std::string& path) {
+    std::string message = path + ": holds no .sdf, .world, .urdf or model.config";
+    if (!passed_over_.empty()) {
+      message += " but in what is left out: " + passed_over_.front().path + " by " +
+                 passed_over_.front().why;
+      if (passed_over_.size() > 1) {
+        message += ", and " + std::to_string(passed_over_.size() - 1) + " more";
+      }
+    }
+    found_.unusable.push_back(std::move(message));
+  }
+
   const Disk& disk_;
+  const DiscoverOptions& options_;
   Discovered& found_;
+  RepositoryIgnores ignores_;
+  std::vector<LeftOut> passed_over_;  ///< in the folder that is being walked
+  std::size_t met_ = 0;               ///< models and templates in it
   std::set<std::string> seen_;
 };
 
 }  // namespace
 
-Discovered discover(const Disk& disk, const std::vector<std::string>& paths) {
+Discovered discover(const Disk& disk, const std::vector<std::string>& paths,
+                    const DiscoverOptions& options) {
   Discovered found;
-  FolderWalk walk(disk, found);
+  FolderWalk walk(disk, paths, options, found);
   for (const std::string& path : paths) walk.argument(path);
   return found;
+}
+
+Discovered discover(const Disk& disk, const std::vector<std::string>& paths) {
+  return discover(disk, paths, {});
 }
 
 }  // namespace rigor::read

@@ -4,9 +4,16 @@
 // Which files a list of paths means: a file is itself, a folder is what it holds of models.
 //
 //   Discovered found = discover(disk, {"my_robot", "worlds/lab.world"});
+//
+// What a repository ignores is passed over in a folder, and so are hidden folders (`.git`) and those that
+// hold a file COLCON_IGNORE, as the build, install and log folders of a colcon workspace do. What is named
+// is looked at all the same, unless `named` says that it is to be judged like the rest.
 
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,18 +21,42 @@
 
 namespace rigor::read {
 
+/// Whether `.gitignore` files are read (see repository_ignores.h).
+enum class GitIgnoring : std::uint8_t { kHonour, kPassOver };
+
+/// What becomes of a path that is named itself and that is ignored or excluded. A hook of pre-commit names
+/// every file that changed, so it asks for kJudge.
+enum class NamedPaths : std::uint8_t { kAlwaysTake, kJudge };
+
+struct DiscoverOptions {
+  GitIgnoring git_ignoring = GitIgnoring::kHonour;
+  NamedPaths named = NamedPaths::kAlwaysTake;
+  /// Why a file or folder is excluded, "exclude = \"vendor/\" in rigor.toml line 3"; empty when it is not.
+  /// Asked with the path as it would be reported. A folder above it may be why as well.
+  std::function<std::string(const std::string& path, PathKind kind)> excluded;
+  /// Whether a file that was found is to be taken, as one that changed; all are when empty. Called once a
+  /// file, in their order.
+  std::function<bool(const std::string& path)> wanted;
+  /// Where relative paths begin, as an absolute path. Without it nobody knows what lies above them.
+  std::string working_folder;
+};
+
 struct LeftOut {
   std::string path;
   std::string why;
+  bool excluded = false;  ///< ignored or excluded; else it is a template
 };
 
 struct Discovered {
-  std::vector<std::string> files;     ///< each once, in the order of the arguments, then by name
-  std::vector<LeftOut> left_out;      ///< templates that somebody has to expand first
+  std::vector<std::string> files;  ///< each once, in the order of the arguments, then by name
+  std::vector<LeftOut> left_out;   ///< templates, which somebody has to expand; named and excluded
+  std::size_t unwanted = 0;        ///< files that were found, but not wanted
   std::vector<std::string> unusable;  ///< arguments that do not exist, and folders without a model
 };
 
-/// Folders are walked without following links upward: hidden ones (`.git`) are passed over.
+/// Folders are walked without following links to other folders.
+Discovered discover(const Disk& disk, const std::vector<std::string>& paths,
+                    const DiscoverOptions& options);
 Discovered discover(const Disk& disk, const std::vector<std::string>& paths);
 
 }  // namespace rigor::read

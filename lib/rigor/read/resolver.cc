@@ -38,6 +38,8 @@ constexpr std::uint64_t kMaxPackageXml = std::uint64_t{1} << 20U;
 /// Folders above a file that are looked at for a package.xml or a neighbouring model.
 constexpr int kMaxAncestors = 16;
 
+constexpr std::string_view kConfiguredOrigin = "rigor.toml";
+
 /// The folder above a path, or the path itself at the top.
 std::string above(const std::string& path) {
   if (path == "." || file_name(path) == "..") return normalize_path(path + "/..");
@@ -91,6 +93,10 @@ Resolution Resolver::resolve(std::string_view uri, std::string_view file) const 
   return result;
 }
 
+const ConfiguredPaths* Resolver::configured(std::string_view file) const {
+  return paths_.configured ? paths_.configured(file) : nullptr;
+}
+
 void Resolver::try_path(std::string path, std::string_view origin, Resolution& result) const {
   if (result.path) return;
   const auto known = [&path](const Tried& tried) { return tried.path == path; };
@@ -104,6 +110,11 @@ void Resolver::resolve_model(std::string_view rest, std::string_view file,
                              Resolution& result) const {
   for (const SearchPath& path : paths_.given) {
     try_path(join_path(path.folder, rest), path.origin, result);
+  }
+  if (const ConfiguredPaths* paths = result.path ? nullptr : configured(file)) {
+    for (const std::string& path : paths->folders) {
+      try_path(join_path(path, rest), kConfiguredOrigin, result);
+    }
   }
   // The folder of the model that the file belongs to, and the models beside it.
   std::string folder(parent_path(file));
@@ -139,6 +150,14 @@ void Resolver::resolve_package(std::string_view rest, std::string_view file,
   }
   for (const SearchPath& path : paths_.given) {
     try_path(join_path(path.folder, rest), path.origin, result);
+  }
+  if (const ConfiguredPaths* paths = result.path ? nullptr : configured(file)) {
+    if (const auto found = paths->packages.find(name); found != paths->packages.end()) {
+      try_path(join_path(found->second, inside), kConfiguredOrigin, result);
+    }
+    for (const std::string& path : paths->folders) {
+      try_path(join_path(path, rest), kConfiguredOrigin, result);
+    }
   }
   std::string folder(parent_path(file));
   for (int i = 0; i < kMaxAncestors && !result.path; ++i) {

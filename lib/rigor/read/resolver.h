@@ -32,12 +32,21 @@ struct SearchPath {
   std::string origin;
 };
 
+/// What a project's configuration says of paths.
+struct ConfiguredPaths {
+  std::vector<std::string> folders;
+  std::map<std::string, std::string> packages;  ///< folders, by package
+};
+
 struct SearchPaths {
-  std::vector<SearchPath> given;                ///< from the command line, then the configuration
+  std::vector<SearchPath> given;                ///< from the command line
   std::map<std::string, std::string> packages;  ///< `--package NAME=DIR`
   std::vector<SearchPath> environment;          ///< model paths, in the order of the contract
   std::vector<SearchPath> ros;                  ///< folders of packages
   std::string fuel_cache;                       ///< empty when there is none
+  /// Of the configuration for what stands in a file; null, or no function, when there is none. Safe across
+  /// threads; what it gives is valid as long as the resolver.
+  std::function<const ConfiguredPaths*(std::string_view file)> configured;
 };
 
 /// The paths that the environment's variables name; `variable` gives a variable's value, empty when
@@ -68,6 +77,7 @@ class Resolver {
   const Disk& disk() const { return disk_; }
 
  private:
+  const ConfiguredPaths* configured(std::string_view file) const;
   void try_path(std::string path, std::string_view origin, Resolution& result) const;
   void resolve_model(std::string_view rest, std::string_view file, Resolution& result) const;
   void resolve_package(std::string_view rest, std::string_view file, Resolution& result) const;
