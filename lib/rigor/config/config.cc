@@ -3,62 +3,69 @@
 
 #include <rigor/config/config.h>
 
-#include <cmath>
+#include <iterator>
 #include <utility>
-
-#define TOML_EXCEPTIONS 0
-#include <toml++/toml.h>
-
-#include <rigor/text/path.h>
 
 namespace rigor::config {
 namespace {
 
-void read_materials(const toml::table& table, Config& config) {
-  for (const auto& [name, node] : table) {
-    const auto density = node.value<double>();
-    if (density && *density > 0 && std::isfinite(*density)) {
-      config.materials.emplace(name.str(), *density);
-    } else {
-      config.problems.push_back(
-          {node.source().begin.line,
-           "the density of '" + std::string(name.str()) + "' must be a number above 0 kg/m³"});
-    }
-  }
+template <class T>
+void append(std::vector<T>& list, std::vector<T> more) {
+  list.insert(list.end(), std::make_move_iterator(more.begin()),
+              std::make_move_iterator(more.end()));
+}
+
+/// Adds the entries of `base` that have a name of their own.
+template <class Map>
+void add_missing(Map& map, Map base) {
+  map.merge(base);
+}
+
+template <class T>
+void default_to(std::optional<T>& value, std::optional<T> base) {
+  if (!value) value = std::move(base);
+}
+
+RuleChoice over(RuleChoice choice, RuleChoice base) {
+  default_to(choice.select, std::move(base.select));
+  append(base.ignore, std::move(choice.ignore));
+  choice.ignore = std::move(base.ignore);
+  add_missing(choice.severity, std::move(base.severity));
+  return choice;
 }
 
 }  // namespace
 
-std::optional<std::string> find_config(const Disk& disk, std::string_view path,
-                                       std::string_view working_folder) {
-  std::string folder = join_path(working_folder, path);
-  if (disk.kind(folder) != PathKind::kFolder) folder = parent_path(folder);
-  while (true) {
-    std::string candidate = join_path(folder, "rigor.toml");
-    if (disk.kind(candidate) == PathKind::kFile) return candidate;
-    const bool repository = disk.kind(join_path(folder, ".git")) != PathKind::kMissing;
-    const std::string parent(parent_path(folder));
-    if (repository || parent == folder) return std::nullopt;
-    folder = parent;
-  }
+Config extended(Config config, Config base) {
+  append(config.files, std::move(base.files));
+  config.rules = over(std::move(config.rules), std::move(base.rules));
+  default_to(config.fail_on, std::move(base.fail_on));
+  default_to(config.targets, std::move(base.targets));
+  append(config.exclude, std::move(base.exclude));
+  default_to(config.baseline, std::move(base.baseline));
+  // The base's come first: of two that cover a file the later one counts.
+  append(base.per_file, std::move(config.per_file));
+  config.per_file = std::move(base.per_file);
+  append(config.resolve_paths, std::move(base.resolve_paths));
+  add_missing(config.resolve_packages, std::move(base.resolve_packages));
+  add_missing(config.materials, std::move(base.materials));
+  append(config.problems, std::move(base.problems));
+  return config;
 }
 
-Config read_config(const std::string& path, std::string_view bytes) {
-  Config config{path, {}, {}};
-  const toml::parse_result result = toml::parse(bytes);
-  if (!result) {
-    const toml::parse_error& error = result.error();
-    config.problems.push_back({error.source().begin.line, std::string(error.description())});
-    return config;
+RuleChoice rules_for(const Config& config, std::string_view path) {
+  RuleChoice choice = config.rules;
+  for (const PerFile& each : config.per_file) {
+    if (each.files.covers(path, PathKind::kFile)) choice = over(each.rules, std::move(choice));
   }
-  const toml::node* materials = result.table().get("materials");
-  if (materials == nullptr) return config;
-  if (const toml::table* table = materials->as_table()) {
-    read_materials(*table, config);
-  } else {
-    config.problems.push_back({materials->source().begin.line, "[materials] must be a table"});
+  return choice;
+}
+
+const Name* excluding(const Config& config, std::string_view path, PathKind kind) {
+  for (const PathPatterns& list : config.exclude) {
+    if (const Name* pattern = list.covering(path, kind)) return pattern;
   }
-  return config;
+  return nullptr;
 }
 
 }  // namespace rigor::config

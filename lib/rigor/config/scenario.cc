@@ -222,13 +222,7 @@ class ScenarioReader {
 ScenarioFile read_scenario(const std::string& path, std::string_view bytes) {
   ScenarioFile file;
   file.path = path;
-  const toml::parse_result result = toml::parse(bytes);
-  if (!result) {
-    const toml::parse_error& error = result.error();
-    file.problems.push_back({error.source().begin.line, std::string(error.description())});
-    return file;
-  }
-  ScenarioReader(file).read(result.table());
+  if (const auto table = parse_toml(bytes, file.problems)) ScenarioReader(file).read(*table);
   return file;
 }
 

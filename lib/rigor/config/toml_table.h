@@ -19,10 +19,8 @@
 #include <string_view>
 #include <vector>
 
-#define TOML_EXCEPTIONS 0
-#include <toml++/toml.h>
-
 #include <rigor/config/config.h>
+#include <rigor/config/toml_text.h>
 
 namespace rigor::config {
 
@@ -35,7 +33,7 @@ class TomlTable {
 
   /// The node under a key, which is known from then on; null when there is none.
   const toml::node* find(std::string_view key) {
-    known_.emplace_back(key);
+    if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
     return table_.get(key);
   }
 
@@ -86,6 +84,8 @@ class TomlTable {
       std::string list;
       for (const std::string& each : known_) list += (list.empty() ? "" : ", ") + each;
       say(key.source().begin.line, "unknown key " + std::string(name) + " (known: " + list + ")");
+      problems_.back().name = name;
+      problems_.back().known = known_;
     }
   }
 
