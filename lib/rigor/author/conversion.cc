@@ -16,6 +16,7 @@
 #include <rigor/mass/mesh_survey.h>
 #include <rigor/rules/mesh_finder.h>
 #include <rigor/rules/runner.h>
+#include <rigor/rules/suppression.h>
 #include <rigor/text/path.h>
 
 namespace rigor::author {
@@ -223,16 +224,21 @@ class Conclusion {
         options_(options) {}
 
   Conversion of(Conversion result) {
-    Notes notes = result.account.notes;
-    if (result.text && options_.proof == Proof::kVerify) {
-      Prover prover(environment_, sources_, workspace_, result);
-      Notes found = prover.prove(loaded_, result.model, options_.out);
-      std::move(found.begin(), found.end(), std::back_inserter(notes));
-      result.configurations = convert::Tolerance{}.configurations;
-    }
     const rules::Runner runner(environment_.registry,
                                selection_of(options_, environment_.registry));
-    result.diagnostics = runner.run(environment_, sources_, loaded_, notes);
+    result.diagnostics = runner.run(environment_, sources_, loaded_, result.account.notes);
+    const auto& document = loaded_.file->document;
+    if (document) {
+      result.diagnostics = rules::Suppressions(*document).uncovered(std::move(result.diagnostics));
+    }
+    if (result.text && options_.proof == Proof::kVerify) {
+      Prover prover(environment_, sources_, workspace_, result);
+      const Notes found = prover.prove(loaded_, result.model, options_.out);
+      // A proof that fails is no property of the source, and no comment there speaks of it.
+      result.diagnostics.take(runner.run(environment_, sources_, loaded_, found));
+      result.diagnostics.sort();
+      result.configurations = convert::Tolerance{}.configurations;
+    }
     return result;
   }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <rigor/rules/runner.h>
+#include <rigor/rules/suppression.h>
 #include <rigor/simulate/advice.h>
 #include <rigor/simulate/scene_input.h>
 
@@ -146,6 +147,11 @@ void Simulator::conclude(const SimulationCase& one, SimulatedModel& result) cons
   result.diagnostics = told(one, one.model->made.facts);
   for (const simulate::Run& run : result.simulation.runs) {
     result.diagnostics.take(told(one, run.facts));
+  }
+  // What the engine cannot take was not simulated: no comment makes that well.
+  const auto& document = one.model->loaded.file->document;
+  if (document && !result.blocked) {
+    result.diagnostics = rules::Suppressions(*document).uncovered(std::move(result.diagnostics));
   }
   result.diagnostics.sort();
 }

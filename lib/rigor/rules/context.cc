@@ -37,13 +37,21 @@ std::string Context::subject_at(Span where) const {
   return element ? subject_of(*element) : std::string();
 }
 
-Diagnostic Context::told_by_rule(Span where) const {
+Severity Context::severity_of(const Finding& finding) const {
+  if (!refusal_) return severity_;
+  const bool refused =
+      *refusal_ == Refusal::kAlways || (*refusal_ == Refusal::kSays && finding.refused);
+  if (refused) return Severity::kError;
+  return severity_ == Severity::kError ? Severity::kWarning : severity_;
+}
+
+Diagnostic Context::told_by_rule(const Finding& finding) const {
   Diagnostic diagnostic;
   diagnostic.rule = rule_;
   diagnostic.category = category_;
-  diagnostic.severity = severity_;
-  diagnostic.where = where;
-  if (where.nowhere()) diagnostic.path = inputs_.path;
+  diagnostic.severity = severity_of(finding);
+  diagnostic.where = finding.where;
+  if (finding.where.nowhere()) diagnostic.path = inputs_.path;
   return diagnostic;
 }
 
@@ -66,10 +74,11 @@ void Context::report(Finding finding) {
   if (!mesh_.empty() && !told_of_meshes_.insert({rule_, mesh_, finding.message}).second) return;
   Tally& tally = tallies_[rule_];
   if (++tally.found > inputs_.most_listed) {
-    if (tally.found == inputs_.most_listed + 1) tally.rest = told_by_rule(finding.where);
+    if (tally.found == inputs_.most_listed + 1) tally.rest = told_by_rule(finding);
+    if (severity_of(finding) == Severity::kError) tally.rest.severity = Severity::kError;
     return;
   }
-  Diagnostic diagnostic = told_by_rule(finding.where);
+  Diagnostic diagnostic = told_by_rule(finding);
   diagnostic.message = shortened(std::move(finding.message));
   diagnostic.subject =
       finding.subject.empty() ? subject_at(finding.where) : std::move(finding.subject);
@@ -104,6 +113,11 @@ const std::vector<Uri>& Context::uris() {
 const std::vector<NameScope>& Context::repeated_names() {
   if (!repeated_names_) repeated_names_ = NameCollector(document(), root()).collect();
   return *repeated_names_;
+}
+
+const SdformatRobot& Context::sdformat_robot() {
+  if (!sdformat_robot_) sdformat_robot_ = rules::sdformat_robot(root(), frames(), document());
+  return *sdformat_robot_;
 }
 
 const mass::MeshSurvey* Context::survey(const model::Mesh& mesh) {

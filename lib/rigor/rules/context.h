@@ -22,7 +22,9 @@
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
 #include <rigor/read/resolver.h>
+#include <rigor/rules/compat.h>
 #include <rigor/rules/names.h>
+#include <rigor/rules/sdformat_robot.h>
 #include <rigor/rules/uris.h>
 #include <rigor/schema/schema.h>
 #include <rigor/text/diagnostic.h>
@@ -40,6 +42,8 @@ struct Finding {
   std::vector<Label> related = {};
   std::string help = {};
   std::optional<Fix> fix = std::nullopt;
+  bool refused =
+      false;  ///< whether libsdformat refuses the file for it, where the rule leaves that open
 };
 
 class Context {
@@ -94,6 +98,8 @@ class Context {
   const std::vector<Uri>& uris();
   /// The scopes of the file in which some name repeats. Collected once.
   const std::vector<NameScope>& repeated_names();
+  /// What libsdformat makes of a URDF robot. Found once.
+  const SdformatRobot& sdformat_robot();
 
   /// What the mesh's triangles enclose; null when its file is not found, or meshes are not opened.
   const mass::MeshSurvey* survey(const model::Mesh& mesh);
@@ -125,7 +131,10 @@ class Context {
     rule_ = name;
     category_ = category;
     severity_ = severity;
+    refusal_.reset();
   }
+  /// Makes its findings errors if libsdformat refuses files for them, and else warnings at most.
+  void judge_by(Refusal refusal) { refusal_ = refusal; }
 
  private:
   /// The findings of a rule: how many, and what says how many are not listed.
@@ -134,7 +143,8 @@ class Context {
     Diagnostic rest;
   };
 
-  Diagnostic told_by_rule(Span where) const;
+  Diagnostic told_by_rule(const Finding& finding) const;
+  Severity severity_of(const Finding& finding) const;
   std::string subject_at(Span where) const;
   Span written(Span where) const;
 
@@ -148,12 +158,14 @@ class Context {
   std::unordered_map<std::string, read::Resolution> resolved_;
   std::optional<std::vector<Uri>> uris_;
   std::optional<std::vector<NameScope>> repeated_names_;
+  std::optional<SdformatRobot> sdformat_robot_;
   std::map<std::pair<const model::Link*, mass::From>, mass::LinkBody> bodies_;
   std::string mesh_;  // empty when none is looked at
   std::set<std::tuple<std::string_view, std::string, std::string>> told_of_meshes_;
   std::string_view rule_;
   std::string_view category_;
   Severity severity_ = Severity::kError;
+  std::optional<Refusal> refusal_;  // nothing when rigor's own judgement counts
 };
 
 }  // namespace rigor::rules

@@ -13,6 +13,7 @@
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
 #include <rigor/rules/runner.h>
+#include <rigor/rules/suppression.h>
 #include <rigor/text/path.h>
 
 namespace rigor::rules {
@@ -69,7 +70,10 @@ class MeshRun {
     first_of_model_ = result_.meshes.size();
     list_meshes(loaded, loaded.root.collisions);
     list_meshes(loaded, loaded.root.visuals);
-    result_.diagnostics.take(runner_.run(environment_, sources_, loaded, {.files = &files_}));
+    Diagnostics found = runner_.run(environment_, sources_, loaded, {.files = &files_});
+    const auto& document = loaded.file->document;
+    if (document) found = Suppressions(*document).uncovered(std::move(found));
+    result_.diagnostics.take(std::move(found));
   }
 
   template <class Entity>

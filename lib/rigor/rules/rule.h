@@ -35,7 +35,10 @@
 #include <rigor/read/conformance.h>
 #include <rigor/read/fact.h>
 #include <rigor/read/model_config.h>
+#include <rigor/rules/compat.h>
 #include <rigor/rules/context.h>
+#include <rigor/rules/suppression_fact.h>
+#include <rigor/rules/target.h>
 #include <rigor/simulate/fact.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/xml/fault.h>
@@ -59,6 +62,7 @@ enum class Category : std::uint8_t {
   kPackage,
   kConvert,
   kSimulate,
+  kSuppression,
 };
 
 /// Also the name of the rule's folder.
@@ -116,12 +120,12 @@ using Check = std::variant<
     FactCheck<xml::Fault, xml::FaultKind>, FactCheck<read::SchemaFact, read::SchemaFactKind>,
     FactCheck<read::Fact, read::FactKind>, FactCheck<model::FrameProblem, model::FrameProblemKind>,
     FactCheck<read::ConfigFact, read::ConfigFactKind>, FactCheck<convert::Note, convert::NoteKind>,
-    FactCheck<simulate::Fact, simulate::FactKind>, CheckOf<model::Root>, CheckOf<model::World>,
-    CheckOf<model::Model>, CheckOf<model::Link>, CheckOf<model::Joint>, CheckOf<model::Frame>,
-    CheckOf<model::Collision>, CheckOf<model::Visual>, CheckOf<model::Sensor>,
-    CheckOf<model::Light>, CheckOf<model::Plugin>, CheckOf<model::Include>, CheckOf<model::Physics>,
-    CheckOf<model::GazeboBlock>, CheckOf<model::ControlledJoint>, CheckOf<MeshUse>,
-    CheckOf<MeshFile>>;
+    FactCheck<simulate::Fact, simulate::FactKind>, FactCheck<SuppressionFact, SuppressionFactKind>,
+    CheckOf<model::Root>, CheckOf<model::World>, CheckOf<model::Model>, CheckOf<model::Link>,
+    CheckOf<model::Joint>, CheckOf<model::Frame>, CheckOf<model::Collision>, CheckOf<model::Visual>,
+    CheckOf<model::Sensor>, CheckOf<model::Light>, CheckOf<model::Plugin>, CheckOf<model::Include>,
+    CheckOf<model::Physics>, CheckOf<model::GazeboBlock>, CheckOf<model::ControlledJoint>,
+    CheckOf<MeshUse>, CheckOf<MeshFile>>;
 
 /// The check of every entity of type T that the file itself holds.
 template <class T>
@@ -154,12 +158,21 @@ inline Check on_simulation(std::vector<simulate::FactKind> kinds, CheckOf<simula
   return FactCheck<simulate::Fact, simulate::FactKind>{std::move(kinds), check};
 }
 
+inline Check on_suppression(std::vector<SuppressionFactKind> kinds,
+                            CheckOf<SuppressionFact> check) {
+  return FactCheck<SuppressionFact, SuppressionFactKind>{std::move(kinds), check};
+}
+
 struct Rule {
   std::string_view name;  ///< kebab-case; states the defect; also the file's name
   Category category = Category::kXml;
   Severity severity = Severity::kError;
+  Refusals refused = {};  ///< whether libsdformat refuses a file for it
   Formats formats = Formats::kAny;
   FixGrade fix = FixGrade::kNone;
+  /// Consumers that the finding is about: the rule runs only when one of them is asked for, or the rule
+  /// itself is selected, or `--compat` asks what libsdformat refuses and it does. None: it always does.
+  Targets targets = {};
   std::string_view since = "0.1.0";
   std::string_view summary;     ///< one line: what is wrong
   std::string_view why;         ///< what a consumer does with it; which ones

@@ -20,6 +20,19 @@ bool names(const std::vector<std::string>& list, const Rule& rule) {
   });
 }
 
+/// Whether a rule that is about some consumers only is asked for.
+bool targeted(const Rule& rule, const Selection& selection) {
+  if (rule.targets.empty()) return true;
+  if (selection.compat == Compat::kSdformat && rule.refused != Refusals{}) return true;
+  const auto wanted = [&selection](Target target) {
+    const Targets& asked = selection.targets;
+    return std::find(asked.begin(), asked.end(), target) != asked.end();
+  };
+  const auto& selected = selection.select;
+  return std::find(selected.begin(), selected.end(), rule.name) != selected.end() ||
+         std::any_of(rule.targets.begin(), rule.targets.end(), wanted);
+}
+
 bool applies(Formats formats, model::Format format) {
   switch (formats) {
     case Formats::kAny: return true;
@@ -28,6 +41,12 @@ bool applies(Formats formats, model::Format format) {
     case Formats::kModelConfig: return format == model::Format::kModelConfig;
   }
   return false;
+}
+
+/// What libsdformat does for a rule's findings in a file; nothing of a model.config, which it is not asked.
+Refusal refusal_in(const Rule& rule, model::Format format) {
+  if (format == model::Format::kModelConfig) return Refusal::kNever;
+  return format == model::Format::kUrdf ? rule.refused.urdf : rule.refused.sdf;
 }
 
 const schema::Schema* schema_of(const Environment& environment, model::Format format) {
@@ -42,21 +61,29 @@ Runner::Runner(const Registry& registry, const Selection& selection)
     : most_listed_(selection.most_listed) {
   for (const Rule& rule : registry.rules()) {
     const bool selected = selection.select.empty() || names(selection.select, rule);
-    if (!selected || names(selection.ignore, rule)) continue;
+    if (!selected || names(selection.ignore, rule) || !targeted(rule, selection)) continue;
     Severity severity = rule.severity;
+    Compat compat = selection.compat;
     for (const auto& [name, level] : selection.severity) {
-      if (name == rule.name) severity = level;
+      if (name != rule.name) continue;
+      severity = level;
+      compat = Compat::kNone;
     }
-    add(rule, severity);
+    add(rule, severity, compat);
   }
 }
 
-void Runner::add(const Rule& rule, Severity severity) {
+bool Runner::runs(std::string_view rule) const {
+  return std::binary_search(active_.begin(), active_.end(), rule);
+}
+
+void Runner::add(const Rule& rule, Severity severity, Compat compat) {
+  active_.push_back(rule.name);  // sorted, as the registry is
   for (const Check& check : rule.checks) {
     std::visit(
         [&](const auto& one) {
           std::get<Slot<std::decay_t<decltype(one)>>>(slots_).push_back(
-              {{&rule, to_string(rule.category), severity}, one});
+              {{&rule, to_string(rule.category), severity, compat}, one});
         },
         check);
   }
@@ -118,9 +145,10 @@ class Runner::Walk {
 
   template <class CheckType, class Entity>
   void call(const std::pair<Active, CheckType>& slot, CheckOf<Entity> check, const Entity& entity) {
-    const auto& [rule, category, severity] = slot.first;
+    const auto& [rule, category, severity, compat] = slot.first;
     if (!applies(rule->formats, loaded_.root.format)) return;
     context_.begin_rule(rule->name, category, severity);
+    if (compat == Compat::kSdformat) context_.judge_by(refusal_in(*rule, loaded_.root.format));
     check(entity, context_);
   }
 
@@ -240,6 +268,11 @@ Diagnostics Runner::run(const Environment& environment, const Sources& sources,
 Diagnostics Runner::run(const Environment& environment, const Sources& sources,
                         const read::Loaded& loaded, const convert::Notes& notes) const {
   return Walk(*this, environment, sources, loaded, {}).run(notes);
+}
+
+Diagnostics Runner::run(const Environment& environment, const Sources& sources,
+                        const read::Loaded& loaded, const SuppressionFacts& suppressions) const {
+  return Walk(*this, environment, sources, loaded, {}).run(suppressions);
 }
 
 Diagnostics Runner::run(const Environment& environment, const Sources& sources,

@@ -17,8 +17,9 @@
 #include <rigor/convert/note.h>
 #include <rigor/environment.h>
 #include <rigor/mass/mesh_facts.h>
-#include <rigor/mass/mesh_survey.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/compat.h>
+#include <rigor/rules/meshes.h>
 #include <rigor/rules/registry.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/validate.h>
@@ -27,12 +28,6 @@
 #include <rigor/text/sources.h>
 
 namespace rigor::rules {
-
-/// What is known of meshes so far. Without one or the other, no mesh is opened for that.
-struct Meshes {
-  mass::MeshSurveys* surveys = nullptr;  ///< as solids
-  mass::MeshFiles* files = nullptr;      ///< as files
-};
 
 class Runner {
  public:
@@ -51,6 +46,13 @@ class Runner {
   Diagnostics run(const Environment& environment, const Sources& sources,
                   const read::Loaded& loaded, const convert::Notes& notes) const;
 
+  /// What the rules on suppressions say of the comments in a file.
+  Diagnostics run(const Environment& environment, const Sources& sources,
+                  const read::Loaded& loaded, const SuppressionFacts& suppressions) const;
+
+  /// Whether a rule is among those that run.
+  bool runs(std::string_view rule) const;
+
   /// What the rules on simulations say of what a run showed.
   Diagnostics run(const Environment& environment, const Sources& sources,
                   const read::Loaded& loaded, const simulate::Facts& shown) const;
@@ -60,6 +62,7 @@ class Runner {
     const Rule* rule;
     std::string_view category;
     Severity severity;
+    Compat compat;
   };
   template <class CheckType>
   using Slot = std::vector<std::pair<Active, CheckType>>;
@@ -72,9 +75,10 @@ class Runner {
 
   class Walk;
 
-  void add(const Rule& rule, Severity severity);
+  void add(const Rule& rule, Severity severity, Compat compat);
 
   SlotsOf<Check>::type slots_;
+  std::vector<std::string_view> active_;  // names
   std::size_t most_listed_;
 };
 

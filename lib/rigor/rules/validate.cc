@@ -4,18 +4,30 @@
 #include <rigor/rules/validate.h>
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
+#include <iterator>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <set>
+#include <thread>
 #include <utility>
 
+#include <rigor/mass/mesh_reads.h>
 #include <rigor/read/discover.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
+#include <rigor/read/xacro_places.h>
 #include <rigor/rules/runner.h>
+#include <rigor/rules/suppression.h>
 #include <rigor/text/path.h>
 
 namespace rigor::rules {
 namespace {
+
+/// What a file takes is less than what a thread costs to begin.
+constexpr std::size_t kFilesPerThread = 4;
 
 std::size_t own_count(const model::Root& root, const auto& entities) {
   return static_cast<std::size_t>(
@@ -30,6 +42,54 @@ FileSummary summarize(const read::Loaded& loaded) {
           own_count(root, root.links), own_count(root, root.joints)};
 }
 
+/// A runner for each selection; few files differ.
+class Runners {
+ public:
+  Runners(const Registry& registry, const ValidateOptions& options)
+      : registry_(registry), options_(options) {}
+
+  const Runner& of(const std::string& path) {
+    Selection selection =
+        options_.selection_for ? options_.selection_for(path) : options_.selection;
+    for (const auto& [known, runner] : runners_) {
+      if (known == selection) return *runner;
+    }
+    auto runner = std::make_unique<Runner>(registry_, selection);
+    return *runners_.emplace_back(std::move(selection), std::move(runner)).second;
+  }
+
+ private:
+  const Registry& registry_;
+  const ValidateOptions& options_;
+  std::vector<std::pair<Selection, std::unique_ptr<Runner>>> runners_;
+};
+
+/// Calls `work` with each index below `count`, from so many threads at most; 0: as many as cores.
+template <class Work>
+void for_each_index(std::size_t count, unsigned threads, const Work& work) {
+  if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex mutex;
+  const auto run = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      try {
+        work(i);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        failure = std::current_exception();
+      }
+    }
+  };
+  // A thread is worth its while for some files only.
+  const std::size_t most = std::min<std::size_t>(threads, count / kFilesPerThread);
+  std::vector<std::thread> others;
+  for (std::size_t i = 1; i < most; ++i) others.emplace_back(run);
+  run();
+  for (std::thread& other : others) other.join();
+  if (failure) std::rethrow_exception(failure);
+}
+
 class Run {
  public:
   Run(const Environment& environment, const ValidateOptions& options, Sources& sources)
@@ -37,27 +97,67 @@ class Run {
         options_(options),
         sources_(sources),
         workspace_(environment.disk, sources),
-        runner_(environment.registry, options.selection),
-        surveys_(environment.disk),
-        mesh_files_(environment.disk) {}
+        runners_(environment.registry, options),
+        reads_(environment.disk),
+        surveys_(environment.disk, {nullptr, &reads_}),
+        mesh_files_(environment.disk, mass::MeshDepth::kFile, {nullptr, &reads_}) {
+    if (options.meshes == MeshPolicy::kDoNotOpen) return;
+    meshes_.surveys = options.known.surveys ? options.known.surveys : &surveys_;
+    meshes_.files = options.known.files ? options.known.files : &mesh_files_;
+  }
 
   ValidateResult run() {
-    std::vector<const read::File*> named;
-    if (options_.buffer) {
-      named.push_back(&workspace_.put(options_.buffer->path, options_.buffer->bytes));
+    const std::vector<std::string> paths = find_files();
+    check_all(paths);
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      if (options_.shard.has(paths[i])) keep(paths[i], i);
     }
-    read::Discovered found = read::discover(environment_.disk, options_.paths);
-    result_.unusable = std::move(found.unusable);
-    for (read::LeftOut& left : found.left_out) {
-      result_.not_looked_at.push_back({std::move(left.path), std::move(left.why)});
-    }
-    for (const std::string& path : found.files) named.push_back(&workspace_.open(path));
-    check_all(named);
-    for (const read::File* file : named) keep(*file);
     return std::move(result_);
   }
 
  private:
+  /// All that the options mean, those of other shards too; what is left out is numbered behind them.
+  std::vector<std::string> find_files() {
+    std::vector<std::string> paths;
+    if (options_.buffer) {
+      workspace_.put(options_.buffer->path, options_.buffer->bytes);
+      paths.push_back(options_.buffer->path);
+    }
+    read::Discovered found = read::discover(environment_.disk, options_.paths, options_.discover);
+    result_.unusable = std::move(found.unusable);
+    std::move(found.files.begin(), found.files.end(), std::back_inserter(paths));
+    std::vector<read::LeftOut> left_out;
+    for (read::LeftOut& left : found.left_out) {
+      if (is_to_be_expanded(left)) {
+        expand(left.path);
+        paths.push_back(std::move(left.path));
+      } else {
+        left_out.push_back(std::move(left));
+      }
+    }
+    result_.all_files = paths.size();
+    for (read::LeftOut& left : left_out) {
+      const std::size_t index = result_.all_files++;
+      if (!options_.shard.has(left.path)) continue;
+      result_.not_looked_at.push_back({std::move(left.path), std::move(left.why), index});
+    }
+    return paths;
+  }
+
+  /// Of a folder's templates nobody knows which are robots, and which only hold macros.
+  bool is_to_be_expanded(const read::LeftOut& left) const {
+    const auto& named = options_.paths;
+    return options_.expand && !left.excluded && extension(left.path) == ".xacro" &&
+           std::find(named.begin(), named.end(), left.path) != named.end();
+  }
+
+  void expand(const std::string& path) {
+    if (!options_.shard.has(path)) return;
+    read::Expansion expansion = options_.expand(path);
+    if (expansion.text) workspace_.put(path, std::move(*expansion.text));
+    expansions_[normalize_path(path)] = std::move(expansion);
+  }
+
   struct Included {
     Span where;
     std::string path;
@@ -65,69 +165,110 @@ class Run {
 
   /// What checking one file gave. A file is checked once, named or included.
   struct Checked {
-    bool named = false;
+    const Runner* runner = nullptr;
     FileSummary summary;
+    SourceId source = kNoSource;
     Diagnostics diagnostics;
+    Suppressions suppressions;
     std::size_t errors = 0;   ///< of the file itself
     std::string first_error;  ///< its message
     std::vector<NotLookedAt> not_looked_at;
     std::vector<Included> includes;
   };
 
-  /// The files that were named and whatever they include. What a file says of those that it includes
-  /// is left to `keep`: then all are checked, so it depends on no order.
-  void check_all(const std::vector<const read::File*>& named) {
-    std::vector<const read::File*> open(named.rbegin(), named.rend());
-    while (!open.empty()) {
-      const read::File& file = *open.back();
-      open.pop_back();
-      const auto [entry, is_new] = checked_.try_emplace(normalize_path(file.path));
-      if (!is_new) continue;
-      entry->second = check(file);
-      for (const Included& included : entry->second.includes) {
-        if (!checked_.contains(normalize_path(included.path))) {
-          open.push_back(&workspace_.open(included.path));
-        }
+  /// The files of this shard and whatever they include, a generation of includes at a time. What a file
+  /// says of those that it includes is left to `keep`: then all are checked, so it depends on no order.
+  void check_all(const std::vector<std::string>& paths) {
+    for (const std::string& path : paths) named_.insert(normalize_path(path));
+    std::vector<std::pair<std::string, Checked*>> generation;
+    const auto add = [&](const std::string& path) {
+      const auto [entry, is_new] = checked_.try_emplace(normalize_path(path));
+      if (!is_new) return;
+      entry->second.runner = &runners_.of(path);
+      generation.emplace_back(path, &entry->second);
+    };
+    for (const std::string& path : paths) {
+      if (options_.shard.has(path)) add(path);
+    }
+    while (!generation.empty()) {
+      for_each_index(generation.size(), options_.threads,
+                     [&](std::size_t i) { check(generation[i].first, *generation[i].second); });
+      for (const auto& [path, checked] : std::exchange(generation, {})) {
+        for (const Included& included : checked->includes) add(included.path);
       }
     }
-    for (const read::File* file : named) checked_.at(normalize_path(file->path)).named = true;
   }
 
-  void keep(const read::File& file) {
-    Checked& checked = checked_.at(normalize_path(file.path));
-    result_.files.push_back(checked.summary);
-    for (const NotLookedAt& item : checked.not_looked_at) result_.not_looked_at.push_back(item);
-    Diagnostics about_includes = errors_of_includes(file, checked);
-    if (!about_includes.list().empty()) {
-      checked.diagnostics.take(std::move(about_includes));
-      checked.diagnostics.sort();
-    }
+  void keep(const std::string& path, std::size_t index) {
+    Checked& checked = checked_.at(normalize_path(path));
+    std::move(checked.not_looked_at.begin(), checked.not_looked_at.end(),
+              std::back_inserter(result_.not_looked_at));
+    checked.diagnostics.take(errors_of_includes(path, checked));
+    checked.diagnostics.take(errors_of_suppressions(path, checked));
+    if (expansions_.contains(normalize_path(path))) trace_back(path, checked);
+    checked.diagnostics.sort();
+    checked.summary.index = index;
+    checked.summary.first_finding = result_.diagnostics.list().size();
     result_.diagnostics.take(std::exchange(checked.diagnostics, {}));
+    checked.summary.end_finding = result_.diagnostics.list().size();
+    result_.files.push_back(checked.summary);
   }
 
-  Checked check(const read::File& file) {
-    Checked checked;
+  /// From what a template became to the template.
+  void trace_back(const std::string& path, Checked& checked) {
+    const read::File& file = workspace_.open(path);
+    ReadResult read = environment_.disk.read(path, read::kMaxModelBytes);
+    if (!file.document || !read.bytes) return;
+    const SourceId id = sources_.add(path, std::move(*read.bytes));
+    const xml::Document source = xml::parse(sources_.bytes(id), id);
+    const read::XacroPlaces places(*file.document, source);
+    Diagnostics traced;
+    for (const Diagnostic& found : checked.diagnostics.list()) {
+      traced.add(places.in_source(found, path));
+    }
+    checked.diagnostics = std::move(traced);
+  }
+
+  void tell_not_expanded(const std::string& path, const read::Expansion& expansion,
+                         Checked& checked) {
+    read::File bare;
+    bare.path = path;
+    read::Loaded about;
+    about.file = &bare;
+    about.facts.push_back({expansion.problem, {}, expansion.why});
+    checked.summary.path = path;
+    checked.diagnostics = checked.runner->run(environment_, sources_, about, Meshes{});
+    checked.not_looked_at.push_back({path, "xacro: not expanded"});
+  }
+
+  /// From any thread: each file has an entry of its own.
+  void check(const std::string& path, Checked& checked) {
+    const auto expansion = expansions_.find(normalize_path(path));
+    if (expansion != expansions_.end() && !expansion->second.text) {
+      return tell_not_expanded(path, expansion->second, checked);
+    }
+    const read::File& file = workspace_.open(path);
     const read::Reader reader{workspace_, environment_.resolver, environment_.sdf,
                               environment_.urdf};
     read::Loaded loaded = read::load(reader, file);
     checked.summary = summarize(loaded);
+    checked.source = file.source;
     for (const read::Fact& fact : loaded.facts) {
       if (fact.kind != read::FactKind::kUnfollowedInclude) continue;
-      checked.not_looked_at.push_back({file.path, "include of " + fact.name});
+      checked.not_looked_at.push_back({path, "include of " + fact.name});
     }
     for (const model::Include& include : loaded.root.includes) {
       if (!loaded.root.own(include.site) || include.path.empty()) continue;
       checked.includes.push_back({include.uri.span, include.path});
     }
-    const Meshes meshes =
-        options_.meshes == MeshPolicy::kOpen ? Meshes{&surveys_, &mesh_files_} : Meshes{};
-    checked.diagnostics = runner_.run(environment_, sources_, loaded, meshes);
+    if (file.document) checked.suppressions = Suppressions(*file.document);
+    checked.diagnostics = checked.suppressions.uncovered(
+        checked.runner->run(environment_, sources_, loaded, meshes_));
     for (const Diagnostic& found : checked.diagnostics.list()) {
       if (found.severity != Severity::kError || told_by_includer(found.rule)) continue;
       if (checked.errors == 0) checked.first_error = found.message;
       checked.errors += found.count;
     }
-    return checked;
   }
 
   /// Where the includes of a file lead, its includers are led too, and say so.
@@ -137,25 +278,39 @@ class Run {
 
   /// What is wrong inside an included file is told when that file is checked; the includer gets one
   /// finding that points there.
-  Diagnostics errors_of_includes(const read::File& file, const Checked& checked) {
+  Diagnostics errors_of_includes(const std::string& path, Checked& checked) {
     read::File bare;  // these facts need nothing of what the file holds
-    bare.path = file.path;
-    bare.source = file.source;
+    bare.path = path;
+    bare.source = checked.source;
     read::Loaded about;
     about.file = &bare;
     about.root.format = checked.summary.format;
     for (const Included& included : checked.includes) {
-      const std::string& path = at_fault(included.path);
-      if (path.empty()) continue;
-      const Checked& fault = checked_.at(normalize_path(path));
+      const std::string& fault_path = at_fault(included.path);
+      if (fault_path.empty()) continue;
+      const Checked& fault = checked_.at(normalize_path(fault_path));
       about.facts.push_back({read::FactKind::kIncludeHasErrors,
                              included.where,
-                             path,
+                             fault_path,
                              {fault.first_error},
                              fault.errors});
     }
     if (about.facts.empty()) return {};
-    return runner_.run(environment_, sources_, about, Meshes{});
+    return checked.suppressions.uncovered(
+        checked.runner->run(environment_, sources_, about, Meshes{}));
+  }
+
+  /// What is wrong with the comments that suppress findings; when all findings are known. It is never
+  /// suppressed itself.
+  Diagnostics errors_of_suppressions(const std::string& path, const Checked& checked) {
+    const SuppressionFacts facts =
+        checked.suppressions.facts(environment_.registry, *checked.runner, options_.meshes);
+    if (facts.empty()) return {};
+    read::Loaded about;
+    about.file = &workspace_.open(path);
+    about.root.format = checked.summary.format;
+    about.root.source = checked.source;
+    return checked.runner->run(environment_, sources_, about, facts);
   }
 
   /// The included file, or the first of those that it includes, that has errors of its own; empty
@@ -175,7 +330,7 @@ class Run {
       if (!seen.insert(normalize_path(path)).second) continue;
       const Checked& checked = checked_.at(normalize_path(path));
       if (checked.errors > 0) return path;
-      if (checked.named) continue;
+      if (named_.contains(normalize_path(path))) continue;
       for (auto next = checked.includes.rbegin(); next != checked.includes.rend(); ++next) {
         open.push_back(next->path);
       }
@@ -187,9 +342,13 @@ class Run {
   const ValidateOptions& options_;
   Sources& sources_;
   read::Workspace workspace_;
-  Runner runner_;
+  Runners runners_;
+  mass::MeshReads reads_;
   mass::MeshSurveys surveys_;
   mass::MeshFiles mesh_files_;
+  Meshes meshes_;
+  std::set<std::string> named_;                        // normal paths, those of other shards too
+  std::map<std::string, read::Expansion> expansions_;  // of templates, by normal path
   std::map<std::string, Checked> checked_;
   std::map<std::string, std::string> at_fault_;  // what `at_fault` gave
   ValidateResult result_;

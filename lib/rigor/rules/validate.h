@@ -8,14 +8,23 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rigor/environment.h>
 #include <rigor/model/model.h>
+#include <rigor/read/discover.h>
+#include <rigor/read/expansion.h>
+#include <rigor/rules/compat.h>
+#include <rigor/rules/meshes.h>
+#include <rigor/rules/target.h>
 #include <rigor/text/diagnostic.h>
+#include <rigor/text/shard.h>
 #include <rigor/text/sources.h>
 
 namespace rigor::rules {
@@ -25,9 +34,14 @@ struct Selection {
   std::vector<std::string> select;  ///< rule or category names; all when empty
   std::vector<std::string> ignore;
   std::vector<std::pair<std::string, Severity>> severity;  ///< overrides, by rule name
+  Targets targets;                                         ///< consumers whose rules run as well
+  /// Whose judgement decides what is an error; an override in `severity` goes before it.
+  Compat compat = Compat::kNone;
   /// Findings of one rule in one file that are listed; one more says how many were counted only.
   /// Nobody reads a thousand, and a hostile file turns each of its elements into one.
   std::size_t most_listed = 1000;
+
+  bool operator==(const Selection&) const = default;
 };
 
 /// The first name in the selection that is no rule and no category; nothing when all are known.
@@ -38,8 +52,19 @@ enum class MeshPolicy : std::uint8_t { kOpen, kDoNotOpen };
 struct ValidateOptions {
   /// Files and folders, as the user wrote them. A folder is walked for what it holds.
   std::vector<std::string> paths;
+  read::DiscoverOptions discover;  ///< of which files
+  /// Makes a model of a .xacro file that is named itself; without it such a file is left out.
+  read::Expand expand;
   Selection selection;
+  /// The selection for the file at a path, where files differ; `selection` is for all when empty. Called
+  /// once a file, from one thread.
+  std::function<Selection(const std::string& path)> selection_for;
   MeshPolicy meshes = MeshPolicy::kOpen;
+  /// What an earlier run over the same files knows of their meshes, and this one adds to.
+  Meshes known;
+  unsigned threads = 1;  ///< 0: as many as there are cores; the result is the same for any number
+  /// Only its part of the files is checked. What a file says of others is as if all were.
+  Shard shard;
   /// Bytes to check instead of a file's, under the name given here: an editor's buffer, or stdin.
   struct Buffer {
     std::string path;
@@ -56,17 +81,25 @@ struct FileSummary {
   std::size_t models = 0;
   std::size_t links = 0;
   std::size_t joints = 0;
+  std::size_t index = 0;  ///< among all files that the paths mean, those of other shards too
+  /// Its findings: those from `first_finding` up to `end_finding` of all.
+  std::size_t first_finding = 0;
+  std::size_t end_finding = 0;
 };
 
 /// Something that was met and not looked at, and why: "include of https://… needs the network".
 struct NotLookedAt {
   std::string path;
   std::string what;
+  /// Of a whole file that was left out: its number among all, behind those that are checked.
+  std::optional<std::size_t> index = std::nullopt;
 };
 
 struct ValidateResult {
   std::vector<FileSummary> files;  ///< in the order of their paths
-  Diagnostics diagnostics;         ///< sorted by file, then place
+  Diagnostics diagnostics;         ///< file by file as `files`, sorted by place
+  /// That the paths mean, those of other shards and those that are left out too.
+  std::size_t all_files = 0;
   std::vector<NotLookedAt> not_looked_at;
   /// Arguments that could not be used at all: they do not exist, cannot be read, or hold nothing to
   /// check. The invocation is wrong then.

@@ -20,6 +20,7 @@ Rule rule() {
       .name = "attached-to-cycle",
       .category = Category::kFrame,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .summary = "frames are attached to each other in a circle",
       .why = "libsdformat refuses the file: no frame of the circle reaches a link.",

@@ -8,11 +8,13 @@ namespace rigor::rules::expressed_in_missing {
 namespace {
 
 void check(const model::FrameProblem& problem, Context& context) {
+  const Suggestion near = suggest(problem.name, problem.candidates, problem.where, context);
   context.report(
       {.where = problem.where,
        .message = "the axis is expressed in '" + problem.name + "', which is nothing in this scope",
        .subject = problem.subject,
-       .help = did_you_mean(problem.name, problem.candidates)});
+       .help = near.help,
+       .fix = near.fix});
 }
 
 }  // namespace
@@ -22,6 +24,7 @@ Rule rule() {
       .name = "expressed-in-missing",
       .category = Category::kFrame,
       .severity = Severity::kError,
+      .fix = FixGrade::kUnsafe,
       .summary = "a joint axis is expressed in a frame that does not exist",
       .why =
           "ign sdf -k calls the file valid, but whoever asks for the axis, the simulator among "
@@ -38,6 +41,20 @@ Rule rule() {
       <child>tip</child>
       <axis>
         <xyz expressed_in="«bse»">0 0 1</xyz>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz expressed_in="base">0 0 1</xyz>
       </axis>
     </joint>
   </model>

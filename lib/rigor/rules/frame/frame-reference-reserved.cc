@@ -20,6 +20,7 @@ Rule rule() {
       .name = "frame-reference-reserved",
       .category = Category::kFrame,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways},
       .summary = "a reference to a frame that only the parser may name",
       .why =
           "Names with two underscores before and behind are kept for the parser; libsdformat "

@@ -4,11 +4,24 @@
 #include <algorithm>
 #include <optional>
 
+#include <rigor/rules/edits.h>
 #include <rigor/rules/frame/written_pose.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::quaternion_zero {
 namespace {
+
+/// The last of seven numbers becomes a one.
+std::optional<Fix> unit_quaternion(const WrittenRotation& rotation, const Context& context) {
+  const std::string_view text = context.bytes(rotation.span);
+  const std::size_t last = text.find_last_not_of(" \t\r\n");
+  const std::size_t w = text.find_last_of(" \t\r\n", last) + 1;
+  const auto at = [&rotation](std::size_t offset) {
+    return rotation.span.begin + static_cast<std::uint32_t>(offset);
+  };
+  const Span number{rotation.span.source, at(w), at(last + 1)};
+  return Fix{"write no rotation", Applicability::kSafe, {{number, "1"}}};
+}
 
 std::optional<Finding> check_pose(const model::PoseField& pose, const Context& context) {
   // A zero quaternion is read as no rotation, so only that needs a closer look.
@@ -20,7 +33,8 @@ std::optional<Finding> check_pose(const model::PoseField& pose, const Context& c
   if (!std::all_of(rotation->numbers.begin(), rotation->numbers.end(), zero)) return std::nullopt;
   return Finding{.where = rotation->span,
                  .message = "the quaternion 0 0 0 0 is no rotation; it is taken for none",
-                 .help = "write 0 0 0 1 (x y z w) for no rotation"};
+                 .help = "write 0 0 0 1 (x y z w) for no rotation",
+                 .fix = unit_quaternion(*rotation, context)};
 }
 
 }  // namespace
@@ -31,6 +45,7 @@ Rule rule() {
       .category = Category::kFrame,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
+      .fix = FixGrade::kSafe,
       .summary = "the quaternion of a pose is zero",
       .why =
           "A rotation is a quaternion of length one. libsdformat takes the zero one for no "
@@ -40,6 +55,14 @@ Rule rule() {
   <model name="arm">
     <link name="base">
       <pose rotation_format="quat_xyzw">«1 0 0 0 0 0 0»</pose>
+    </link>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base">
+      <pose rotation_format="quat_xyzw">1 0 0 0 0 0 1</pose>
     </link>
   </model>
 </sdf>

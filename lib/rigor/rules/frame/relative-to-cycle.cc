@@ -20,6 +20,7 @@ Rule rule() {
       .name = "relative-to-cycle",
       .category = Category::kFrame,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .summary = "poses are relative to each other in a circle",
       .why = "libsdformat refuses the file: nothing in the circle has a place.",

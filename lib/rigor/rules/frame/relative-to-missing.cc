@@ -1,18 +1,35 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <optional>
+#include <string_view>
+
 #include <rigor/rules/reference/nearest.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::relative_to_missing {
 namespace {
 
+/// libsdformat looks for the frames of models, links, joints and frames while it loads, and for those of
+/// all else when somebody asks.
+bool refused(const model::FrameProblem& problem, const Context& context) {
+  const auto pose = context.document().element_at(problem.where.begin);
+  const auto owner = pose ? pose->parent() : std::nullopt;
+  if (!owner) return true;
+  const std::string_view name = owner->name();
+  return name != "visual" && name != "collision" && name != "sensor" && name != "light" &&
+         name != "inertial" && name != "camera" && name != "particle_emitter";
+}
+
 void check(const model::FrameProblem& problem, Context& context) {
+  const Suggestion near = suggest(problem.name, problem.candidates, problem.where, context);
   context.report(
       {.where = problem.where,
        .message = "the pose is relative to '" + problem.name + "', which is nothing in this scope",
        .subject = problem.subject,
-       .help = did_you_mean(problem.name, problem.candidates)});
+       .help = near.help,
+       .fix = near.fix,
+       .refused = refused(problem, context)});
 }
 
 }  // namespace
@@ -22,6 +39,8 @@ Rule rule() {
       .name = "relative-to-missing",
       .category = Category::kFrame,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kSays},
+      .fix = FixGrade::kUnsafe,
       .summary = "a pose is relative to a frame that does not exist",
       .why = "libsdformat refuses the file: without the frame there is no pose.",
       .what_to_do =
@@ -32,6 +51,15 @@ Rule rule() {
     <link name="base"/>
     <link name="tip">
       <pose relative_to="«bse»">1 0 0 0 0 0</pose>
+    </link>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip">
+      <pose relative_to="base">1 0 0 0 0 0</pose>
     </link>
   </model>
 </sdf>

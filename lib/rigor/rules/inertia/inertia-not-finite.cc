@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/rules/inertia/refused_inertia.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertia_not_finite {
@@ -21,7 +22,8 @@ void check(const model::Link& link, Context& context) {
     context.report({.where = entry->span,
                     .message = fmt::format("{} is {}: it must be a finite number of kg·m²", name,
                                            entry->value),
-                    .subject = context.subject(link)});
+                    .subject = context.subject(link),
+                    .refused = refuses_inertia(link, context)});
   }
 }
 
@@ -32,6 +34,7 @@ Rule rule() {
       .name = "inertia-not-finite",
       .category = Category::kInertia,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .summary = "an entry of an inertia tensor is infinite or not a number",
       .why =
           "libsdformat refuses nan and lets inf pass; urdfdom drops the inertial. No simulator "

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/inertia/inertial_fix.h>
+#include <rigor/rules/inertia/refused_inertia.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
 
@@ -30,7 +31,8 @@ void check(const model::Link& link, Context& context) {
                               moments[0], moments[1], moments[2]),
        .subject = context.subject(link),
        .help = help(mass::tensor(link.inertial)),
-       .fix = fix_from_shapes(link, context)});
+       .fix = fix_from_shapes(link, context),
+       .refused = refuses_inertia(link, context)});
 }
 
 }  // namespace
@@ -40,6 +42,7 @@ Rule rule() {
       .name = "inertia-not-positive-definite",
       .category = Category::kInertia,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "an inertia tensor is not positive definite",
       .why =

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/inertia/inertial_fix.h>
+#include <rigor/rules/inertia/refused_inertia.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
 
@@ -44,7 +45,8 @@ void check(const model::Link& link, Context& context) {
                               triangle.largest, what),
        .subject = context.subject(link),
        .help = rounding(triangle),
-       .fix = rounding(triangle).empty() ? fix_from_shapes(link, context) : std::nullopt});
+       .fix = rounding(triangle).empty() ? fix_from_shapes(link, context) : std::nullopt,
+       .refused = refuses_inertia(link, context)});
 }
 
 }  // namespace
@@ -54,6 +56,7 @@ Rule rule() {
       .name = "inertia-triangle-inequality",
       .category = Category::kInertia,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "the moments of an inertia tensor break the triangle inequality",
       .why =

@@ -47,9 +47,9 @@ Rule rule() {
       .fix = FixGrade::kUnsafe,
       .summary = "a link that moves has no <inertial>",
       .why =
-          "SDF gives such a link a mass of 1 kg and the identity as its tensor, which is what "
-          "a ball of 1 kg and more than three metres across has: joints on it move like in "
-          "honey, and what rests on it is thrown about.",
+          "SDF takes 1 kg and the identity as its tensor, as of a ball more than three metres "
+          "across. "
+          "Joints on it move like in honey, and what rests on it is thrown about.",
       .what_to_do =
           "`rigor inertia MODEL --mass LINK=KG --write` computes the tensor from the link's shapes "
           "and "

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/inertia/inertial_fix.h>
+#include <rigor/rules/inertia/refused_inertia.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mass_negative {
@@ -17,7 +18,8 @@ void check(const model::Link& link, Context& context) {
   context.report({.where = mass.span,
                   .message = fmt::format("the mass is {} kg: it must be above zero", mass.value),
                   .subject = context.subject(link),
-                  .fix = fix_from_shapes(link, context)});
+                  .fix = fix_from_shapes(link, context),
+                  .refused = refuses_inertia(link, context)});
 }
 
 }  // namespace
@@ -27,6 +29,7 @@ Rule rule() {
       .name = "mass-negative",
       .category = Category::kInertia,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "a mass is negative",
       .why =

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/rules/inertia/refused_inertia.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mass_not_finite {
@@ -16,7 +17,8 @@ void check(const model::Link& link, Context& context) {
   context.report(
       {.where = mass.span,
        .message = fmt::format("the mass is {}: it must be a finite number of kg", mass.value),
-       .subject = context.subject(link)});
+       .subject = context.subject(link),
+       .refused = refuses_inertia(link, context)});
 }
 
 }  // namespace
@@ -26,6 +28,7 @@ Rule rule() {
       .name = "mass-not-finite",
       .category = Category::kInertia,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .summary = "a mass is infinite or not a number",
       .why =
           "libsdformat takes inf and nan, urdfdom drops the inertial: the simulation has no "

@@ -40,6 +40,15 @@ std::vector<bool> with_mass(const model::Root& root, const Context& context) {
   return heavy;
 }
 
+/// An <inertial> without its numbers is another rule's affair, as is one of moments and no mass. With
+/// neither, it says what no <inertial> says.
+bool is_told_elsewhere(const model::Link& link) {
+  const model::Inertial& inertial = link.inertial;
+  if (!inertial.written) return false;
+  if (!inertial.mass.written || !inertial.tensor_written) return true;
+  return !(mass::tensor(inertial) == mass::Inertia{});
+}
+
 void check(const model::Root& root, Context& context) {
   const std::vector<bool> heavy = with_mass(root, context);
   // A robot without any mass is there to be looked at, not to be simulated.
@@ -50,7 +59,7 @@ void check(const model::Root& root, Context& context) {
     if (joint.type == model::JointType::kFixed || joint.type == model::JointType::kUnknown) {
       continue;
     }
-    if (!child || heavy[child.value]) continue;
+    if (!child || heavy[child.value] || is_told_elsewhere(root[child])) continue;
     const model::Link& link = root[child];
     context.report({.where = link.site.name,
                     .message = fmt::format("the joint '{}' moves the link '{}', which has no mass, "

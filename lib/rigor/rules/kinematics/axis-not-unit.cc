@@ -7,12 +7,25 @@
 
 #include <rigor/rules/kinematics/motion.h>
 #include <rigor/rules/rule.h>
+#include <rigor/write/numbers.h>
 
 namespace rigor::rules::axis_not_unit {
 namespace {
 
 // Four digits of 0.7071 are off by this much at most.
 constexpr double kRounding = 1e-3;
+
+/// Where the direction can be written without rounding: along one of the frame's axes.
+std::optional<Fix> of_length_one(const model::Field<model::Vector3>& axis) {
+  const model::Vector3& v = axis.value;
+  const double length = std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+  const bool along_one = model::length(v) == length && std::isfinite(length);
+  if (!along_one) return std::nullopt;
+  const auto sign = [](double x) { return x > 0 ? 1.0 : x < 0 ? -1.0 : 0.0; };
+  return Fix{"write it with length 1",
+             Applicability::kSafe,
+             {{axis.span, write::joined({sign(v.x), sign(v.y), sign(v.z)})}}};
+}
 
 void check(const model::Joint& joint, Context& context) {
   if (!has_axis(joint.type)) return;
@@ -21,7 +34,8 @@ void check(const model::Joint& joint, Context& context) {
     if (!axis.xyz.written || length == 0 || std::abs(length - 1) < kRounding) continue;
     context.report({.where = axis.xyz.span,
                     .message = fmt::format("the axis has length {:.4g}, not 1", length),
-                    .subject = context.subject(joint)});
+                    .subject = context.subject(joint),
+                    .fix = of_length_one(axis.xyz)});
   }
 }
 
@@ -32,6 +46,7 @@ Rule rule() {
       .name = "axis-not-unit",
       .category = Category::kKinematics,
       .severity = Severity::kInfo,
+      .fix = FixGrade::kSafe,
       .summary = "a joint axis is not a unit vector",
       .why =
           "libsdformat makes its length one. Readers of URDF differ: some scale the joint's "
@@ -50,6 +65,26 @@ Rule rule() {
     </joint>
   </model>
 </sdf>
+)"},
+              {R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="continuous">
+    <parent link="base"/>
+    <child link="tip"/>
+    <axis xyz="«0 -2 0»"/>
+  </joint>
+</robot>
+)",
+               R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="continuous">
+    <parent link="base"/>
+    <child link="tip"/>
+    <axis xyz="0 -1 0"/>
+  </joint>
+</robot>
 )"}},
       .good = {{R"(<sdf version="1.9">
   <model name="arm">

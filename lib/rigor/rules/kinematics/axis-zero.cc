@@ -1,11 +1,23 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
+
 #include <rigor/rules/kinematics/motion.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::axis_zero {
 namespace {
+
+/// Whether the joint is one of the model that libsdformat makes of a URDF.
+bool in_sdformat_model(const model::Joint& joint, Context& context) {
+  if (!context.is_urdf()) return true;
+  const auto& parts = context.sdformat_robot().parts;
+  return std::any_of(parts.begin(), parts.end(), [&](const SdformatRobot::Part& part) {
+    return part.joint && &context.root()[part.joint] == &joint &&
+           part.fate == SdformatRobot::Fate::kLink;
+  });
+}
 
 void check(const model::Joint& joint, Context& context) {
   // Exporters of URDF write 0 0 0 for fixed joints, and no consumer looks at it.
@@ -14,7 +26,8 @@ void check(const model::Joint& joint, Context& context) {
     if (!axis.xyz.written || model::length(axis.xyz.value) > 0) continue;
     context.report({.where = axis.xyz.span,
                     .message = "the axis is 0 0 0: it has no direction",
-                    .subject = context.subject(joint)});
+                    .subject = context.subject(joint),
+                    .refused = in_sdformat_model(joint, context)});
   }
 }
 
@@ -25,6 +38,7 @@ Rule rule() {
       .name = "axis-zero",
       .category = Category::kKinematics,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kSays},
       .summary = "a joint axis is the zero vector",
       .why =
           "libsdformat refuses the model (error 9), and so do Drake and MuJoCo. urdfdom takes "

@@ -21,6 +21,10 @@ void check(const read::SchemaFact& fact, Context& context) {
   report_unknown_type(fact, context);
 }
 
+void check_empty(const model::Joint& joint, Context& context) {
+  report_empty_type(context.element(joint.site), context.subject(joint), context);
+}
+
 }  // namespace
 
 Rule rule() {
@@ -28,6 +32,8 @@ Rule rule() {
       .name = "joint-type-unknown",
       .category = Category::kKinematics,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
+      .fix = FixGrade::kUnsafe,
       .summary = "a joint has a type that does not exist",
       .why = "libsdformat and urdfdom refuse the model.",
       .what_to_do =
@@ -48,9 +54,38 @@ Rule rule() {
               {R"(<robot name="arm">
   <link name="base"/>
   <link name="tip"/>
+  <joint name="elbow" «type=""»>
+    <parent link="base"/>
+    <child link="tip"/>
+  </joint>
+</robot>
+)"},
+              {R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
   <joint name="elbow" type="«spherical»">
     <parent link="base"/>
     <child link="tip"/>
+  </joint>
+</robot>
+)"},
+              {R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="«prismtic»">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+  </joint>
+</robot>
+)",
+               R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="prismatic">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
   </joint>
 </robot>
 )"}},
@@ -77,7 +112,8 @@ Rule rule() {
   </joint>
 </robot>
 )"}},
-      .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check)},
+      .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check),
+                 on<model::Joint>(check_empty)},
   };
 }
 

@@ -17,6 +17,16 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
+/// Whether the loop hangs on nothing beside a tree: urdfdom reads the tree and never comes to it.
+bool beside_tree(const Tree& tree) {
+  bool has_root = false;
+  for (const auto& joints : tree.parents) {
+    if (joints.size() > 1) return false;
+    has_root = has_root || joints.empty();
+  }
+  return has_root;
+}
+
 void check(const model::Model& robot, Context& context) {
   const model::Root& root = context.root();
   const Tree tree = tree_of(root, context.frames(), robot);
@@ -34,7 +44,8 @@ void check(const model::Model& robot, Context& context) {
   if (last == nullptr || links.size() < 2) return;
   context.report({.where = last->child.span,
                   .message = "joints make a loop of links: " + joined(links),
-                  .subject = context.subject(*last)});
+                  .subject = context.subject(*last),
+                  .refused = !beside_tree(tree)});
 }
 
 }  // namespace
@@ -44,6 +55,7 @@ Rule rule() {
       .name = "kinematic-loop",
       .category = Category::kKinematics,
       .severity = Severity::kError,
+      .refused = {.urdf = Refusal::kSays},
       .formats = Formats::kUrdf,
       .summary = "the joints of a URDF make a loop",
       .why =

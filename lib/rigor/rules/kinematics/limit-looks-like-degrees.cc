@@ -7,6 +7,7 @@
 
 #include <rigor/rules/kinematics/motion.h>
 #include <rigor/rules/rule.h>
+#include <rigor/write/numbers.h>
 
 namespace rigor::rules::limit_looks_like_degrees {
 namespace {
@@ -22,6 +23,16 @@ bool looks_like_degrees(double angle) {
   return std::fmod(size, 15) == 0 || size == 170 || size == 350;
 }
 
+/// Both limits are of the same unit.
+Fix in_radians(const model::Axis& axis) {
+  Fix fix{"write radians", Applicability::kUnsafe, {}};
+  for (const model::Field<double>* limit : {&axis.lower, &axis.upper}) {
+    if (!limit->written || !std::isfinite(limit->value)) continue;
+    fix.edits.push_back({limit->span, write::joined({limit->value / 360 * kTurn})});
+  }
+  return fix;
+}
+
 void check(const model::Joint& joint, Context& context) {
   if (!turns(joint.type)) return;
   for (const model::Axis& axis : joint.axes) {
@@ -34,7 +45,8 @@ void check(const model::Joint& joint, Context& context) {
          .message = fmt::format("the limit {0} looks like degrees: limits are in radians, "
                                 "and {0}° is {1:.6g} rad",
                                 limit.value, limit.value / 360 * kTurn),
-         .subject = context.subject(joint)});
+         .subject = context.subject(joint),
+         .fix = in_radians(axis)});
   }
 }
 
@@ -45,6 +57,7 @@ Rule rule() {
       .name = "limit-looks-like-degrees",
       .category = Category::kKinematics,
       .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
       .summary = "a limit of a turning joint looks like degrees",
       .why =
           "Limits are in radians. Taken as such, 90 is fourteen turns, so the joint has no "
@@ -62,6 +75,24 @@ Rule rule() {
         <limit>
           <lower>-90.0</lower>
           <upper>«90.0»</upper>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1.5707963267948966</lower>
+          <upper>1.5707963267948966</upper>
         </limit>
       </axis>
     </joint>

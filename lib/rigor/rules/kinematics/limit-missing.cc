@@ -29,6 +29,7 @@ Rule rule() {
       .name = "limit-missing",
       .category = Category::kKinematics,
       .severity = Severity::kError,
+      .refused = {.urdf = Refusal::kAlways},
       .formats = Formats::kUrdf,
       .summary = "a revolute or prismatic joint of a URDF has no limits",
       .why = "urdfdom refuses the whole robot: these two types must have limits.",

@@ -42,6 +42,7 @@ Rule rule() {
       .name = "several-roots",
       .category = Category::kKinematics,
       .severity = Severity::kError,
+      .refused = {.urdf = Refusal::kAlways},
       .formats = Formats::kUrdf,
       .summary = "a URDF has more than one root link",
       .why = "urdfdom refuses the robot: every link but one must be the child of a joint.",

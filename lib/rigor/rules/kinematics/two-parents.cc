@@ -34,6 +34,7 @@ Rule rule() {
       .name = "two-parents",
       .category = Category::kKinematics,
       .severity = Severity::kError,
+      .refused = {.urdf = Refusal::kAlways},
       .formats = Formats::kUrdf,
       .summary = "a link of a URDF has two parents",
       .why =

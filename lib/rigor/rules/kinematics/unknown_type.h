@@ -7,8 +7,11 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include <rigor/read/values.h>
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/schema/suggest.h>
 
@@ -34,11 +37,20 @@ inline void report_unknown_type(const read::SchemaFact& fact, Context& context) 
   for (const std::string_view type : types) all += " " + std::string(type);
   const std::string element(fact.element.name());
   const auto name = fact.element.attribute("name");
-  context.report(
-      {.where = fact.where,
-       .message = "'" + std::string(fact.text) + "' is no type of " + element,
-       .subject = name ? element + " " + std::string(name->value()) : element,
-       .help = near.empty() ? all : "did you mean '" + std::string(near.front()) + "'?"});
+  context.report({.where = fact.where,
+                  .message = "'" + std::string(fact.text) + "' is no type of " + element,
+                  .subject = name ? element + " " + std::string(name->value()) : element,
+                  .help = near.empty() ? all : "did you mean '" + std::string(near.front()) + "'?",
+                  .fix = nearest_instead(fact.text, types, fact.where)});
+}
+
+/// `type=""` is in no list, and no fact of the schema; consumers refuse it as one that they do not know.
+inline void report_empty_type(xml::Element element, std::string subject, Context& context) {
+  const auto type = element.attribute("type");
+  if (!type || !read::trimmed(type->value()).empty()) return;
+  context.report({.where = type->span(),
+                  .message = "the type of this " + std::string(element.name()) + " is empty",
+                  .subject = std::move(subject)});
 }
 
 }  // namespace rigor::rules

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include <rigor/rules/rule.h>
+#include <rigor/rules/uri_fix.h>
 
 namespace rigor::rules::mesh_case_mismatch {
 namespace {
@@ -32,7 +33,7 @@ std::optional<Fix> fix(const model::Field<std::string>& uri, const read::Resolut
   span.begin += static_cast<std::uint32_t>(at);
   span.end = span.begin + static_cast<std::uint32_t>(name.size());
   const std::string right(last(found.other_case));
-  return Fix{"write " + right, Applicability::kSafe, {{span, right}}};
+  return Fix{"write " + right, fix_of_uri(span, context), {{span, right}}};
 }
 
 void check(const MeshUse& use, Context& context) {

@@ -21,6 +21,7 @@ Rule rule() {
       .name = "mesh-uri-empty",
       .category = Category::kMesh,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "a mesh names no file",
       .why =
           "The simulator looks for a file without a name, finds none, and leaves the shape out: "

@@ -36,6 +36,7 @@ Rule rule() {
       .name = "duplicate-name",
       .category = Category::kNaming,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "two things of one kind have the same name",
       .why =
           "libsdformat and urdfdom refuse the file. Where they do not, one of the two cannot be "

@@ -30,6 +30,7 @@ Rule rule() {
       .name = "duplicate-sibling-name",
       .category = Category::kNaming,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .summary = "things of different kinds in one scope have the same name",
       .why =

@@ -8,6 +8,12 @@
 namespace rigor::rules::name_empty {
 namespace {
 
+/// Of a URDF libsdformat keeps no fixed joints: their links are one.
+bool in_model(xml::Element element) {
+  const auto type = element.attribute("type");
+  return element.name() != "joint" || !type || type->value() != "fixed";
+}
+
 template <class Entity>
 void check(const Entity& entity, Context& context) {
   const auto& name = entity.name;
@@ -16,7 +22,8 @@ void check(const Entity& entity, Context& context) {
   if (context.is_urdf() && (kind == "visual" || kind == "collision")) return;  // none is needed
   context.report({.where = entity.site.tag,
                   .message = "the name of this " + kind + " is empty",
-                  .subject = context.subject(entity)});
+                  .subject = context.subject(entity),
+                  .refused = in_model(context.element(entity.site))});
 }
 
 }  // namespace
@@ -26,6 +33,7 @@ Rule rule() {
       .name = "name-empty",
       .category = Category::kNaming,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kSays},
       .summary = "a name is empty",
       .why =
           "libsdformat refuses the file. urdfdom takes it, and then nothing can refer to the "

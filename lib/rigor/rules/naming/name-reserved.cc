@@ -43,6 +43,7 @@ Rule rule() {
       .name = "name-reserved",
       .category = Category::kNaming,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .summary = "a name is reserved by the format",
       .why =

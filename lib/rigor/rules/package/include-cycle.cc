@@ -21,6 +21,7 @@ Rule rule() {
       .name = "include-cycle",
       .category = Category::kPackage,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways},
       .summary = "a model includes itself",
       .why = "libsdformat follows the circle until the memory is used up, and the simulator dies.",
       .what_to_do = "Take one of the includes out.",

@@ -22,6 +22,7 @@ Rule rule() {
       .name = "include-has-errors",
       .category = Category::kPackage,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways},
       .summary = "an included file has errors of its own",
       .why =
           "A simulator that refuses or misreads the included file refuses or misreads this one "

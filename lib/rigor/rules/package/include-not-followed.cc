@@ -19,6 +19,7 @@ Rule rule() {
       .name = "include-not-followed",
       .category = Category::kPackage,
       .severity = Severity::kInfo,
+      .refused = {.sdf = Refusal::kAlways},
       .summary = "an included model lies in the network and was not looked at",
       .why =
           "Nothing is ever downloaded here: a model of an https:// URI is only read when it is in "

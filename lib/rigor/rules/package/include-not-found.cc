@@ -25,6 +25,7 @@ Rule rule() {
       .name = "include-not-found",
       .category = Category::kPackage,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways},
       .summary = "an included model is not found",
       .why = "libsdformat refuses the whole file; Gazebo leaves the model out.",
       .what_to_do =

@@ -18,6 +18,7 @@ Rule rule() {
       .name = "include-unreadable",
       .category = Category::kPackage,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways},
       .summary = "an included file cannot be read",
       .why = "libsdformat refuses the whole file; Gazebo leaves the model out.",
       .what_to_do = "Put the included file right: checking it tells more.",

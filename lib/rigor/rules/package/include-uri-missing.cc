@@ -18,6 +18,7 @@ Rule rule() {
       .name = "include-uri-missing",
       .category = Category::kPackage,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .summary = "an include names no model",
       .why = "libsdformat refuses the whole file, and Gazebo with it.",

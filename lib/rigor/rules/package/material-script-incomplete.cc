@@ -42,6 +42,7 @@ Rule rule() {
       .name = "material-script-incomplete",
       .category = Category::kPackage,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .summary = "a material script lacks its uri or its name",
       .why =

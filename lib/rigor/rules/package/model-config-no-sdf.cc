@@ -24,6 +24,7 @@ Rule rule() {
       .name = "model-config-no-sdf",
       .category = Category::kPackage,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways},
       .summary = "a model.config names no SDF file",
       .why = "Whoever includes the folder gets an error: there is nothing to load.",
       .what_to_do = "Write the file to load, as in <sdf version=\"1.9\">model.sdf</sdf>.",

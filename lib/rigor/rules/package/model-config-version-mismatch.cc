@@ -1,14 +1,28 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <cstddef>
+
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::model_config_version_mismatch {
 namespace {
 
+/// Of several files, the one that is said to have the highest version is the model.
+Applicability fix_of_version(const Context& context) {
+  const auto top = context.document().root();
+  if (!top) return Applicability::kUnsafe;
+  std::size_t count = 0;
+  for (const xml::Element child : top->children()) count += child.name() == "sdf" ? 1 : 0;
+  return count == 1 ? Applicability::kSafe : Applicability::kUnsafe;
+}
+
 void check(const read::ConfigFact& fact, Context& context) {
   context.report(
-      {.where = fact.where, .message = "the file is SDF " + fact.found + ", not " + fact.name});
+      {.where = fact.where,
+       .message = "the file is SDF " + fact.found + ", not " + fact.name,
+       .fix = Fix{"write " + fact.found, fix_of_version(context), {{fact.where, fact.found}}}});
 }
 
 }  // namespace
@@ -19,6 +33,7 @@ Rule rule() {
       .category = Category::kPackage,
       .severity = Severity::kWarning,
       .formats = Formats::kModelConfig,
+      .fix = FixGrade::kSafe,
       .summary = "a file in model.config has another version than is said",
       .why =
           "libsdformat chooses among several files by what model.config says, and reads the file "
@@ -35,6 +50,11 @@ Rule rule() {
     <link name="body"/>
   </model>
 </sdf>
+)",
+               R"(<model>
+  <name>box</name>
+  <sdf version="1.9">model.sdf</sdf>
+</model>
 )"}},
       .good = {{R"(<?xml version="1.0"?>
 <model>

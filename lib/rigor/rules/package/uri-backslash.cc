@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <rigor/rules/rule.h>
+#include <rigor/rules/uri_fix.h>
 #include <rigor/rules/uris.h>
 
 namespace rigor::rules::uri_backslash {
@@ -20,7 +21,7 @@ void check(const model::Root& /*root*/, Context& context) {
     if (uri.verbatim) {
       std::string slashes(uri.text);
       std::replace(slashes.begin(), slashes.end(), '\\', '/');
-      finding.fix = Fix{"write slashes", Applicability::kSafe, {{uri.where, std::move(slashes)}}};
+      finding.fix = Fix{"write slashes", fix_of_uri(uri.where, context), {{uri.where, slashes}}};
     }
     context.report(std::move(finding));
   }
@@ -36,7 +37,9 @@ Rule rule() {
       .fix = FixGrade::kSafe,
       .summary = "a URI has backslashes",
       .why = "Only Windows takes them for slashes; elsewhere the file is not found.",
-      .what_to_do = "Write slashes instead.",
+      .what_to_do =
+          "Write slashes instead. The fix is an unsafe one where links or their mass come with the "
+          "file: in an include.",
       .bad = {{R"(<sdf version="1.9">
   <model name="box">
     <static>true</static>

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/uris.h>
 #include <rigor/schema/suggest.h>
@@ -26,6 +27,17 @@ std::string_view scheme_of(std::string_view uri) {
   return scheme.find('/') == std::string_view::npos ? scheme : std::string_view();
 }
 
+std::optional<Fix> with_scheme(const Uri& uri, std::string_view scheme,
+                               const std::vector<std::string_view>& near, const Context& context) {
+  if (near.size() != 1 || !context.bytes(uri.where).starts_with(scheme)) return std::nullopt;
+  std::size_t slashes = scheme.size() + 1;
+  while (slashes < uri.text.size() && uri.text[slashes] == '/') ++slashes;
+  Span begin = uri.where;
+  begin.end = begin.begin + static_cast<std::uint32_t>(slashes);
+  const std::string meant = std::string(near.front()) + "://";
+  return Fix{"write " + meant, Applicability::kUnsafe, {{begin, meant}}};
+}
+
 void check(const model::Root& /*root*/, Context& context) {
   const std::vector<std::string_view> known(kSchemes.begin(), kSchemes.end());
   for (const Uri& uri : context.uris()) {
@@ -38,7 +50,8 @@ void check(const model::Root& /*root*/, Context& context) {
                     .message = "'" + std::string(uri.text.substr(0, scheme.size() + 2)) +
                                "' begins no URI that is known",
                     .help = near.empty() ? "known are model://, package://, file:// and https://"
-                                         : "did you mean '" + std::string(near.front()) + "://'?"});
+                                         : "did you mean '" + std::string(near.front()) + "://'?",
+                    .fix = with_scheme(uri, scheme, near, context)});
   }
 }
 
@@ -49,6 +62,7 @@ Rule rule() {
       .name = "uri-unknown-scheme",
       .category = Category::kPackage,
       .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
       .summary = "a URI has a scheme that nobody knows",
       .why =
           "Gazebo and ROS find files by model://, package://, file:// and https://. Anything else "
@@ -70,6 +84,23 @@ Rule rule() {
     </link>
   </model>
 </sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <visual name="shape">
+        <geometry><sphere><radius>1</radius></sphere></geometry>
+        <material>
+          <script>
+            <uri>model://box/box.material</uri>
+            <name>Box/Red</name>
+          </script>
+        </material>
+      </visual>
+    </link>
+  </model>
+</sdf>
 )"},
               {R"(<sdf version="1.9">
   <model name="box">
@@ -80,6 +111,23 @@ Rule rule() {
         <material>
           <script>
             <uri>«model:/box/box.material»</uri>
+            <name>Box/Red</name>
+          </script>
+        </material>
+      </visual>
+    </link>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <visual name="shape">
+        <geometry><sphere><radius>1</radius></sphere></geometry>
+        <material>
+          <script>
+            <uri>model://box/box.material</uri>
             <name>Box/Red</name>
           </script>
         </material>

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/schema/suggest.h>
 
@@ -24,7 +25,8 @@ void check(const model::Physics& physics, Context& context) {
   context.report({.where = type.span,
                   .message = "'" + type.value + "' is no physics engine that is known",
                   .help = near.empty() ? "the engines are ode, bullet, simbody and dart"
-                                       : "did you mean '" + std::string(near.front()) + "'?"});
+                                       : "did you mean '" + std::string(near.front()) + "'?",
+                  .fix = nearest_instead(type.value, {kTypes.begin(), kTypes.end()}, type.span)});
 }
 
 }  // namespace
@@ -35,6 +37,7 @@ Rule rule() {
       .category = Category::kPhysics,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
+      .fix = FixGrade::kUnsafe,
       .summary = "a world names a physics engine that does not exist",
       .why =
           "Gazebo classic refuses to load the world; new Gazebo does not look at the name and "
@@ -45,6 +48,15 @@ Rule rule() {
       .bad = {{R"(<sdf version="1.9">
   <world name="lab">
     <physics name="fast" type="«bulet»">
+      <max_step_size>0.001</max_step_size>
+      <real_time_factor>1</real_time_factor>
+    </physics>
+  </world>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <world name="lab">
+    <physics name="fast" type="bullet">
       <max_step_size>0.001</max_step_size>
       <real_time_factor>1</real_time_factor>
     </physics>

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <tuple>
 
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_duplicate {
@@ -21,10 +22,13 @@ void check(const model::Root& root, Context& context) {
     if (!root.own(plugin.site) || plugin.filename.value.empty()) continue;
     const auto [entry, first] = seen.emplace(place(plugin), &plugin);
     if (first) continue;
-    context.report({.where = plugin.site.name,
-                    .message = "the same plugin stands here twice: " + plugin.filename.value,
-                    .subject = context.subject(plugin),
-                    .related = {{entry->second->site.name, "the first one"}}});
+    context.report(
+        {.where = plugin.site.name,
+         .message = "the same plugin stands here twice: " + plugin.filename.value,
+         .subject = context.subject(plugin),
+         .related = {{entry->second->site.name, "the first one"}},
+         .fix = fix_of("remove the second", Applicability::kUnsafe,
+                       xml::remove_element(context.document(), context.element(plugin.site)))});
   }
 }
 
@@ -35,6 +39,7 @@ Rule rule() {
       .name = "plugin-duplicate",
       .category = Category::kPlugin,
       .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
       .summary = "the same plugin is loaded twice",
       .why =
           "Both run: commands are carried out twice, topics are published twice, or the second "
@@ -46,6 +51,14 @@ Rule rule() {
     <plugin name="drive" filename="gz-sim-pose-publisher-system">
     </plugin>
     <«plugin» name="drive" filename="gz-sim-pose-publisher-system">
+    </plugin>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <plugin name="drive" filename="gz-sim-pose-publisher-system">
     </plugin>
   </model>
 </sdf>

@@ -8,7 +8,8 @@ namespace {
 
 void check(const model::Plugin& plugin, Context& context) {
   const auto& file = plugin.filename;
-  if (!file.written || !file.value.empty()) return;  // the schema's rules name a missing attribute
+  // The schema's rules name an attribute that SDF misses; what is in the <gazebo> of a URDF they do not see.
+  if (!file.value.empty() || (context.is_sdf() && !file.written)) return;
   context.report({.where = file.span.size() > 0 ? file.span : plugin.site.name,
                   .message = "the plugin '" + plugin.name.value + "' names no library",
                   .subject = context.subject(plugin)});
@@ -21,9 +22,12 @@ Rule rule() {
       .name = "plugin-filename-missing",
       .category = Category::kPlugin,
       .severity = Severity::kError,
-      .formats = Formats::kSdf,
+      .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "a plugin names no library",
-      .why = "libsdformat refuses the file: the filename is required, and must not be empty.",
+      .why =
+          "libsdformat refuses the file, also one that it makes of a URDF: the filename is "
+          "required, and "
+          "must not be empty.",
       .what_to_do = "Name the library, such as gz-sim-diff-drive-system, or take the plugin out.",
       .bad = {{R"(<sdf version="1.9">
   <model name="arm">
@@ -32,6 +36,13 @@ Rule rule() {
     </plugin>
   </model>
 </sdf>
+)"},
+              {R"(<robot name="arm">
+  <link name="base"/>
+  <gazebo>
+    <«plugin» name="drive"/>
+  </gazebo>
+</robot>
 )"}},
       .good = {{R"(<sdf version="1.9">
   <model name="arm">

@@ -65,12 +65,14 @@ void check(const model::Root& root, Context& context) {
       if (exists(names, plugin.model, parameter->what, inner)) continue;
       const auto all = [&] { return names.in({plugin.model, {}}); };
       const char* kind = parameter->what == ParameterOf::kJoint ? "joint" : "link";
+      const Suggestion near = suggest_of(value, all, child.text_span(), context);
       context.report({.where = child.text_span(),
                       .message = fmt::format("the plugin needs the {} '{}', which the model does "
                                              "not have",
                                              kind, value),
                       .subject = context.subject(plugin),
-                      .help = did_you_mean(value, all, context)});
+                      .help = near.help,
+                      .fix = near.fix});
     }
   }
 }
@@ -82,6 +84,7 @@ Rule rule() {
       .name = "plugin-joint-missing",
       .category = Category::kPlugin,
       .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
       .summary = "a plugin names a joint or link that the model does not have",
       .why =
           "The plugin finds nothing to drive: it says so in a line of the simulator's log, if "
@@ -100,6 +103,23 @@ Rule rule() {
     </joint>
     <plugin name="drive" filename="gz-sim-diff-drive-system">
       <left_joint>«left_whel»</left_joint>
+    </plugin>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="left_wheel" type="continuous">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+      </axis>
+    </joint>
+    <plugin name="drive" filename="gz-sim-diff-drive-system">
+      <left_joint>left_wheel</left_joint>
     </plugin>
   </model>
 </sdf>

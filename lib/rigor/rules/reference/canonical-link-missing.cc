@@ -8,10 +8,12 @@ namespace rigor::rules::canonical_link_missing {
 namespace {
 
 void check(const model::FrameProblem& problem, Context& context) {
+  const Suggestion near = suggest(problem.name, problem.candidates, problem.where, context);
   context.report({.where = problem.where,
                   .message = "the canonical link '" + problem.name + "' is no link of this model",
                   .subject = problem.subject,
-                  .help = did_you_mean(problem.name, problem.candidates)});
+                  .help = near.help,
+                  .fix = near.fix});
 }
 
 }  // namespace
@@ -21,6 +23,8 @@ Rule rule() {
       .name = "canonical-link-missing",
       .category = Category::kReference,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways},
+      .fix = FixGrade::kUnsafe,
       .summary = "a model names a canonical link that does not exist",
       .why = "libsdformat refuses the model: its frame would be attached to nothing.",
       .what_to_do =
@@ -28,6 +32,12 @@ Rule rule() {
           "taken then.",
       .bad = {{R"(<sdf version="1.9">
   <model name="arm" canonical_link="«bas»">
+    <link name="base"/>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="arm" canonical_link="base">
     <link name="base"/>
   </model>
 </sdf>

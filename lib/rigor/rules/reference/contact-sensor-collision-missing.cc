@@ -27,12 +27,14 @@ void check(const model::Sensor& sensor, Context& context) {
     // A scoped name leads to another link, which the simulators understand in ways of their own.
     if (name.empty() || name.find("::") != std::string::npos) continue;
     if (names.contains(name)) continue;
+    const Suggestion near = suggest_of(name, all, collision.span, context);
     context.report({.where = collision.span,
                     .message = "the contact sensor watches the collision '" + name +
                                "', which its link '" + root[sensor.link].name.value +
                                "' does not have",
                     .subject = context.subject(sensor),
-                    .help = did_you_mean(name, all, context)});
+                    .help = near.help,
+                    .fix = near.fix});
   }
 }
 
@@ -44,6 +46,7 @@ Rule rule() {
       .category = Category::kReference,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
+      .fix = FixGrade::kUnsafe,
       .summary = "a contact sensor watches a collision that its link does not have",
       .why =
           "Gazebo looks for the name among the collisions of the sensor's own link, finds "
@@ -57,7 +60,22 @@ Rule rule() {
       </collision>
       <sensor name="touch" type="contact">
         <contact>
-          <collision>«soul»</collision>
+          <collision>«soles»</collision>
+        </contact>
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="foot">
+      <collision name="sole">
+        <geometry><sphere><radius>0.1</radius></sphere></geometry>
+      </collision>
+      <sensor name="touch" type="contact">
+        <contact>
+          <collision>sole</collision>
         </contact>
       </sensor>
     </link>

@@ -15,11 +15,13 @@ void check(const model::Root& root, Context& context) {
     const std::string& name = controlled.joint.value;
     if (name.empty() || joints.count(name) != 0) continue;
     const std::string who = controlled.ros2_control ? "ros2_control" : "a transmission";
+    const Suggestion near = suggest_of(
+        name, [&] { return names_of(root.joints); }, controlled.joint.span, context);
     context.report(
         {.where = controlled.joint.span,
          .message = who + " drives the joint '" + name + "', which this robot does not have",
-         .help = did_you_mean(
-             name, [&] { return names_of(root.joints); }, context)});
+         .help = near.help,
+         .fix = near.fix});
   }
 }
 
@@ -31,6 +33,7 @@ Rule rule() {
       .category = Category::kReference,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
+      .fix = FixGrade::kUnsafe,
       .summary = "a transmission or ros2_control names a joint that does not exist",
       .why =
           "The controller manager finds no such joint when it starts: it drops the interface, "
@@ -47,6 +50,23 @@ Rule rule() {
   <transmission name="drive">
     <type>transmission_interface/SimpleTransmission</type>
     <joint name="«elbo»">
+      <hardwareInterface>EffortJointInterface</hardwareInterface>
+    </joint>
+    <actuator name="motor"/>
+  </transmission>
+</robot>
+)",
+               R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+  </joint>
+  <transmission name="drive">
+    <type>transmission_interface/SimpleTransmission</type>
+    <joint name="elbow">
       <hardwareInterface>EffortJointInterface</hardwareInterface>
     </joint>
     <actuator name="motor"/>

@@ -22,10 +22,12 @@ void check(const model::Root& root, Context& context) {
       for (std::string& joint : names_of(root.joints)) names.push_back(std::move(joint));
       return names;
     };
+    const Suggestion near = suggest_of(name, all, block.reference.span, context);
     context.report(
         {.where = block.reference.span,
          .message = "refers to '" + name + "', which is no link and no joint of this robot",
-         .help = did_you_mean(name, all, context)});
+         .help = near.help,
+         .fix = near.fix});
   }
 }
 
@@ -37,6 +39,7 @@ Rule rule() {
       .category = Category::kReference,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
+      .fix = FixGrade::kUnsafe,
       .summary = "a <gazebo> block is for a link or joint that does not exist",
       .why =
           "Gazebo drops the block without a word: its material, friction, sensors and plugins "
@@ -45,6 +48,13 @@ Rule rule() {
       .bad = {{R"(<robot name="arm">
   <link name="base"/>
   <gazebo reference="«bas»">
+    <mu1>0.2</mu1>
+  </gazebo>
+</robot>
+)",
+               R"(<robot name="arm">
+  <link name="base"/>
+  <gazebo reference="base">
     <mu1>0.2</mu1>
   </gazebo>
 </robot>

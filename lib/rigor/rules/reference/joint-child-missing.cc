@@ -8,10 +8,14 @@ namespace rigor::rules::joint_child_missing {
 namespace {
 
 void check(const model::FrameProblem& problem, Context& context) {
+  const Suggestion near = suggest(problem.name, problem.candidates, problem.where, context);
   context.report({.where = problem.where,
                   .message = "the child '" + problem.name + "' is nothing in this model",
                   .subject = problem.subject,
-                  .help = did_you_mean(problem.name, problem.candidates)});
+                  .help = near.help,
+                  .fix = near.fix,
+                  // Joints of a world came with SDF 1.10; libsdformat 12 reads none.
+                  .refused = static_cast<bool>(problem.model)});
 }
 
 }  // namespace
@@ -21,6 +25,8 @@ Rule rule() {
       .name = "joint-child-missing",
       .category = Category::kReference,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kAlways},
+      .fix = FixGrade::kUnsafe,
       .summary = "a joint names a child that does not exist",
       .why =
           "libsdformat and urdfdom refuse the whole model: a joint without a child moves "
@@ -33,6 +39,17 @@ Rule rule() {
     <joint name="elbow" type="fixed">
       <parent>base</parent>
       <child>«tipp»</child>
+    </joint>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="fixed">
+      <parent>base</parent>
+      <child>tip</child>
     </joint>
   </model>
 </sdf>

@@ -19,6 +19,7 @@ Rule rule() {
       .name = "joint-child-world",
       .category = Category::kReference,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .summary = "a joint has the world as its child",
       .why =

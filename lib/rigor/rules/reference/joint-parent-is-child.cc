@@ -1,16 +1,38 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
+#include <optional>
+
+#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::joint_parent_is_child {
 namespace {
 
+/// libsdformat compares what the names lead to in models that are not nested only, and the names in all.
+/// urdfdom does not come to a link that is nobody else's child.
+bool refused(const model::FrameProblem& problem, const Context& context) {
+  if (context.is_urdf()) {
+    const auto& joints = context.root().joints;
+    return std::count_if(joints.begin(), joints.end(), [&problem](const model::Joint& joint) {
+             return joint.child.value == problem.name;
+           }) > 1;
+  }
+  if (!problem.model || !context.root()[problem.model].parent) return true;
+  auto joint = context.document().element_at(problem.where.begin);
+  while (joint && joint->name() != "joint") joint = joint->parent();
+  const auto parent = joint ? joint->child("parent") : std::nullopt;
+  const auto child = joint ? joint->child("child") : std::nullopt;
+  return parent && child && read::trimmed(parent->text()) == read::trimmed(child->text());
+}
+
 void check(const model::FrameProblem& problem, Context& context) {
   context.report(
       {.where = problem.where,
        .message = "parent and child of the joint are the same link: '" + problem.name + "'",
-       .subject = problem.subject});
+       .subject = problem.subject,
+       .refused = refused(problem, context)});
 }
 
 }  // namespace
@@ -20,6 +42,7 @@ Rule rule() {
       .name = "joint-parent-is-child",
       .category = Category::kReference,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .summary = "a joint connects a link with itself",
       .why =
           "libsdformat refuses the model. Where frames lead to one link in the end its check, "

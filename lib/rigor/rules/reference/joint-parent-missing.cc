@@ -8,10 +8,14 @@ namespace rigor::rules::joint_parent_missing {
 namespace {
 
 void check(const model::FrameProblem& problem, Context& context) {
+  const Suggestion near = suggest(problem.name, problem.candidates, problem.where, context);
   context.report({.where = problem.where,
                   .message = "the parent '" + problem.name + "' is nothing in this model",
                   .subject = problem.subject,
-                  .help = did_you_mean(problem.name, problem.candidates)});
+                  .help = near.help,
+                  .fix = near.fix,
+                  // Joints of a world came with SDF 1.10; libsdformat 12 reads none.
+                  .refused = static_cast<bool>(problem.model)});
 }
 
 }  // namespace
@@ -21,6 +25,8 @@ Rule rule() {
       .name = "joint-parent-missing",
       .category = Category::kReference,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kAlways},
+      .fix = FixGrade::kUnsafe,
       .summary = "a joint names a parent that does not exist",
       .why =
           "libsdformat and urdfdom refuse the whole model: a joint has to hold on to "
@@ -34,6 +40,17 @@ Rule rule() {
     <link name="tip"/>
     <joint name="elbow" type="fixed">
       <parent>«bse»</parent>
+      <child>tip</child>
+    </joint>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="fixed">
+      <parent>base</parent>
       <child>tip</child>
     </joint>
   </model>

@@ -18,11 +18,13 @@ void check(const model::Root& root, Context& context) {
     const model::Material& material = visual.material;
     const std::string& name = material.name.value;
     if (!material.written || name.empty() || defined.count(name) != 0) continue;
+    const Suggestion near = suggest_of(
+        name, [&] { return names_of(root.materials); }, material.name.span, context);
     context.report({.where = material.name.span,
                     .message = "the material '" + name + "' is defined nowhere in this robot",
                     .subject = context.subject(visual),
-                    .help = did_you_mean(
-                        name, [&] { return names_of(root.materials); }, context)});
+                    .help = near.help,
+                    .fix = near.fix});
   }
 }
 
@@ -34,6 +36,7 @@ Rule rule() {
       .category = Category::kReference,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
+      .fix = FixGrade::kUnsafe,
       .summary = "a visual names a material that is defined nowhere",
       .why =
           "urdfdom warns and gives the visual no material; it is then drawn in whatever colour "
@@ -45,6 +48,18 @@ Rule rule() {
     <visual>
       <geometry><box size="1 1 1"/></geometry>
       <material name="«blu»"/>
+    </visual>
+  </link>
+  <material name="blue">
+    <color rgba="0 0 1 1"/>
+  </material>
+</robot>
+)",
+               R"(<robot name="arm">
+  <link name="base">
+    <visual>
+      <geometry><box size="1 1 1"/></geometry>
+      <material name="blue"/>
     </visual>
   </link>
   <material name="blue">

@@ -30,11 +30,13 @@ void check(const model::Root& root, Context& context) {
         for (const auto id : root[joint.model].joints) all.push_back(root[id].name.value);
         return all;
       };
+      const Suggestion near = suggest_of(leader, others, axis.mimic->joint.span, context);
       context.report(
           {.where = axis.mimic->joint.span,
            .message = "mimics the joint '" + leader + "', which this model does not have",
            .subject = context.subject(joint),
-           .help = did_you_mean(leader, others, context)});
+           .help = near.help,
+           .fix = near.fix});
     }
   }
 }
@@ -46,6 +48,7 @@ Rule rule() {
       .name = "mimic-joint-missing",
       .category = Category::kReference,
       .severity = Severity::kError,
+      .fix = FixGrade::kUnsafe,
       .summary = "a joint mimics one that does not exist",
       .why =
           "urdfdom takes the model as it is, and what follows differs: MoveIt and "
@@ -66,6 +69,23 @@ Rule rule() {
     <child link="tip"/>
     <limit lower="-1" upper="1" effort="5" velocity="2"/>
     <mimic joint="«knukle»"/>
+  </joint>
+</robot>
+)",
+               R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <link name="finger"/>
+  <joint name="knuckle" type="revolute">
+    <parent link="base"/>
+    <child link="finger"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+  </joint>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+    <mimic joint="knuckle"/>
   </joint>
 </robot>
 )"}},

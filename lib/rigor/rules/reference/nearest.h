@@ -1,10 +1,11 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// "Did you mean", as a line of help.
+// "Did you mean", as a line of help and a fix.
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -12,22 +13,40 @@
 
 #include <rigor/rules/context.h>
 #include <rigor/schema/suggest.h>
+#include <rigor/text/edit.h>
 
 namespace rigor::rules {
 
-/// "did you mean 'tip'?", with the nearest of the candidates; empty when none is near.
-inline std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates) {
+/// What a name was probably meant to be; empty when nothing is near.
+struct Suggestion {
+  std::string help;  ///< "did you mean 'tip'?"
+  std::optional<Fix>
+      fix;  ///< only where one candidate is near, and the name stands there as it is read
+};
+
+/// The nearest of the candidates for the name that stands at `where`. What refers to another thing is
+/// another robot: whoever wrote the name has to agree.
+inline Suggestion suggest(std::string_view name, const std::vector<std::string>& candidates,
+                          Span where, const Context& context) {
   const auto near = schema::near(name, {candidates.begin(), candidates.end()});
-  return near.empty() ? std::string() : "did you mean '" + std::string(near.front()) + "'?";
+  if (near.empty()) return {};
+  const std::string meant(near.front());
+  Suggestion suggestion{"did you mean '" + meant + "'?", {}};
+  const bool plain = meant.find_first_of("<>&\"'") == std::string::npos;
+  if (near.size() == 1 && plain && context.bytes(where) == name) {
+    suggestion.fix = Fix{"name '" + meant + "'", Applicability::kUnsafe, {{where, meant}}};
+  }
+  return suggestion;
 }
 
 /// The same of what `candidates()` gives, as long as the file is worth the effort.
 template <class Candidates>
-std::string did_you_mean(std::string_view name, const Candidates& candidates, Context& context) {
+Suggestion suggest_of(std::string_view name, const Candidates& candidates, Span where,
+                      Context& context) {
   if (!context.may_suggest()) return {};
   const std::vector<std::string> names = candidates();
   context.compared(names.size());
-  return did_you_mean(name, names);
+  return suggest(name, names, where, context);
 }
 
 /// The names of links, joints or whatever else has one.

@@ -3,11 +3,23 @@
 
 #include <string>
 
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/place.h>
 
 namespace rigor::rules::attribute_as_element {
 namespace {
+
+std::optional<Fix> as_attribute(const read::SchemaFact& fact, const Context& context) {
+  const xml::Element element = fact.element;
+  const auto parent = element.parent();
+  const std::string_view value = read::trimmed(element.text());
+  const bool plain = element.attributes().empty() && element.children().empty();
+  if (!parent || !plain || value.empty() || parent->attribute(element.name())) return std::nullopt;
+  std::vector<Edit> edits = xml::remove_element(context.document(), element);
+  append(edits, xml::set_attribute(context.document(), *parent, element.name(), value));
+  return fix_of("write it as an attribute", Applicability::kUnsafe, std::move(edits));
+}
 
 void check(const read::SchemaFact& fact, Context& context) {
   const std::string name(fact.element.name());
@@ -17,7 +29,8 @@ void check(const read::SchemaFact& fact, Context& context) {
   context.report({.where = fact.where,
                   .message = "<" + name + "> has no effect: '" + name + "' is an attribute of <" +
                              std::string(fact.parent->name()) + ">",
-                  .subject = subject_of(fact.element)});
+                  .subject = subject_of(fact.element),
+                  .fix = as_attribute(fact, context)});
 }
 
 }  // namespace
@@ -27,6 +40,7 @@ Rule rule() {
       .name = "attribute-as-element",
       .category = Category::kSchema,
       .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
       .summary = "an attribute is written as an element",
       .why =
           "libsdformat, urdfdom and Gazebo look for it in the start tag and pass over the element "
@@ -38,6 +52,15 @@ Rule rule() {
     <link name="body"/>
     <frame name="lid">
       <«attached_to»>body</attached_to>
+    </frame>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+    <frame name="lid" attached_to="body">
     </frame>
   </model>
 </sdf>

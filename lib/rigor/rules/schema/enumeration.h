@@ -21,22 +21,41 @@ enum class ListKeeper {
   kNobody,   ///< nobody looks, and the simulator does as it likes
 };
 
+inline bool of_force_torque_frame(xml::Element element) {
+  const auto parent = element.parent();
+  return element.name() == "frame" && parent && parent->name() == "force_torque";
+}
+
+inline bool of_camera_noise(xml::Element element) {
+  const auto noise = element.parent();
+  const auto camera = noise ? noise->parent() : std::nullopt;
+  return element.name() == "type" && noise->name() == "noise" && camera &&
+         camera->name() == "camera";
+}
+
 inline ListKeeper keeper_of(const read::SchemaFact& fact) {
   const std::string_view element = fact.element.name();
   const std::string_view attribute = fact.attribute ? fact.attribute->name() : "";
   if (attribute == "type" && (element == "joint" || element == "sensor" || element == "physics")) {
     return ListKeeper::kOwnRule;
   }
-  const bool refused = (element == "light" && attribute == "type") ||
-                       (element == "shader" && attribute == "type") || element == "format" ||
-                       element == "surface_model" || attribute == "rotation_format";
+  const bool refused =
+      (element == "light" && attribute == "type") || (element == "shader" && attribute == "type") ||
+      element == "format" || (element == "particle_emitter" && attribute == "type") ||
+      (element == "atmosphere" && attribute == "type") || element == "surface_model" ||
+      element == "world_frame_orientation" || attribute == "rotation_format" ||
+      of_force_torque_frame(fact.element) || of_camera_noise(fact.element);
   return refused ? ListKeeper::kRefuses : ListKeeper::kNobody;
+}
+
+inline std::vector<std::string_view> listed_values(const read::SchemaFact& fact) {
+  const auto known = fact.node->enumeration();
+  return {known.begin(), known.end()};
 }
 
 /// "did you mean 'x'?", or the whole list.
 inline std::string values_of(const read::SchemaFact& fact) {
-  const auto known = fact.node->enumeration();
-  std::vector<std::string_view> all(known.begin(), known.end());
+  const std::vector<std::string_view> all = listed_values(fact);
   const auto near = schema::near(fact.text, all);
   if (!near.empty()) return "did you mean '" + std::string(near.front()) + "'?";
   std::string text;

@@ -17,6 +17,7 @@ Rule rule() {
       .name = "file-unreadable",
       .category = Category::kSchema,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "a file cannot be read",
       .why = "Nothing is known of it, and no simulator can load it either.",
       .what_to_do = "Look at its permissions, and whether it is a broken link.",

@@ -4,8 +4,10 @@
 #include <string>
 #include <string_view>
 
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/place.h>
+#include <rigor/rules/schema/refused_value.h>
 
 namespace rigor::rules::missing_attribute {
 namespace {
@@ -19,6 +21,17 @@ std::string instead(const read::SchemaFact& fact, std::string_view name) {
   }
   if (!fact.element.child(name)) return {};
   return "<" + std::string(name) + "> is written as a child: it is an attribute";
+}
+
+std::optional<Fix> respelt(const read::SchemaFact& fact, std::string_view name) {
+  for (const xml::Attribute attribute : fact.element.attributes()) {
+    if (fact.parent->attribute(attribute.name())) continue;
+    if (schema::near(attribute.name(), {name}).empty()) continue;
+    return Fix{"write '" + std::string(name) + "'",
+               Applicability::kUnsafe,
+               {{attribute.name_span(), std::string(name)}}};
+  }
+  return std::nullopt;
 }
 
 /// urdfdom takes the default where there is one, passes over a colour or texture without a value, and
@@ -42,6 +55,12 @@ std::string missing(const read::SchemaFact& fact, const Context& context) {
   return names;
 }
 
+/// urdfdom gives up a robot without a name for itself, for a link or in a joint.
+bool urdf_refused(const read::SchemaFact& fact) {
+  const std::string_view element = fact.element.name();
+  return element == "robot" || element == "link" || urdfdom_refuses_in(fact.element);
+}
+
 void check(const read::SchemaFact& fact, Context& context) {
   const std::string_view name = fact.node->name();
   if (!needed(fact.element, *fact.node, context)) return;
@@ -50,7 +69,9 @@ void check(const read::SchemaFact& fact, Context& context) {
   context.report({.where = fact.where,
                   .message = "<" + std::string(fact.element.name()) + "> has no " + names,
                   .subject = subject_of(fact.element),
-                  .help = instead(fact, name)});
+                  .help = instead(fact, name),
+                  .fix = respelt(fact, name),
+                  .refused = urdf_refused(fact)});
 }
 
 }  // namespace
@@ -60,6 +81,8 @@ Rule rule() {
       .name = "missing-attribute",
       .category = Category::kSchema,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kSays},
+      .fix = FixGrade::kUnsafe,
       .summary = "a required attribute is missing",
       .why =
           "libsdformat refuses the file at this element. urdfdom refuses the robot, or leaves the "
@@ -69,6 +92,14 @@ Rule rule() {
   <model name="box">
     <static>true</static>
     «<link nmae="body">»
+    </link>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
     </link>
   </model>
 </sdf>

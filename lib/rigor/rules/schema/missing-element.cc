@@ -6,6 +6,7 @@
 
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/place.h>
+#include <rigor/rules/schema/refused_value.h>
 #include <rigor/rules/xml/xacro.h>
 
 namespace rigor::rules::missing_element {
@@ -27,7 +28,22 @@ void check(const read::SchemaFact& fact, Context& context) {
   if (has_xacro_child(fact.element)) return;
   context.report({.where = fact.where,
                   .message = "<" + std::string(fact.element.name()) + "> has no <" + name + ">",
-                  .subject = subject_of(fact.element)});
+                  .subject = subject_of(fact.element),
+                  .refused = fact.element.name() == "robot" || fact.element.name() == "joint"});
+}
+
+/// An end that is there and names nothing.
+void check_ends(const model::Joint& joint, Context& context) {
+  for (const std::string name : {"parent", "child"}) {
+    const auto end = context.element(joint.site).child(name);
+    // SDF 1.0 names the link in an attribute.
+    if (!context.is_sdf() || !end || end->attribute("link")) continue;
+    if (!read::trimmed(end->text()).empty()) continue;
+    context.report({.where = end->tag_span(),
+                    .message = "the <" + name + "> of the joint is empty",
+                    .subject = context.subject(joint),
+                    .refused = true});
+  }
 }
 
 }  // namespace
@@ -37,6 +53,7 @@ Rule rule() {
       .name = "missing-element",
       .category = Category::kSchema,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .summary = "a required element is missing",
       .why =
           "libsdformat refuses a joint that lacks its parent or child, and gives a mesh without "
@@ -72,7 +89,8 @@ Rule rule() {
   </model>
 </sdf>
 )"}},
-      .checks = {on_schema({read::SchemaFactKind::kMissingElement}, check)},
+      .checks = {on_schema({read::SchemaFactKind::kMissingElement}, check),
+                 on<model::Joint>(check_ends)},
   };
 }
 

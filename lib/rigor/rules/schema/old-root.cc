@@ -1,6 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::old_root {
@@ -8,7 +9,10 @@ namespace {
 
 void check(const read::Fact& fact, Context& context) {
   context.report(
-      {.where = fact.where, .message = "the root element is <gazebo>: since SDF 1.3 it is <sdf>"});
+      {.where = fact.where,
+       .message = "the root element is <gazebo>: since SDF 1.3 it is <sdf>",
+       .fix = fix_of("write <sdf>", Applicability::kUnsafe,
+                     xml::rename_element(context.document(), *context.document().root(), "sdf"))});
 }
 
 }  // namespace
@@ -18,7 +22,9 @@ Rule rule() {
       .name = "old-root",
       .category = Category::kSchema,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
+      .fix = FixGrade::kUnsafe,
       .summary = "the root element is <gazebo>, as before SDF 1.3",
       .why = "libsdformat refuses the file today: it looks for <sdf>.",
       .what_to_do = "Upgrade the file to a current version.",
@@ -28,6 +34,13 @@ Rule rule() {
     <link name="body"/>
   </model>
 </gazebo>
+)",
+               R"(<sdf version="1.2">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</sdf>
 )"}},
       .good = {{R"(<sdf version="1.9">
   <model name="box">

@@ -1,16 +1,24 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <string_view>
+
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sdf_version_unknown {
 namespace {
 
+/// libsdformat takes any number, and comes to an end over what is none.
+bool no_number(std::string_view version) {
+  return !version.empty() && version.find_first_of("0123456789") != 0;
+}
+
 void check(const read::Fact& fact, Context& context) {
   context.report({.where = fact.where,
                   .message = "'" + fact.name + "' is no version of SDF",
                   .help = "the file is checked as SDF " +
-                          schema::to_string(schema::Version{context.root().version})});
+                          schema::to_string(schema::Version{context.root().version}),
+                  .refused = no_number(fact.name)});
 }
 
 }  // namespace
@@ -20,6 +28,7 @@ Rule rule() {
       .name = "sdf-version-unknown",
       .category = Category::kSchema,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kSays},
       .formats = Formats::kSdf,
       .summary = "no such version of SDF exists",
       .why =

@@ -20,6 +20,7 @@ Rule rule() {
       .name = "several-at-top-level",
       .category = Category::kSchema,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .summary = "a file has more than one model, actor or light at its top",
       .why = "libsdformat takes the first and reports an error for the rest.",

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/place.h>
 #include <rigor/rules/xml/xacro.h>
@@ -25,7 +26,8 @@ void check(const read::SchemaFact& fact, Context& context) {
   context.report(
       {.where = fact.where,
        .message = "text in <" + std::string(fact.element.name()) + "> that has no effect",
-       .subject = subject_of(fact.element)});
+       .subject = subject_of(fact.element),
+       .fix = Fix{"remove it", Applicability::kUnsafe, {without(context, fact.where)}}});
 }
 
 }  // namespace
@@ -35,6 +37,7 @@ Rule rule() {
       .name = "text-between-elements",
       .category = Category::kSchema,
       .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
       .summary = "characters stand where nobody reads them",
       .why =
           "libsdformat, urdfdom and Gazebo take the first run of text of an element that has a "
@@ -47,6 +50,13 @@ Rule rule() {
     <link name="body">«the box itself»</link>
   </model>
 </sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"></link>
+  </model>
+</sdf>
 )"},
               {R"(<sdf version="1.9">
   <model name="box">
@@ -54,6 +64,17 @@ Rule rule() {
     <link name="body">
       <collision name="shape">
         <geometry><sphere><radius>5<!-- or -->«6»</radius></sphere></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <collision name="shape">
+        <geometry><sphere><radius>5<!-- or --></radius></sphere></geometry>
       </collision>
     </link>
   </model>

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/place.h>
 
@@ -14,11 +15,17 @@ void check(const read::SchemaFact& fact, Context& context) {
   const std::string_view name = fact.attribute->name();
   if (meant_for_missing(fact, name)) return;
   const auto near = schema::near(name, node_names(fact.parent->attributes()));
+  std::optional<Fix> fix;
+  if (near.size() == 1 && !fact.element.attribute(near.front())) {
+    const std::string meant(near.front());
+    fix = Fix{"write '" + meant + "'", Applicability::kUnsafe, {{fact.where, meant}}};
+  }
   context.report({.where = fact.where,
                   .message = "'" + std::string(name) + "' is no attribute of <" +
                              std::string(fact.element.name()) + ">: it has no effect",
                   .subject = subject_of(fact.element),
-                  .help = near.empty() ? "" : "did you mean '" + std::string(near.front()) + "'?"});
+                  .help = near.empty() ? "" : "did you mean '" + std::string(near.front()) + "'?",
+                  .fix = std::move(fix)});
 }
 
 }  // namespace
@@ -28,6 +35,7 @@ Rule rule() {
       .name = "unknown-attribute",
       .category = Category::kSchema,
       .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
       .summary = "an attribute that the format does not have",
       .why = "libsdformat warns, urdfdom and Gazebo say nothing; what it says has no effect.",
       .what_to_do =
@@ -37,6 +45,14 @@ Rule rule() {
   <model name="box">
     <static>true</static>
     <frame name="lid" «atached_to»="body"/>
+    <link name="body"/>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <frame name="lid" attached_to="body"/>
     <link name="body"/>
   </model>
 </sdf>

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/place.h>
 
@@ -15,11 +16,18 @@ void check(const read::SchemaFact& fact, Context& context) {
   const std::string_view name = fact.element.name();
   if (!context.schema()->parents_of(name, version).empty()) return;  // misplaced-element
   const auto near = schema::near(name, node_names(fact.parent->children()));
+  std::optional<Fix> fix;
+  if (near.size() == 1 && !fact.element.parent()->child(near.front())) {
+    const std::string meant(near.front());
+    fix = fix_of("write <" + meant + ">", Applicability::kUnsafe,
+                 xml::rename_element(context.document(), fact.element, meant));
+  }
   context.report({.where = fact.where,
                   .message = "<" + std::string(name) + "> is no element of " +
                              format_and_version(context, version) + ": it has no effect",
                   .subject = subject_of(fact.element),
-                  .help = near.empty() ? "" : "did you mean <" + std::string(near.front()) + ">?"});
+                  .help = near.empty() ? "" : "did you mean <" + std::string(near.front()) + ">?",
+                  .fix = std::move(fix)});
 }
 
 }  // namespace
@@ -29,6 +37,7 @@ Rule rule() {
       .name = "unknown-element",
       .category = Category::kSchema,
       .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
       .summary = "an element that the format does not have",
       .why =
           "libsdformat, urdfdom and Gazebo pass over it and all it holds without a word: what it "
@@ -44,10 +53,25 @@ Rule rule() {
     </link>
   </model>
 </sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <visual name="shape"/>
+    </link>
+  </model>
+</sdf>
 )"},
               {R"(<robot name="box">
   <link name="body">
     <«colission»/>
+  </link>
+</robot>
+)",
+               R"(<robot name="box">
+  <link name="body">
+    <collision/>
   </link>
 </robot>
 )"}},

@@ -27,6 +27,7 @@ Rule rule() {
       .name = "unknown-root",
       .category = Category::kSchema,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "the root element is of no model format",
       .why = "libsdformat looks for <sdf>, urdfdom for <robot>; both refuse anything else.",
       .what_to_do =

@@ -24,6 +24,7 @@ Rule rule() {
       .name = "value-bad-color",
       .category = Category::kSchema,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways},
       .summary = "a colour has a part below 0 or above 1",
       .why =
           "libsdformat refuses the file; urdfdom drops the material. Parts from 0 to 255 are "

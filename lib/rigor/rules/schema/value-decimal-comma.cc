@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/refused_value.h>
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_decimal_comma {
@@ -38,7 +39,8 @@ void check(const read::SchemaFact& fact, Context& context) {
                   (context.is_urdf() ? ": urdfdom refuses it" : ": what follows it is passed over"),
        .subject = subject_of(fact.element),
        .help = "write a decimal point, and spaces between numbers",
-       .fix = write_point(fact, number)});
+       .fix = write_point(fact, number),
+       .refused = refuses_value(fact, context)});
 }
 
 }  // namespace
@@ -48,6 +50,7 @@ Rule rule() {
       .name = "value-decimal-comma",
       .category = Category::kSchema,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "a number has a comma where a point is due",
       .why = "libsdformat reads the part before the comma: 1,5 is 1. urdfdom refuses the value.",

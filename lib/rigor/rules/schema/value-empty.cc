@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/value_text.h>
 
@@ -20,9 +21,16 @@ void check(const read::SchemaFact& fact, Context& context) {
   const auto value = fact.node->default_value();
   std::string message = owner_of(fact) + " is empty";
   if (value && !value->empty()) message += ": it is " + std::string(*value);
+  // An attribute may be read even where the value is not.
+  std::optional<Fix> fix;
+  if (!fact.attribute && fact.element.attributes().empty() && fact.element.children().empty()) {
+    fix = fix_of("remove it", Applicability::kSafe,
+                 xml::remove_element(context.document(), fact.element));
+  }
   context.report({.where = fact.where.size() > 0 ? fact.where : fact.element.name_span(),
                   .message = std::move(message),
-                  .subject = subject_of(fact.element)});
+                  .subject = subject_of(fact.element),
+                  .fix = std::move(fix)});
 }
 
 }  // namespace
@@ -33,6 +41,7 @@ Rule rule() {
       .category = Category::kSchema,
       .severity = Severity::kInfo,
       .formats = Formats::kSdf,
+      .fix = FixGrade::kSafe,
       .summary = "a value is empty, and its default counts",
       .why = "libsdformat takes the default, as if the element were not there.",
       .what_to_do = "Write the value, or remove the element.",
@@ -41,6 +50,14 @@ Rule rule() {
     <static>true</static>
     <link name="body">
       <«self_collide»></self_collide>
+    </link>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
     </link>
   </model>
 </sdf>

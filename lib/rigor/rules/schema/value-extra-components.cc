@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/value_text.h>
 
@@ -18,7 +19,10 @@ void check(const read::SchemaFact& fact, Context& context) {
   context.report({.where = fact.where,
                   .message = owner_of(fact) + " takes " + std::string(expected(type)) + ": " +
                              quoted_fault(fact) + " is passed over",
-                  .subject = subject_of(fact.element)});
+                  .subject = subject_of(fact.element),
+                  .fix = Fix{"remove what is too much",
+                             Applicability::kUnsafe,
+                             {without_part(context, fact.where)}}});
 }
 
 }  // namespace
@@ -29,6 +33,7 @@ Rule rule() {
       .category = Category::kSchema,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
+      .fix = FixGrade::kUnsafe,
       .summary = "a vector has more numbers than it takes",
       .why = "libsdformat reads the first ones and passes over the rest without a word.",
       .what_to_do = "Remove what is too much, or look whether another element was meant.",
@@ -38,6 +43,17 @@ Rule rule() {
     <link name="body">
       <collision name="shape">
         <geometry><box><size>1 1 1 «99»</size></box></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <collision name="shape">
+        <geometry><box><size>1 1 1</size></box></geometry>
       </collision>
     </link>
   </model>

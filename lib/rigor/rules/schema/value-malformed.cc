@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/refused_value.h>
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_malformed {
@@ -36,11 +37,11 @@ void check(const read::SchemaFact& fact, Context& context) {
   }
   const bool seven =
       has_kind(fact, FaultKind::kTooMany) && fact.node->type() == schema::Type::kPose;
-  context.report(
-      {.where = fact.where,
-       .message = std::move(message),
-       .subject = subject_of(fact.element),
-       .help = seven ? "a quaternion needs rotation_format=\"quat_xyzw\" (SDF 1.9)" : ""});
+  context.report({.where = fact.where,
+                  .message = std::move(message),
+                  .subject = subject_of(fact.element),
+                  .help = seven ? "a quaternion needs rotation_format=\"quat_xyzw\" (SDF 1.9)" : "",
+                  .refused = refuses_value(fact, context)});
 }
 
 }  // namespace
@@ -50,6 +51,7 @@ Rule rule() {
       .name = "value-malformed",
       .category = Category::kSchema,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .summary = "a value is not what its place takes",
       .why =
           "libsdformat refuses the file. urdfdom refuses the robot, or leaves the link without "

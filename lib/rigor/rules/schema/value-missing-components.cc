@@ -4,6 +4,7 @@
 #include <string>
 
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/refused_value.h>
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_missing_components {
@@ -16,7 +17,8 @@ void check(const read::SchemaFact& fact, Context& context) {
   context.report({.where = fact.where,
                   .message = owner_of(fact) + " takes " + std::string(expected(fact.node->type())) +
                              ", not " + quoted_fault(fact),
-                  .subject = subject_of(fact.element)});
+                  .subject = subject_of(fact.element),
+                  .refused = refuses_value(fact, context)});
 }
 
 }  // namespace
@@ -26,6 +28,7 @@ Rule rule() {
       .name = "value-missing-components",
       .category = Category::kSchema,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .summary = "a vector, pose or colour has too few numbers",
       .why =
           "libsdformat refuses the file. urdfdom refuses the robot, or leaves the link without "

@@ -1,6 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/enumeration.h>
 #include <rigor/rules/schema/value_text.h>
@@ -13,7 +14,8 @@ void check(const read::SchemaFact& fact, Context& context) {
   context.report({.where = fact.where,
                   .message = quoted_fault(fact) + " is none of the values of " + owner_of(fact),
                   .subject = subject_of(fact.element),
-                  .help = values_of(fact)});
+                  .help = values_of(fact),
+                  .fix = nearest_instead(fact.text, listed_values(fact), fact.where)});
 }
 
 }  // namespace
@@ -23,6 +25,8 @@ Rule rule() {
       .name = "value-not-allowed",
       .category = Category::kSchema,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways},
+      .fix = FixGrade::kUnsafe,
       .summary = "a value is none of those that its place takes",
       .why =
           "libsdformat refuses the file. Here the case of letters counts too: Point is not point.",
@@ -32,6 +36,15 @@ Rule rule() {
     <static>true</static>
     <link name="body">
       <light name="lamp" type="«Point»"/>
+    </link>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <light name="lamp" type="point"/>
     </link>
   </model>
 </sdf>

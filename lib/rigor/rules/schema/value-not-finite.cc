@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/refused_value.h>
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_not_finite {
@@ -20,7 +21,8 @@ void check(const read::SchemaFact& fact, Context& context) {
   if (!has_kind(fact, FaultKind::kNotFinite) || of_inertial(fact)) return;
   context.report({.where = fact.where,
                   .message = owner_of(fact) + " has to be finite, not " + quoted_fault(fact),
-                  .subject = subject_of(fact.element)});
+                  .subject = subject_of(fact.element),
+                  .refused = refuses_value(fact, context)});
 }
 
 }  // namespace
@@ -30,6 +32,7 @@ Rule rule() {
       .name = "value-not-finite",
       .category = Category::kSchema,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .summary = "a number is not finite",
       .why =
           "libsdformat refuses infinity and nan where it reads several numbers; a single nan it "

@@ -1,6 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/enumeration.h>
 #include <rigor/rules/schema/value_text.h>
@@ -13,7 +14,8 @@ void check(const read::SchemaFact& fact, Context& context) {
   context.report({.where = fact.where,
                   .message = quoted_fault(fact) + " is none of the values of " + owner_of(fact),
                   .subject = subject_of(fact.element),
-                  .help = values_of(fact)});
+                  .help = values_of(fact),
+                  .fix = nearest_instead(fact.text, listed_values(fact), fact.where)});
 }
 
 }  // namespace
@@ -23,6 +25,7 @@ Rule rule() {
       .name = "value-not-in-list",
       .category = Category::kSchema,
       .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
       .summary = "a value is none of those that the format lists",
       .why =
           "libsdformat passes it on as it is; the simulator does not know it and takes its "
@@ -34,6 +37,18 @@ Rule rule() {
       <ode>
         <solver>
           <type>«quik»</type>
+        </solver>
+      </ode>
+    </physics>
+  </world>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <world name="lab">
+    <physics name="fast" type="ode">
+      <ode>
+        <solver>
+          <type>quick</type>
         </solver>
       </ode>
     </physics>

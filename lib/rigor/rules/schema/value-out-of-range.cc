@@ -7,6 +7,7 @@
 #include <variant>
 
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/refused_value.h>
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_out_of_range {
@@ -57,8 +58,10 @@ void check(const read::SchemaFact& fact, Context& context) {
     node = newest(fact.element, *context.schema());
     if (!node || fact.attribute || !is_outside(fact.text, *node)) return;
   }
-  context.report(
-      {.where = fact.where, .message = message(fact, *node), .subject = subject_of(fact.element)});
+  context.report({.where = fact.where,
+                  .message = message(fact, *node),
+                  .subject = subject_of(fact.element),
+                  .refused = refuses_value(fact, context)});
 }
 
 }  // namespace
@@ -68,6 +71,7 @@ Rule rule() {
       .name = "value-out-of-range",
       .category = Category::kSchema,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .summary = "a number is outside what its place takes",
       .why =
           "libsdformat refuses numbers outside the format's bounds, too large for their type, or "

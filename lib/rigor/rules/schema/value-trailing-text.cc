@@ -4,7 +4,9 @@
 #include <string>
 #include <string_view>
 
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/refused_value.h>
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_trailing_text {
@@ -15,12 +17,14 @@ using FaultKind = schema::ValueFault::Kind;
 void check(const read::SchemaFact& fact, Context& context) {
   if (!has_kind(fact, FaultKind::kTrailingText) || left_for_xacro(fact)) return;
   const std::string_view unit = fact.node->unit();
-  context.report({.where = fact.where,
-                  .message = owner_of(fact) + " takes " + std::string(expected(fact.node->type())) +
-                             ": " + quoted_fault(fact) +
-                             (context.is_urdf() ? " is refused" : " is passed over"),
-                  .subject = subject_of(fact.element),
-                  .help = unit.empty() ? "" : "the number is in " + std::string(unit)});
+  context.report(
+      {.where = fact.where,
+       .message = owner_of(fact) + " takes " + std::string(expected(fact.node->type())) + ": " +
+                  quoted_fault(fact) + (context.is_urdf() ? " is refused" : " is passed over"),
+       .subject = subject_of(fact.element),
+       .help = unit.empty() ? "" : "the number is in " + std::string(unit),
+       .fix = Fix{"remove it", Applicability::kUnsafe, {without_part(context, fact.where)}},
+       .refused = refuses_value(fact, context)});
 }
 
 }  // namespace
@@ -30,6 +34,8 @@ Rule rule() {
       .name = "value-trailing-text",
       .category = Category::kSchema,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
+      .fix = FixGrade::kUnsafe,
       .summary = "text follows a number",
       .why =
           "libsdformat reads the number, or the part of it that it understands, and passes over "
@@ -42,6 +48,17 @@ Rule rule() {
     <link name="body">
       <collision name="shape">
         <geometry><sphere><radius>1.5«m»</radius></sphere></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <collision name="shape">
+        <geometry><sphere><radius>1.5</radius></sphere></geometry>
       </collision>
     </link>
   </model>

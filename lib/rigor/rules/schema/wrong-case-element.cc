@@ -1,35 +1,25 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/place.h>
+#include <rigor/xml/edit.h>
 
 namespace rigor::rules::wrong_case_element {
 namespace {
 
-/// The element's name in its end tag; nothing when it has none.
-std::optional<Span> end_name(xml::Element element, const Context& context) {
-  const Span whole = element.span();
-  if (whole.end == element.tag_span().end || element.cut()) return std::nullopt;
-  const std::size_t slash = context.bytes(whole).rfind("</");
-  Span name = whole;
-  name.begin = whole.begin + static_cast<std::uint32_t>(slash) + 2;
-  name.end = name.begin + static_cast<std::uint32_t>(element.name().size());
-  return name;
-}
-
-Fix rename(const read::SchemaFact& fact, const Context& context) {
+/// In the end tag, too. Nothing in a file that ends to be XML somewhere.
+std::optional<Fix> rename(const read::SchemaFact& fact, const Context& context) {
   const std::string name(fact.node->name());
-  Fix fix{"write '" + name + "'", Applicability::kUnsafe, {{fact.where, name}}};
-  if (fact.attribute) return fix;
-  if (const auto end = end_name(fact.element, context)) fix.edits.push_back({*end, name});
-  return fix;
+  std::vector<Edit> edits{{fact.where, name}};
+  if (!fact.attribute) edits = xml::rename_element(context.document(), fact.element, name);
+  if (edits.empty()) return std::nullopt;
+  return Fix{"write '" + name + "'", Applicability::kUnsafe, std::move(edits)};
 }
 
 /// Whether the right name is there already, so that a renamed one would be one too many.

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::camera_clip_inverted {
@@ -13,10 +14,16 @@ void check(const model::Sensor& sensor, Context& context) {
     if (camera.near_clip.value < camera.far_clip.value) continue;
     const auto& at = camera.near_clip.written ? camera.near_clip : camera.far_clip;
     if (!at.written) continue;
+    std::optional<Fix> fix;
+    if (camera.near_clip.written && camera.far_clip.written &&
+        camera.far_clip.value < camera.near_clip.value) {
+      fix = swap("swap near and far", camera.near_clip.span, camera.far_clip.span, context);
+    }
     context.report({.where = at.span,
                     .message = fmt::format("the camera sees from {} m to {} m, which is nothing",
                                            camera.near_clip.value, camera.far_clip.value),
-                    .subject = context.subject(sensor)});
+                    .subject = context.subject(sensor),
+                    .fix = std::move(fix)});
   }
 }
 
@@ -28,6 +35,7 @@ Rule rule() {
       .category = Category::kSensor,
       .severity = Severity::kError,
       .formats = Formats::kSdf,
+      .fix = FixGrade::kUnsafe,
       .summary = "the near clip distance of a camera is not before the far one",
       .why = "ign sdf -k calls it valid; the renderer then shows an empty picture or stops.",
       .what_to_do = "Write a near distance below the far one, in metres.",
@@ -45,6 +53,27 @@ Rule rule() {
           <clip>
             <near>«10»</near>
             <far>1</far>
+          </clip>
+        </camera>
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="head">
+      <sensor name="eye" type="camera">
+        <camera>
+          <horizontal_fov>1</horizontal_fov>
+          <image>
+            <width>640</width>
+            <height>480</height>
+          </image>
+          <clip>
+            <near>1</near>
+            <far>10</far>
           </clip>
         </camera>
       </sensor>

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::lidar_range_inverted {
@@ -17,7 +18,10 @@ void check(const model::Sensor& sensor, Context& context) {
                   .message = fmt::format("the lidar measures from {} m to {} m, which is nothing",
                                          least.value, most.value),
                   .subject = context.subject(sensor),
-                  .related = {{most.span, "the greatest distance"}}});
+                  .related = {{most.span, "the greatest distance"}},
+                  .fix = least.value > most.value
+                             ? std::optional(swap("swap them", least.span, most.span, context))
+                             : std::nullopt});
 }
 
 }  // namespace
@@ -28,6 +32,7 @@ Rule rule() {
       .category = Category::kSensor,
       .severity = Severity::kError,
       .formats = Formats::kSdf,
+      .fix = FixGrade::kUnsafe,
       .summary = "the least distance of a lidar is not below the greatest",
       .why =
           "ign sdf -k calls it valid; every ray then returns nothing, or the sensor is not "
@@ -49,6 +54,29 @@ Rule rule() {
           <range>
             <min>«30»</min>
             <max>0.1</max>
+          </range>
+        </lidar>
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="head">
+      <sensor name="eye" type="gpu_lidar">
+        <lidar>
+          <scan>
+            <horizontal>
+              <samples>360</samples>
+              <min_angle>-1.5</min_angle>
+              <max_angle>1.5</max_angle>
+            </horizontal>
+          </scan>
+          <range>
+            <min>0.1</min>
+            <max>30</max>
           </range>
         </lidar>
       </sensor>

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::lidar_samples_zero {
@@ -14,7 +15,8 @@ void check(const model::Sensor& sensor, Context& context) {
   if (!samples.written || samples.value >= 1) return;
   context.report({.where = samples.span,
                   .message = fmt::format("the lidar sends {} rays", samples.value),
-                  .subject = context.subject(sensor)});
+                  .subject = context.subject(sensor),
+                  .fix = Fix{"send one", Applicability::kUnsafe, {{samples.span, "1"}}}});
 }
 
 }  // namespace
@@ -25,6 +27,7 @@ Rule rule() {
       .category = Category::kSensor,
       .severity = Severity::kError,
       .formats = Formats::kSdf,
+      .fix = FixGrade::kUnsafe,
       .summary = "a lidar sends no ray",
       .why =
           "ign sdf -k calls it valid; the sensor then measures nothing, and Gazebo may stop "
@@ -39,6 +42,29 @@ Rule rule() {
           <scan>
             <horizontal>
               <samples>«0»</samples>
+              <min_angle>-1.5</min_angle>
+              <max_angle>1.5</max_angle>
+            </horizontal>
+          </scan>
+          <range>
+            <min>0.1</min>
+            <max>30</max>
+          </range>
+        </lidar>
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="head">
+      <sensor name="eye" type="gpu_lidar">
+        <lidar>
+          <scan>
+            <horizontal>
+              <samples>1</samples>
               <min_angle>-1.5</min_angle>
               <max_angle>1.5</max_angle>
             </horizontal>

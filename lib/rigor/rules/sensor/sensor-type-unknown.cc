@@ -11,6 +11,10 @@ void check(const read::SchemaFact& fact, Context& context) {
   if (is_type_of(fact, "sensor")) report_unknown_type(fact, context);
 }
 
+void check_empty(const model::Sensor& sensor, Context& context) {
+  report_empty_type(context.element(sensor.site), context.subject(sensor), context);
+}
+
 }  // namespace
 
 Rule rule() {
@@ -18,7 +22,9 @@ Rule rule() {
       .name = "sensor-type-unknown",
       .category = Category::kSensor,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
+      .fix = FixGrade::kUnsafe,
       .summary = "a sensor has a type that does not exist",
       .why = "libsdformat refuses the whole file (error 5): it does not know what to measure.",
       .what_to_do =
@@ -29,6 +35,16 @@ Rule rule() {
     <static>true</static>
     <link name="head">
       <sensor name="eye" type="«gpu_ladar»">
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="head">
+      <sensor name="eye" type="gpu_lidar">
       </sensor>
     </link>
   </model>
@@ -44,7 +60,8 @@ Rule rule() {
   </model>
 </sdf>
 )"}},
-      .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check)},
+      .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check),
+                 on<model::Sensor>(check_empty)},
   };
 }
 

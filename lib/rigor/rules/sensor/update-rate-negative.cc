@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::update_rate_negative {
@@ -14,7 +15,8 @@ void check(const model::Sensor& sensor, Context& context) {
   context.report(
       {.where = rate.span,
        .message = fmt::format("the update rate is {} Hz; 0 is as often as possible", rate.value),
-       .subject = context.subject(sensor)});
+       .subject = context.subject(sensor),
+       .fix = Fix{"as often as possible", Applicability::kUnsafe, {{rate.span, "0"}}}});
 }
 
 }  // namespace
@@ -25,6 +27,7 @@ Rule rule() {
       .category = Category::kSensor,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
+      .fix = FixGrade::kUnsafe,
       .summary = "the update rate of a sensor is negative",
       .why =
           "ign sdf -k calls it valid; simulators differ: some never measure, some measure at "
@@ -36,6 +39,17 @@ Rule rule() {
     <link name="head">
       <sensor name="eye" type="imu">
         <update_rate>«-5»</update_rate>
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="head">
+      <sensor name="eye" type="imu">
+        <update_rate>0</update_rate>
       </sensor>
     </link>
   </model>

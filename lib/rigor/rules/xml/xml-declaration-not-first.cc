@@ -21,9 +21,12 @@ std::optional<Fix> remove_space_before(Span declaration, std::string_view bytes)
 }
 
 void check(const xml::Fault& fault, Context& context) {
+  std::optional<Fix> fix = remove_space_before(fault.where, context.document().bytes());
+  const bool refused = !fix;  // tinyxml2 passes over white space only
   context.report({.where = fault.where,
                   .message = "the XML declaration is not the first thing in the file",
-                  .fix = remove_space_before(fault.where, context.document().bytes())});
+                  .fix = std::move(fix),
+                  .refused = refused});
 }
 
 }  // namespace
@@ -33,6 +36,7 @@ Rule rule() {
       .name = "xml-declaration-not-first",
       .category = Category::kXml,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kSafe,
       .summary = "the XML declaration is not the first thing in the file",
       .why =

@@ -1,15 +1,20 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <string_view>
+
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::xml_doctype {
 namespace {
 
 void check(const xml::Fault& fault, Context& context) {
-  context.report(
-      {.where = fault.where,
-       .message = "a DOCTYPE is passed over: entities that it defines are not replaced"});
+  context.report({.where = fault.where,
+                  .message = "a DOCTYPE is passed over: entities that it defines are not replaced",
+                  .fix = Fix{"remove it", Applicability::kUnsafe, {without(context, fault.where)}},
+                  // tinyxml2 ends it at the first '>', and what follows is text before the root.
+                  .refused = context.bytes(fault.where).find('[') != std::string_view::npos});
 }
 
 }  // namespace
@@ -19,6 +24,8 @@ Rule rule() {
       .name = "xml-doctype",
       .category = Category::kXml,
       .severity = Severity::kWarning,
+      .refused = {.urdf = Refusal::kSays},
+      .fix = FixGrade::kUnsafe,
       .summary = "the file has a DOCTYPE",
       .why =
           "Neither SDF nor URDF has one. tinyxml2 (libsdformat, Gazebo, urdfdom) passes over it, "
@@ -26,6 +33,13 @@ Rule rule() {
       .what_to_do = "Remove it, and write out the entities that it defines.",
       .bad = {{R"(«<!DOCTYPE sdf>»
 <sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
   <model name="box">
     <static>true</static>
     <link name="body"/>

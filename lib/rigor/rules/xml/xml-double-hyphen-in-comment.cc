@@ -1,15 +1,45 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
 #include <rigor/rules/rule.h>
 #include <rigor/rules/xml/more.h>
 
 namespace rigor::rules::xml_double_hyphen_in_comment {
 namespace {
 
+/// In place of all hyphens of the comment that stand together. What looks like the option of a program,
+/// `--verbose`, is left: somebody may copy it from there.
+std::optional<Fix> write_equals(const xml::Fault& fault, std::string_view bytes) {
+  const std::size_t end = bytes.find("-->", fault.where.begin);
+  if (end == std::string_view::npos) return std::nullopt;
+  Fix fix{"write '=='", Applicability::kSafe, {}};
+  for (std::size_t at = fault.where.begin; at < end;) {
+    const std::size_t first = bytes.find('-', at);
+    at = std::min(bytes.find_first_not_of('-', first), end);
+    const bool touches_end = at == end && first < end;
+    if (first >= end || (at - first < 2 && !touches_end)) continue;
+    const bool option = at - first == 2 && std::isalnum(static_cast<unsigned char>(bytes[at])) != 0;
+    if (option) return std::nullopt;
+    Span hyphens = fault.where;
+    hyphens.begin = static_cast<std::uint32_t>(first);
+    hyphens.end = static_cast<std::uint32_t>(at);
+    fix.edits.push_back({hyphens, std::string(hyphens.size(), '=')});
+  }
+  return fix;
+}
+
 void check(const xml::Fault& fault, Context& context) {
-  context.report(
-      {.where = fault.where, .message = "'--' may not stand inside a comment" + and_more(fault)});
+  context.report({.where = fault.where,
+                  .message = "'--' may not stand inside a comment" + and_more(fault),
+                  .fix = write_equals(fault, context.document().bytes())});
 }
 
 }  // namespace
@@ -19,12 +49,45 @@ Rule rule() {
       .name = "xml-double-hyphen-in-comment",
       .category = Category::kXml,
       .severity = Severity::kWarning,
+      .fix = FixGrade::kSafe,
       .summary = "a comment holds '--'",
       .why =
           "tinyxml2 (libsdformat, Gazebo, urdfdom) takes it; strict parsers, Python's among them, "
           "refuse the whole file, and with them the ROS tools that are written in Python.",
       .what_to_do = "Write another line of characters, as in <!-- ===== wheels ===== -->.",
       .bad = {{R"(<!-- a box «--» with a lid -->
+<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</sdf>
+)",
+               R"(<!-- a box == with a lid -->
+<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</sdf>
+)"},
+              {R"(<sdf version="1.9">
+  <model name="box">
+    <!--«--» wheels --- -->
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="box">
+    <!--== wheels === -->
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</sdf>
+)"},
+              {R"(<!-- started with «--»verbose -->
 <sdf version="1.9">
   <model name="box">
     <static>true</static>

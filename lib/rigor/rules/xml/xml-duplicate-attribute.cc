@@ -46,6 +46,7 @@ Rule rule() {
       .name = "xml-duplicate-attribute",
       .category = Category::kXml,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .fix = FixGrade::kSafe,
       .summary = "a tag has the same attribute twice",
       .why =

@@ -17,6 +17,7 @@ Rule rule() {
       .name = "xml-empty",
       .category = Category::kXml,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "the file holds no element",
       .why =
           "libsdformat, Gazebo and urdfdom find nothing to load and refuse it. Often a generator "

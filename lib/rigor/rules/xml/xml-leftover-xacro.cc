@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/refused_value.h>
 #include <rigor/rules/xml/xacro.h>
 #include <rigor/text/path.h>
 
@@ -19,6 +20,7 @@ namespace {
 struct Leftovers {
   Span first;
   std::size_t count = 0;
+  bool in_joint = false;  ///< where urdfdom refuses what is no number, or is not there
 
   void add(Span where) {
     if (count++ == 0) first = where;
@@ -33,6 +35,12 @@ bool in_plugin(xml::Element element) {
   return false;
 }
 
+/// In a joint all but names are numbers.
+bool is_number(xml::Element element, xml::Attribute attribute) {
+  const std::string_view name = attribute.name();
+  return element.name() != "joint" && name != "link" && name != "joint";
+}
+
 Leftovers find(const xml::Document& document) {
   Leftovers found;
   // Without these signs no value has it: true of nearly every file.
@@ -44,12 +52,17 @@ Leftovers find(const xml::Document& document) {
     const xml::Element element = document.element(i);
     if (element.name().starts_with("xacro:")) {
       found.add(element.name_span());
+      const auto parent = element.parent();
+      found.in_joint = found.in_joint || (parent && urdfdom_refuses_in(*parent));
       continue;
     }
     if (!in_values) continue;
     if (has_xacro(element.text()) && !in_plugin(element)) found.add(element.text_span());
     for (const xml::Attribute attribute : element.attributes()) {
-      if (has_xacro(attribute.value()) && !in_plugin(element)) found.add(attribute.value_span());
+      if (!has_xacro(attribute.value()) || in_plugin(element)) continue;
+      found.add(attribute.value_span());
+      found.in_joint =
+          found.in_joint || (is_number(element, attribute) && urdfdom_refuses_in(element));
     }
   }
   return found;
@@ -61,7 +74,7 @@ void check(const model::Root& root, Context& context) {
   if (found.count == 0) return;
   std::string message = "'" + std::string(context.bytes(found.first)) + "' is left for xacro";
   if (found.count > 1) message += fmt::format(", and {} more in this file", found.count - 1);
-  context.report({.where = found.first, .message = std::move(message)});
+  context.report({.where = found.first, .message = std::move(message), .refused = found.in_joint});
 }
 
 }  // namespace
@@ -71,6 +84,7 @@ Rule rule() {
       .name = "xml-leftover-xacro",
       .category = Category::kXml,
       .severity = Severity::kError,
+      .refused = {.urdf = Refusal::kSays},
       .summary = "the file holds what xacro should have replaced",
       .why =
           "libsdformat, urdfdom and Gazebo do not know xacro: they pass over its elements without "

@@ -22,6 +22,7 @@ Rule rule() {
       .name = "xml-nesting-too-deep",
       .category = Category::kXml,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "elements are nested deeper than tinyxml2 reads",
       .why =
           "tinyxml2, which libsdformat, Gazebo and urdfdom read with, gives up at the 100th "

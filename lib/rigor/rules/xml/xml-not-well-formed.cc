@@ -56,6 +56,7 @@ Rule rule() {
       .name = "xml-not-well-formed",
       .category = Category::kXml,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "the file is not XML",
       .why =
           "Nobody reads such a file: libsdformat, Gazebo, urdfdom and every other XML reader stop "

@@ -1,6 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/xml/more.h>
 
@@ -9,7 +10,9 @@ namespace {
 
 void check(const xml::Fault& fault, Context& context) {
   context.report(
-      {.where = fault.where, .message = "text outside the root element" + and_more(fault)});
+      {.where = fault.where,
+       .message = "text outside the root element" + and_more(fault),
+       .fix = Fix{"remove it", Applicability::kUnsafe, {without(context, fault.where)}}});
 }
 
 }  // namespace
@@ -19,12 +22,21 @@ Rule rule() {
       .name = "xml-text-outside-root",
       .category = Category::kXml,
       .severity = Severity::kWarning,
+      .refused = {.urdf = Refusal::kAlways},
+      .fix = FixGrade::kUnsafe,
       .summary = "characters stand before the root element",
       .why =
           "tinyxml2 (libsdformat, Gazebo, urdfdom) drops them; strict parsers refuse the file. "
           "Behind the root element tinyxml2 refuses them too, and the file is not well-formed.",
       .what_to_do = "Remove the characters, or make them a comment.",
       .bad = {{R"(«a box»<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
   <model name="box">
     <static>true</static>
     <link name="body"/>

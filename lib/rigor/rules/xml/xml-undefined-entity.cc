@@ -1,6 +1,8 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
+#include <optional>
 #include <string>
 
 #include <rigor/rules/rule.h>
@@ -9,15 +11,23 @@
 namespace rigor::rules::xml_undefined_entity {
 namespace {
 
+/// As every reader takes it. Of an entity that a DOCTYPE may define, only some take it so.
+std::optional<Fix> write_ampersand(const xml::Fault& fault, const Context& context) {
+  const auto& faults = context.document().faults();
+  const auto is_doctype = [](const xml::Fault& of) { return of.kind == xml::FaultKind::kDoctype; };
+  if (std::any_of(faults.begin(), faults.end(), is_doctype)) return std::nullopt;
+  const Span after_ampersand{fault.where.source, fault.where.begin + 1, fault.where.begin + 1};
+  return Fix{"write &amp;", Applicability::kSafe, {{after_ampersand, "amp;"}}};
+}
+
 void check(const xml::Fault& fault, Context& context) {
   const std::string written(context.bytes(fault.where));
-  const Span after_ampersand{fault.where.source, fault.where.begin + 1, fault.where.begin + 1};
   context.report({.where = fault.where,
                   .message = (written == "&" ? "'&' on its own"
                                              : "'" + written + "' is no entity that XML defines") +
                              and_more(fault),
                   .help = "the character '&' is written &amp;",
-                  .fix = Fix{"write &amp;", Applicability::kSafe, {{after_ampersand, "amp;"}}}});
+                  .fix = write_ampersand(fault, context)});
 }
 
 }  // namespace

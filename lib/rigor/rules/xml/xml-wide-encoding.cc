@@ -22,6 +22,7 @@ Rule rule() {
       .name = "xml-wide-encoding",
       .category = Category::kXml,
       .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "the file is UTF-16 or UTF-32",
       .why =
           "tinyxml2, which libsdformat, Gazebo and urdfdom read with, knows only UTF-8 and "

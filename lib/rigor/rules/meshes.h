@@ -1,0 +1,18 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is known of meshes so far. Without one or the other, no mesh is opened for that.
+
+#pragma once
+
+#include <rigor/mass/mesh_facts.h>
+#include <rigor/mass/mesh_survey.h>
+
+namespace rigor::rules {
+
+struct Meshes {
+  mass::MeshSurveys* surveys = nullptr;  ///< as solids
+  mass::MeshFiles* files = nullptr;      ///< as files
+};
+
+}  // namespace rigor::rules

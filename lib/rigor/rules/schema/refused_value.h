@@ -1,0 +1,95 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Whether libsdformat refuses a file for one value or element in it; see compat.h.
+
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <rigor/read/conformance.h>
+#include <rigor/read/values.h>
+#include <rigor/rules/context.h>
+#include <rigor/schema/suggest.h>
+#include <rigor/schema/type.h>
+#include <rigor/schema/value.h>
+
+namespace rigor::rules {
+
+/// Whether urdfdom gives up the robot for what it cannot read in the element: it does in joints. Of a link
+/// it passes over the part, and of a fixed joint it reads no axis.
+inline bool urdfdom_refuses_in(xml::Element element) {
+  bool in_axis = false;
+  for (std::optional<xml::Element> at = element; at; at = at->parent()) {
+    const auto parent = at->parent();
+    in_axis = in_axis || at->name() == "axis";
+    if (at->name() != "joint" || !parent || parent->name() != "robot") continue;
+    const auto type = at->attribute("type");
+    const std::string_view named = type ? type->value() : std::string_view();
+    return !in_axis || (named != "fixed" && named != "floating");
+  }
+  return false;
+}
+
+/// A pose with a quaternion has seven numbers.
+constexpr std::size_t kMostInPose = 7;
+
+inline std::size_t words_in(std::string_view text) {
+  std::size_t words = 0;
+  bool inside = false;
+  for (const char c : text) {
+    const bool space = c == ' ' || c == '\t' || c == '\n' || c == '\r';
+    words += !space && !inside ? 1 : 0;
+    inside = !space;
+  }
+  return words;
+}
+
+/// libsdformat takes these words for 1 and 0 wherever one number is due.
+inline bool is_truth(std::string_view text) {
+  const std::string_view word = read::trimmed(text);
+  return schema::edit_distance(word, "true", 0) == 0 ||
+         schema::edit_distance(word, "false", 0) == 0;
+}
+
+/// Whether SDF 1.9, the latest that libsdformat 12 knows, has the element: else it does not look at it.
+inline bool known_to_sdformat(xml::Element element, const Context& context) {
+  constexpr int kLatest = 9;
+  if (context.root().version <= kLatest) return true;
+  std::vector<xml::Element> path{element};
+  while (const auto parent = path.back().parent()) path.push_back(*parent);
+  auto node = context.schema()->root(path.back().name(), {kLatest});
+  for (std::size_t i = path.size() - 1; node && i-- > 0;) node = node->child(path[i].name());
+  return node.has_value();
+}
+
+/// Whether a value that is not as the schema has it is refused. Numbers are read up to what is no part of
+/// them: alone, in poses and in colours each by itself, in vectors up to the end.
+inline bool refuses_value(const read::SchemaFact& fact, const Context& context) {
+  using Kind = schema::ValueFault::Kind;
+  using schema::Type;
+  if (context.is_urdf()) return urdfdom_refuses_in(fact.element);
+  if (!known_to_sdformat(fact.element, context)) return false;
+  if (!fact.value_fault) return true;
+  const Type type = fact.node->type();
+  const bool vector = type == Type::kVector2 || type == Type::kVector2i || type == Type::kVector3 ||
+                      type == Type::kQuaternion || type == Type::kTime;
+  switch (fact.value_fault->kind) {
+    case Kind::kNotFinite: return vector || type == Type::kPose || type == Type::kColor;
+    case Kind::kDecimalComma: return vector;
+    case Kind::kTrailingText: {
+      if (type == Type::kPose) return words_in(fact.text) > kMostInPose;
+      const std::string_view value = read::trimmed(fact.text);
+      const std::size_t begin = static_cast<std::size_t>(value.data() - fact.text.data());
+      return vector && fact.value_fault->end < begin + value.size();
+    }
+    case Kind::kNotANumber: return vector || !is_truth(fact.text);
+    case Kind::kNegative: return false;
+    default: return true;
+  }
+}
+
+}  // namespace rigor::rules

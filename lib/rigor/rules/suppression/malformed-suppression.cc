@@ -1,0 +1,96 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+
+#include <rigor/rules/rule.h>
+#include <rigor/rules/suppression_comment.h>
+#include <rigor/schema/suggest.h>
+
+namespace rigor::rules::malformed_suppression {
+namespace {
+
+using Kind = SuppressionFactKind;
+
+std::string message(const SuppressionFact& fact) {
+  switch (fact.kind) {
+    case Kind::kNoNames: return "'" + fact.name + "' names no rules";
+    case Kind::kUnclosedList: return "the list of names behind '" + fact.name + "' has no ']'";
+    case Kind::kEveryRule:
+      return "'" + fact.name + "' is no name, and not everything can be ignored";
+    case Kind::kMisplaced: return "'file-ignore' stands behind the start of the root element";
+    default: break;
+  }
+  if (fact.name.empty()) return "nothing follows 'rigor:'";
+  return "'" + fact.name + "' is nothing that a comment for rigor can say";
+}
+
+std::string help(const SuppressionFact& fact) {
+  if (fact.kind == Kind::kMisplaced) {
+    return "move it before the root element, or write 'ignore' for the next element";
+  }
+  if (fact.kind != Kind::kMalformed) {
+    const std::string word = fact.kind == Kind::kEveryRule ? "ignore" : fact.name;
+    return "write the names of rules or categories in brackets: " + word + "[axis-zero, mesh] why";
+  }
+  const auto near = schema::near(fact.name, suppression_forms());
+  if (!near.empty()) return "did you mean '" + std::string(near.front()) + "'?";
+  return "write ignore[…], ignore-next[…] or file-ignore[…]; or begin with another word when it is "
+         "not meant for rigor";
+}
+
+void check(const SuppressionFact& fact, Context& context) {
+  context.report({.where = fact.where, .message = message(fact), .help = help(fact)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "malformed-suppression",
+      .category = Category::kSuppression,
+      .severity = Severity::kWarning,
+      .summary = "a comment for rigor says nothing that it understands",
+      .why =
+          "Whoever wrote it believes that something is ignored, and nothing is. Everything at once "
+          "cannot be ignored: then a new fault would go unseen with the known ones.",
+      .what_to_do =
+          "Write `<!-- rigor: ignore[rule, category] why -->` before the element that it is for, "
+          "`ignore-next[…]` for its start tag alone, or `file-ignore[…]` before the root.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+    <!-- rigor: «ignroe»[unknown-element] -->
+    <launcher/>
+  </model>
+</sdf>
+)"},
+              {R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <!-- rigor: «ignore» this link -->
+    <link name="body"/>
+    <!-- rigor: ignore[«all»] -->
+    <launcher/>
+    <!-- rigor: «file-ignore»[unknown-element] -->
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<!-- rigor checks this file: the launcher is ours -->
+<!-- rigor: file-ignore[unknown-element] read by our launcher -->
+<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+    <launcher/>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_suppression({Kind::kMalformed, Kind::kNoNames, Kind::kUnclosedList,
+                                 Kind::kEveryRule, Kind::kMisplaced},
+                                check)},
+  };
+}
+
+}  // namespace rigor::rules::malformed_suppression

@@ -1,0 +1,60 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+#include <utility>
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::unknown_suppression {
+namespace {
+
+void check(const SuppressionFact& fact, Context& context) {
+  Finding finding{.where = fact.where};
+  finding.message = "no rule or category is called '" + fact.name + "'";
+  for (const std::string& near : fact.near) {
+    finding.help += (finding.help.empty() ? "did you mean '" : "' or '") + near;
+  }
+  if (!finding.help.empty()) {
+    finding.help += "'?";
+  } else {
+    finding.help = fact.name.find_first_of(" \t\r\n") == std::string::npos
+                       ? "`rigor rules` lists the names"
+                       : "put commas between names";
+  }
+  context.report(std::move(finding));
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "unknown-suppression",
+      .category = Category::kSuppression,
+      .severity = Severity::kWarning,
+      .summary = "a comment suppresses a rule that does not exist",
+      .why = "The name is misspelt, or its rule is gone: the comment has no effect.",
+      .what_to_do = "Write the name as `rigor rules` lists it, or remove it.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+    <!-- rigor: ignore[«unknown-elemnt»] read by our launcher -->
+    <launcher/>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+    <!-- rigor: ignore[unknown-element] read by our launcher -->
+    <launcher/>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_suppression({SuppressionFactKind::kUnknownRule}, check)},
+  };
+}
+
+}  // namespace rigor::rules::unknown_suppression
