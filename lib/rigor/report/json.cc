@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include <rigor/report/json_diagnostic.h>
+#include <rigor/report/json_file.h>
 #include <rigor/report/tool.h>
 
 namespace rigor::report {
@@ -29,16 +30,16 @@ Json summary_of(const rules::ValidateResult& result) {
           {"not_looked_at", result.not_looked_at.size()}};
 }
 
-Json file_of(const rules::FileSummary& file) {
+}  // namespace
+
+Json file_json(const rules::FileSummary& file) {
   return {{"path", file.path},     {"kind", kind(file.format)}, {"version", file.version},
           {"models", file.models}, {"links", file.links},       {"joints", file.joints}};
 }
 
-}  // namespace
-
 std::string json(const rules::ValidateResult& result, const Sources& sources) {
   Json files = Json::array();
-  for (const rules::FileSummary& file : result.files) files.push_back(file_of(file));
+  for (const rules::FileSummary& file : result.files) files.push_back(file_json(file));
   const Json document = {{"tool", {{"name", kToolName}, {"version", tool_version()}}},
                          {"schema_version", kSchemaVersion},
                          {"summary", summary_of(result)},

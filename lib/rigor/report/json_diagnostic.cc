@@ -6,8 +6,6 @@
 #include <string_view>
 #include <utility>
 
-#include <rigor/report/places.h>
-
 namespace rigor::report {
 namespace {
 
@@ -35,7 +33,9 @@ Json fix_of(const Diagnostic& diagnostic) {
   return {{"title", fix.title}, {"applicability", to_string(fix.applicability)}, {"edits", edits}};
 }
 
-Json diagnostic_of(const Diagnostic& diagnostic, Places& places) {
+}  // namespace
+
+Json diagnostic_json(const Diagnostic& diagnostic, Places& places) {
   Json json = {{"rule", diagnostic.rule},
                {"category", diagnostic.category},
                {"severity", to_string(diagnostic.severity)},
@@ -52,13 +52,11 @@ Json diagnostic_of(const Diagnostic& diagnostic, Places& places) {
   return json;
 }
 
-}  // namespace
-
 Json diagnostics_of(const Diagnostics& diagnostics, const Sources& sources) {
   Places places(sources);
   Json list = Json::array();
   for (const Diagnostic& diagnostic : diagnostics.list()) {
-    list.push_back(diagnostic_of(diagnostic, places));
+    list.push_back(diagnostic_json(diagnostic, places));
   }
   return list;
 }

@@ -6,11 +6,13 @@
 #pragma once
 
 #include <rigor/report/json_values.h>
+#include <rigor/report/places.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/text/sources.h>
 
 namespace rigor::report {
 
+Json diagnostic_json(const Diagnostic& diagnostic, Places& places);
 Json diagnostics_of(const Diagnostics& diagnostics, const Sources& sources);
 
 }  // namespace rigor::report

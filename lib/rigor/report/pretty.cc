@@ -4,6 +4,7 @@
 #include <rigor/report/pretty.h>
 
 #include <algorithm>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -54,10 +55,24 @@ std::string fix_line(const Fix& fix) {
   return "possible fix, for you to decide: " + fix.title;
 }
 
+/// Up to the first full stop that ends one; "e.g. this" does not.
+std::string_view first_sentence(std::string_view prose) {
+  for (std::size_t stop = prose.find(". "); stop != prose.npos; stop = prose.find(". ", stop + 1)) {
+    const bool shortened = stop >= 2 && prose[stop - 2] == '.';
+    if (!shortened) return prose.substr(0, stop + 1);
+  }
+  return prose;
+}
+
 class Block {
  public:
-  Block(const Diagnostic& diagnostic, Places& places, Color color)
-      : diagnostic_(diagnostic), places_(places), color_(color), groups_(groups_of(diagnostic)) {
+  /// `rule` is null when nothing is to be said of it.
+  Block(const Diagnostic& diagnostic, Places& places, Color color, const rules::Rule* rule)
+      : diagnostic_(diagnostic),
+        places_(places),
+        color_(color),
+        rule_(rule),
+        groups_(groups_of(diagnostic)) {
     for (const Group& group : groups_) gutter_ = std::max(gutter_, gutter_width(group, places));
   }
 
@@ -105,13 +120,18 @@ class Block {
     for (const Label& label : diagnostic_.related) {
       if (label.where.nowhere()) note("note: " + label.message);
     }
+    if (rule_ != nullptr) note("why: " + std::string(first_sentence(rule_->why)));
     if (!diagnostic_.help.empty()) note("help: " + diagnostic_.help);
+    if (rule_ != nullptr && diagnostic_.help.empty() && diagnostic_.fixes.empty()) {
+      note("help: " + std::string(first_sentence(rule_->what_to_do)));
+    }
     if (!diagnostic_.fixes.empty()) note(fix_line(diagnostic_.fixes.front()));
   }
 
   const Diagnostic& diagnostic_;
   Places& places_;
   Color color_;
+  const rules::Rule* rule_;
   std::vector<Group> groups_;
   std::size_t gutter_ = 1;
   std::string out_;
@@ -123,7 +143,20 @@ std::string pretty(const Diagnostics& diagnostics, const Sources& sources, Color
   Places places(sources);
   std::string out;
   for (const Diagnostic& diagnostic : diagnostics.list()) {
-    out += Block(diagnostic, places, color).text();
+    out += Block(diagnostic, places, color, nullptr).text();
+  }
+  return out;
+}
+
+std::string pretty(const Diagnostics& diagnostics, const Sources& sources, Color color,
+                   const rules::Registry& registry) {
+  Places places(sources);
+  std::set<std::string_view> told;
+  std::string out;
+  for (const Diagnostic& diagnostic : diagnostics.list()) {
+    const bool first = told.insert(diagnostic.rule).second;
+    const rules::Rule* rule = first ? registry.find(diagnostic.rule) : nullptr;
+    out += Block(diagnostic, places, color, rule).text();
   }
   return out;
 }

@@ -10,6 +10,7 @@
 //      |            ^
 //      |
 //      = in: arm/joint elbow
+//      = why: No position is within the limits.
 //      = unsafe fix: swap lower and upper
 //
 //   out += pretty(result.diagnostics, sources, Color::kAnsi);
@@ -19,6 +20,7 @@
 #include <string>
 
 #include <rigor/report/color.h>
+#include <rigor/rules/registry.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/text/sources.h>
 
@@ -26,5 +28,10 @@ namespace rigor::report {
 
 /// A block and an empty line for each finding; nothing when there are none.
 std::string pretty(const Diagnostics& diagnostics, const Sources& sources, Color color);
+
+/// The same, and at the first finding of each rule why it matters, and what to do where the finding itself
+/// says nothing of that: the first sentences of the rule's page.
+std::string pretty(const Diagnostics& diagnostics, const Sources& sources, Color color,
+                   const rules::Registry& registry);
 
 }  // namespace rigor::report

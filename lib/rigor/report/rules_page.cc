@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/report/printable.h>
 #include <rigor/report/rules_list.h>
 #include <rigor/rules/example.h>
 
@@ -28,9 +29,21 @@ std::string prose(std::string_view text) {
   return result;
 }
 
+/// The page stays text, whatever an example is about: a byte that is not UTF-8 is a sign.
+std::string readable(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const Glyph glyph = first_glyph(text);
+    const bool blank = text.front() == '\n' || text.front() == '\t';
+    result += blank ? std::string(text.substr(0, 1)) : glyph.shown;
+    text.remove_prefix(glyph.size);
+  }
+  return result;
+}
+
 std::string code_block(std::string_view title, std::string_view text) {
   const std::string_view end = text.ends_with('\n') ? "" : "\n";
-  return fmt::format("\n{}\n\n```xml\n{}{}```\n", title, text, end);
+  return fmt::format("\n{}\n\n```xml\n{}{}```\n", title, readable(text), end);
 }
 
 /// A rule's first example of each kind; `rigor explain` shows all.

@@ -1,15 +1,16 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// JUnit's XML as Jenkins and GitLab read it. Times are those of the simulation, so that the same run
+// A suite for each model, a case for each run. Times are those of the simulation, so that the same run
 // gives the same bytes.
 
-#include <algorithm>
+#include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
 #include <rigor/report/concise.h>
-#include <rigor/report/markup.h>
+#include <rigor/report/junit_document.h>
 #include <rigor/report/number.h>
 #include <rigor/report/simulation.h>
 
@@ -30,53 +31,49 @@ std::string measured(const simulate::Run& run) {
   return out;
 }
 
-std::string test_case(const SimulatedModel& model, const simulate::Run& run,
-                      const Sources& sources) {
-  std::string name = run.test;
-  if (run.seed != 0) name += fmt::format(" (seed {})", run.seed);
-  std::string out = fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{}\">\n",
-                                escaped(model.path), escaped(name), number(run.record.end_time));
+JunitCase run_case(const SimulatedModel& model, const simulate::Run& run, const Sources& sources) {
+  JunitCase one{.class_name = model.path, .name = run.test, .time = number(run.record.end_time)};
+  if (run.seed != 0) one.name += fmt::format(" (seed {})", run.seed);
   if (failed(run.verdict)) {
-    out += fmt::format("      <failure message=\"{}\" type=\"{}\">{}</failure>\n",
-                       to_string(run.verdict), to_string(run.verdict),
-                       escaped(concise(model.diagnostics, sources)));
+    one.outcome = JunitCase::Outcome::kFailure;
+    one.message = one.type = to_string(run.verdict);
+    one.details = concise(model.diagnostics, sources);
   }
-  out +=
-      fmt::format("      <system-out>{}</system-out>\n    </testcase>\n", escaped(measured(run)));
-  return out;
+  one.output = measured(run);
+  return one;
 }
 
-std::string suite(const SimulatedModel& model, const Sources& sources) {
-  const auto& runs = model.simulation.runs;
+JunitSuite model_suite(const SimulatedModel& model, const Sources& sources) {
+  JunitSuite suite{.name = model.path};
   if (model.blocked) {
-    return fmt::format(
-        "  <testsuite name=\"{}\" tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\">\n"
-        "    <testcase classname=\"{}\" name=\"load\">\n"
-        "      <error message=\"invalid\" type=\"invalid\">{}</error>\n    </testcase>\n  "
-        "</testsuite>\n",
-        escaped(model.path), escaped(model.path), escaped(concise(model.diagnostics, sources)));
+    suite.cases.push_back({.class_name = model.path,
+                           .name = "load",
+                           .outcome = JunitCase::Outcome::kError,
+                           .message = "invalid",
+                           .type = "invalid",
+                           .details = concise(model.diagnostics, sources)});
+    return suite;
   }
-  const auto failures = std::count_if(runs.begin(), runs.end(),
-                                      [](const simulate::Run& run) { return failed(run.verdict); });
-  std::string out = fmt::format(
-      "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\">\n",
-      escaped(model.path), runs.size() + model.left_out.size(), failures, model.left_out.size());
-  for (const simulate::Run& run : runs) out += test_case(model, run, sources);
+  for (const simulate::Run& run : model.simulation.runs) {
+    suite.cases.push_back(run_case(model, run, sources));
+  }
   for (const std::string& why : model.left_out) {
-    out += fmt::format(
-        "    <testcase classname=\"{}\" name=\"{}\"><skipped message=\"{}\"/></testcase>\n",
-        escaped(model.path), escaped(why.substr(0, why.find(':'))), escaped(why));
+    suite.cases.push_back({.class_name = model.path,
+                           .name = why.substr(0, why.find(':')),
+                           .outcome = JunitCase::Outcome::kSkipped,
+                           .message = why});
   }
-  return out + "  </testsuite>\n";
+  return suite;
 }
 
 }  // namespace
 
 std::string simulation_junit(const SimulationReport& report) {
-  std::string out =
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"rigor simulate\">\n";
-  for (const SimulatedModel& model : report.models) out += suite(model, report.sources);
-  return out + "</testsuites>\n";
+  std::vector<JunitSuite> suites;
+  for (const SimulatedModel& model : report.models) {
+    suites.push_back(model_suite(model, report.sources));
+  }
+  return junit_document("rigor simulate", std::move(suites));
 }
 
 }  // namespace rigor::report

@@ -1,0 +1,75 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A file's bytes and all that is said of them, to be held against what was said
+// before they were edited: nothing may be found that was not there.
+//
+//   const CheckedText before(environment, options, path, bytes);
+//   const CheckedText after(environment, options, path, *apply_edits(bytes,
+//   edits)); const FindingsChange change = compare(before, after, edits); if
+//   (!change.brings) keep(after);
+
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <rigor/environment.h>
+#include <rigor/rules/validate.h>
+#include <rigor/text/diagnostic.h>
+#include <rigor/text/edit.h>
+#include <rigor/text/sources.h>
+
+namespace rigor::author {
+
+class CheckedText {
+ public:
+  /// Checks `bytes` as what the file at `path` holds. Of the options, those
+  /// that say what is looked for.
+  CheckedText(const Environment& environment, const rules::ValidateOptions& options,
+              std::string path, std::string bytes);
+  CheckedText(const CheckedText&) = delete;
+  CheckedText& operator=(const CheckedText&) = delete;
+
+  const std::string& bytes() const { return bytes_; }
+  const std::vector<Diagnostic>& findings() const { return result_.diagnostics.list(); }
+  bool own(Span span) const;  ///< whether it stands in this text
+
+  /// Where XML ends to be readable; nothing when it does not.
+  const std::optional<Span>& cut() const { return cut_; }
+  /// What is wrong with it as XML, whatever rules run.
+  std::size_t xml_faults() const { return xml_faults_; }
+  /// Whether a rule found more than it lists.
+  bool all_listed(const Diagnostic& finding) const;
+  /// Findings, those that are counted only among them.
+  std::size_t count() const { return count_; }
+
+ private:
+  std::string path_;
+  std::string bytes_;
+  Sources sources_;
+  rules::ValidateResult result_;
+  std::optional<Span> cut_;
+  std::size_t xml_faults_ = 0;
+  std::vector<std::string_view> counted_;  // rules and categories
+  std::size_t count_ = 0;
+};
+
+/// What became of the findings.
+struct FindingsChange {
+  std::vector<bool> gone;          ///< of those before
+  std::vector<std::size_t> fresh;  ///< those after that were not there, of rules that list all
+  /// The rule of the first of them; else one of which there are more than
+  /// before.
+  std::optional<std::string_view> brings;
+};
+
+/// A finding is the same as before when it stands where that stood, or says the
+/// same of the same entity.
+FindingsChange compare(const CheckedText& before, const CheckedText& after,
+                       const std::vector<Edit>& edits);
+
+}  // namespace rigor::author

@@ -1,0 +1,50 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the reports of a check are made from, and what those for CI share.
+//
+// Each service wants paths from the top of the repository, wherever the check was started, and none may
+// learn where on the machine that is.
+//
+//   const Validation validation{result, sources, environment.registry, {"/ci/robots/arm", "/ci/robots"}};
+//   std::fputs(sarif(validation).c_str(), stdout);
+
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <rigor/report/places.h>
+#include <rigor/rules/registry.h>
+#include <rigor/rules/validate.h>
+#include <rigor/text/sources.h>
+
+namespace rigor::report {
+
+/// Absolute paths. With both empty, paths are as they were given.
+struct ProjectFolders {
+  std::string working;  ///< where relative paths begin that the check was given
+  std::string root;     ///< where paths in a report begin
+};
+
+struct Validation {
+  const rules::ValidateResult& result;
+  const Sources& sources;
+  const rules::Registry& registry;
+  ProjectFolders folders = {};
+  int exit_code = 0;  ///< of the program
+};
+
+/// The path from the project's root, with `..` for what lies outside.
+std::string project_path(const Validation& validation, std::string_view path);
+
+/// "path:line:column", on one line; the path alone where the finding stands in no text.
+std::string place_text(const Diagnostic& diagnostic, Places& places);
+
+/// "path:line:column: severity: message [rule-name]", as the format `concise` says it.
+std::string concise_line(const Diagnostic& diagnostic, Places& places);
+
+/// Whether the finding says that nothing else of its file could be checked.
+bool keeps_from_reading(const Diagnostic& diagnostic);
+
+}  // namespace rigor::report
