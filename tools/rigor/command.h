@@ -47,10 +47,14 @@ std::unique_ptr<Command> urdf2sdf_command();
 std::unique_ptr<Command> diff_command();
 std::unique_ptr<Command> simulate_command();
 std::unique_ptr<Command> merge_command();
+std::unique_ptr<Command> upgrade_command();
+std::unique_ptr<Command> init_command();
 std::unique_ptr<Command> rules_command();
 std::unique_ptr<Command> explain_command();
 std::unique_ptr<Command> schema_command();
 std::unique_ptr<Command> resolve_command();
+std::unique_ptr<Command> completion_command();
+std::unique_ptr<Command> manual_command();
 std::unique_ptr<Command> version_command();
 
 /// Makes the help of a program or subcommand open with examples, one a line.

@@ -1,18 +1,76 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The project's configuration for what a command looks at.
+// The project's configuration for what a command looks at: the nearest `rigor.toml`, or what `--config`
+// and `--isolated` say.
+//
+//   const config::Config& config = config_.of("my_robot/model.sdf");
 
 #pragma once
 
+#include <map>
+#include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
-#include <rigor/config/config.h>
+#include <rigor/config/configs.h>
+#include <rigor/read/resolver.h>
+#include <rigor/text/disk.h>
+#include <rigor/text/found_once.h>
+#include <CLI/CLI.hpp>
 
 namespace rigor::tool {
 
-/// Of the rigor.toml nearest above `path`; empty when there is none. A UsageError with file and line
-/// when something in it cannot stand there.
-config::Config config_for(const std::string& path);
+class ConfigOptions {
+ public:
+  void declare(CLI::App& app);
+
+  /// Before any thread asks for something. A UsageError when what `--config` names cannot be used.
+  void open() const;
+
+  /// Of a file or folder. A UsageError that tells of all that cannot stand in it.
+  const config::Config& of(const std::string& path) const;
+
+  /// The same, its problems left to the caller.
+  const config::Config& unchecked(const std::string& path) const { return configs().of(path); }
+
+  /// kg/m³, by name.
+  std::map<std::string, double> materials(const std::string& path) const;
+
+  /// Where URIs that stand in the file are searched; null when no configuration says it. Safe across
+  /// threads.
+  const read::ConfiguredPaths* resolve_paths(std::string_view file) const;
+
+  /// The pattern of `exclude` and its place; empty when the file or folder is not excluded.
+  std::string why_excluded(const std::string& path, PathKind kind) const;
+
+  /// The one that the configurations of all these name; a UsageError when they name several.
+  std::optional<std::string> baseline(const std::vector<std::string>& paths) const;
+
+  /// As configurations have paths.
+  std::string absolute(const std::string& path) const { return configs().absolute(path); }
+
+  /// A path of a configuration as a user in this folder writes it.
+  std::string shown(const std::string& path) const;
+
+  /// "../rigor.toml:4"
+  std::string shown(const config::Place& place) const;
+
+  /// Tells of each on stderr, by file and line, and throws a UsageError, when there is any.
+  void refuse(std::vector<config::Problem> problems) const;
+
+ private:
+  const config::Configs& configs() const;
+  std::string told(const config::Problem& problem) const;
+  const config::Config& sound(const config::Config& config) const;
+
+  std::string file_;
+  bool isolated_ = false;
+  RealDisk disk_;
+  mutable std::unique_ptr<config::Configs> configs_;
+  mutable FoundOnce<const config::Config*, read::ConfiguredPaths> resolve_paths_;
+};
 
 }  // namespace rigor::tool

@@ -7,7 +7,6 @@
 #include <rigor/report/inertia.h>
 
 #include "command.h"
-#include "config_file.h"
 #include "numbers.h"
 
 namespace rigor::tool {
@@ -98,7 +97,7 @@ class InertiaCommand final : public Command {
 
   int print_materials() const {
     for (const Target& target : a_.output.targets_of({"text", "json"})) {
-      const auto own = config_for(".").materials;
+      const auto own = a_.search.config().materials(".");
       write(target, target.format == 0 ? report::materials_text(own) : report::materials_json(own));
     }
     return kClean;
@@ -118,14 +117,14 @@ std::optional<double> density_of(const InertiaArguments& arguments, const std::s
     return positive_number("--density", arguments.density, "kg/m³");
   }
   if (arguments.material.empty()) return std::nullopt;
-  const config::Config config = config_for(path);
-  const auto own = config.materials.find(arguments.material);
-  if (own != config.materials.end()) return own->second;
+  const std::map<std::string, double> materials = arguments.search.config().materials(path);
+  const auto own = materials.find(arguments.material);
+  if (own != materials.end()) return own->second;
   if (const mass::Material* material = mass::find_material(arguments.material)) {
     return material->density;
   }
   std::vector<std::string_view> known;
-  for (const auto& [name, density] : config.materials) known.push_back(name);
+  for (const auto& [name, density] : materials) known.push_back(name);
   for (const mass::Material& material : mass::materials()) known.push_back(material.name);
   throw UsageError("--material " + arguments.material + ": no such material" +
                    did_you_mean(arguments.material, known) +

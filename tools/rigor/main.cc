@@ -20,10 +20,10 @@ constexpr std::string_view kGreeting =
   rigor inertia SHAPE|MODEL    mass and inertia, exactly; written into the file
   rigor mesh-check FILE|MODEL  check, repair, centre, reduce and convert meshes
   rigor sdf2urdf IN -o OUT     convert, with an account of every loss; urdf2sdf back
-  rigor diff A B               what differs between two models, as robots
+  rigor diff A B, upgrade A    as robots: what differs; a newer SDF, the same robot
   rigor simulate MODEL         drop it, drive it, sweep its joints: a verdict
   rigor rules, explain RULE    what is checked; why, and what to do about it
-  rigor schema, resolve        the elements of a format; where a URI leads
+  rigor schema, resolve, init  a format's elements; where a URI leads; a rigor.toml
 
   rigor validate my_robot                  check all models in a folder
   rigor validate --format json robot.urdf  the same for a program
@@ -67,10 +67,14 @@ std::vector<std::unique_ptr<Command>> all_commands() {
   commands.push_back(diff_command());
   commands.push_back(simulate_command());
   commands.push_back(merge_command());
+  commands.push_back(upgrade_command());
+  commands.push_back(init_command());
   commands.push_back(rules_command());
   commands.push_back(explain_command());
   commands.push_back(schema_command());
   commands.push_back(resolve_command());
+  commands.push_back(completion_command());
+  commands.push_back(manual_command());
   commands.push_back(version_command());
   return commands;
 }

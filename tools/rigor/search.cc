@@ -30,6 +30,7 @@ void SearchOptions::declare(CLI::App& app) {
   app.add_option("--package", packages_, "Where package://NAME leads")
       ->type_name("NAME=DIR")
       ->allow_extra_args(false);
+  config_.declare(app);
 }
 
 read::SearchPaths SearchOptions::paths() const {
@@ -43,6 +44,8 @@ read::SearchPaths SearchOptions::paths() const {
     require_folder("--package", folder);
     paths.packages[std::move(name)] = std::move(folder);
   }
+  config_.open();
+  paths.configured = [this](std::string_view file) { return config_.resolve_paths(file); };
   return paths;
 }
 

@@ -149,7 +149,7 @@ void SimulationChoices::declare(CLI::App& app) {
   app.add_option("-j,--jobs", jobs_, "Runs at a time (1); 0 means as many as there are cores")
       ->type_name("N")
       ->group(many);
-  app.add_option("--shard", shard_, "Only this part of the cases")->type_name("I/N")->group(many);
+  shard_.declare(app, "Only this part of the cases", many);
 }
 
 simulate::Plan SimulationChoices::plan(const Disk& disk) const {
@@ -245,13 +245,6 @@ std::vector<simulate::Case> SimulationChoices::cases(const simulate::Plan& plan)
                      " cases");
   }
   return cases;
-}
-
-std::optional<Shard> SimulationChoices::shard() const {
-  if (shard_.empty()) return std::nullopt;
-  const auto shard = parse_shard(shard_);
-  if (!shard) throw UsageError("--shard takes I/N, as 2/5, not \"" + shard_ + '"');
-  return shard;
 }
 
 std::vector<std::string> SimulationChoices::models_of(const simulate::Plan& plan) const {

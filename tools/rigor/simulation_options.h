@@ -16,6 +16,8 @@
 #include <rigor/text/disk.h>
 #include <rigor/text/shard.h>
 
+#include "shard_option.h"
+
 namespace rigor::tool {
 
 class SimulationChoices {
@@ -28,7 +30,7 @@ class SimulationChoices {
   /// The points of the grid times the seeds; `seeds` may come from a scenario file.
   std::vector<simulate::Case> cases(const simulate::Plan& plan) const;
 
-  std::optional<Shard> shard() const;
+  Shard shard() const { return shard_.shard(); }
 
   /// Of `--joint NAME=VALUE`: where the run begins.
   const std::vector<std::string>& joints() const { return joints_; }
@@ -42,7 +44,8 @@ class SimulationChoices {
 
   std::vector<std::string> tests_, scenarios_, commands_, wheels_, joints_, gravity_, grid_;
   std::string duration_, ramp_, time_step_, solver_, iterations_, seed_, seeds_, profile_, meshes_;
-  std::string model_, shard_, jobs_;
+  std::string model_, jobs_;
+  ShardOption shard_;
   bool no_confirm_ = false;
 };
 

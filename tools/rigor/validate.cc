@@ -3,46 +3,38 @@
 
 #include <rigor/rules/validate.h>
 
+#include <algorithm>
 #include <cstdio>
-#include <iterator>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include <rigor/environment.h>
+#include <rigor/mass/mesh_reads.h>
 #include <rigor/read/workspace.h>
-#include <rigor/report/concise.h>
-#include <rigor/report/json.h>
-#include <rigor/report/pretty.h>
+#include <rigor/report/github.h>
 #include <rigor/report/printable.h>
 #include <rigor/report/summary.h>
+#include "baseline_options.h"
+#include "cache.h"
+#include "changed_since.h"
 #include "command.h"
+#include "compat_option.h"
+#include "file_options.h"
+#include "fix_options.h"
 #include "output.h"
+#include "project.h"
+#include "rule_settings.h"
 #include "search.h"
 #include "selection.h"
+#include "shard_option.h"
+#include "show_config.h"
+#include "validation_format.h"
+#include "watch.h"
+#include "xacro.h"
 
 namespace rigor::tool {
 namespace {
-
-struct ValidateFormat {
-  std::string_view name;
-  std::string (*emit)(const rules::ValidateResult&, const Sources&, report::Color);
-};
-
-constexpr ValidateFormat kValidateFormats[] = {
-    {"pretty",
-     [](const rules::ValidateResult& result, const Sources& sources, report::Color color) {
-       return report::pretty(result.diagnostics, sources, color);
-     }},
-    {"concise", [](const rules::ValidateResult& result, const Sources& sources,
-                   report::Color) { return report::concise(result.diagnostics, sources); }},
-    {"json", [](const rules::ValidateResult& result, const Sources& sources,
-                report::Color) { return report::json(result, sources); }},
-};
-
-std::vector<std::string_view> format_names() {
-  std::vector<std::string_view> names;
-  for (const ValidateFormat& format : kValidateFormats) names.push_back(format.name);
-  return names;
-}
 
 /// All of stdin, and one byte more than a model may have at most: enough to tell.
 std::string read_stdin() {
@@ -56,84 +48,217 @@ std::string read_stdin() {
   return bytes;
 }
 
+/// What the command line says.
+struct ValidateArguments {
+  std::vector<std::string> paths;
+  std::string stdin_filename;
+  OutputOptions output;
+  ColorOption color;
+  SelectionOptions selection;
+  CompatOption compat;
+  FixOptions fix;
+  BaselineOptions baseline;
+  FileOptions files;
+  ChangedSinceOption changed_since;
+  bool watch = false;
+  bool no_mesh = false;
+  unsigned jobs = 0;
+  ShardOption shard;
+  CacheOption cache;
+  SearchOptions search;
+  ShowConfigOption show_config;
+};
+
+/// What checking takes, on a disk: made once for all that is done with it.
+class Checking {
+ public:
+  Checking(const ValidateArguments& a, const Disk& disk)
+      : environment_(disk, a.search.paths()),
+        settings_(a.selection, a.search.config(), environment_.registry),
+        changed_(a.changed_since.changed()),
+        cache_(a.cache.cache()),
+        reads_(disk),
+        surveys_(disk, {cache_ ? &*cache_ : nullptr, &reads_}),
+        mesh_files_(disk, mass::MeshDepth::kFile, {cache_ ? &*cache_ : nullptr, &reads_}) {
+    choose_files(a, disk);
+    options_.selection_for = [this, compat = a.compat.compat()](const std::string& path) {
+      rules::Selection selection = settings_.selection(path);
+      selection.compat = compat;
+      return selection;
+    };
+    options_.threads = a.jobs;
+    options_.shard = a.shard.shard();
+    options_.meshes = a.no_mesh ? rules::MeshPolicy::kDoNotOpen : rules::MeshPolicy::kOpen;
+    options_.known = {&surveys_, &mesh_files_};
+  }
+  Checking(const Checking&) = delete;
+  Checking& operator=(const Checking&) = delete;
+
+  const Environment& environment() const { return environment_; }
+  const RuleSettings& settings() const { return settings_; }
+  rules::ValidateOptions& options() { return options_; }
+
+  /// Before anything else asks the configurations: a UsageError that tells of all that is wrong in one.
+  void refuse_bad_settings() const {
+    for (const std::string& path : options_.paths) settings_.selection(path);
+  }
+
+  rules::ValidateResult run(Sources& sources) const {
+    return rules::validate(environment_, options_, sources);
+  }
+
+  /// That `--changed-since` left no file, when it did.
+  std::optional<std::string> nothing_changed() const {
+    return changed_ ? changed_->nothing() : std::nullopt;
+  }
+
+ private:
+  void choose_files(const ValidateArguments& a, const Disk& disk) {
+    options_.discover = a.files.discover();
+    options_.discover.excluded = [&config = a.search.config()](const std::string& path,
+                                                               PathKind kind) {
+      return config.why_excluded(path, kind);
+    };
+    if (changed_) {
+      options_.discover.wanted = [this, &disk](const std::string& path) {
+        return changed_->concern(disk, environment_.resolver, path);
+      };
+    }
+    options_.expand = expand_xacro;
+    for (const std::string& path : a.paths) {
+      if (path != "-") {
+        options_.paths.push_back(path);
+      } else if (!options_.buffer) {
+        options_.buffer = {a.stdin_filename.empty() ? "<stdin>" : a.stdin_filename, read_stdin()};
+        if (options_.buffer->bytes.size() > read::kMaxModelBytes) {
+          throw UsageError("stdin holds more than the 64 MiB that a model may have");
+        }
+      }
+    }
+    if (!a.stdin_filename.empty() && !options_.buffer) {
+      throw UsageError("--stdin-filename names what - reads, and there is no - among the paths");
+    }
+    if (options_.paths.empty() && !options_.buffer) options_.paths.push_back(".");
+  }
+
+  Environment environment_;
+  RuleSettings settings_;
+  std::optional<ChangedFiles> changed_;
+  std::optional<mass::MeshCache> cache_;
+  mass::MeshReads reads_;
+  mass::MeshSurveys surveys_;
+  mass::MeshFiles mesh_files_;
+  rules::ValidateOptions options_;
+};
+
+void conclude(const rules::ValidateResult& result) {
+  for (const std::string& argument : result.unusable) {
+    say("rigor: " + report::printable(argument));
+  }
+  std::string left_out = report::left_out(result);
+  if (!left_out.empty()) left_out.pop_back();
+  if (!left_out.empty()) say(left_out);
+  say(report::summary(result));
+}
+
 class Validate final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
     CLI::App* app =
         add_command(program, "validate", "Check robot models",
                     {"rigor validate my_robot", "rigor validate --format json robot.urdf",
-                     "rigor validate --select inertia --fail-on warning ."});
-    app->add_option("paths", paths_, "Files and folders; - is stdin (default: .)")
+                     "rigor validate --select inertia --fail-on warning .",
+                     "rigor validate --fix --changed-since origin/main"});
+    app->add_option("paths", a_.paths, "Files and folders; - is stdin (default: .)")
         ->type_name("PATH");
-    output_.declare(*app, format_names());
-    color_.declare(*app);
-    selection_.declare(*app);
-    app->add_flag("--no-mesh", no_mesh_, "Do not open meshes");
-    app->add_option("--stdin-filename", stdin_filename_, "Name of what - reads")->type_name("PATH");
-    search_.declare(*app);
+    a_.output.declare(*app, validation_formats());
+    a_.color.declare(*app);
+    a_.selection.declare(*app);
+    a_.compat.declare(*app);
+    a_.fix.declare(*app);
+    a_.baseline.declare(*app);
+    a_.files.declare(*app);
+    a_.changed_since.declare(*app);
+    app->add_flag("--watch", a_.watch, "Check again whenever a file changes; Ctrl-C ends");
+    app->add_flag("--no-mesh", a_.no_mesh, "Do not open meshes");
+    app->add_option("-j,--jobs", a_.jobs, "Threads (default: as many as there are cores)")
+        ->type_name("N")
+        ->check(CLI::PositiveNumber);
+    a_.shard.declare(*app, "Only this part of the files");
+    a_.cache.declare(*app);
+    app->add_option("--stdin-filename", a_.stdin_filename, "Name of what - reads")
+        ->type_name("PATH");
+    a_.search.declare(*app);
+    a_.show_config.declare(*app);
     return app;
   }
 
   int run() override {
-    const std::vector<Target> targets = output_.targets();
+    const std::vector<Target> targets = a_.output.targets();
+    a_.search.config().open();
+    if (a_.watch) return watch_files();
     const RealDisk disk;
-    const Environment environment(disk, search_.paths());
-    const rules::ValidateOptions options = validate_options();
-    require_known(options.selection, environment.registry);
-
-    Sources sources;
-    const rules::ValidateResult result = rules::validate(environment, options, sources);
-    for (const Target& target : targets) {
-      write(target, kValidateFormats[target.format].emit(result, sources, color_.of(target)));
+    Checking checking(a_, disk);
+    if (a_.show_config.asked()) {
+      return a_.show_config.run(checking.settings(), a_.search.config(), a_.output);
     }
+    checking.refuse_bad_settings();
+    a_.baseline.read(disk, a_.search.config().baseline(checking.options().paths));
+
+    auto sources = std::make_unique<Sources>();
+    rules::ValidateResult result = checking.run(*sources);
+    if (a_.fix.asked()) {
+      const bool changed = a_.fix.run(checking.environment(), checking.options(), result, *sources);
+      if (a_.fix.diff()) return end_with_diff(result, changed);
+      if (changed) {
+        sources = std::make_unique<Sources>();
+        result = checking.run(*sources);
+      }
+    }
+    result = a_.baseline.apply(checking.environment(), checking.options(), std::move(result));
+    const int code = exit_code(checking.settings(), result);
+    print(targets, {result, *sources, checking.environment().registry, project_folders(), code},
+          checking.options());
+    if (const auto nothing = checking.nothing_changed()) say(*nothing);
     conclude(result);
-    return exit_code(result);
+    a_.baseline.conclude();
+    a_.fix.hint(result.diagnostics);
+    return code;
   }
 
  private:
-  rules::ValidateOptions validate_options() const {
-    rules::ValidateOptions options;
-    for (const std::string& path : paths_) {
-      if (path != "-") {
-        options.paths.push_back(path);
-      } else if (!options.buffer) {
-        options.buffer = {stdin_filename_.empty() ? "<stdin>" : stdin_filename_, read_stdin()};
-        if (options.buffer->bytes.size() > read::kMaxModelBytes) {
-          throw UsageError("stdin holds more than the 64 MiB that a model may have");
-        }
-      }
+  int watch_files() {
+    if (a_.fix.asked() || std::count(a_.paths.begin(), a_.paths.end(), "-") > 0) {
+      throw UsageError("--watch checks files again and again: it goes with neither - nor fixes");
     }
-    if (!stdin_filename_.empty() && !options.buffer) {
-      throw UsageError("--stdin-filename names what - reads, and there is no - among the paths");
-    }
-    if (options.paths.empty() && !options.buffer) options.paths.push_back(".");
-    options.selection = selection_.selection();
-    options.meshes = no_mesh_ ? rules::MeshPolicy::kDoNotOpen : rules::MeshPolicy::kOpen;
-    return options;
+    return watch(
+        [&](const Disk& disk, Sources& sources) { return Checking(a_, disk).run(sources); },
+        conclude, a_.color.of({0, {}}));
   }
 
-  static void conclude(const rules::ValidateResult& result) {
-    for (const std::string& argument : result.unusable) {
-      say("rigor: " + report::printable(argument));
-    }
-    std::string left_out = report::left_out(result);
-    if (!left_out.empty()) left_out.pop_back();
-    if (!left_out.empty()) say(left_out);
-    say(report::summary(result));
-  }
-
-  int exit_code(const rules::ValidateResult& result) const {
+  int end_with_diff(const rules::ValidateResult& result, bool changed) const {
+    conclude(result);
+    a_.fix.hint(result.diagnostics);
     if (!result.unusable.empty()) return kUsage;
-    return selection_.fails(result.diagnostics) ? kFindings : kClean;
+    return changed ? kFindings : kClean;
   }
 
-  std::vector<std::string> paths_;
-  OutputOptions output_;
-  ColorOption color_;
-  SelectionOptions selection_;
-  bool no_mesh_ = false;
-  std::string stdin_filename_;
-  SearchOptions search_;
+  void print(const std::vector<Target>& targets, const report::Validation& validation,
+             const rules::ValidateOptions& options) const {
+    const std::vector<std::string_view> names = validation_formats();
+    for (const Target& target : targets) {
+      a_.fix.write(target, emit(target.format, validation, a_.color.of(target)), options);
+      if (names[target.format] != "github") continue;
+      add_to_step_summary(report::github_summary(validation));
+    }
+  }
+
+  int exit_code(const RuleSettings& settings, const rules::ValidateResult& result) const {
+    if (!result.unusable.empty()) return kUsage;
+    return a_.baseline.fails() || settings.fails(result) ? kFindings : kClean;
+  }
+
+  ValidateArguments a_;
 };
 
 }  // namespace

@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# Copyright 2026 The rigor authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# packaging/tarball.sh BUILD OUT: a tarball of what BUILD has built, with every library beside it. The same
+# build gives the same bytes. Prints the folder that it packed; it is left for packaging/npm.sh.
+# shellcheck disable=SC2016  # dollar signs that are not the shell's
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+build=$(cd "$1" && pwd) out=$(cd "$2" && pwd)
+: "${SOURCE_DATE_EPOCH:=$(git -C "$here" log -1 --format=%ct)}"
+
+version=$("$build/rigor" --version --format json | sed -n 's/.*"version": *"\([^"]*\)".*/\1/p' | head -n 1)
+name="rigor-$version-linux-$(uname -m)"
+root="$out/$name"
+rm -rf "$root"
+cmake --install "$build" --prefix "$root" --component program --strip >/dev/null
+mkdir -p "$root/libexec" "$root/lib/glibc" "$root/share/doc/licenses"
+mv "$root/bin/rigor" "$root/libexec/rigor"
+mv "$root/share/doc/rigor/LICENSE" "$root/share/doc/rigor/CHANGELOG.md" "$root/share/doc/"
+[ -e "$root/share/doc/rigor/rules.md" ] && mv "$root/share/doc/rigor/rules.md" "$root/share/doc/"
+rm -rf "$root/share/doc/rigor"
+
+# The library that scenes are read with is opened by name; everything else shows in the program.
+assimp=$(grep -aom 1 'libassimp\.so\.[0-9]*' "$build/rigor")
+assimp_path=$(ldconfig -p | awk -v name="$assimp" '$1 == name && !path { path = $NF } END { print path }')
+[ -n "$assimp_path" ] || { echo "$assimp is not installed" >&2; exit 1; }
+loader_path=$(patchelf --print-interpreter "$root/libexec/rigor")
+loader=$(basename "$loader_path")
+
+# The loader finds what the program and assimp need, and what those need in turn.
+printf 'library\tpackage\tversion\n' >"$root/share/doc/licenses/libraries.tsv"
+{
+  ldd "$build/rigor"
+  ldd "$assimp_path"
+  echo "$assimp => $assimp_path"
+  echo "$loader => $loader_path"
+} | awk '$2 == "=>" && $3 ~ /^\// { print $1, $3 }' | sort -u -k1,1 | while read -r soname path; do
+  # A C library works with its own loader only. In a folder of their own no other loader finds it.
+  case $soname in
+    "$loader" | libc.so.6 | libm.so.6 | libpthread.so.0) folder=lib/glibc ;;
+    *) folder=lib ;;
+  esac
+  install -m 644 "$(readlink -f "$path")" "$root/$folder/$soname"
+  # Debian's database may know the file by the path from before /lib became a link.
+  package=$(dpkg -S "$path" 2>/dev/null || dpkg -S "/usr$path" 2>/dev/null || dpkg -S "$(readlink -f "$path")")
+  package=${package%%: *}
+  printf '%s\t%s\t%s\n' "$soname" "${package%%:*}" "$(dpkg-query -W -f='${Version}' "$package")" \
+    >>"$root/share/doc/licenses/libraries.tsv"
+  install -m 644 "/usr/share/doc/${package%%:*}/copyright" "$root/share/doc/licenses/${package%%:*}"
+done
+for license in GPL-2 GPL-3 LGPL-2.1 LGPL-3 Apache-2.0; do  # which those files refer to
+  if grep -qsr "common-licenses/$license" "$root/share/doc/licenses"; then
+    install -m 644 "/usr/share/common-licenses/$license" "$root/share/doc/licenses/"
+  fi
+done
+chmod 755 "$root/lib/glibc/$loader"
+
+# Found without the launcher too. RPATH, unlike RUNPATH, counts for what is opened by name.
+patchelf --force-rpath --set-rpath '$ORIGIN/../lib' "$root/libexec/rigor"
+for library in "$root"/lib/*.so.*; do patchelf --force-rpath --set-rpath '$ORIGIN' "$library"; done
+
+needed=$(for file in "$root/libexec/rigor" "$root"/lib/*.so.*; do
+  objdump -T "$file" | grep -o 'GLIBC_[0-9.]*'
+done | sort -Vu | tail -n 1)
+glibc="glibc $(ldd --version | sed -n '1s/.* //p')"
+kernel=$(file -L "$root/lib/glibc/libc.so.6" | sed -n 's/.*for GNU\/Linux \([0-9]*\.[0-9]*\).*/\1/p')
+sed -e "s/@VERSION@/$version/; s/@MACHINE@/$(uname -m)/g; s/@GLIBC@/$glibc/; s/@KERNEL@/$kernel/; \
+s/@NEEDED_GLIBC@/$needed/g" "$here/tarball/README" >"$root/README"
+mkdir -p "$root/bin"
+sed "s/@LOADER@/$loader/g" "$here/tarball/rigor.sh" >"$root/bin/rigor"
+chmod 755 "$root/bin/rigor"
+
+tar --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 --numeric-owner --format=gnu \
+  -C "$out" -cf - "$name" | gzip -9n >"$out/$name.tar.gz"
+echo "$root"
