@@ -130,11 +130,15 @@ bool ChangedFiles::leads_to_one(const read::Resolver& resolver, std::string_view
 void ChangedSinceOption::declare(CLI::App& app) {
   app.add_option("--changed-since", revision_,
                  "Only files that differ from this revision of git, or that name one that does")
-      ->type_name("REV");
+      ->type_name("REV")
+      ->check([](const std::string& revision) {
+        return revision.empty() ? std::string("an empty revision; is a variable not set?")
+                                : std::string();
+      });
 }
 
 std::optional<ChangedFiles> ChangedSinceOption::changed() const {
-  if (revision_.empty()) return std::nullopt;
+  if (revision_.empty()) return std::nullopt;  // not given: an empty one is refused
   // To git it would be an option.
   if (revision_.starts_with('-')) {
     throw UsageError("--changed-since takes a revision, not \"" + revision_ + '"');

@@ -70,14 +70,13 @@ RuleSettings::RuleSettings(const SelectionOptions& options, const ConfigOptions&
 
 std::vector<config::Problem> RuleSettings::unknown_names(const config::Config& config) const {
   const ConfigNames rules_and_categories("rule", names_of_rules(registry_));
-  std::vector<std::string_view> rule_names;
-  for (const rules::Rule& rule : registry_.rules()) rule_names.push_back(rule.name);
-  const ConfigNames rules("rule", rule_names);
   std::vector<config::Problem> problems;
   const auto check = [&](const config::RuleChoice& choice) {
     if (choice.select) rules_and_categories.check(*choice.select, problems);
     rules_and_categories.check(choice.ignore, problems);
-    for (const auto& [rule, level] : choice.severity) rules.check(rule, level.place, problems);
+    for (const auto& [name, level] : choice.severity) {
+      rules_and_categories.check(name, level.place, problems);
+    }
   };
   check(config.rules);
   for (const config::PerFile& each : config.per_file) check(each.rules);

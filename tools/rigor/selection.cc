@@ -34,7 +34,8 @@ void SelectionOptions::declare(CLI::App& app) {
       ->type_name("LEVEL");
   list_option(app, "--select", select_, "RULE,...", "Only these rules or categories");
   list_option(app, "--ignore", ignore_, "RULE,...", "Not these rules or categories");
-  app.add_option("--severity", severity_, "Give a rule another severity: error, warning, info")
+  app.add_option("--severity", severity_,
+                 "Give a rule or category another severity: error, warning, info")
       ->type_name("RULE=LEVEL")
       ->allow_extra_args(false);
   list_option(app, "--target", targets_, "NAME,...",

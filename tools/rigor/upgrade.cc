@@ -115,7 +115,11 @@ class UpgradeCommand final : public Command {
         files.push_back({path, true});
         continue;
       }
-      for (const std::string& found : read::discover(disk, {path}).files) {
+      read::DiscoverOptions options;
+      options.excluded = [this](const std::string& inside, PathKind inside_kind) {
+        return search_.config().why_excluded(inside, inside_kind);
+      };
+      for (const std::string& found : read::discover(disk, {path}, options).files) {
         const std::string ending = extension(found);
         if (ending == ".sdf" || ending == ".world") files.push_back({found, false});
       }

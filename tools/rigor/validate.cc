@@ -181,9 +181,9 @@ class Validate final : public Command {
     a_.changed_since.declare(*app);
     app->add_flag("--watch", a_.watch, "Check again whenever a file changes; Ctrl-C ends");
     app->add_flag("--no-mesh", a_.no_mesh, "Do not open meshes");
-    app->add_option("-j,--jobs", a_.jobs, "Threads (default: as many as there are cores)")
+    app->add_option("-j,--jobs", a_.jobs, "Threads; 0, the default: as many as there are cores")
         ->type_name("N")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(0, 1024));
     a_.shard.declare(*app, "Only this part of the files");
     a_.cache.declare(*app);
     app->add_option("--stdin-filename", a_.stdin_filename, "Name of what - reads")
@@ -195,6 +195,8 @@ class Validate final : public Command {
 
   int run() override {
     const std::vector<Target> targets = a_.output.targets();
+    if (a_.watch) require_pretty("--watch", targets);
+    if (a_.fix.diff()) require_pretty("--diff", targets);
     a_.search.config().open();
     if (a_.watch) return watch_files();
     const RealDisk disk;
@@ -231,9 +233,21 @@ class Validate final : public Command {
     if (a_.fix.asked() || std::count(a_.paths.begin(), a_.paths.end(), "-") > 0) {
       throw UsageError("--watch checks files again and again: it goes with neither - nor fixes");
     }
+    a_.baseline.read(RealDisk(), a_.search.config().baseline(a_.paths));
     return watch(
-        [&](const Disk& disk, Sources& sources) { return Checking(a_, disk).run(sources); },
+        [&](const Disk& disk, Sources& sources) {
+          Checking checking(a_, disk);
+          checking.refuse_bad_settings();
+          return a_.baseline.apply(checking.environment(), checking.options(),
+                                   checking.run(sources));
+        },
         conclude, a_.color.of({0, {}}));
+  }
+
+  /// What prints no report of its own takes no other format for it.
+  static void require_pretty(const std::string& option, const std::vector<Target>& targets) {
+    const bool pretty = targets.size() == 1 && targets[0].format == 0 && targets[0].file.empty();
+    if (!pretty) throw UsageError(option + " goes with no other format and writes no reports");
   }
 
   int end_with_diff(const rules::ValidateResult& result, bool changed) const {
@@ -253,8 +267,17 @@ class Validate final : public Command {
     }
   }
 
+  /// Whether an argument is a file that nobody can read: then the invocation is wrong.
+  bool names_unreadable(const rules::ValidateResult& result) const {
+    const auto& found = result.diagnostics.list();
+    return std::any_of(found.begin(), found.end(), [this](const Diagnostic& diagnostic) {
+      return diagnostic.rule == "file-unreadable" &&
+             std::count(a_.paths.begin(), a_.paths.end(), diagnostic.path) > 0;
+    });
+  }
+
   int exit_code(const RuleSettings& settings, const rules::ValidateResult& result) const {
-    if (!result.unusable.empty()) return kUsage;
+    if (!result.unusable.empty() || names_unreadable(result)) return kUsage;
     return a_.baseline.fails() || settings.fails(result) ? kFindings : kClean;
   }
 

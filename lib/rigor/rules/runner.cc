@@ -64,10 +64,13 @@ Runner::Runner(const Registry& registry, const Selection& selection)
     if (!selected || names(selection.ignore, rule) || !targeted(rule, selection)) continue;
     Severity severity = rule.severity;
     Compat compat = selection.compat;
-    for (const auto& [name, level] : selection.severity) {
-      if (name != rule.name) continue;
-      severity = level;
-      compat = Compat::kNone;
+    // What is said of the rule itself counts more than what is said of its category.
+    for (const std::string_view of : {to_string(rule.category), rule.name}) {
+      for (const auto& [name, level] : selection.severity) {
+        if (name != of) continue;
+        severity = level;
+        compat = Compat::kNone;
+      }
     }
     add(rule, severity, compat);
   }

@@ -368,7 +368,7 @@ std::optional<std::string> unknown_name(const Selection& selection, const Regist
     }
   }
   for (const auto& [name, level] : selection.severity) {
-    if (registry.find(name) == nullptr) return name;
+    if (!known.contains(name)) return name;
   }
   return std::nullopt;
 }

@@ -33,7 +33,7 @@ namespace rigor::rules {
 struct Selection {
   std::vector<std::string> select;  ///< rule or category names; all when empty
   std::vector<std::string> ignore;
-  std::vector<std::pair<std::string, Severity>> severity;  ///< overrides, by rule name
+  std::vector<std::pair<std::string, Severity>> severity;  ///< overrides, by rule or category
   Targets targets;                                         ///< consumers whose rules run as well
   /// Whose judgement decides what is an error; an override in `severity` goes before it.
   Compat compat = Compat::kNone;

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <string>
-#include <utility>
+#include <vector>
 
+#include <rigor/rules/package/tried.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_not_found {
@@ -14,17 +15,14 @@ void check(const MeshUse& use, Context& context) {
   if (uri.value.empty()) return;
   const read::Resolution& found = context.resolve(uri.value);
   if (found.path || found.remote || !found.other_case.empty()) return;
-  std::string help = "tried";
-  for (const read::Tried& tried : found.tried) {
-    help += (help.size() > 5 ? ", " : " ") + tried.path + " (" + tried.origin + ")";
+  std::vector<std::string> tried;
+  for (const read::Tried& place : found.tried) {
+    tried.push_back(place.path + " (" + place.origin + ")");
   }
-  if (found.tried.empty()) help = "no folder is known to look in";
-  if (found.scheme == "package") help += "; --package NAME=DIR names a package's folder";
-  if (found.scheme == "model") help += "; --model-path DIR names a folder of models";
   context.report({.where = uri.span,
                   .message = "the mesh '" + uri.value + "' is not found",
                   .subject = use.subject,
-                  .help = std::move(help)});
+                  .help = tried_places(tried, uri.value)});
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
@@ -14,17 +17,38 @@ namespace {
 
 using FaultKind = schema::ValueFault::Kind;
 
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+/// "1, 2, 3" loses its commas, "1.5 kg" its unit.
+std::vector<Edit> numbers_alone(const read::SchemaFact& fact, const Context& context) {
+  const std::string_view text = fact.text;
+  const std::size_t first = fact.value_fault->begin;
+  if (text.substr(first, 1) != "," ||
+      context.bytes(fact.where) != text.substr(first, fact.where.size())) {
+    return {without_part(context, fact.where)};
+  }
+  std::vector<Edit> edits;
+  for (std::size_t at = first; at != text.npos; at = text.find(',', at + 1)) {
+    Span comma = fact.where;
+    comma.begin += static_cast<std::uint32_t>(at - first);
+    comma.end = comma.begin + 1;
+    const bool apart = at + 1 < text.size() && is_space(text[at + 1]);
+    edits.push_back({comma, apart ? "" : " "});
+  }
+  return edits;
+}
+
 void check(const read::SchemaFact& fact, Context& context) {
   if (!has_kind(fact, FaultKind::kTrailingText) || left_for_xacro(fact)) return;
   const std::string_view unit = fact.node->unit();
-  context.report(
-      {.where = fact.where,
-       .message = owner_of(fact) + " takes " + std::string(expected(fact.node->type())) + ": " +
-                  quoted_fault(fact) + (context.is_urdf() ? " is refused" : " is passed over"),
-       .subject = subject_of(fact.element),
-       .help = unit.empty() ? "" : "the number is in " + std::string(unit),
-       .fix = Fix{"remove it", Applicability::kUnsafe, {without_part(context, fact.where)}},
-       .refused = refuses_value(fact, context)});
+  context.report({.where = fact.where,
+                  .message = owner_of(fact) + " takes " + std::string(expected(fact.node->type())) +
+                             ": " + quoted_fault(fact) +
+                             (context.is_urdf() ? " is refused" : " is passed over"),
+                  .subject = subject_of(fact.element),
+                  .help = unit.empty() ? "" : "the number is in " + std::string(unit),
+                  .fix = Fix{"remove it", Applicability::kUnsafe, numbers_alone(fact, context)},
+                  .refused = refuses_value(fact, context)});
 }
 
 }  // namespace
@@ -61,6 +85,22 @@ Rule rule() {
         <geometry><sphere><radius>1.5</radius></sphere></geometry>
       </collision>
     </link>
+  </model>
+</sdf>
+)"},
+              {R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <pose>1«,» 2, 3, 0, 0, 0</pose>
+    <link name="body"/>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <pose>1 2 3 0 0 0</pose>
+    <link name="body"/>
   </model>
 </sdf>
 )"}},
