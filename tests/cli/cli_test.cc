@@ -80,6 +80,16 @@ class Cli : public testing::Test {
   Folder folder_;
 };
 
+TEST_F(Cli, SchemaKnowsEveryVersion) {
+  for (const char* version : {"1.0", "1.2", "1.3", "1.12", "urdf"}) {
+    for (const char* form : {"", " --xsd"}) {
+      const Ran ran = rigor(std::string("schema ") + version + form);
+      EXPECT_EQ(ran.exit, 0) << version << form;
+      EXPECT_TRUE(has(ran.out, "joint")) << version << form;
+    }
+  }
+}
+
 TEST_F(Cli, AlonePrintsADozenLines) {
   const Ran ran = rigor("");
   EXPECT_EQ(ran.exit, 0);

@@ -40,8 +40,9 @@ class SchemaCommand final : public Command {
     const bool urdf = version_ == "urdf";
     const schema::Schema schema =
         parsed(urdf ? schema::urdf_schema_text() : schema::sdf_schema_text());
-    const std::string_view root = urdf ? "robot" : "sdf";
     const schema::Version version = urdf ? schema.latest() : sdf_version(schema);
+    // Before SDF 1.3 the root was <gazebo>.
+    const std::string_view root = urdf ? "robot" : schema.root("sdf", version) ? "sdf" : "gazebo";
     const std::optional<std::string> text =
         xsd_ ? to_xsd(schema, version, root) : to_docs(schema, version, root);
     if (!text) throw std::logic_error("embedded schema: no root " + std::string(root));
