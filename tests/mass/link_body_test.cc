@@ -68,11 +68,11 @@ std::string collision(const std::string& name, const std::string& shape,
          "</geometry></collision>";
 }
 
-std::string box(const std::string& size) { return "<box><size>" + size + "</size></box>"; }
+std::string box_shape(const std::string& size) { return "<box><size>" + size + "</size></box>"; }
 
 TEST(LinkBody, TwoBoxesAreOneBody) {
-  const Robot robot("<link name='l'>" + collision("a", box("1 1 1")) +
-                    collision("b", box("1 1 1"), "<pose>2 0 0 0 0 0</pose>") + "</link>");
+  const Robot robot("<link name='l'>" + collision("a", box_shape("1 1 1")) +
+                    collision("b", box_shape("1 1 1"), "<pose>2 0 0 0 0 0</pose>") + "</link>");
   const MassProperties whole = of_density(robot.body(), 6);
   EXPECT_TRUE(robot.body().complete());
   EXPECT_NEAR(whole.mass, 12, kTight);
@@ -87,7 +87,7 @@ TEST(LinkBody, SaysWhyAShapeIsNoSolid) {
     return Robot("<link name='l'>" + collision("a", shape) + "</link>").body().parts.at(0).why;
   };
   EXPECT_EQ(why("<plane><normal>0 0 1</normal></plane>"), NoSolid::kUnbounded);
-  EXPECT_EQ(why(box("1 0 1")), NoSolid::kSize);
+  EXPECT_EQ(why(box_shape("1 0 1")), NoSolid::kSize);
   EXPECT_EQ(why("<mesh><uri>none.stl</uri></mesh>"), NoSolid::kNoMesh);
   EXPECT_EQ(why(""), NoSolid::kNoShape);
   EXPECT_FALSE(Robot("<link name='l'/>").body().complete());
@@ -103,7 +103,7 @@ TEST(LinkBody, AMeshIsWhatItEncloses) {
 
 TEST(LinkBody, APoseRelativeToAnotherFrameIsResolved) {
   const Robot robot("<link name='l'><pose>5 0 0 0 0 0</pose>" +
-                    collision("a", box("1 1 1"), "<pose relative_to='f'>0 0 1 0 0 0</pose>") +
+                    collision("a", box_shape("1 1 1"), "<pose relative_to='f'>0 0 1 0 0 0</pose>") +
                     "</link><frame name='f'><pose>7 0 0 0 0 0</pose></frame>");
   const MassProperties body = of_density(robot.body(), 1);
   EXPECT_NEAR(body.com.x, 2, kTight);
@@ -112,7 +112,7 @@ TEST(LinkBody, APoseRelativeToAnotherFrameIsResolved) {
 
 TEST(Overlap, HalfABallInABox) {
   const Robot robot(
-      "<link name='l'>" + collision("a", box("1 1 1")) +
+      "<link name='l'>" + collision("a", box_shape("1 1 1")) +
       collision("b", "<sphere><radius>0.1</radius></sphere>", "<pose>0 0 0.5 0 0 0</pose>") +
       collision("c", "<sphere><radius>0.1</radius></sphere>", "<pose>0 0 5 0 0 0</pose>") +
       "</link>");
@@ -121,8 +121,8 @@ TEST(Overlap, HalfABallInABox) {
 }
 
 TEST(Overlap, TouchingShapesDoNotOverlap) {
-  const Robot robot("<link name='l'>" + collision("a", box("1 1 1")) +
-                    collision("b", box("1 1 1"), "<pose>1 0 0 0 0 0</pose>") + "</link>");
+  const Robot robot("<link name='l'>" + collision("a", box_shape("1 1 1")) +
+                    collision("b", box_shape("1 1 1"), "<pose>1 0 0 0 0 0</pose>") + "</link>");
   EXPECT_TRUE(robot.overlaps().empty());
 }
 
@@ -140,7 +140,7 @@ TEST(Overlap, TwoCylindersAcross) {
 TEST(ResolveAutomatic, DensityOfTheCollisionThenOfTheLinkThenWater) {
   const auto mass = [](const std::string& of_link, const std::string& of_collision) {
     return Robot("<link name='l'><inertial auto='true'>" + of_link + "</inertial>" +
-                 collision("a", box("1 1 1"), of_collision) + "</link>")
+                 collision("a", box_shape("1 1 1"), of_collision) + "</link>")
         .resolved();
   };
   EXPECT_NEAR(mass("", "").body.mass, 1000, kTight);
@@ -172,8 +172,8 @@ TEST(Total, LinksAreAddedWhereTheyAre) {
 }
 
 TEST(Stance, ABoxStandsOnItsFourCorners) {
-  const Robot robot("<link name='l'><pose>0 0 0.5 0 0 0</pose>" + collision("a", box("2 4 1")) +
-                    "</link>");
+  const Robot robot("<link name='l'><pose>0 0 0.5 0 0 0</pose>" +
+                    collision("a", box_shape("2 4 1")) + "</link>");
   const auto stance = robot.stance({0.25, 0, 0.5});
   ASSERT_TRUE(stance && stance->margin);
   EXPECT_EQ(stance->points, 4U);

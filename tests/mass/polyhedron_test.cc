@@ -26,7 +26,7 @@ using model::Vector3;
 using test::expect_close;
 using test::kPi;
 
-constexpr double kExact = 2e-14;
+constexpr double kExactly = 2e-14;
 
 /// `profile` holds (radius, 0, z), the body on its left going up; turned about z in `count` steps.
 TriangleMesh revolved(const std::vector<Vector3>& profile, int count) {
@@ -73,7 +73,7 @@ TriangleMesh cone_mesh(double radius, double length, int count) {
   return revolved({{0, 0, -length / 2}, {radius, 0, -length / 2}, {0, 0, length / 2}}, count);
 }
 
-TriangleMesh box_mesh(const Vector3& size) {
+TriangleMesh box_surface(const Vector3& size) {
   TriangleMesh mesh;
   for (int i = 0; i < 8; ++i) {
     mesh.positions.push_back({(i & 1) != 0 ? size.x / 2 : -size.x / 2,
@@ -125,7 +125,7 @@ Solid solid_torus(double ring, double tube) {
 }
 
 TEST(Polyhedron, BoxesAreExact) {
-  const PolyhedronMoments moments = moments_of(moved(box_mesh({1, 2, 3}), {4, 5, 6}));
+  const PolyhedronMoments moments = moments_of(moved(box_surface({1, 2, 3}), {4, 5, 6}));
   const Solid solid = solid_of(moments);
   EXPECT_DOUBLE_EQ(solid.volume, 6);
   EXPECT_EQ(solid.com, (Vector3{4, 5, 6}));
@@ -227,9 +227,9 @@ TEST(Polyhedron, AgreesWithWholeNumbers) {
   constexpr double kFar = 1e-13;
   for (const TriangleMesh& mesh :
        {sphere_mesh(0.1, 64), torus_mesh(0.2, 0.06, 64), cone_mesh(0.2, 0.3, 100), odd_mesh(64),
-        box_mesh({0.1, 0.2, 0.3})}) {
+        box_surface({0.1, 0.2, 0.3})}) {
     const TriangleMesh near_floats = in_floats(mesh);
-    expect_close(solid_of(moments_of(near_floats)), exact(near_floats), kExact);
+    expect_close(solid_of(moments_of(near_floats)), exact(near_floats), kExactly);
     const TriangleMesh far_floats = in_floats(moved(mesh, far));
     expect_close(solid_of(moments_of(far_floats)), exact(far_floats), kFar);
   }
@@ -272,13 +272,13 @@ TEST(Polyhedron, OddSplitsDifferByRoundingOnly) {
   }
   PolyhedronSum joined({});
   for (const PolyhedronSum& part : parts) joined.join(part);
-  expect_close(solid_of(joined.moments()), solid_of(whole.moments()), kExact);
+  expect_close(solid_of(joined.moments()), solid_of(whole.moments()), kExactly);
 }
 
 TEST(Polyhedron, WhatCancelsTakesNothingWithIt) {
   // A body of a milliard cubic metres, a cubic decimetre, and the large body inside out.
-  const TriangleMesh large = box_mesh({1000, 1000, 1001});
-  const TriangleMesh small = box_mesh({0.1, 0.1, 0.1});
+  const TriangleMesh large = box_surface({1000, 1000, 1001});
+  const TriangleMesh small = box_surface({0.1, 0.1, 0.1});
   const auto sum_of = [](const TriangleMesh& mesh, std::size_t second, std::size_t third) {
     PolyhedronSum sum({});
     for (const mesh::Triangle& t : mesh.triangles) {
@@ -302,7 +302,8 @@ TEST(Polyhedron, ScaledIsTheScaledMeshs) {
     if (scale.x * scale.y * scale.z < 0) {
       for (mesh::Triangle& t : expected.triangles) std::swap(t[1], t[2]);
     }
-    expect_close(solid_of(scaled(moments_of(mesh), scale)), solid_of(moments_of(expected)), kExact);
+    expect_close(solid_of(scaled(moments_of(mesh), scale)), solid_of(moments_of(expected)),
+                 kExactly);
   }
 }
 
@@ -328,13 +329,13 @@ TEST(Polyhedron, InvertedIsTheTurnedMeshs) {
   for (mesh::Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
   const PolyhedronMoments inside_out = moments_of(mesh);
   EXPECT_LT(inside_out.volume, 0);
-  expect_close(solid_of(inverted(inside_out)), solid, kExact);
+  expect_close(solid_of(inverted(inside_out)), solid, kExactly);
   EXPECT_EQ(inverted(inside_out).area, inside_out.area);
 }
 
 TEST(Polyhedron, CavitiesAreSubtracted) {
-  TriangleMesh mesh = box_mesh({1, 2, 3});
-  TriangleMesh cavity = moved(box_mesh({0.5, 0.5, 0.5}), {0.125, 0.25, 0.5});
+  TriangleMesh mesh = box_surface({1, 2, 3});
+  TriangleMesh cavity = moved(box_surface({0.5, 0.5, 0.5}), {0.125, 0.25, 0.5});
   for (const mesh::Triangle& t : cavity.triangles)
     mesh.triangles.push_back({t[0] + 8, t[2] + 8, t[1] + 8});
   mesh.positions.insert(mesh.positions.end(), cavity.positions.begin(), cavity.positions.end());
@@ -342,7 +343,7 @@ TEST(Polyhedron, CavitiesAreSubtracted) {
       subtract(of_density(box({1, 2, 3}), 1),
                translated({0.125, 0.25, 0.5}, of_density(box({0.5, 0.5, 0.5}), 1)));
   expect_close(solid_of(moments_of(mesh)),
-               {expected.mass, expected.com, (1 / expected.mass) * expected.about_com}, kExact);
+               {expected.mass, expected.com, (1 / expected.mass) * expected.about_com}, kExactly);
 }
 
 TEST(Polyhedron, NothingIsNothing) { EXPECT_EQ(moments_of({}), PolyhedronMoments{}); }

@@ -16,7 +16,7 @@ namespace {
 
 using test::expect_close;
 
-constexpr double kExact = 1e-14;
+constexpr double kExactPrism = 1e-14;
 
 Outline rectangle(double x0, double y0, double x1, double y1) {
   return {{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}};
@@ -33,17 +33,17 @@ MassProperties brick(double x0, double y0, double x1, double y1, double height) 
                     of_density(box({x1 - x0, y1 - y0, height}), 1));
 }
 
-Solid solid_of(const MassProperties& body) {
+Solid as_solid(const MassProperties& body) {
   return {body.mass, body.com, (1 / body.mass) * body.about_com};
 }
 
 TEST(Polyline, RectanglesAreBoxes) {
   const Outline outline = rectangle(-1, 2, 3, 2.5);
-  const Solid expected = solid_of(brick(-1, 2, 3, 2.5, 0.25));
+  const Solid expected = as_solid(brick(-1, 2, 3, 2.5, 0.25));
   for (const Outline& way : {outline, reversed(outline)}) {
     const auto solid = extruded({way}, 0.25);
     ASSERT_TRUE(solid);
-    expect_close(*solid, expected, kExact);
+    expect_close(*solid, expected, kExactPrism);
   }
 }
 
@@ -64,7 +64,7 @@ TEST(Polyline, AnAngleIsTwoBricks) {
   const auto solid = extruded(
       {{{0, 0, 0}, {4, 0, 0}, {4, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}, {0, 0, 0}}}, 0.5);
   ASSERT_TRUE(solid);
-  expect_close(*solid, solid_of(add(brick(0, 0, 4, 1, 0.5), brick(0, 1, 1, 3, 0.5))), kExact);
+  expect_close(*solid, as_solid(add(brick(0, 0, 4, 1, 0.5), brick(0, 1, 1, 3, 0.5))), kExactPrism);
 }
 
 TEST(Polyline, HolesAndIslandsWhicheverWayTheyAreWound) {
@@ -78,7 +78,7 @@ TEST(Polyline, HolesAndIslandsWhicheverWayTheyAreWound) {
         std::vector{reversed(plate), reversed(island), hole}}) {
     const auto solid = extruded(outlines, 1);
     ASSERT_TRUE(solid);
-    expect_close(*solid, solid_of(expected), kExact);
+    expect_close(*solid, as_solid(expected), kExactPrism);
   }
 }
 
@@ -91,9 +91,9 @@ TEST(Polyline, RegularPolygonsBecomeCylinders) {
     }
     const auto solid = extruded({outline}, 2);
     ASSERT_TRUE(solid);
-    EXPECT_NEAR(solid->unit_inertia.izz, (2 + std::cos(2 * test::kPi / n)) / 6, kExact);
-    EXPECT_NEAR(solid->volume, n * std::sin(2 * test::kPi / n), 100 * kExact);
-    EXPECT_NEAR(solid->unit_inertia.ixy, 0, kExact);
+    EXPECT_NEAR(solid->unit_inertia.izz, (2 + std::cos(2 * test::kPi / n)) / 6, kExactPrism);
+    EXPECT_NEAR(solid->volume, n * std::sin(2 * test::kPi / n), 100 * kExactPrism);
+    EXPECT_NEAR(solid->unit_inertia.ixy, 0, kExactPrism);
   }
 }
 

@@ -16,7 +16,9 @@
 
 #include <rigor/mass/shapes.h>
 
-namespace rigor::mass::test {
+namespace rigor::test {
+
+using mass::Solid;
 
 inline constexpr double kPi = 3.14159265358979323846;
 
@@ -85,4 +87,4 @@ inline void expect_close(const Solid& a, const Solid& b, double relative) {
   EXPECT_NEAR(a.unit_inertia.iyz, b.unit_inertia.iyz, relative * size * size);
 }
 
-}  // namespace rigor::mass::test
+}  // namespace rigor::test

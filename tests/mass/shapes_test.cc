@@ -20,7 +20,7 @@ using test::kPi;
 using test::stacked;
 
 // Rounding of a few dozen operations.
-constexpr double kExact = 1e-14;
+constexpr double kExactShape = 1e-14;
 
 TEST(Shapes, BoxByHand) {
   const Solid solid = box({1, 2, 3});
@@ -71,25 +71,25 @@ TEST(Shapes, CapsuleByHand) {
 
 TEST(Shapes, Quadrature) {
   expect_close(box({0.4, 0.2, 1.2}),
-               stacked({-0.6, 0.6}, [](double) { return test::rectangle(0.4, 0.2); }), kExact);
+               stacked({-0.6, 0.6}, [](double) { return test::rectangle(0.4, 0.2); }), kExactShape);
   expect_close(sphere(0.3), stacked({-0.3, 0.3}, [](double z) { return test::ball(0.3, z); }),
-               kExact);
+               kExactShape);
   expect_close(cylinder(0.2, 0.9), stacked({-0.45, 0.45}, [](double) { return test::circle(0.2); }),
-               kExact);
+               kExactShape);
   expect_close(capsule(0.2, 0.9),
                stacked({-0.65, -0.45, 0.45, 0.65},
                        [](double z) { return test::ball(0.2, std::max(0.0, std::abs(z) - 0.45)); }),
-               kExact);
+               kExactShape);
   expect_close(cone(0.4, 1.2),
                stacked({-0.6, 0.6}, [](double z) { return test::circle(0.4 * (0.6 - z) / 1.2); }),
-               kExact);
+               kExactShape);
   expect_close(ellipsoid({0.3, 0.7, 1.1}),
                stacked({-1.1, 1.1},
                        [](double z) {
                          const double share = std::sqrt(1 - z * z / (1.1 * 1.1));
                          return test::ellipse(0.3 * share, 0.7 * share);
                        }),
-               kExact);
+               kExactShape);
 }
 
 TEST(Shapes, LimitsAgree) {

@@ -261,7 +261,7 @@ TEST(MeshAttributes, MtlSaysHowMaterialsLook) {
 }
 
 /// The unit square of two triangles with all that corners can carry, scaled by a node.
-std::string collada(const std::string& scale) {
+std::string collada_around(const std::string& scale) {
   const auto source = [](const std::string& id, const std::string& numbers, int count,
                          const std::string& parameters) {
     std::string text = "<source id='" + id + "'><float_array id='" + id + "a' count='" +
@@ -305,7 +305,7 @@ LoadedMesh read(const std::string& path, const std::string& bytes) {
 }
 
 TEST(MeshAttributes, ColladaCorners) {
-  const TriangleMesh mesh = read("a.dae", collada("1 1 1")).mesh;
+  const TriangleMesh mesh = read("a.dae", collada_around("1 1 1")).mesh;
   ASSERT_EQ(mesh.triangles.size(), 2U);
   const Normal tilted{0.6F, 0, 0.8F};
   const Normal up{0, 0, 1};
@@ -321,14 +321,14 @@ TEST(MeshAttributes, ColladaCorners) {
 
 /// Normals stay perpendicular: those of a slope of 3 in 4 that becomes 3 in 8 are (3 0 8)/√73.
 TEST(MeshAttributes, NodesTurnNormals) {
-  const TriangleMesh mesh = read("a.dae", collada("2 1 1")).mesh;
+  const TriangleMesh mesh = read("a.dae", collada_around("2 1 1")).mesh;
   EXPECT_FLOAT_EQ(mesh.corners.normals[0][0][0], 3 / std::sqrt(73.0F));
   EXPECT_FLOAT_EQ(mesh.corners.normals[0][0][2], 8 / std::sqrt(73.0F));
   EXPECT_EQ(mesh.corners.normals[1][0], (Normal{0, 0, 1}));
 }
 
 TEST(MeshAttributes, MirroredNodesSwapWhatCornersCarry) {
-  const TriangleMesh mesh = read("a.dae", collada("-1 1 1")).mesh;
+  const TriangleMesh mesh = read("a.dae", collada_around("-1 1 1")).mesh;
   ASSERT_EQ(mesh.triangles.size(), 2U);
   EXPECT_EQ(facet(mesh, mesh.triangles[0])[2], (Vector3{-1, 0, 0}));
   const Normal tilted{-0.6F, 0, 0.8F};

@@ -14,7 +14,7 @@ namespace {
 using State = FileReference::State;
 
 /// The 24 bytes that a PNG of this size begins with.
-std::string png(unsigned char width, unsigned char height) {
+std::string png_bytes(unsigned char width, unsigned char height) {
   std::string bytes("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\0\0\0\0\0", 24);
   bytes[19] = static_cast<char>(width);
   bytes[23] = static_cast<char>(height);
@@ -23,7 +23,7 @@ std::string png(unsigned char width, unsigned char height) {
 
 FileReference resolved(const std::string& written) {
   const MemoryDisk disk({{"bot/meshes/a.dae", ""},
-                         {"bot/meshes/skin.png", png(4, 2)},
+                         {"bot/meshes/skin.png", png_bytes(4, 2)},
                          {"bot/meshes/dark wood.png", ""},
                          {"bot/meshes/sub/x.png", ""},
                          {"bot/materials/textures/bark.png", ""},

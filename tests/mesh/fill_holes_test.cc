@@ -23,7 +23,7 @@
 namespace rigor::mesh {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
+constexpr double kHalfCircle = 3.141592653589793;
 constexpr HoleLimits kAnySize{.max_area_share = 1};
 
 double area(const Facet& f) { return length(cross(f[1] - f[0], f[2] - f[0])) / 2; }
@@ -90,7 +90,7 @@ std::vector<std::pair<double, double>> star(unsigned n, unsigned seed) {
   std::vector<std::pair<double, double>> points;
   for (unsigned i = 0; i < n; ++i) {
     const double r = std::uniform_real_distribution<>(1, 2)(random);
-    points.push_back({r * std::cos(2 * kPi * i / n), r * std::sin(2 * kPi * i / n)});
+    points.push_back({r * std::cos(2 * kHalfCircle * i / n), r * std::sin(2 * kHalfCircle * i / n)});
   }
   return points;
 }
@@ -145,7 +145,7 @@ TEST(LoopFilling, OnFlatGroundNoFillingIsSmaller) {
   for (unsigned n = 4; n < 11; ++n) {
     std::vector<std::pair<double, double>> polygon;
     for (unsigned i = 0; i < n; ++i) {  // convex, and not regular
-      const double u = 2 * kPi * i / n + 0.2 * std::sin(3.0 * i);
+      const double u = 2 * kHalfCircle * i / n + 0.2 * std::sin(3.0 * i);
       polygon.push_back({2 * std::cos(u), std::sin(u)});
     }
     const Workpiece work(open_prism(polygon));

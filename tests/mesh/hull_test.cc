@@ -14,7 +14,7 @@
 namespace rigor::mesh {
 namespace {
 
-double volume(const TriangleMesh& mesh) {
+double hull_volume(const TriangleMesh& mesh) {
   double sum = 0;
   for (const Triangle& t : mesh.triangles) {
     const Facet f = facet(mesh, t);
@@ -33,7 +33,7 @@ TEST(Hull, OfABoxAndWhatIsInsideIsTheBox) {
   ASSERT_TRUE(hull);
   EXPECT_EQ(hull->positions.size(), 8U);
   EXPECT_EQ(hull->triangles.size(), 12U);
-  EXPECT_NEAR(volume(*hull), 6, 1e-12);
+  EXPECT_NEAR(hull_volume(*hull), 6, 1e-12);
   EXPECT_TRUE(topology_of(*hull).closed());
 }
 

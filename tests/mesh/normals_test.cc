@@ -21,8 +21,8 @@ using test::box_mesh;
 using test::torus_mesh;
 using Normal = Corners::Normal;
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kRightAngle = kPi / 2;
+constexpr double kHalfTurn = 3.14159265358979323846;
+constexpr double kRightAngle = kHalfTurn / 2;
 constexpr double kAlmost = 1e-6;  // 32-bit numbers of size 1
 
 void expect_normal(const Normal& is, const Vector3& wanted, double tolerance) {
@@ -44,7 +44,7 @@ TEST(Normals, FlatOnesAreTheFaces) {
 
 /// At a box's corner three right angles meet, whichever way its faces are cut into triangles.
 TEST(Normals, SmoothOnesAreWeightedByAngle) {
-  const TriangleMesh mesh = recomputed_normals(box_mesh({1, 2, 3}), kPi);
+  const TriangleMesh mesh = recomputed_normals(box_mesh({1, 2, 3}), kHalfTurn);
   for (std::size_t i = 0; i < 12; ++i) {
     for (std::size_t c = 0; c < 3; ++c) {
       const Vector3& p = mesh.positions[mesh.triangles[i][c]];
@@ -71,14 +71,14 @@ TEST(Normals, PositionsOfEqualPlacesAreOne) {
     }
   }
   soup.positions = positions;
-  EXPECT_EQ(recomputed_normals(soup, kPi).corners.normals,
-            recomputed_normals(box_mesh({1, 2, 3}), kPi).corners.normals);
+  EXPECT_EQ(recomputed_normals(soup, kHalfTurn).corners.normals,
+            recomputed_normals(box_mesh({1, 2, 3}), kHalfTurn).corners.normals);
 }
 
 /// Of a fine torus they are within the square of a cell's angle of the true ones.
 TEST(Normals, ATorusIsSmooth) {
   constexpr unsigned kCells = 100;
-  constexpr double kCell = 2 * kPi / kCells;
+  constexpr double kCell = 2 * kHalfTurn / kCells;
   const TriangleMesh mesh = recomputed_normals(torus_mesh(3, 1, kCells, kCells), 0.5);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -94,18 +94,18 @@ TEST(Normals, ATorusIsSmooth) {
 TEST(Normals, WhatOnlyTouchesStaysApart) {
   const TriangleMesh mesh{.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0.5}},
                           .triangles = {{0, 1, 2}, {0, 3, 4}}};
-  EXPECT_EQ(recomputed_normals(mesh, kPi).corners.normals,
+  EXPECT_EQ(recomputed_normals(mesh, kHalfTurn).corners.normals,
             recomputed_normals(mesh, kFlat).corners.normals);
 }
 
 TEST(Normals, WithoutAreaThereIsNone) {
   const TriangleMesh mesh{.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}},
                           .triangles = {{0, 1, 2}, {0, 2, 3}, {1, 1, 1}}};
-  const auto normals = recomputed_normals(mesh, kPi).corners.normals;
+  const auto normals = recomputed_normals(mesh, kHalfTurn).corners.normals;
   EXPECT_EQ(normals[0], (std::array<Normal, 3>{}));
   EXPECT_EQ(normals[1][0], (Normal{0, 0, 1}));
   EXPECT_EQ(normals[2], (std::array<Normal, 3>{}));
-  EXPECT_TRUE(recomputed_normals({}, kPi).corners.normals.empty());
+  EXPECT_TRUE(recomputed_normals({}, kHalfTurn).corners.normals.empty());
 }
 
 TEST(Normals, LengthOneStaysAsItIs) {

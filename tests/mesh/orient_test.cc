@@ -33,7 +33,7 @@ TriangleMesh consistent(const TriangleMesh& mesh) {
   return std::move(work).finished();
 }
 
-double volume(const TriangleMesh& mesh) {
+double oriented_volume(const TriangleMesh& mesh) {
   double sum = 0;
   for (const Component& c : topology_of(mesh).component_list) sum += c.volume;
   return sum;
@@ -48,7 +48,8 @@ TEST(Orient, AnyShareOfTurnedTrianglesIsTurnedBack) {
         face_outward(mesh);
         EXPECT_TRUE(topology_of(mesh).closed());
         EXPECT_EQ(topology_of(mesh).inverted, 0U);
-        EXPECT_NEAR(volume(mesh), volume(body.mesh), 1e-12 * volume(body.mesh));
+        EXPECT_NEAR(oriented_volume(mesh), oriented_volume(body.mesh),
+                    1e-12 * oriented_volume(body.mesh));
       }
     }
   }

@@ -31,7 +31,7 @@ using Random = std::mt19937;
 
 constexpr RepairOptions kAnyHole{.holes = {.max_area_share = 1}};
 
-double volume(const TriangleMesh& mesh) {
+double repaired_volume(const TriangleMesh& mesh) {
   double sum = 0;
   for (const Component& c : topology_of(mesh).component_list) sum += c.volume;
   return sum;
@@ -139,7 +139,8 @@ TEST(Repair, DamagedBodiesAreRestored) {
       EXPECT_EQ(after.euler(), body.euler);
       EXPECT_EQ(after.slivers, 0U);
       // The hole was one triangle, so it is known what fills it.
-      EXPECT_NEAR(volume(repaired.mesh), volume(body.mesh), 1e-12 * volume(body.mesh));
+      EXPECT_NEAR(repaired_volume(repaired.mesh), repaired_volume(body.mesh),
+                  1e-12 * repaired_volume(body.mesh));
     }
   }
 }
@@ -170,7 +171,7 @@ TEST(Repair, VerticesStayWhereTheyAre) {
 // turned; and its volume is then that of the whole, 14.166.
 TEST(Repair, ATorusOfTenThousandTriangles) {
   const TriangleMesh torus = torus_mesh(2, 0.6, 100, 50);
-  const double whole = volume(torus);
+  const double whole = repaired_volume(torus);
   ASSERT_NEAR(whole, 14.1655, 1e-2);
   for (const std::size_t missing : {1U, 100U}) {
     for (const std::size_t turned : {0U, 1U, 491U, 10'000U}) {
@@ -187,7 +188,7 @@ TEST(Repair, ATorusOfTenThousandTriangles) {
       const Repaired repaired = repair(selected(mesh, order), {});
       EXPECT_TRUE(sound(repaired.report.after));
       EXPECT_EQ(repaired.report.holes.left + repaired.report.holes.too_large, 0U);
-      EXPECT_NEAR(volume(repaired.mesh), whole, 1e-4 * whole);
+      EXPECT_NEAR(repaired_volume(repaired.mesh), whole, 1e-4 * whole);
     }
   }
 }
@@ -200,7 +201,7 @@ TEST(Repair, BoxesThatShareAWallBecomeOne) {
   EXPECT_TRUE(sound(repaired.report.after));
   EXPECT_EQ(repaired.report.after.components, 1U);
   EXPECT_EQ(repaired.mesh.triangles.size(), 20U);
-  EXPECT_NEAR(volume(repaired.mesh), 2, 1e-15);
+  EXPECT_NEAR(repaired_volume(repaired.mesh), 2, 1e-15);
 }
 
 TEST(Repair, ABodyDrawnFromBothSidesIsDrawnFromOne) {
@@ -209,7 +210,8 @@ TEST(Repair, ABodyDrawnFromBothSidesIsDrawnFromOne) {
     const Repaired repaired = repair(soup(joined(body.mesh, turned(body.mesh)), random), {});
     EXPECT_TRUE(sound(repaired.report.after)) << body.name;
     EXPECT_EQ(repaired.mesh.triangles.size(), body.mesh.triangles.size());
-    EXPECT_NEAR(volume(repaired.mesh), volume(body.mesh), 1e-12 * volume(body.mesh));
+    EXPECT_NEAR(repaired_volume(repaired.mesh), repaired_volume(body.mesh),
+                1e-12 * repaired_volume(body.mesh));
   }
 }
 
@@ -252,7 +254,7 @@ TEST(Repair, WeldsWithinADistanceOnlyWhenAskedAndWhenItHelps) {
   const Repaired welded = repair(loose, {.weld_distance = 4e-5});
   EXPECT_TRUE(sound(welded.report.after));
   EXPECT_EQ(welded.report.after.vertices, 16U * 8 + 2);
-  EXPECT_NEAR(volume(welded.mesh), volume(ball_mesh(1, 16, 9)), 1e-3);
+  EXPECT_NEAR(repaired_volume(welded.mesh), repaired_volume(ball_mesh(1, 16, 9)), 1e-3);
   // Two boxes with a narrow gap: welded they would share an edge of four triangles.
   const TriangleMesh boxes = joined(box_mesh({1, 1, 1}), box_mesh({1, 1, 1}, {1.01, 1.01, 0}));
   const Repaired kept = repair(boxes, {.weld_distance = 0.05});

@@ -63,29 +63,33 @@ class Fraction {
   Wide d_;
 };
 
-using Point = std::array<Fraction, 3>;
-using Polygon = std::vector<Point>;
+using ExactPoint = std::array<Fraction, 3>;
+using Polygon = std::vector<ExactPoint>;
 
-Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+ExactPoint minus(const ExactPoint& a, const ExactPoint& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 
-Fraction product(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Fraction product(const ExactPoint& a, const ExactPoint& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
-Point normal_to(const Point& a, const Point& b) {
+ExactPoint normal_to(const ExactPoint& a, const ExactPoint& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 /// What of the polygon lies where normal · (x - origin) >= 0 (I. Sutherland, G. Hodgman, 1974).
-Polygon clipped(const Polygon& polygon, const Point& normal, const Point& origin) {
+Polygon clipped(const Polygon& polygon, const ExactPoint& normal, const ExactPoint& origin) {
   Polygon left;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point& a = polygon[i];
-    const Point& b = polygon[(i + 1) % polygon.size()];
+    const ExactPoint& a = polygon[i];
+    const ExactPoint& b = polygon[(i + 1) % polygon.size()];
     const Fraction at_a = product(normal, minus(a, origin));
     const Fraction at_b = product(normal, minus(b, origin));
     if (at_a.sign() >= 0) left.push_back(a);
     if (at_a.sign() * at_b.sign() >= 0) continue;
     const Fraction t = at_a / (at_a - at_b);
-    Point crossing = a;
+    ExactPoint crossing = a;
     for (std::size_t k = 0; k < 3; ++k) crossing[k] = a[k] + t * (b[k] - a[k]);
     left.push_back(crossing);
   }
@@ -100,7 +104,7 @@ Polygon exact(const Facet& f) {
 
 /// Corners of what the triangles have in common.
 Polygon intersection(const Polygon& f, const Polygon& g) {
-  const Point normal = normal_to(minus(f[1], f[0]), minus(f[2], f[0]));
+  const ExactPoint normal = normal_to(minus(f[1], f[0]), minus(f[2], f[0]));
   Polygon rest = clipped(g, normal, f[0]);
   rest = clipped(rest, minus({}, normal), f[0]);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -109,13 +113,13 @@ Polygon intersection(const Polygon& f, const Polygon& g) {
   return rest;
 }
 
-bool on_line(const Point& a, const Point& b, const Point& p) {
-  return normal_to(minus(b, a), minus(p, a)) == Point{};
+bool on_line(const ExactPoint& a, const ExactPoint& b, const ExactPoint& p) {
+  return normal_to(minus(b, a), minus(p, a)) == ExactPoint{};
 }
 
 /// Whether all corners of the intersection lie in what is shared.
-bool explained(const Polygon& common, const std::vector<Point>& shared) {
-  return std::all_of(common.begin(), common.end(), [&](const Point& p) {
+bool explained(const Polygon& common, const std::vector<ExactPoint>& shared) {
+  return std::all_of(common.begin(), common.end(), [&](const ExactPoint& p) {
     if (shared.empty()) return false;
     return shared.size() == 1 ? p == shared[0] : on_line(shared[0], shared[1], p);
   });
@@ -130,8 +134,8 @@ Pairs by_clipping(const TriangleMesh& mesh) {
       const Polygon f = exact(facet(mesh, mesh.triangles[i]));
       const Polygon g = exact(facet(mesh, mesh.triangles[j]));
       if (on_line(f[0], f[1], f[2]) || on_line(g[0], g[1], g[2])) continue;
-      std::vector<Point> shared;
-      for (const Point& p : f) {
+      std::vector<ExactPoint> shared;
+      for (const ExactPoint& p : f) {
         if (std::find(g.begin(), g.end(), p) != g.end()) shared.push_back(p);
       }
       if (shared.size() < 3 && !explained(intersection(f, g), shared)) pairs.emplace(i, j);
@@ -185,7 +189,7 @@ std::uint64_t pairs_of(const std::vector<Facet>& facets) {
   return self_intersections(mesh).pairs;
 }
 
-constexpr Facet kFlat{Vector3{0, 0, 0}, Vector3{4, 0, 0}, Vector3{0, 4, 0}};
+constexpr Facet kFloor{Vector3{0, 0, 0}, Vector3{4, 0, 0}, Vector3{0, 4, 0}};
 
 TEST(SelfIntersectionTest, TanglesAgreeWithClippingInFractions) {
   std::mt19937 random(20260102);
@@ -220,35 +224,35 @@ TEST(SelfIntersectionTest, SoundBodiesHaveNone) {
 }
 
 TEST(SelfIntersectionTest, WithoutASharedPlaceTouchingIsEnough) {
-  EXPECT_EQ(pairs_of({kFlat, {Vector3{1, 1, 0}, Vector3{1, 1, 2}, Vector3{2, 1, 2}}}),
+  EXPECT_EQ(pairs_of({kFloor, {Vector3{1, 1, 0}, Vector3{1, 1, 2}, Vector3{2, 1, 2}}}),
             1U);  // corner in face
-  EXPECT_EQ(pairs_of({kFlat, {Vector3{2, 0, 0}, Vector3{2, 0, 2}, Vector3{3, 0, 2}}}),
+  EXPECT_EQ(pairs_of({kFloor, {Vector3{2, 0, 0}, Vector3{2, 0, 2}, Vector3{3, 0, 2}}}),
             1U);  // on edge
-  EXPECT_EQ(pairs_of({kFlat, {Vector3{2, -1, 0}, Vector3{2, 1, 0}, Vector3{2, 0, 2}}}), 1U);
-  EXPECT_EQ(pairs_of({kFlat, {Vector3{1, 1, 0x1p-60}, Vector3{1, 1, 2}, Vector3{2, 1, 2}}}), 0U);
+  EXPECT_EQ(pairs_of({kFloor, {Vector3{2, -1, 0}, Vector3{2, 1, 0}, Vector3{2, 0, 2}}}), 1U);
+  EXPECT_EQ(pairs_of({kFloor, {Vector3{1, 1, 0x1p-60}, Vector3{1, 1, 2}, Vector3{2, 1, 2}}}), 0U);
 }
 
 TEST(SelfIntersectionTest, TrianglesAtATJunctionTouch) {
   // The upper side's edge is split in its middle on one side only.
-  EXPECT_EQ(pairs_of({kFlat, {Vector3{2, 0, 0}, Vector3{2, -3, 0}, Vector3{4, -3, 0}}}), 1U);
-  EXPECT_EQ(pairs_of({kFlat, {Vector3{0, 0, 0}, Vector3{2, 0, 0}, Vector3{0, -3, 0}}}), 1U);
+  EXPECT_EQ(pairs_of({kFloor, {Vector3{2, 0, 0}, Vector3{2, -3, 0}, Vector3{4, -3, 0}}}), 1U);
+  EXPECT_EQ(pairs_of({kFloor, {Vector3{0, 0, 0}, Vector3{2, 0, 0}, Vector3{0, -3, 0}}}), 1U);
 }
 
 TEST(SelfIntersectionTest, AtASharedCornerTheyMeetAgain) {
-  EXPECT_EQ(pairs_of({kFlat, {Vector3{0, 0, 0}, Vector3{1, 1, 1}, Vector3{1, 1, -1}}}), 1U);
-  EXPECT_EQ(pairs_of({kFlat, {Vector3{0, 0, 0}, Vector3{1, 1, 0}, Vector3{1, 1, -1}}}), 1U);
-  EXPECT_EQ(pairs_of({kFlat, {Vector3{0, 0, 0}, Vector3{-1, 1, 1}, Vector3{-1, 1, -1}}}), 0U);
-  EXPECT_EQ(pairs_of({kFlat, {Vector3{0, 0, 0}, Vector3{-1, 0, 0}, Vector3{0, -1, 0}}}), 0U);
+  EXPECT_EQ(pairs_of({kFloor, {Vector3{0, 0, 0}, Vector3{1, 1, 1}, Vector3{1, 1, -1}}}), 1U);
+  EXPECT_EQ(pairs_of({kFloor, {Vector3{0, 0, 0}, Vector3{1, 1, 0}, Vector3{1, 1, -1}}}), 1U);
+  EXPECT_EQ(pairs_of({kFloor, {Vector3{0, 0, 0}, Vector3{-1, 1, 1}, Vector3{-1, 1, -1}}}), 0U);
+  EXPECT_EQ(pairs_of({kFloor, {Vector3{0, 0, 0}, Vector3{-1, 0, 0}, Vector3{0, -1, 0}}}), 0U);
 }
 
 TEST(SelfIntersectionTest, AtASharedEdgeTheyFoldOver) {
-  EXPECT_EQ(pairs_of({kFlat, {Vector3{0, 0, 0}, Vector3{4, 0, 0}, Vector3{9, 1, 0}}}), 1U);
-  EXPECT_EQ(pairs_of({kFlat, {Vector3{0, 0, 0}, Vector3{4, 0, 0}, Vector3{9, -1, 0}}}), 0U);
-  EXPECT_EQ(pairs_of({kFlat, {Vector3{4, 0, 0}, Vector3{0, 0, 0}, Vector3{1, 1, 0x1p-90}}}), 0U);
+  EXPECT_EQ(pairs_of({kFloor, {Vector3{0, 0, 0}, Vector3{4, 0, 0}, Vector3{9, 1, 0}}}), 1U);
+  EXPECT_EQ(pairs_of({kFloor, {Vector3{0, 0, 0}, Vector3{4, 0, 0}, Vector3{9, -1, 0}}}), 0U);
+  EXPECT_EQ(pairs_of({kFloor, {Vector3{4, 0, 0}, Vector3{0, 0, 0}, Vector3{1, 1, 0x1p-90}}}), 0U);
 }
 
 TEST(SelfIntersectionTest, DuplicatesAndDegenerateTrianglesAreNone) {
-  EXPECT_EQ(pairs_of({kFlat, {kFlat[1], kFlat[0], kFlat[2]}}), 0U);
+  EXPECT_EQ(pairs_of({kFloor, {kFloor[1], kFloor[0], kFloor[2]}}), 0U);
   TriangleMesh mesh;
   mesh.positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {1, 1, 3}};
   mesh.triangles = {{0, 1, 2}, {3, 4, 5}, {3, 3, 5}};

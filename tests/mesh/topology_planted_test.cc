@@ -26,7 +26,7 @@ constexpr std::size_t kMostPlanted = 12;
 using Random = std::mt19937;
 
 /// Triangles that share no vertex, at random.
-std::vector<std::size_t> apart(const TriangleMesh& mesh, Random& random) {
+std::vector<std::size_t> random_apart(const TriangleMesh& mesh, Random& random) {
   std::vector<std::size_t> order(mesh.triangles.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::shuffle(order.begin(), order.end(), random);
@@ -78,7 +78,7 @@ void check_planted(const Plant& plant) {
       TriangleMesh mesh = body.mesh;
       Topology expected = topology_of(mesh);
       ASSERT_TRUE(expected.examples.empty());
-      plant(mesh, apart(mesh, random), random, expected);
+      plant(mesh, random_apart(mesh, random), random, expected);
       const Topology found = topology_of(mesh);
       EXPECT_EQ(counts(found), counts(expected));
       EXPECT_NEAR(found.boundary.total_length, expected.boundary.total_length, 1e-12);

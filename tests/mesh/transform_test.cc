@@ -26,7 +26,7 @@ namespace {
 
 using test::box_mesh;
 
-TriangleMesh one_triangle() {
+TriangleMesh lone_triangle() {
   return {.positions = {{1, 2, 3}, {4, 2, 3}, {1, 8, 5}},
           .triangles = {{0, 1, 2}},
           .parts = {{"tip", "steel", 0, 1}}};
@@ -37,7 +37,7 @@ std::array<double, 3> xyz(const Vector3& p) { return {p.x, p.y, p.z}; }
 // ---- By hand
 
 TEST(Transform, NothingAskedChangesNothing) {
-  const TriangleMesh mesh = one_triangle();
+  const TriangleMesh mesh = lone_triangle();
   const Transformed result = transformed(mesh, {});
   EXPECT_EQ(result.mesh.positions, mesh.positions);
   EXPECT_EQ(result.mesh.triangles, mesh.triangles);
@@ -46,22 +46,23 @@ TEST(Transform, NothingAskedChangesNothing) {
 }
 
 TEST(Transform, UnitAndScaleMultiply) {
-  const Transformed result = transformed(one_triangle(), {.unit = 0.5, .scale = {2, 4, -8}});
+  const Transformed result = transformed(lone_triangle(), {.unit = 0.5, .scale = {2, 4, -8}});
   EXPECT_EQ(result.mesh.positions, (std::vector<Vector3>{{1, 4, -12}, {4, 4, -12}, {1, 16, -20}}));
 }
 
 /// Scale acts along the axes that the mesh has before it is turned.
 TEST(Transform, TurnsYUpAfterScaling) {
-  const Transformed result = transformed(one_triangle(), {.scale = {1, 10, 100}, .up = UpAxis::kY});
+  const Transformed result =
+      transformed(lone_triangle(), {.scale = {1, 10, 100}, .up = UpAxis::kY});
   EXPECT_EQ(result.mesh.positions,
             (std::vector<Vector3>{{1, -300, 20}, {4, -300, 20}, {1, -500, 80}}));
-  EXPECT_EQ(result.mesh.triangles, one_triangle().triangles);  // a turn, no mirror
+  EXPECT_EQ(result.mesh.triangles, lone_triangle().triangles);  // a turn, no mirror
   EXPECT_FALSE(std::signbit(before_centering({.up = UpAxis::kY}, {1, 1, 0}).y));
 }
 
 TEST(Transform, CentersAtAPointOfTheGivenMesh) {
   const Transform by{.unit = 0.5, .up = UpAxis::kY, .center = Center::kPoint, .point = {1, 2, 4}};
-  const Transformed result = transformed(one_triangle(), by);
+  const Transformed result = transformed(lone_triangle(), by);
   EXPECT_EQ(result.translation, (Vector3{-0.5, 2, -1}));
   EXPECT_EQ(result.mesh.positions,
             (std::vector<Vector3>{{0, 0.5, 0}, {1.5, 0.5, 0}, {0, -0.5, 3}}));
@@ -91,7 +92,7 @@ TEST(Transform, CentersOnlyWhatTrianglesUse) {
 
 TEST(Transform, MirrorsSwapTheWinding) {
   const auto winding = [](double unit, const Vector3& scale) {
-    return transformed(one_triangle(), {.unit = unit, .scale = scale}).mesh.triangles[0];
+    return transformed(lone_triangle(), {.unit = unit, .scale = scale}).mesh.triangles[0];
   };
   const Triangle kept{0, 1, 2};
   const Triangle swapped{0, 2, 1};
@@ -105,7 +106,7 @@ TEST(Transform, MirrorsSwapTheWinding) {
 // ---- What corners carry
 
 TriangleMesh dressed_triangle() {
-  TriangleMesh mesh = one_triangle();
+  TriangleMesh mesh = lone_triangle();
   mesh.corners.texture = {{{{0, 0}, {1, 0}, {0, 1}}}};
   mesh.corners.colors = {{{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}}}};
   mesh.corners.normals = {{{{0.6F, 0, 0.8F}, {0, 0, 1}, {0, 1, 0}}}};

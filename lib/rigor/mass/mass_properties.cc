@@ -83,6 +83,11 @@ Inertia point_inertia(double mass, const Vector3& p) {
 std::array<double, 3> principal_moments(const Inertia& inertia) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   if (!finite(inertia)) return {kNan, kNan, kNan};
+  if (inertia.ixy == 0 && inertia.ixz == 0 && inertia.iyz == 0) {
+    std::array<double, 3> moments{inertia.ixx, inertia.iyy, inertia.izz};
+    std::sort(moments.begin(), moments.end());
+    return moments;
+  }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(to_eigen(inertia),
                                                               Eigen::EigenvaluesOnly);
   const Eigen::Vector3d& moments = solver.eigenvalues();
@@ -90,7 +95,8 @@ std::array<double, 3> principal_moments(const Inertia& inertia) {
 }
 
 PrincipalAxes principal_axes(const Inertia& inertia) {
-  PrincipalAxes result{.moments = principal_moments(inertia)};
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  PrincipalAxes result{.moments = {kNan, kNan, kNan}};
   if (!finite(inertia)) return result;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(to_eigen(inertia));
   for (int i = 0; i < 3; ++i) {

@@ -74,8 +74,8 @@ MeshFacts MeshCache::facts(const Disk& disk, const std::string& path, MeshDepth 
                            MeshReads* reads) const {
   const std::string what = "facts " + std::to_string(static_cast<int>(depth));
   return find<MeshFacts>(disk, path, what, [&](const WitnessDisk& asked) {
-    MeshFacts facts = reads ? mesh_facts(asked, path, *reads->find(path), depth)
-                            : mesh_facts(asked, path, depth);
+    MeshFacts facts =
+        reads ? mesh_facts(asked, path, *reads->find(path), depth) : mesh_facts(asked, path, depth);
     look_at_buffers(asked, facts.asset);
     const bool whole = all_was_read(facts.asset);
     return std::pair(std::move(facts), whole);
@@ -123,12 +123,12 @@ std::optional<Digest> MeshCache::key(const Disk& disk, const std::string& path,
   const Format format = format_of_file(*file, path);
   if (!names_are_known(format)) return std::nullopt;
   Hasher hasher;
-  const auto add = [&hasher](std::string_view text) { hasher.add(view(digest_of(text))); };
+  const auto add = [&hasher](std::string_view text) { hasher.add(digest_bytes(digest_of(text))); };
   add(kMeshFactsCode);
   add(program_);
   add(path);
   add(what);
-  hasher.add(view(digest_of(*file)));
+  hasher.add(digest_bytes(digest_of(*file)));
   return hasher.digest();
 }
 

@@ -199,7 +199,7 @@ class FactsWriter {
     bytes_ += v;
   }
 
-  void code(Digest& v) { bytes_ += view(v); }
+  void code(Digest& v) { bytes_ += digest_bytes(v); }
 
   template <class T>
   void code(std::vector<T>& v) {

@@ -27,7 +27,7 @@ std::shared_ptr<const mesh::LoadedMesh> MeshReads::find(const std::string& path)
   const std::shared_ptr<Entry> entry = entry_of(path);
   const std::lock_guard reading(entry->reading);
   if (!entry->mesh) {
-    auto mesh = std::make_shared<const mesh::LoadedMesh>(mesh::read_mesh(disk_, path));
+    auto mesh = std::make_shared<const mesh::LoadedMesh>(mesh::read_mesh(disk_, path, importer_));
     const std::lock_guard lock(mutex_);
     entry->bytes = bytes_of(*mesh);
     entry->mesh = std::move(mesh);

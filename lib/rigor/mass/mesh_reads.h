@@ -20,6 +20,7 @@
 #include <utility>
 
 #include <rigor/mesh/read.h>
+#include <rigor/mesh/scene.h>
 #include <rigor/text/disk.h>
 
 namespace rigor::mass {
@@ -31,6 +32,9 @@ class MeshReads {
 
   explicit MeshReads(const Disk& disk, std::uint64_t max_bytes = kMaxBytes)
       : disk_(disk), max_bytes_(max_bytes) {}
+
+  /// Says that many scenes may come. Best said before there are threads.
+  void expect_many() const { importer_.expect_many(); }
 
   /// What `read_mesh` gives. Safe across threads: who asks for a mesh that is being read waits, who asks for
   /// another does not.
@@ -48,6 +52,7 @@ class MeshReads {
   void make_room();
 
   const Disk& disk_;
+  mesh::SceneImporter importer_;
   std::uint64_t max_bytes_;
   std::mutex mutex_;
   Used used_;

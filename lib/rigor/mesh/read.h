@@ -61,4 +61,8 @@ Format format_of(std::string_view first_bytes, std::uint64_t size, std::string_v
 
 LoadedMesh read_mesh(const Disk& disk, const std::string& path);
 
+/// The same for one of many: scenes are imported by `importer`.
+class SceneImporter;
+LoadedMesh read_mesh(const Disk& disk, const std::string& path, const SceneImporter& importer);
+
 }  // namespace rigor::mesh

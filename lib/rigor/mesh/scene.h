@@ -14,12 +14,17 @@
 // winding of their triangles is swapped.
 //
 //   LoadedMesh loaded = read_scene(disk, "meshes/arm.dae");
+//
+//   const SceneImporter importer;                                    // for many
+//   for (const std::string& path : paths) use(read_scene(disk, path, importer));
 
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include <rigor/mesh/read.h>
+#include <rigor/process/fork_server.h>
 #include <rigor/text/disk.h>
 
 namespace rigor::mesh {
@@ -29,8 +34,25 @@ namespace rigor::mesh {
 inline constexpr unsigned kImportSeconds = 20;
 inline constexpr std::uint64_t kImportBytes = std::uint64_t{4} << 30U;
 
+/// Opens the library once, in a process that the children are forked from, when the first scene comes.
+/// Safe across threads.
+class SceneImporter {
+ public:
+  SceneImporter();
+
+  /// Says that many scenes may come: this process has little memory to copy now. Costs 1 ms if none does.
+  void expect_many() const { server_.start(); }
+
+  /// `bytes` are those of the file at `path`, whose ending says its format.
+  LoadedMesh import(const Disk& disk, const std::string& path, std::string_view bytes) const;
+
+ private:
+  process::ForkServer server_;
+};
+
 /// Files that the scene names (buffers of a .gltf) are read through `disk` too, when they lie in the
 /// scene's folder or below.
+LoadedMesh read_scene(const Disk& disk, const std::string& path, const SceneImporter& importer);
 LoadedMesh read_scene(const Disk& disk, const std::string& path);
 
 /// Which importer there is: "assimp 5.2.5". It is asked in a child process, which takes some 20 ms.

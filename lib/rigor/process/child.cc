@@ -5,59 +5,31 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <csignal>
 #include <cstring>
-#include <exception>
 #include <memory>
-#include <new>
 #include <optional>
 #include <string_view>
-#include <system_error>
 #include <utility>
+
+#include <rigor/process/confinement.h>
+#include <rigor/process/descriptor.h>
 
 namespace rigor::process {
 namespace {
 
 using End = ChildResult::End;
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kAddressSanitizer = true;
-#elif defined(__has_feature)
-constexpr bool kAddressSanitizer = __has_feature(address_sanitizer);
-#else
-constexpr bool kAddressSanitizer = false;
-#endif
-
 /// Comes behind the bytes. A child that dies in the middle of writing leaves none that fits.
 struct Trailer {
   std::uint64_t size = 0;
   std::uint64_t end = 0;
-};
-
-/// The child's end of the pipe; everything above it is closed.
-constexpr int kResult = STDERR_FILENO + 1;
-
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  int number() const { return number_; }
-
- private:
-  int number_;
 };
 
 /// A started child, which leaves no zombie whatever happens here.
@@ -92,7 +64,7 @@ class Child {
 void send(const void* data, std::size_t size) {
   const char* bytes = static_cast<const char*>(data);
   while (size > 0) {
-    const ssize_t sent = ::write(kResult, bytes, size);
+    const ssize_t sent = ::write(kKept, bytes, size);
     if (sent < 0 && errno == EINTR) continue;
     if (sent < 0) ::_exit(1);
     bytes += sent;
@@ -107,88 +79,25 @@ void send(const void* data, std::size_t size) {
   ::_exit(0);
 }
 
-void keep_only(int result) {
-  if (::dup2(result, kResult) < 0) ::_exit(1);
-  const int nowhere = ::open("/dev/null", O_RDWR);
-  for (int standard = STDIN_FILENO; standard <= STDERR_FILENO; ++standard) {
-    nowhere >= 0 ? ::dup2(nowhere, standard) : ::close(standard);
-  }
-  // Another child's pipe among them would keep its reader waiting for this child. An old kernel
-  // refuses; then the reader waits.
-  ::close_range(kResult + 1, ~0U, 0);
-}
-
-/// The parent's handlers and mask are not the child's: a crash must be a crash.
-void reset_signals() {
-  for (int signal = 1; signal < NSIG; ++signal) ::signal(signal, SIG_DFL);
-  sigset_t none;
-  ::sigemptyset(&none);
-  ::sigprocmask(SIG_SETMASK, &none, nullptr);
-}
-
-void lower_limit(decltype(RLIMIT_CPU) resource, rlim_t soft, rlim_t hard) {
-  rlimit limit = {};
-  if (::getrlimit(resource, &limit) != 0) return;
-  limit.rlim_max = std::min(limit.rlim_max, hard);
-  limit.rlim_cur = std::min(limit.rlim_max, soft);
-  ::setrlimit(resource, &limit);
-}
-
-/// Bytes of address space in use: the first number of statm, in pages (man 5 proc). 0 where there is
-/// no such file.
-rlim_t address_space() {
-  const Descriptor file(::open("/proc/self/statm", O_RDONLY | O_CLOEXEC));
-  std::array<char, 64> text = {};
-  const ssize_t size = ::read(file.number(), text.data(), text.size());
-  rlim_t pages = 0;
-  if (size > 0) std::from_chars(text.data(), text.data() + size, pages);
-  return pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE));
-}
-
-void apply(const ChildLimits& limits) {
-  const unsigned seconds = std::max(limits.cpu_seconds, 1U);
-  lower_limit(RLIMIT_CORE, 0, 0);
-  lower_limit(RLIMIT_CPU, seconds, rlim_t{seconds} + 1);
-  ::alarm(seconds * kWallPerCpuSecond);
-  if (kAddressSanitizer) return;
-  const rlim_t bytes = address_space() + limits.memory_bytes;
-  lower_limit(RLIMIT_AS, bytes, bytes);
-}
-
 [[noreturn]] void run(const ChildLimits& limits, const std::function<std::string()>& work,
                       int result) {
   keep_only(result);
   reset_signals();
-  apply(limits);
-  try {
-    leave(End::kDone, work());
-  } catch (const std::bad_alloc&) {
-    leave(End::kOutOfMemory, {});
-  } catch (const std::exception& error) {
-    leave(End::kFailed, error.what());
-  } catch (...) {
-    leave(End::kFailed, "an exception of unknown type");
-  }
+  confine(limits);
+  const ChildResult outcome = outcome_of(work);
+  leave(outcome.end, outcome.bytes);
 }
 
 // ---- In the parent
 
-End end_by(int signal) {
-  return signal == SIGXCPU || signal == SIGALRM ? End::kOutOfTime : End::kCrashed;
-}
-
 ChildResult result_of(std::string bytes, int signal) {
   Trailer trailer;
-  if (bytes.size() < sizeof trailer) return {end_by(signal), signal, {}};
+  if (bytes.size() < sizeof trailer) return ended_by(signal);
   const std::size_t size = bytes.size() - sizeof trailer;
   std::memcpy(&trailer, bytes.data() + size, sizeof trailer);
-  if (trailer.size != size) return {end_by(signal), signal, {}};
+  if (trailer.size != size) return ended_by(signal);
   bytes.resize(size);
   return {static_cast<End>(trailer.end), 0, std::move(bytes)};
-}
-
-ChildResult not_started(int error) {
-  return {End::kNotStarted, 0, std::generic_category().message(error)};
 }
 
 /// One child on its way: what it has written so far.

@@ -148,7 +148,7 @@ std::string hex(const Digest& digest) {
   return text;
 }
 
-std::string_view view(const Digest& digest) {
+std::string_view digest_bytes(const Digest& digest) {
   return {reinterpret_cast<const char*>(digest.data()), digest.size()};
 }
 

@@ -55,6 +55,6 @@ Digest digest_of(const OpenFile& file);
 std::string hex(const Digest& digest);
 
 /// The digest's own bytes.
-std::string_view view(const Digest& digest);
+std::string_view digest_bytes(const Digest& digest);
 
 }  // namespace rigor

@@ -127,6 +127,21 @@ std::vector<std::string> RealDisk::list(const std::string& folder) const {
   return names;
 }
 
+std::string RealDisk::obstacle(const std::string& path) const {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_directory(status)) {
+    const fs::directory_iterator listed(path, error);
+    if (!error) return {};
+    // As the C library words it, but for the capital: "permission denied".
+    std::string why = error.message();
+    if (!why.empty() && why[0] >= 'A' && why[0] <= 'Z') why[0] = static_cast<char>(why[0] + 32);
+    return "cannot be listed: " + why;
+  }
+  const bool is_link = fs::is_symlink(fs::symlink_status(path, error));
+  return is_link && !fs::exists(status) ? "is a link that leads nowhere" : "";
+}
+
 MemoryDisk::MemoryDisk(std::map<std::string, std::string> files) {
   for (auto& [path, bytes] : files) put(path, std::move(bytes));
 }

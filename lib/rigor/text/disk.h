@@ -54,6 +54,10 @@ class Disk {
   /// Names (not paths) in a folder, sorted by bytes; empty when it is none. Links to folders are left
   /// out.
   virtual std::vector<std::string> list(const std::string& folder) const = 0;
+
+  /// Why what stands at the path is as if it were not there: "is a link that leads nowhere", of a folder
+  /// "cannot be listed: permission denied". Empty when nothing stands there, or nothing is wrong.
+  virtual std::string obstacle(const std::string&) const { return {}; }
 };
 
 class RealDisk final : public Disk {
@@ -62,6 +66,7 @@ class RealDisk final : public Disk {
   ReadResult read(const std::string& path, std::uint64_t max_bytes) const override;
   PathKind kind(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;
+  std::string obstacle(const std::string& path) const override;
 };
 
 /// Files from a map of path to bytes; a folder is any proper prefix of a file's path.

@@ -33,9 +33,9 @@ constexpr std::string_view kEntryMagic = "rigor1\n";
 
 std::string entry_head(const Digest& key, std::string_view bytes) {
   Hasher hasher;
-  hasher.add(view(key));
+  hasher.add(digest_bytes(key));
   hasher.add(bytes);
-  return std::string(kEntryMagic).append(view(hasher.digest()));
+  return std::string(kEntryMagic).append(digest_bytes(hasher.digest()));
 }
 
 bool write_entry(int file, std::string_view bytes) {

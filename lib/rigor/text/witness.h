@@ -47,6 +47,8 @@ class WitnessDisk final : public Disk {
   ReadResult read(const std::string& path, std::uint64_t max_bytes) const override;
   PathKind kind(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;
+  // What a folder or a link is tells its kind or its list as well: not kept.
+  std::string obstacle(const std::string& path) const override { return disk_.obstacle(path); }
 
   /// Each question once, by kinds of questions, then by paths.
   std::vector<Witness> witnesses() const;
