@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <rigor/schema/embedded.h>
+#include <rigor/schema/script_material.h>
 
 #include "convert/urdf_part.h"
 
@@ -50,7 +51,7 @@ TEST(UrdfMaterial, TheTableIsWhole) {
     if (line.empty() || line[0] == '#') continue;
     const std::string name(line.substr(0, line.find(' ')));
     EXPECT_TRUE(names.insert(name).second) << name;
-    const auto found = find_material(name);
+    const auto found = schema::find_material(name);
     ASSERT_TRUE(found) << name;
     EXPECT_TRUE(name.starts_with("Gazebo/")) << name;
     for (const double part : found->diffuse) EXPECT_TRUE(part >= 0 && part <= 1) << name;
@@ -60,15 +61,15 @@ TEST(UrdfMaterial, TheTableIsWhole) {
 }
 
 TEST(UrdfMaterial, KnowsWhatGazeboKnows) {
-  const auto grey = find_material("Gazebo/Grey");
+  const auto grey = schema::find_material("Gazebo/Grey");
   EXPECT_EQ(grey->ambient, (std::array<double, 3>{0.3, 0.3, 0.3}));
   EXPECT_EQ(grey->diffuse, (Rgba{0.7, 0.7, 0.7, 1}));
-  EXPECT_EQ(find_material("Gazebo/Orange")->diffuse, (Rgba{1, 0.5088, 0.0468, 1}));
-  EXPECT_EQ(find_material("Gazebo/RedTransparent")->diffuse[3], 0.5);
-  EXPECT_EQ(find_material("Gazebo/Wood")->texture, "wood.jpg");
-  EXPECT_FALSE(find_material("Gazebo/Gre"));
-  EXPECT_FALSE(find_material("Gazebo/Nothing"));
-  EXPECT_FALSE(find_material(""));
+  EXPECT_EQ(schema::find_material("Gazebo/Orange")->diffuse, (Rgba{1, 0.5088, 0.0468, 1}));
+  EXPECT_EQ(schema::find_material("Gazebo/RedTransparent")->diffuse[3], 0.5);
+  EXPECT_EQ(schema::find_material("Gazebo/Wood")->texture, "wood.jpg");
+  EXPECT_FALSE(schema::find_material("Gazebo/Gre"));
+  EXPECT_FALSE(schema::find_material("Gazebo/Nothing"));
+  EXPECT_FALSE(schema::find_material(""));
 }
 
 TEST(UrdfMaterial, OneColourIsThatColour) {

@@ -4,17 +4,20 @@
 #include <rigor/convert/urdf_material.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include <rigor/convert/number_text.h>
 #include <rigor/convert/subtree.h>
 #include <rigor/model/subject.h>
 #include <rigor/read/values.h>
-#include <rigor/schema/embedded.h>
+#include <rigor/schema/script_material.h>
 #include <rigor/schema/value.h>
 #include <rigor/write/numbers.h>
 #include <rigor/xml/document.h>
@@ -27,24 +30,6 @@ using Rgba = std::array<Number, 4>;
 /// What Gazebo's default scene shows of a material: its ambient light is 0.4 bright, its sun 0.8.
 constexpr double kAmbientLight = 0.4;
 constexpr double kSunLight = 0.8;
-
-template <std::size_t N>
-bool read_color(std::string_view column, std::array<double, N>& color) {
-  const auto numbers = write::numbers_in(column);
-  if (!numbers || numbers->size() != N) return false;
-  std::copy(numbers->begin(), numbers->end(), color.begin());
-  return true;
-}
-
-std::vector<std::string_view> columns_of(std::string_view line) {
-  std::vector<std::string_view> columns;
-  while (true) {
-    const std::size_t end = line.find('|');
-    columns.push_back(read::trimmed(line.substr(0, end)));
-    if (end == std::string_view::npos) return columns;
-    line.remove_prefix(end + 1);
-  }
-}
 
 /// A colour as a file gives it: three or four numbers, each brought to 0 to 1.
 std::optional<Rgba> color_in(const std::optional<read::Text>& text) {
@@ -82,7 +67,7 @@ Rgba look_of(const Rgba& ambient, const Rgba& diffuse) {
   return look;
 }
 
-Rgba look_of(const ScriptMaterial& script) {
+Rgba look_of(const schema::ScriptMaterial& script) {
   const auto& [r, g, b] = script.ambient;
   const auto& [dr, dg, db, alpha] = script.diffuse;
   return look_of({Number{r}, Number{g}, Number{b}, Number{1}},
@@ -160,7 +145,7 @@ class MaterialConverter {
     const std::string name = script_name(draft_.source, visual_);
     if (name.empty()) return;
     const bool by_name = !color;
-    const auto known = find_material(name);
+    const auto known = schema::find_material(name);
     if (known && by_name) {
       color = look_of(*known);
       name_ = name;
@@ -221,29 +206,6 @@ class MaterialConverter {
 
 }  // namespace
 
-std::optional<ScriptMaterial> find_material(std::string_view text, std::string_view name) {
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (name.empty() || !line.starts_with(name) || line[0] == '#') continue;
-    const auto columns = columns_of(line);
-    ScriptMaterial found{.name = columns[0]};
-    if (found.name != name || columns.size() < 4) continue;
-    if (!read_color(columns[1], found.ambient) || !read_color(columns[2], found.diffuse) ||
-        !read_color(columns[3], found.specular)) {
-      continue;
-    }
-    if (columns.size() > 4) found.texture = columns[4];
-    return found;
-  }
-  return std::nullopt;
-}
-
-std::optional<ScriptMaterial> find_material(std::string_view name) {
-  return find_material(schema::gazebo_materials_text(), name);
-}
-
 std::string script_name(const Source& source, const model::Visual& visual) {
   if (!visual.material.name.value.empty() || !visual.material.written) {
     return visual.material.name.value;
@@ -259,7 +221,7 @@ std::string common_script(const Source& source, const model::Link& link) {
   const bool all = std::all_of(
       link.visuals.begin(), link.visuals.end(),
       [&](model::Id<model::Visual> id) { return script_name(source, source.root[id]) == name; });
-  return all && find_material(name) ? name : std::string();
+  return all && schema::find_material(name) ? name : std::string();
 }
 
 std::string urdf_material(UrdfDraft& draft, const model::Visual& visual,

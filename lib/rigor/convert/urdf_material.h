@@ -12,30 +12,13 @@
 
 #pragma once
 
-#include <array>
-#include <optional>
 #include <string>
-#include <string_view>
 
 #include <rigor/convert/urdf_draft.h>
 #include <rigor/model/id.h>
 #include <rigor/model/model.h>
 
 namespace rigor::convert {
-
-/// A line of schemas/gazebo.materials; red, green, blue, and opacity where there is a fourth.
-struct ScriptMaterial {
-  std::string_view name;
-  std::array<double, 3> ambient{};
-  std::array<double, 4> diffuse{};
-  std::array<double, 3> specular{};
-  std::string_view texture;  ///< file name; empty where it has none
-};
-
-/// Nothing for a name that the text has not.
-std::optional<ScriptMaterial> find_material(std::string_view text, std::string_view name);
-/// Of Gazebo's own script.
-std::optional<ScriptMaterial> find_material(std::string_view name);
 
 /// The script's material that a visual names; empty for none.
 std::string script_name(const Source& source, const model::Visual& visual);
