@@ -21,11 +21,11 @@ using test::ModelText;
 using Strings = std::vector<std::string>;
 
 /// Around (0.5, 0, 0.25) m when scaled by a thousandth.
-const NewMesh kMesh{
+const NewMesh kAttachedMesh{
     "w/arm/meshes/hull.stl", {{0, -100, 0}, {1000, 100, 500}}, {0.001, 0.001, 0.001}};
 const NewMesh kCentred{"w/arm/meshes/hull.stl", {{-1, -1, -1}, {1, 1, 1}}, {1, 1, 1}};
 
-std::string sdf(std::string_view parts, std::string_view version = "1.9") {
+std::string sdf_with_shapes(std::string_view parts, std::string_view version = "1.9") {
   return "<sdf version=\"" + std::string(version) +
          "\">\n  <model name=\"arm\">\n    <link name=\"base\">\n" + std::string(parts) +
          "    </link>\n  </model>\n</sdf>\n";
@@ -49,28 +49,29 @@ std::string attached_text(const std::string& text, const NewMesh& mesh,
 }
 
 TEST(AttachMesh, ItsMiddleComesToTheMiddleOfTheShape) {
-  EXPECT_EQ(attached_text(sdf("      <visual name=\"hull\">\n"
-                              "        <pose>1 2 3 0 0 1.5707963267948966</pose>\n"
-                              "        <geometry>\n"
-                              "          <box>  <!-- of cardboard -->\n"
-                              "            <size>1 1 1</size>\n"
-                              "          </box>\n"
-                              "        </geometry>\n"
-                              "      </visual>\n"),
-                          kMesh),
-            sdf("      <visual name=\"hull\">\n"
-                "        <pose>1 1.5 2.75 0 0 1.5707963267948966</pose>\n"
-                "        <geometry>\n"
-                "          <mesh>\n"
-                "            <uri>model://arm/meshes/hull.stl</uri>\n"
-                "            <scale>0.001 0.001 0.001</scale>\n"
-                "          </mesh>\n"
-                "        </geometry>\n"
-                "      </visual>\n"));
+  EXPECT_EQ(attached_text(sdf_with_shapes("      <visual name=\"hull\">\n"
+                                          "        <pose>1 2 3 0 0 1.5707963267948966</pose>\n"
+                                          "        <geometry>\n"
+                                          "          <box>  <!-- of cardboard -->\n"
+                                          "            <size>1 1 1</size>\n"
+                                          "          </box>\n"
+                                          "        </geometry>\n"
+                                          "      </visual>\n"),
+                          kAttachedMesh),
+            sdf_with_shapes("      <visual name=\"hull\">\n"
+                            "        <pose>1 1.5 2.75 0 0 1.5707963267948966</pose>\n"
+                            "        <geometry>\n"
+                            "          <mesh>\n"
+                            "            <uri>model://arm/meshes/hull.stl</uri>\n"
+                            "            <scale>0.001 0.001 0.001</scale>\n"
+                            "          </mesh>\n"
+                            "        </geometry>\n"
+                            "      </visual>\n"));
 }
 
 TEST(AttachMesh, AnExtrudedOutlineHasItsMiddleAtHalfItsHeight) {
-  EXPECT_EQ(attached_text(sdf("      <collision name=\"hull\">\n"
+  EXPECT_EQ(attached_text(sdf_with_shapes(
+                              "      <collision name=\"hull\">\n"
                               "        <geometry>\n"
                               "          <polyline>\n"
                               "            <point>0 0</point><point>4 0</point><point>0 2</point>\n"
@@ -80,54 +81,57 @@ TEST(AttachMesh, AnExtrudedOutlineHasItsMiddleAtHalfItsHeight) {
                               "        </geometry>\n"
                               "      </collision>\n"),
                           kCentred),
-            sdf("      <collision name=\"hull\">\n"
-                "        <pose>2 1 1.5 0 0 0</pose>\n"
-                "        <geometry>\n"
-                "          <mesh>\n"
-                "            <uri>model://arm/meshes/hull.stl</uri>\n"
-                "          </mesh>\n"
-                "        </geometry>\n"
-                "      </collision>\n"));
+            sdf_with_shapes("      <collision name=\"hull\">\n"
+                            "        <pose>2 1 1.5 0 0 0</pose>\n"
+                            "        <geometry>\n"
+                            "          <mesh>\n"
+                            "            <uri>model://arm/meshes/hull.stl</uri>\n"
+                            "          </mesh>\n"
+                            "        </geometry>\n"
+                            "      </collision>\n"));
 }
 
 TEST(AttachMesh, AMeshForAMeshKeepsThePose) {
-  EXPECT_EQ(attached_text(sdf("<visual name='hull'><pose>1 0 0 0 0 0</pose><geometry><mesh>"
-                              "<uri>old.dae</uri><submesh><name>x</name></submesh></mesh>"
-                              "</geometry></visual>\n"),
-                          kMesh),
-            sdf("<visual name='hull'><pose>1 0 0 0 0 0</pose><geometry><mesh>"
-                "<uri>model://arm/meshes/hull.stl</uri><scale>0.001 0.001 0.001</scale></mesh>"
-                "</geometry></visual>\n"));
+  EXPECT_EQ(
+      attached_text(sdf_with_shapes("<visual name='hull'><pose>1 0 0 0 0 0</pose><geometry><mesh>"
+                                    "<uri>old.dae</uri><submesh><name>x</name></submesh></mesh>"
+                                    "</geometry></visual>\n"),
+                    kAttachedMesh),
+      sdf_with_shapes(
+          "<visual name='hull'><pose>1 0 0 0 0 0</pose><geometry><mesh>"
+          "<uri>model://arm/meshes/hull.stl</uri><scale>0.001 0.001 0.001</scale></mesh>"
+          "</geometry></visual>\n"));
 }
 
 TEST(AttachMesh, GeometryIsAddedWhereThereIsNone) {
   const std::string whole =
       "<geometry><mesh><uri>model://arm/meshes/hull.stl</uri></mesh></geometry>";
-  EXPECT_EQ(attached_text(sdf("<visual name='hull'><geometry/></visual>\n"), kCentred),
-            sdf("<visual name='hull'>" + whole + "</visual>\n"));
-  EXPECT_EQ(attached_text(sdf("      <visual name='hull'>\n"
-                              "        <pose/>\n"
-                              "      </visual>\n"),
+  EXPECT_EQ(attached_text(sdf_with_shapes("<visual name='hull'><geometry/></visual>\n"), kCentred),
+            sdf_with_shapes("<visual name='hull'>" + whole + "</visual>\n"));
+  EXPECT_EQ(attached_text(sdf_with_shapes("      <visual name='hull'>\n"
+                                          "        <pose/>\n"
+                                          "      </visual>\n"),
                           kCentred),
-            sdf("      <visual name='hull'>\n"
-                "        <pose/>\n"
-                "        <geometry>\n"
-                "          <mesh>\n"
-                "            <uri>model://arm/meshes/hull.stl</uri>\n"
-                "          </mesh>\n"
-                "        </geometry>\n"
-                "      </visual>\n"));
+            sdf_with_shapes("      <visual name='hull'>\n"
+                            "        <pose/>\n"
+                            "        <geometry>\n"
+                            "          <mesh>\n"
+                            "            <uri>model://arm/meshes/hull.stl</uri>\n"
+                            "          </mesh>\n"
+                            "        </geometry>\n"
+                            "      </visual>\n"));
 }
 
 TEST(AttachMesh, TheOldestSdfHasAttributes) {
-  EXPECT_EQ(attached_text(sdf("<visual name='hull'><geometry><sphere radius='1'/></geometry>"
-                              "</visual>\n",
-                              "1.0"),
-                          kMesh),
-            sdf("<visual name='hull'><origin pose='-0.5 0 -0.25 0 0 0'/><geometry>"
-                "<mesh filename='model://arm/meshes/hull.stl' scale='0.001 0.001 0.001'/>"
-                "</geometry></visual>\n",
-                "1.0"));
+  EXPECT_EQ(
+      attached_text(sdf_with_shapes("<visual name='hull'><geometry><sphere radius='1'/></geometry>"
+                                    "</visual>\n",
+                                    "1.0"),
+                    kAttachedMesh),
+      sdf_with_shapes("<visual name='hull'><origin pose='-0.5 0 -0.25 0 0 0'/><geometry>"
+                      "<mesh filename='model://arm/meshes/hull.stl' scale='0.001 0.001 0.001'/>"
+                      "</geometry></visual>\n",
+                      "1.0"));
 }
 
 TEST(AttachMesh, AUrdfInAPackageNamesThePackage) {
@@ -137,7 +141,7 @@ TEST(AttachMesh, AUrdfInAPackageNamesThePackage) {
   };
   const std::string text = robot("<geometry><box size=\"1 1 1\"/></geometry>");
   const AttachedMesh result =
-      attached(text, "base::visual", kMesh, "w/arm/urdf/arm.urdf",
+      attached(text, "base::visual", kAttachedMesh, "w/arm/urdf/arm.urdf",
                {{"w/arm/package.xml", "<package><name>arm_description</name></package>"}});
   EXPECT_EQ(apply_edits(text, result.edits),
             robot("<origin xyz=\"-0.5 0 -0.25\" rpy=\"0 0 0\"/><geometry>"
@@ -146,7 +150,7 @@ TEST(AttachMesh, AUrdfInAPackageNamesThePackage) {
 }
 
 TEST(AttachMesh, AMeshFromElsewhereIsToBeCopied) {
-  const std::string text = sdf("<visual name='hull'/>\n");
+  const std::string text = sdf_with_shapes("<visual name='hull'/>\n");
   const NewMesh outside{"downloads/hull.stl", {}};
   const AttachedMesh result = attached(text, "hull", outside);
   EXPECT_EQ(result.uri, "model://arm/meshes/hull.stl");
@@ -161,7 +165,7 @@ TEST(AttachMesh, AMeshFromElsewhereIsToBeCopied) {
 
 TEST(AttachMesh, WithoutTheFoldersNameThePathIsRelative) {
   const ModelText model({{"model.config", ""}, {"meshes/a.stl", ""}}, "model.sdf",
-                        sdf("<visual name='hull'/>\n"));
+                        sdf_with_shapes("<visual name='hull'/>\n"));
   EXPECT_EQ(
       attach_mesh(model.environment, model.sources, model.loaded, "hull", {"meshes/a.stl", {}}).uri,
       "meshes/a.stl");
@@ -169,7 +173,7 @@ TEST(AttachMesh, WithoutTheFoldersNameThePathIsRelative) {
 
 TEST(AttachMesh, NamesThatMeanSeveralOrNothingGetCandidates) {
   const std::string text =
-      sdf("<visual name='hull'/><collision name='hull'/><visual name='lid'/>\n");
+      sdf_with_shapes("<visual name='hull'/><collision name='hull'/><visual name='lid'/>\n");
   const AttachedMesh several = attached(text, "base::hull", kCentred);
   EXPECT_EQ(several.problem, AttachProblem::kAmbiguous);
   EXPECT_EQ(several.candidates, (Strings{"arm::base::collision hull", "arm::base::visual hull"}));
@@ -199,7 +203,8 @@ TEST(AttachMesh, NamesReachIntoNestedModels) {
 
 TEST(AttachMesh, WhatCannotBeEditedIsSaid) {
   EXPECT_EQ(
-      attached(sdf("<visual name='hull'><pose>1 2</pose><geometry><box/></geometry></visual>\n"),
+      attached(sdf_with_shapes(
+                   "<visual name='hull'><pose>1 2</pose><geometry><box/></geometry></visual>\n"),
                "hull", kCentred)
           .problem,
       AttachProblem::kPose);
@@ -208,7 +213,7 @@ TEST(AttachMesh, WhatCannotBeEditedIsSaid) {
       "</world></sdf>",
       "arm::base::hull", kCentred, "w/lab.sdf",
       {{"w/arm/model.config", "<model><sdf>model.sdf</sdf></model>"},
-       {"w/arm/model.sdf", sdf("<visual name='hull'/>")}});
+       {"w/arm/model.sdf", sdf_with_shapes("<visual name='hull'/>")}});
   EXPECT_EQ(included.problem, AttachProblem::kIncluded);
   EXPECT_EQ(included.path, "w/arm/model.sdf");
   EXPECT_TRUE(included.edits.empty());

@@ -449,10 +449,44 @@ TEST(Upgrade, AnIncludeThatIsTooNewIsTold) {
   }
 }
 
-TEST(Upgrade, ItsModelConfigIsTold) {
-  const std::string config = "<model><name>m</name><sdf version=\"1.4\">model.sdf</sdf></model>";
+TEST(Upgrade, ItsModelConfigGoesAlong) {
+  const std::string config =
+      "<model><name>m</name>\n<sdf version='1.4'>model.sdf</sdf> <!-- 1.4 -->\n"
+      "<sdf version=\"1.2\">old.sdf</sdf></model>";
   const Upgrade result = upgraded(model_file(4, ""), 9, {{"w/m/model.config", config}});
+  EXPECT_EQ(notes_of(result, UpgradeNoteKind::kConfigEntry), 0U);
+  ASSERT_TRUE(result.config.has_value());
+  EXPECT_EQ(result.config->path, "w/m/model.config");
+  EXPECT_EQ(result.config->before, config);
+  EXPECT_EQ(result.config->text,
+            "<model><name>m</name>\n<sdf version='1.9'>model.sdf</sdf> <!-- 1.4 -->\n"
+            "<sdf version=\"1.2\">old.sdf</sdf></model>");
+}
+
+TEST(Upgrade, AModelConfigThatSaysNothingOldStays) {
+  for (const char* config : {"<model><sdf version=\"1.9\">model.sdf</sdf></model>",
+                             "<model><sdf>model.sdf</sdf></model>",
+                             "<model><sdf version=\"1.4\">other.sdf</sdf></model>",
+                             "<model><sdf version=\"1.4\">", ""}) {
+    const Upgrade result = upgraded(model_file(4, ""), 9, {{"w/m/model.config", config}});
+    EXPECT_FALSE(result.config.has_value()) << config;
+    EXPECT_FALSE(result.refused()) << config;
+  }
+  // Where the file itself is not changed, neither is what goes with it.
+  const std::string config = "<model><sdf version=\"1.4\">model.sdf</sdf></model>";
+  EXPECT_FALSE(upgraded("<sdf version=\"1.4\"><model>", 9, {{"w/m/model.config", config}}).config);
+}
+
+// By the highest version that it states, the first of equals: old.sdf would go before new.sdf.
+TEST(Upgrade, AModelConfigNeverMakesConsumersLoadAnotherFile) {
+  const Upgrade result = upgraded(
+      model_file(4, ""), 9,
+      {{"w/m/model.config",
+        "<model><sdf version=\"1.4\">model.sdf</sdf><sdf version=\"1.6\">new.sdf</sdf></model>"}});
+  EXPECT_FALSE(result.config.has_value());
   EXPECT_EQ(notes_of(result, UpgradeNoteKind::kConfigEntry), 1U);
+  EXPECT_FALSE(result.refused());
+  EXPECT_FALSE(result.edits.empty());
 }
 
 TEST(Upgrade, WhatIsNoOlderModelIsRefused) {

@@ -63,6 +63,26 @@ TEST_F(ChangedSince, NothingChanged) {
       << ran.err;
 }
 
+// Each path is of the repository that it lies in, wherever the command is given.
+TEST_F(ChangedSince, AnotherRepositoryIsAskedForItsOwn) {
+  const Folder elsewhere;
+  const std::string option = " --fail-on never --format concise --changed-since HEAD";
+  const auto from_elsewhere = [&](const std::string& path) {
+    return elsewhere.rigor("validate '" + path + "'" + option);
+  };
+  EXPECT_NE(from_elsewhere(folder_.path("")).err.find("nothing changed since HEAD: 2 files"),
+            std::string::npos);
+  folder_.put("b.urdf", "<robot name=\"c\"><link name=\"l\"/></robot>\n");
+  const Ran changed = from_elsewhere(folder_.path("b.urdf"));
+  EXPECT_EQ(changed.exit, 0);
+  EXPECT_NE(changed.err.find("1 file checked"), std::string::npos) << changed.err;
+
+  elsewhere.put("own.urdf", "<robot name=\"o\"><link name=\"l\"/></robot>\n");
+  const Ran none = from_elsewhere("own.urdf");
+  EXPECT_EQ(none.exit, 2);
+  EXPECT_NE(none.err.find("not a git repository"), std::string::npos) << none.err;
+}
+
 TEST_F(ChangedSince, AFileThatDiffersOrIsNew) {
   folder_.put("b.urdf", "<robot name=\"c\"><link name=\"l\"/></robot>\n");
   EXPECT_EQ(checked(), " b.urdf");

@@ -4,6 +4,7 @@
 // The command line as its users script it: one test for each promise.
 
 #include <algorithm>
+#include <cctype>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -119,9 +120,12 @@ TEST_F(Cli, VersionNamesTheEngines) {
   EXPECT_EQ(machine.exit, 0);
   const json document = json::parse(machine.out);
   EXPECT_EQ(document["tool"]["name"], "rigor");
-  EXPECT_TRUE(document["engines"].contains("tinyxml2"));
-  EXPECT_TRUE(document["engines"].contains("Eigen"));
-  EXPECT_TRUE(document["engines"].contains("fmt"));
+  for (const char* engine : {"Eigen", "fmt", "meshoptimizer", "ODE", "Qhull", "tinyxml2"}) {
+    ASSERT_TRUE(document["engines"].contains(engine)) << engine;
+    const std::string version = document["engines"][engine];
+    EXPECT_TRUE(std::isdigit(static_cast<unsigned char>(version.at(0)))) << version;
+    EXPECT_TRUE(has(version, ".")) << version;
+  }
 }
 
 TEST_F(Cli, CleanIsZero) {

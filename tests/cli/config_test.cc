@@ -3,6 +3,7 @@
 //
 // What a `rigor.toml` does to the commands.
 
+#include <filesystem>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -184,6 +185,17 @@ TEST_F(ConfigFile, ShowConfigTellsWhoSaysIt) {
   const Ran text = folder_.rigor("validate --show-config b/arm.sdf");
   EXPECT_TRUE(says(text.out, "b/rigor.toml, which extends rigor.toml")) << text.out;
   EXPECT_TRUE(says(text.out, "(rigor.toml:1)")) << text.out;
+}
+
+// It was meant as one; to go on without it would check by other rules.
+TEST(ConfigLink, ThatLeadsNowhereIsNoMissingConfiguration) {
+  const Folder folder;
+  folder.put(".git/HEAD", "");
+  folder.put("sub/arm.sdf", kTwoFindings);
+  std::filesystem::create_symlink("shared/rigor.toml", folder.path("rigor.toml"));
+  const Ran ran = folder.rigor("validate sub/arm.sdf");
+  EXPECT_EQ(ran.exit, 2);
+  EXPECT_TRUE(says(ran.err, "rigor.toml: is a link that leads nowhere")) << ran.err;
 }
 
 TEST(InitCommand, WritesOnceAndNeverOver) {

@@ -54,6 +54,27 @@ TEST(CliUpgrade, WritingTwiceIsWritingOnce) {
   EXPECT_EQ(diff.out, "");
 }
 
+TEST(CliUpgrade, TheModelConfigGoesAlong) {
+  const auto config = [](const std::string& version) {
+    return "<model>\n  <name>m</name>\n  <sdf version=\"" + version + "\">m.sdf</sdf>\n</model>\n";
+  };
+  const Folder folder;
+  folder.put("m.sdf", kOld);
+  folder.put("model.config", config("1.4"));
+  const Ran diff = folder.rigor("upgrade m.sdf --to 1.9 --diff");
+  EXPECT_EQ(diff.exit, 1);
+  EXPECT_NE(diff.out.find("+  <sdf version=\"1.9\">m.sdf</sdf>\n"), std::string::npos) << diff.out;
+  EXPECT_EQ(folder.get("model.config"), config("1.4"));
+
+  EXPECT_EQ(folder.rigor("upgrade m.sdf --to 1.9 -o new.sdf").exit, 0);
+  EXPECT_EQ(folder.get("model.config"), config("1.4"));
+
+  const Ran written = folder.rigor("upgrade . --to 1.9 --write");
+  EXPECT_EQ(written.exit, 0) << written.err;
+  EXPECT_EQ(folder.get("m.sdf"), kNew);
+  EXPECT_EQ(folder.get("model.config"), config("1.9"));
+}
+
 TEST(CliUpgrade, TheResultGoesWhereItIsAsked) {
   const Folder folder;
   folder.put("m.sdf", kOld);

@@ -23,14 +23,14 @@ class Watcher {
  public:
   explicit Watcher(const Folder& folder, const char* path) {
     std::array<int, 2> ends{};
-    if (::pipe(ends.data()) != 0) return;
+    std::array<int, 2> complaints{};
+    if (::pipe(ends.data()) != 0 || ::pipe(complaints.data()) != 0) return;
     const std::string where = folder.path("");
     pid_ = ::fork();
     if (pid_ == 0) {
       ::dup2(ends[1], STDOUT_FILENO);
-      ::dup2(::open("/dev/null", O_RDWR), STDERR_FILENO);
-      ::close(ends[0]);
-      ::close(ends[1]);
+      ::dup2(complaints[1], STDERR_FILENO);
+      for (const int end : {ends[0], ends[1], complaints[0], complaints[1]}) ::close(end);
       // Should it say nothing, the test fails and does not hang.
       ::alarm(60);
       if (::chdir(where.c_str()) == 0) {
@@ -39,10 +39,13 @@ class Watcher {
       ::_exit(99);
     }
     ::close(ends[1]);
+    ::close(complaints[1]);
     lines_ = ::fdopen(ends[0], "r");
+    complaints_ = ::fdopen(complaints[0], "r");
   }
   ~Watcher() {
     if (lines_ != nullptr) std::fclose(lines_);
+    if (complaints_ != nullptr) std::fclose(complaints_);
     if (pid_ <= 0) return;
     ::kill(pid_, SIGKILL);
     ::waitpid(pid_, nullptr, 0);
@@ -52,15 +55,10 @@ class Watcher {
 
   /// All up to the first line that holds one of the words; what there is when it ends before.
   std::string read_to(const std::string& word, const std::string& other) {
-    std::string text;
-    std::array<char, 4096> line{};
-    while (std::fgets(line.data(), static_cast<int>(line.size()), lines_) != nullptr) {
-      text += line.data();
-      const std::string_view last(line.data());
-      if (last.find(word) != std::string::npos || last.find(other) != std::string::npos) break;
-    }
-    return text;
+    return read_to(lines_, word, other);
   }
+  /// The same of what stands on stderr.
+  std::string complaint(const std::string& word) { return read_to(complaints_, word, word); }
   std::string answer() { return read_to("as before", "no problems"); }
 
   int interrupt() {
@@ -72,8 +70,20 @@ class Watcher {
   }
 
  private:
+  static std::string read_to(std::FILE* from, const std::string& word, const std::string& other) {
+    std::string text;
+    std::array<char, 4096> line{};
+    while (std::fgets(line.data(), static_cast<int>(line.size()), from) != nullptr) {
+      text += line.data();
+      const std::string_view last(line.data());
+      if (last.find(word) != std::string::npos || last.find(other) != std::string::npos) break;
+    }
+    return text;
+  }
+
   pid_t pid_ = -1;
   std::FILE* lines_ = nullptr;
+  std::FILE* complaints_ = nullptr;
 };
 
 /// Nobody sees half of it, so there is one answer to it.
@@ -112,6 +122,45 @@ TEST(Watch, SaysWhatAnEditDid) {
   const std::string mended = watcher.answer();
   EXPECT_NE(mended.find("fixed: arm.urdf:6:"), std::string::npos) << mended;
   EXPECT_EQ(watcher.interrupt(), 0);
+}
+
+TEST(Watch, WhatIsMalformedFixesNothing) {
+  const Folder folder;
+  folder.put("arm.urdf", watched_arm(kTurned));
+  Watcher watcher(folder, "arm.urdf");
+  EXPECT_NE(watcher.read_to("watching", "watching").find("limit-inverted"), std::string::npos);
+
+  put_at_once(folder, "arm.urdf", "<robot name=\"arm\">\n  <link name=\"base\n");
+  const std::string broken = watcher.answer();
+  EXPECT_NE(broken.find("error[xml-"), std::string::npos) << broken;
+  EXPECT_EQ(broken.find("fixed"), std::string::npos) << broken;
+  EXPECT_NE(broken.find("not looked for in what cannot be read"), std::string::npos) << broken;
+
+  put_at_once(folder, "arm.urdf", watched_arm(kTurned));
+  const std::string back = watcher.answer();
+  EXPECT_EQ(back.find(" new"), std::string::npos) << back;
+  EXPECT_EQ(back.find("limit-inverted"), std::string::npos) << back;
+}
+
+TEST(Watch, SeesTheConfiguration) {
+  const Folder folder;
+  folder.put(".git/HEAD", "");
+  folder.put("arm.urdf", watched_arm(kTurned));
+  Watcher watcher(folder, "arm.urdf");
+  EXPECT_NE(watcher.read_to("watching", "watching").find("limit-inverted"), std::string::npos);
+
+  put_at_once(folder, "rigor.toml", "ignore = [\"limit-inverted\"]\n");
+  const std::string ignored = watcher.answer();
+  EXPECT_NE(ignored.find("limit-inverted"), std::string::npos) << ignored;
+  EXPECT_NE(ignored.find("fixed"), std::string::npos) << ignored;
+
+  // One that cannot stand is told on stderr, and the watch goes on.
+  put_at_once(folder, "rigor.toml", "ignroe = []\n");
+  EXPECT_NE(watcher.complaint("ignroe").find("ignroe"), std::string::npos);
+  std::filesystem::remove(folder.path("rigor.toml"));
+  const std::string back = watcher.answer();
+  EXPECT_NE(back.find("error[limit-inverted]"), std::string::npos) << back;
+  EXPECT_NE(back.find(" new"), std::string::npos) << back;
 }
 
 TEST(Watch, SeesMeshesThatAppear) {

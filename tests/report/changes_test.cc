@@ -49,6 +49,30 @@ TEST(Changes, BalanceAndMirror) {
   }
 }
 
+// What is not read cannot be mended.
+TEST(Changes, WhatCannotBeReadHidesAndFixesNothing) {
+  const KnownFinding axis = known_finding("a");
+  KnownFinding elsewhere = known_finding("b");
+  elsewhere.path = "b.sdf";
+  KnownFinding broken = known_finding("");
+  broken.rule = "xml-not-well-formed";
+
+  const FindingChanges breaking = what_changed({axis, elsewhere}, {broken});
+  EXPECT_EQ(breaking.fresh, std::vector<std::size_t>{0});
+  EXPECT_EQ(breaking.hidden, std::vector<std::size_t>{0});
+  EXPECT_EQ(breaking.fixed, std::vector<std::size_t>{1});
+
+  const std::vector<KnownFinding> kept = remembered({axis, elsewhere}, {broken});
+  ASSERT_EQ(kept.size(), 2U);
+  const FindingChanges still_broken = what_changed(kept, {broken});
+  EXPECT_EQ(still_broken.same, 1U);
+  EXPECT_EQ(still_broken.hidden, std::vector<std::size_t>{1});
+  const FindingChanges mended = what_changed(kept, {axis});
+  EXPECT_EQ(mended.same, 1U);
+  EXPECT_EQ(mended.fixed, std::vector<std::size_t>{0});
+  EXPECT_TRUE(mended.fresh.empty());
+}
+
 TEST(Changes, AreTold) {
   Sources sources;
   const SourceId source = sources.add("a.sdf", "<axis/>\n");

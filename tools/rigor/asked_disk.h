@@ -31,6 +31,7 @@ class AskedDisk final : public Disk {
   ReadResult read(const std::string& path, std::uint64_t max_bytes) const override;
   PathKind kind(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;
+  std::string obstacle(const std::string& path) const override { return disk_.obstacle(path); }
 
   /// The folders where a change of an answer is seen. Of what is not there, the nearest that is.
   std::set<std::string> folders() const;

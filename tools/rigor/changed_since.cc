@@ -35,13 +35,13 @@ std::string without_line_end(std::string text) {
 }
 
 /// The commit's own name, which can be nothing but a commit.
-std::string commit_of(const std::string& revision) {
-  const process::ProgramResult ran =
-      process::run_program({"git", "rev-parse", "--verify", revision + "^{commit}"}, kGitLimits);
+std::string commit_of(const std::string& revision, const std::string& root) {
+  const process::ProgramResult ran = process::run_program(
+      {"git", "-C", root, "rev-parse", "--verify", revision + "^{commit}"}, kGitLimits);
   if (ran.end == process::ProgramResult::End::kExited && ran.exit_code == 0) {
     return without_line_end(ran.out);
   }
-  throw UsageError("--changed-since " + revision + ": git knows no such commit (" +
+  throw UsageError("--changed-since " + revision + ": git knows no such commit in " + root + " (" +
                    process::describe(ran, kGitLimits) +
                    "); a shallow clone holds the last one only: fetch it first");
 }
@@ -67,6 +67,34 @@ std::string_view trimmed(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(kBlanks);
   if (begin == std::string_view::npos) return {};
   return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+}
+
+/// The folder that a repository begins with, so that git need not be asked for each of many files; where
+/// none is seen the folder itself, of which git knows.
+std::string repository_folder(const std::string& folder) {
+  std::error_code error;
+  for (std::filesystem::path at = folder;; at = at.parent_path()) {
+    if (std::filesystem::exists(at / ".git", error)) return at.string();
+    if (at == at.parent_path()) return folder;
+  }
+}
+
+/// The tops of the repositories that files and folders are in. Those that are not there are told elsewhere.
+std::set<std::string> repositories_of(const std::vector<std::string>& paths,
+                                      const std::string& revision) {
+  std::set<std::string> folders;
+  std::error_code error;
+  for (const std::string& path : paths) {
+    const std::filesystem::path real = std::filesystem::canonical(path, error);
+    if (error) continue;
+    const bool is_folder = std::filesystem::is_directory(real, error);
+    folders.insert(repository_folder(is_folder ? real.string() : real.parent_path().string()));
+  }
+  std::set<std::string> roots;
+  for (const std::string& folder : folders) {
+    roots.insert(without_line_end(git({"-C", folder, "rev-parse", "--show-toplevel"}, revision)));
+  }
+  return roots;
 }
 
 }  // namespace
@@ -137,22 +165,24 @@ void ChangedSinceOption::declare(CLI::App& app) {
       });
 }
 
-std::optional<ChangedFiles> ChangedSinceOption::changed() const {
+std::optional<ChangedFiles> ChangedSinceOption::changed(
+    const std::vector<std::string>& paths) const {
   if (revision_.empty()) return std::nullopt;  // not given: an empty one is refused
   // To git it would be an option.
   if (revision_.starts_with('-')) {
     throw UsageError("--changed-since takes a revision, not \"" + revision_ + '"');
   }
-  const std::string root = without_line_end(git({"rev-parse", "--show-toplevel"}, revision_));
-  const std::string commit = commit_of(revision_);
-  std::set<std::string> paths;
-  add_paths(
-      git({"-C", root, "diff", "--name-only", "-z", "--no-renames", "--no-ext-diff", commit, "--"},
-          revision_),
-      root, paths);
-  add_paths(git({"-C", root, "ls-files", "--others", "--exclude-standard", "-z"}, revision_), root,
-            paths);
-  return ChangedFiles(revision_, std::move(paths));
+  std::set<std::string> changed;
+  for (const std::string& root : repositories_of(paths, revision_)) {
+    const std::string commit = commit_of(revision_, root);
+    add_paths(git({"-C", root, "diff", "--name-only", "-z", "--no-renames", "--no-ext-diff", commit,
+                   "--"},
+                  revision_),
+              root, changed);
+    add_paths(git({"-C", root, "ls-files", "--others", "--exclude-standard", "-z"}, revision_),
+              root, changed);
+  }
+  return ChangedFiles(revision_, std::move(changed));
 }
 
 }  // namespace rigor::tool

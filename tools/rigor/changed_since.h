@@ -3,7 +3,7 @@
 //
 // `--changed-since REV`: of the files that were found, only those to which something happened since.
 //
-//   std::optional<ChangedFiles> changed = changed_since_.changed();      // asks git
+//   std::optional<ChangedFiles> changed = changed_since_.changed(paths);  // asks git
 //   if (changed) options.discover.wanted = [&](const std::string& path) {
 //     return changed->concern(disk, resolver, path);
 //   };
@@ -19,6 +19,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <rigor/read/resolver.h>
 #include <rigor/text/disk.h>
@@ -53,9 +54,9 @@ class ChangedSinceOption {
  public:
   void declare(CLI::App& app);
 
-  /// What git says; nothing without the option. A UsageError with git's own words when there is no
-  /// repository, or no such revision in it.
-  std::optional<ChangedFiles> changed() const;
+  /// What git says of the repositories that these files and folders are in; nothing without the option. A
+  /// UsageError with git's own words when one is in none, or there is no such revision in it.
+  std::optional<ChangedFiles> changed(const std::vector<std::string>& paths) const;
 
  private:
   std::string revision_;

@@ -44,8 +44,8 @@ void ConfigOptions::declare(CLI::App& app) {
   app.add_flag("--isolated", isolated_, "Use no configuration at all");
 }
 
-const config::Configs& ConfigOptions::configs() const {
-  if (configs_) return *configs_;
+ConfigOptions::Opened& ConfigOptions::opened() const {
+  if (opened_) return *opened_;
   using config::ConfigChoice;
   ConfigChoice choice;
   if (isolated_ && !file_.empty()) {
@@ -55,13 +55,19 @@ const config::Configs& ConfigOptions::configs() const {
   if (!file_.empty()) choice = {ConfigChoice::Of::kFile, file_};
   std::error_code error;
   const std::filesystem::path working = std::filesystem::current_path(error);
-  configs_ = std::make_unique<config::Configs>(disk_, error ? "/" : working.string(), choice);
-  return *configs_;
+  opened_ = std::make_unique<Opened>(*disk_, error ? "/" : working.string(), choice);
+  return *opened_;
 }
 
 void ConfigOptions::open() const {
   configs();
   if (!file_.empty()) of(".");
+}
+
+void ConfigOptions::reopen(const Disk& disk) const {
+  opened_.reset();
+  disk_ = &disk;
+  open();
 }
 
 const config::Config& ConfigOptions::of(const std::string& path) const {
@@ -82,7 +88,7 @@ std::map<std::string, double> ConfigOptions::materials(const std::string& path) 
 const read::ConfiguredPaths* ConfigOptions::resolve_paths(std::string_view file) const {
   const config::Config& config = sound(configs().beside(file));
   if (config.resolve_paths.empty() && config.resolve_packages.empty()) return nullptr;
-  return &resolve_paths_.find(&config, [&config] { return configured_paths(config); });
+  return &opened().resolve_paths.find(&config, [&config] { return configured_paths(config); });
 }
 
 std::string ConfigOptions::why_excluded(const std::string& path, PathKind kind) const {

@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <rigor/config/configs.h>
@@ -29,6 +30,10 @@ class ConfigOptions {
 
   /// Before any thread asks for something. A UsageError when what `--config` names cannot be used.
   void open() const;
+
+  /// Forgets what was read: from now on configurations are as they are on this disk, which outlives this
+  /// or the next call. For one who checks again; not while a thread asks for something.
+  void reopen(const Disk& disk) const;
 
   /// Of a file or folder. A UsageError that tells of all that cannot stand in it.
   const config::Config& of(const std::string& path) const;
@@ -62,15 +67,25 @@ class ConfigOptions {
   void refuse(std::vector<config::Problem> problems) const;
 
  private:
-  const config::Configs& configs() const;
+  const config::Configs& configs() const { return opened().configs; }
   std::string told(const config::Problem& problem) const;
   const config::Config& sound(const config::Config& config) const;
 
   std::string file_;
   bool isolated_ = false;
-  RealDisk disk_;
-  mutable std::unique_ptr<config::Configs> configs_;
-  mutable FoundOnce<const config::Config*, read::ConfiguredPaths> resolve_paths_;
+  /// What was read so far.
+  struct Opened {
+    Opened(const Disk& disk, std::string working_folder, config::ConfigChoice choice)
+        : configs(disk, std::move(working_folder), std::move(choice)) {}
+
+    config::Configs configs;
+    FoundOnce<const config::Config*, read::ConfiguredPaths> resolve_paths;
+  };
+  Opened& opened() const;
+
+  RealDisk real_disk_;
+  mutable const Disk* disk_ = &real_disk_;
+  mutable std::unique_ptr<Opened> opened_;
 };
 
 }  // namespace rigor::tool

@@ -22,11 +22,10 @@ constexpr std::string_view kGreeting =
   rigor sdf2urdf IN -o OUT     convert, with an account of every loss; urdf2sdf back
   rigor diff A B, upgrade A    as robots: what differs; a newer SDF, the same robot
   rigor simulate MODEL         drop it, drive it, sweep its joints: a verdict
+  rigor render MODEL -o PNG    pictures of it, without a window; of a folder, a sheet
+  rigor new NAME               a robot to begin with, done right and explained
   rigor rules, explain RULE    what is checked; why, and what to do about it
   rigor schema, resolve, init  a format's elements; where a URI leads; a rigor.toml
-
-  rigor validate my_robot                  check all models in a folder
-  rigor validate --format json robot.urdf  the same for a program
 )";
 
 /// The first word that nobody declared, and what it was probably meant to be.
@@ -66,6 +65,8 @@ std::vector<std::unique_ptr<Command>> all_commands() {
   commands.push_back(urdf2sdf_command());
   commands.push_back(diff_command());
   commands.push_back(simulate_command());
+  commands.push_back(render_command());
+  commands.push_back(new_command());
   commands.push_back(merge_command());
   commands.push_back(upgrade_command());
   commands.push_back(init_command());

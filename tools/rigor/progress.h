@@ -30,6 +30,7 @@ class ProgressDisk final : public Disk {
   std::vector<std::string> list(const std::string& folder) const override {
     return disk_.list(folder);
   }
+  std::string obstacle(const std::string& path) const override { return disk_.obstacle(path); }
 
  private:
   void at(const std::string& path) const;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -139,22 +140,41 @@ class UpgradeCommand final : public Command {
     if (result.refused()) return newer ? Outcome::kUnchanged : Outcome::kRefused;
     if (diff_) {
       rigor::tool::write({0, {}},
-                         unified_diff(file.path, loaded.file->document->bytes(), result.edits));
+                         unified_diff(file.path, loaded.file->document->bytes(), result.edits) +
+                             diff_of(result.config));
     } else if (!out_.empty()) {
       replace_file(out_, result.text);
     } else if (!write_) {
       rigor::tool::write({0, {}}, result.text);
     } else if (!result.edits.empty()) {
-      replace_file(file.path, result.text);
+      replace_both(file.path, *loaded.file->document, result);
     }
     if (result.edits.empty()) return Outcome::kUnchanged;
     if (write_ || !out_.empty()) {
-      say(fmt::format("rigor: {} is SDF {} now, from {}: {}{}",
+      const bool both = write_ && result.config;
+      say(fmt::format("rigor: {} is SDF {} now, from {}: {}{}{}",
                       report::printable(out_.empty() ? file.path : out_), to_string(to),
                       to_string(result.from), report::counted(result.edits.size(), "change"),
-                      remarks(result)));
+                      both ? " and its model.config" : "", remarks(result)));
     }
     return Outcome::kChanged;
+  }
+
+  static std::string diff_of(const std::optional<author::FileChange>& change) {
+    return change ? unified_diff(change->path, change->before, change->edits) : "";
+  }
+
+  /// The model.config too, where it goes along. When that cannot be written, the file is as it was.
+  static void replace_both(const std::string& path, const xml::Document& before,
+                           const author::Upgrade& result) {
+    replace_file(path, result.text);
+    if (!result.config) return;
+    try {
+      replace_file(result.config->path, result.config->text);
+    } catch (...) {
+      replace_file(path, before.bytes());
+      throw;
+    }
   }
 
   /// How many notes were not told.

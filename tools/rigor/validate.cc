@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <rigor/environment.h>
 #include <rigor/mass/mesh_reads.h>
@@ -75,7 +76,8 @@ class Checking {
   Checking(const ValidateArguments& a, const Disk& disk)
       : environment_(disk, a.search.paths()),
         settings_(a.selection, a.search.config(), environment_.registry),
-        changed_(a.changed_since.changed()),
+        changed_(
+            a.changed_since.changed(a.paths.empty() ? std::vector<std::string>{"."} : a.paths)),
         cache_(a.cache.cache()),
         reads_(disk),
         surveys_(disk, {cache_ ? &*cache_ : nullptr, &reads_}),
@@ -90,6 +92,7 @@ class Checking {
     options_.shard = a.shard.shard();
     options_.meshes = a.no_mesh ? rules::MeshPolicy::kDoNotOpen : rules::MeshPolicy::kOpen;
     options_.known = {&surveys_, &mesh_files_};
+    if (!a.no_mesh && checks_many(disk)) reads_.expect_many();
   }
   Checking(const Checking&) = delete;
   Checking& operator=(const Checking&) = delete;
@@ -113,6 +116,11 @@ class Checking {
   }
 
  private:
+  bool checks_many(const Disk& disk) const {
+    const auto& paths = options_.paths;
+    return paths.size() > 1 || (paths.size() == 1 && disk.kind(paths[0]) == PathKind::kFolder);
+  }
+
   void choose_files(const ValidateArguments& a, const Disk& disk) {
     options_.discover = a.files.discover();
     options_.discover.excluded = [&config = a.search.config()](const std::string& path,
@@ -236,6 +244,7 @@ class Validate final : public Command {
     a_.baseline.read(RealDisk(), a_.search.config().baseline(a_.paths));
     return watch(
         [&](const Disk& disk, Sources& sources) {
+          a_.search.config().reopen(disk);
           Checking checking(a_, disk);
           checking.refuse_bad_settings();
           return a_.baseline.apply(checking.environment(), checking.options(),

@@ -20,6 +20,7 @@
 
 #include <rigor/report/changes.h>
 #include <rigor/report/pretty.h>
+#include <rigor/report/printable.h>
 #include <rigor/report/summary.h>
 #include "asked_disk.h"
 #include "command.h"
@@ -101,12 +102,17 @@ int watch(const WatchedCheck& check,
   for (bool first = true;; first = false) {
     const AskedDisk disk;
     Sources sources;
-    const rules::ValidateResult result = check(disk, sources);
-    write({0, {}}, first ? report::pretty(result.diagnostics, sources, color)
-                         : report::changes(before, result.diagnostics, sources, color));
-    conclude(result);
-    if (first && result.files.empty() && !result.unusable.empty()) return kUsage;
-    before = report::known_findings(result.diagnostics, sources);
+    try {
+      const rules::ValidateResult result = check(disk, sources);
+      write({0, {}}, first ? report::pretty(result.diagnostics, sources, color)
+                           : report::changes(before, result.diagnostics, sources, color));
+      conclude(result);
+      if (first && result.files.empty() && !result.unusable.empty()) return kUsage;
+      before = report::remembered(before, report::known_findings(result.diagnostics, sources));
+    } catch (const UsageError& error) {
+      if (first) throw;
+      say("rigor: " + report::printable(error.what()));
+    }
 
     FolderEvents events(disk.folders());
     if (first) {

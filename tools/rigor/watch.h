@@ -24,7 +24,8 @@ namespace rigor::tool {
 /// One run over all, on this disk.
 using WatchedCheck = std::function<rules::ValidateResult(const Disk& disk, Sources& sources)>;
 
-/// Comes back only when the first check could use none of its arguments (then with the exit code of a wrong
+/// A UsageError of the first check is thrown; one of a later check, as of a configuration that was edited,
+/// is told. Comes back only when the first check could use none of its arguments (then with the exit code of a wrong
 /// invocation). `conclude` is called after each check. Findings go to stdout.
 int watch(const WatchedCheck& check,
           const std::function<void(const rules::ValidateResult&)>& conclude, report::Color color);

@@ -53,11 +53,16 @@ std::string reason_of(const mass::LinkBody& body) {
   return {};
 }
 
-/// The rules of the category, over one file.
+/// The rules of the category that a new tensor could satisfy, over one file.
 Diagnostics inertia_findings(const Environment& environment, const Sources& sources,
                              const read::Loaded& loaded, mass::MeshSurveys& surveys) {
   constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
-  const rules::Selection selection{.select = {"inertia"}, .most_listed = kAll};
+  const rules::Selection selection{
+      .select = {"inertia"},
+      // These speak of the mass, which stays as its author wrote it, or of what a simulator computes.
+      .ignore = {"automatic-inertia-density-default", "density-too-high", "density-too-low",
+                 "light-link-between-heavy", "mass-ratio-across-joint"},
+      .most_listed = kAll};
   return rules::Runner(environment.registry, selection)
       .run(environment, sources, loaded, {.surveys = &surveys});
 }

@@ -10,11 +10,10 @@
 #include <fmt/core.h>
 
 #include <rigor/author/patched_text.h>
+#include <rigor/author/upgrade_config.h>
 #include <rigor/author/upgrade_step.h>
 #include <rigor/model/subject.h>
-#include <rigor/read/model_config.h>
 #include <rigor/read/workspace.h>
-#include <rigor/text/path.h>
 #include <rigor/text/sources.h>
 #include <rigor/xml/edit.h>
 
@@ -74,6 +73,9 @@ class Upgrader {
     if (!notes_.has_errors()) {
       result_.edits = text.edits(document_.source());
       result_.text = text.text();
+      ConfigUpgrade config = upgrade_config(environment_.disk, loaded_.file->path, result_.to);
+      for (UpgradeNote& note : config.notes) notes_.add(std::move(note));
+      result_.config = std::move(config.change);
     }
     return finish();
   }
@@ -184,17 +186,6 @@ class Upgrader {
       add(UpgradeNoteKind::kIncludeNewer, Severity::kWarning, include.uri.span,
           fmt::format("{} is SDF 1.{}: a consumer that knows no more than {} cannot read it",
                       include.path, model.version, to_string(result_.to)));
-    }
-    const std::string config = join_path(parent_path(loaded_.file->path), "model.config");
-    const ReadResult read = environment_.disk.read(config, read::kMaxModelBytes);
-    if (!read.bytes) return;
-    const xml::Document document = xml::parse(*read.bytes, kNoSource);
-    if (!document.root()) return;
-    for (const read::SdfEntry& entry : read::read_model_config(document).entries) {
-      if (entry.file.value != file_name(loaded_.file->path) || !entry.version.written) continue;
-      if (entry.version.value == to_string(result_.to)) continue;
-      add(UpgradeNoteKind::kConfigEntry, Severity::kInfo, {},
-          fmt::format("{} has it as version {}", config, entry.version.value));
     }
   }
 

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,13 +42,13 @@ enum class UpgradeNoteKind : std::uint8_t {
   kRemoved,
   kCommentLost,   ///< it stood in an element that was written anew
   kIncludeNewer,  ///< an included file is newer than what is asked for
+  kConfigEntry,   ///< the model.config beside it has to go on stating the old version
 
   // What is worth knowing.
   kRenamed,         ///< a joint or frame that had its sibling's name
   kUnlimited,       ///< a zero that meant "no limit"
   kDefaultChanged,  ///< of something that is not written; consumers take the newest for all versions
   kDeprecated,
-  kConfigEntry,  ///< the model.config beside it states the old version
 };
 
 /// "scoped-name"; stable, for programs.
@@ -60,11 +61,20 @@ struct UpgradeNote {
   std::string message;  ///< lower case, no full stop
 };
 
+struct FileChange {
+  std::string path;
+  std::string before;  ///< its bytes
+  std::vector<Edit> edits;
+  std::string text;  ///< its bytes after them
+};
+
 struct Upgrade {
   schema::Version from;
   schema::Version to;
   std::vector<Edit> edits;  ///< of the file; none when it is refused, or of that version already
   std::string text;         ///< the file's bytes after them
+  /// The model.config beside it, when what that says of its version goes along: both or neither.
+  std::optional<FileChange> config;
   std::vector<UpgradeNote> notes;
 
   bool refused() const;

@@ -41,7 +41,10 @@ const Config& Configs::in_folder(std::string folder) const {
     }
     passed.push_back(folder);
     const std::string candidate = join_path(folder, kConfigName);
-    if (disk_.kind(candidate) == PathKind::kFile) {
+    const PathKind kind = disk_.kind(candidate);
+    // A link that leads nowhere was meant as one; reading it says what is wrong.
+    if (kind == PathKind::kFile ||
+        (kind == PathKind::kMissing && !disk_.obstacle(candidate).empty())) {
       found = &at(candidate);
       break;
     }
@@ -65,7 +68,8 @@ Config Configs::read_one(const std::string& file) const {
   if (read.bytes) return read_config(file, *read.bytes);
   Config config;
   config.files.push_back(file);
-  config.problems.push_back({.message = read.problem, .path = file});
+  const std::string obstacle = disk_.obstacle(file);
+  config.problems.push_back({.message = obstacle.empty() ? read.problem : obstacle, .path = file});
   return config;
 }
 

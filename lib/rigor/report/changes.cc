@@ -4,7 +4,10 @@
 #include <rigor/report/changes.h>
 
 #include <map>
+#include <set>
+#include <string_view>
 #include <tuple>
+#include <utility>
 
 #include <rigor/report/concise.h>
 #include <rigor/report/places.h>
@@ -17,6 +20,13 @@ namespace {
 
 auto identity_of(const KnownFinding& finding) {
   return std::tie(finding.path, finding.rule, finding.severity, finding.subject, finding.message);
+}
+
+/// Whether it says that a file was not read to its end, so that others in it may not be seen. All rules
+/// on how an XML file is written begin so.
+bool hides_others(const KnownFinding& finding) {
+  return finding.severity == Severity::kError &&
+         (finding.rule == "file-unreadable" || finding.rule.starts_with("xml-"));
 }
 
 }  // namespace
@@ -48,14 +58,26 @@ FindingChanges what_changed(const std::vector<KnownFinding>& before,
       ++changes.same;
     }
   }
+  std::set<std::string_view> not_read;
+  for (const KnownFinding& finding : after) {
+    if (hides_others(finding)) not_read.insert(finding.path);
+  }
   // What was not met again: the last ones of each kind.
   for (std::size_t i = before.size(); i-- > 0;) {
     std::size_t& count = left.at(identity_of(before[i]));
     if (count == 0) continue;
     --count;
-    changes.fixed.insert(changes.fixed.begin(), i);
+    const bool hidden = not_read.contains(before[i].path) && !hides_others(before[i]);
+    std::vector<std::size_t>& gone = hidden ? changes.hidden : changes.fixed;
+    gone.insert(gone.begin(), i);
   }
   return changes;
+}
+
+std::vector<KnownFinding> remembered(const std::vector<KnownFinding>& before,
+                                     std::vector<KnownFinding> after) {
+  for (const std::size_t i : what_changed(before, after).hidden) after.push_back(before[i]);
+  return after;
 }
 
 std::string changes(const std::vector<KnownFinding>& before, const Diagnostics& after,
@@ -73,9 +95,13 @@ std::string changes(const std::vector<KnownFinding>& before, const Diagnostics& 
     if (!found.fresh.empty() && !found.fixed.empty()) out += ", ";
     if (!found.fixed.empty()) out += std::to_string(found.fixed.size()) + " fixed";
   }
-  return out + ", " +
-         (after.list().empty() ? "no problems" : counted(found.same, "finding") + " as before") +
-         '\n';
+  out += ", ";
+  out += after.list().empty() ? "no problems" : counted(found.same, "finding") + " as before";
+  if (!found.hidden.empty()) {
+    out += ", " + std::to_string(found.hidden.size()) +
+           " not looked for in what cannot be read to its end";
+  }
+  return out + '\n';
 }
 
 }  // namespace rigor::report

@@ -38,15 +38,21 @@ std::vector<KnownFinding> known_findings(const Diagnostics& diagnostics, const S
 struct FindingChanges {
   std::vector<std::size_t> fresh;  ///< indices of those after that were not there before
   std::vector<std::size_t> fixed;  ///< indices of those before that are not there any more
+  /// Of those before that were not met in a file that cannot be read to its end: nobody knows.
+  std::vector<std::size_t> hidden;
   std::size_t same = 0;
 };
 
-/// Of several that are the same, as many stay as both have; the last ones are new, or fixed.
+/// Of several that are the same, as many stay as both have; the last ones are new, or fixed or hidden.
 FindingChanges what_changed(const std::vector<KnownFinding>& before,
                             const std::vector<KnownFinding>& after);
 
+/// What to hold the next findings against: those after, and those before that are hidden.
+std::vector<KnownFinding> remembered(const std::vector<KnownFinding>& before,
+                                     std::vector<KnownFinding> after);
+
 /// The new ones as `pretty` shows them, a line for each that is fixed, and a line of counts, "1 new, 2
-/// fixed, 4 as before", or "nothing changed, 4 as before".
+/// fixed, 4 as before", or "nothing changed, 4 as before". What is hidden is counted behind.
 std::string changes(const std::vector<KnownFinding>& before, const Diagnostics& after,
                     const Sources& sources, Color color);
 

@@ -51,6 +51,13 @@ std::string picture(std::uint32_t control) {
   return {'\xE2', '\x90', static_cast<char>(0x80U + low)};
 }
 
+/// Of characters that are shown as they are; most texts have no others.
+std::size_t plain_length(std::string_view text) {
+  const auto other =
+      std::find_if(text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; });
+  return static_cast<std::size_t>(other - text.begin());
+}
+
 }  // namespace
 
 Glyph first_glyph(std::string_view text) {
@@ -64,18 +71,24 @@ std::string printable(std::string_view text) { return printable(text, text.size(
 
 std::string printable(std::string_view text, std::size_t limit) {
   std::string shown;
-  for (std::size_t count = 0; !text.empty(); ++count) {
+  std::size_t count = 0;
+  while (true) {
+    const std::size_t plain = std::min(plain_length(text), limit - count);
+    shown += text.substr(0, plain);
+    text.remove_prefix(plain);
+    count += plain;
+    if (text.empty()) return shown;
     if (count == limit) return shown + fmt::format("… ({} more bytes)", text.size());
     if (text.front() == '\n' || text.front() == '\r' || text.front() == '\t') {
       text.remove_prefix(std::min(text.find_first_not_of("\r\n\t "), text.size()));
       if (!shown.empty() && !text.empty()) shown += ' ';
-      continue;
+    } else {
+      const Glyph glyph = first_glyph(text);
+      shown += glyph.shown;
+      text.remove_prefix(glyph.size);
     }
-    const Glyph glyph = first_glyph(text);
-    shown += glyph.shown;
-    text.remove_prefix(glyph.size);
+    ++count;
   }
-  return shown;
 }
 
 }  // namespace rigor::report

@@ -7,6 +7,8 @@
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
+#include <rigor/mesh/engines.h>
+#include <rigor/simulate/ode_version.h>
 #include <rigor/xml/engine.h>
 
 namespace rigor::report {
@@ -19,6 +21,9 @@ std::vector<Engine> engines() {
        fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
       {"fmt",
        fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
+      {"meshoptimizer", mesh::meshoptimizer_version()},
+      {"ODE", simulate::ode_version()},
+      {"Qhull", mesh::qhull_version()},
       {"tinyxml2", xml::tinyxml2_version()},
   };
 }
