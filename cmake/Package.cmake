@@ -53,7 +53,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 # Opened when a Collada, glTF or PLY mesh is first read, so that no dependency shows.
 string(REPLACE ".so." "" rigor_assimp_package ${RIGOR_ASSIMP_SONAME})
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS ${rigor_assimp_package})
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "${rigor_assimp_package}, libembree3-3")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
 "rigor tells what is wrong with a robot model (SDFormat, URDF) before a
 simulator loads it: XML, schema, names, references, frames, inertia, joints,
@@ -66,9 +66,9 @@ without a window for a verdict that a script can use.")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME librigor-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-    "libconsole-bridge-dev, libeigen3-dev, libfmt-dev, libmeshoptimizer-dev, libode-dev, libqhull-dev, \
-libtinyxml2-dev, liburdfdom-dev")
-set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS ${rigor_assimp_package})
+    "libconsole-bridge-dev, libeigen3-dev, libfmt-dev, libmeshoptimizer-dev, libode-dev, libpng-dev, libqhull-dev, \
+libtinyxml2-dev, libturbojpeg0-dev, liburdfdom-dev")
+set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "${rigor_assimp_package}, libembree3-3")
 set(CPACK_COMPONENT_DEV_DESCRIPTION
 "rigor tells what is wrong with a robot model (SDFormat, URDF) before a
 simulator loads it.

@@ -45,6 +45,9 @@ const std::map<std::string, Names>& rooms() {
       {"author",
        {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "convert", "simulate",
         "rules", "environment"}},
+      {"view",
+       {"text", "xml", "schema", "model", "read", "mesh", "mass", "convert", "simulate", "rules",
+        "author", "environment"}},
       {"report",
        {"text", "xml", "schema", "model", "read", "mesh", "mass", "convert", "simulate", "rules",
         "author", "environment"}},
@@ -66,7 +69,10 @@ const std::map<std::string, Names>& third_parties() {
       {"meshoptimizer", {"mesh", "tools"}},
       {"urdf_parser/", {"convert"}},
       {"console_bridge/", {"convert"}},
-      {"ode/", {"simulate", "tools"}}};
+      {"ode/", {"simulate", "tools"}},
+      {"embree3/", {"view"}},
+      {"png.h", {"view"}},
+      {"turbojpeg.h", {"view"}}};
   return kParties;
 }
 

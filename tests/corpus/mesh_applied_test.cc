@@ -58,8 +58,8 @@ struct Shape {
   model::Pose pose;
 };
 
-struct Looked {
-  Looked(const Environment& environment, const std::string& path, const std::string& bytes)
+struct PlacedShapes {
+  PlacedShapes(const Environment& environment, const std::string& path, const std::string& bytes)
       : workspace(environment.disk, sources) {
     const read::File& file = bytes.empty() ? workspace.open(path) : workspace.put(path, bytes);
     loaded = load({workspace, environment.resolver, environment.sdf, environment.urdf}, file);
@@ -107,7 +107,7 @@ TEST(CorpusMesh, WhatIsAppliedLeavesAllInItsPlace) {
   double worst = 0;
   for (const std::string& path : test::corpus_models()) {
     SCOPED_TRACE(path);
-    const Looked before(environment, path, {});
+    const PlacedShapes before(environment, path, {});
     std::set<std::string> meshes;
     for (const Shape& shape : before.shapes) meshes.insert(shape.path);
     meshes.erase("");
@@ -121,7 +121,7 @@ TEST(CorpusMesh, WhatIsAppliedLeavesAllInItsPlace) {
     const auto text = apply_edits(before.sources.bytes(before.loaded.root.source), change.edits);
     ASSERT_TRUE(text);
 
-    const Looked after(environment, path, *text);
+    const PlacedShapes after(environment, path, *text);
     ASSERT_EQ(after.shapes.size(), before.shapes.size());
     std::size_t changed = 0;
     for (std::size_t i = 0; i < before.shapes.size(); ++i) {

@@ -6,6 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace rigor::read {
 namespace {
@@ -106,6 +110,62 @@ TEST(Discover, AFolderWhoseModelsAreAllLeftOutSaysSo) {
   EXPECT_EQ(found.unusable[0],
             "/r: holds no .sdf, .world, .urdf or model.config but in what is left out: /r/a.sdf by "
             "/r/.gitignore line 1: *.sdf, and 1 more");
+}
+
+/// A disk one folder of which may not be listed.
+class LockedDisk final : public Disk {
+ public:
+  LockedDisk(const Disk& disk, std::string locked) : disk_(disk), locked_(std::move(locked)) {}
+  std::unique_ptr<OpenFile> open(const std::string& path) const override {
+    return disk_.open(path);
+  }
+  ReadResult read(const std::string& path, std::uint64_t max_bytes) const override {
+    return disk_.read(path, max_bytes);
+  }
+  PathKind kind(const std::string& path) const override { return disk_.kind(path); }
+  std::vector<std::string> list(const std::string& folder) const override {
+    return folder == locked_ ? std::vector<std::string>() : disk_.list(folder);
+  }
+  std::string obstacle(const std::string& path) const override {
+    return path == locked_ ? "cannot be listed: permission denied" : "";
+  }
+
+ private:
+  const Disk& disk_;
+  std::string locked_;
+};
+
+TEST(Discover, AFolderThatCannotBeListedIsNotPassedOverInSilence) {
+  MemoryDisk memory;
+  memory.put("r/a.sdf", "");
+  memory.put("r/locked/b.sdf", "");
+  const LockedDisk disk(memory, "r/locked");
+
+  const Discovered above = discover(disk, {"r"});
+  EXPECT_EQ(above.files, std::vector<std::string>{"r/a.sdf"});
+  EXPECT_EQ(left_out_paths(above), std::vector<std::string>{"r/locked"});
+  EXPECT_EQ(above.left_out.at(0).why, "cannot be listed: permission denied");
+  EXPECT_TRUE(above.unusable.empty());
+
+  const Discovered itself = discover(disk, {"r/locked"});
+  EXPECT_EQ(itself.unusable,
+            std::vector<std::string>{"r/locked: cannot be listed: permission denied"});
+  EXPECT_TRUE(itself.left_out.empty());
+
+  MemoryDisk nothing_else;
+  nothing_else.put("r/locked/b.sdf", "");
+  const Discovered only = discover(LockedDisk(nothing_else, "r/locked"), {"r"});
+  ASSERT_EQ(only.unusable.size(), 1U);
+  EXPECT_NE(only.unusable[0].find("in what can be listed"), std::string::npos);
+}
+
+TEST(Discover, AFileIsMetOnceHoweverItIsNamed) {
+  MemoryDisk disk;
+  disk.put("a.sdf", "");
+  disk.put("/w/a.sdf", "");
+  const Discovered found =
+      discover(disk, {"a.sdf", "/w/a.sdf", "./a.sdf"}, {.working_folder = "/w"});
+  EXPECT_EQ(found.files, std::vector<std::string>{"a.sdf"});
 }
 
 TEST(Discover, WhatIsNotWantedIsCounted) {

@@ -73,6 +73,16 @@ TEST(IncludeHasErrors, IsToldByTheNearestFileThatWasNamed) {
   EXPECT_EQ(findings(files, {"a.sdf", "b.sdf"}), Found{"b.sdf include-has-errors"});
 }
 
+TEST(IncludeHasErrors, IsToldOncePerFileHoweverOftenItIsIncluded) {
+  const auto part = [](const std::string& name, const std::string& path) {
+    return "<include><name>" + name + "</name><uri>" + path + "</uri></include>";
+  };
+  const std::string wheels = part("left", "b.sdf") + part("mast", "c.sdf") + part("right", "b.sdf");
+  const Files files{{"a.sdf", model(wheels)}, {"b.sdf", model(kFault)}, {"c.sdf", model(kFault)}};
+  EXPECT_EQ(findings(files, {"a.sdf"}),
+            (Found{"a.sdf include-has-errors", "a.sdf include-has-errors"}));
+}
+
 /// The help of every finding of a rule, in order.
 std::vector<std::string> helps(const std::string& path, const std::string& text,
                                std::string_view rule) {
@@ -152,7 +162,7 @@ TEST(ManyFindings, OfRepetitionsBehindOtherElementsTakeOneWalk) {
   std::string text = "<sdf version='1.9'><model name='m'><static>1</static><link name='l'/>";
   for (int i = 0; i < 100'000; ++i) text += "<frame name='f'/>";
   for (int i = 0; i < 100'000; ++i) text += "<self_collide>0</self_collide>";
-  text += "</model></sdf>";
+  text += "<self_collide>1</self_collide></model></sdf>";
   EXPECT_EQ(helps("a.sdf", text, "repeated-element").size(), 1U);
 }
 

@@ -60,7 +60,7 @@ std::optional<Node> at(const Schema& schema, Version version, std::string_view p
   return node;
 }
 
-constexpr std::string_view kSmall = R"(# a small format
+constexpr std::string_view kSmallSchema = R"(# a small format
 versions 1.0 1.2 1.10
 
 define root
@@ -81,7 +81,7 @@ define part
 )";
 
 TEST(Schema, ReadsItsLanguage) {
-  const Schema schema = parse_good(kSmall);
+  const Schema schema = parse_good(kSmallSchema);
   EXPECT_EQ(schema.versions(), (std::vector<Version>{{0}, {2}, {10}}));
   EXPECT_EQ(schema.latest(), Version{10});
   const Node doc = *schema.root("doc", Version{10});
@@ -102,7 +102,7 @@ TEST(Schema, ReadsItsLanguage) {
 }
 
 TEST(Schema, FacetsFollowTheVersion) {
-  const Schema schema = parse_good(kSmall);
+  const Schema schema = parse_good(kSmallSchema);
   const Node size0 = *at(schema, Version{0}, "doc/size");
   EXPECT_EQ(size0.type(), Type::kDouble);
   EXPECT_EQ(size0.cardinality(), Cardinality::kOptional);
@@ -121,7 +121,7 @@ TEST(Schema, FacetsFollowTheVersion) {
 }
 
 TEST(Schema, OnlyWhatExistsIsFound) {
-  const Schema schema = parse_good(kSmall);
+  const Schema schema = parse_good(kSmallSchema);
   EXPECT_FALSE(at(schema, Version{10}, "doc/old"));
   EXPECT_TRUE(at(schema, Version{2}, "doc/old/inner"));
   EXPECT_FALSE(at(schema, Version{0}, "doc/part/part"));
@@ -135,7 +135,7 @@ TEST(Schema, OnlyWhatExistsIsFound) {
 }
 
 TEST(Schema, FindsWhatExistsInAnotherVersion) {
-  const Schema schema = parse_good(kSmall);
+  const Schema schema = parse_good(kSmallSchema);
   const Node doc0 = *schema.root("doc", Version{0});
   const Node part0 = *doc0.child("part");
   EXPECT_EQ(part0.child_in_other_version("late")->since(), Version{10});
@@ -152,7 +152,7 @@ TEST(Schema, FindsWhatExistsInAnotherVersion) {
 }
 
 TEST(Schema, RequiredIsOneAndOneOrMore) {
-  const Schema schema = parse_good(kSmall);
+  const Schema schema = parse_good(kSmallSchema);
   const Node doc0 = *schema.root("doc", Version{0});
   EXPECT_EQ(names_of(doc0.required_children()), Names{"part"});
   EXPECT_EQ(names_of(schema.root("doc", Version{2})->required_children()), (Names{"part", "size"}));
@@ -161,7 +161,7 @@ TEST(Schema, RequiredIsOneAndOneOrMore) {
 }
 
 TEST(Schema, EnumerationIteratesAndContains) {
-  const Schema schema = parse_good(kSmall);
+  const Schema schema = parse_good(kSmallSchema);
   const Enumeration words = at(schema, Version{2}, "doc/part/@kind")->enumeration();
   EXPECT_EQ(std::vector<std::string>(words.begin(), words.end()), (Names{"a", "bb", "a-b"}));
   EXPECT_TRUE(words.contains("bb"));
@@ -173,7 +173,7 @@ TEST(Schema, EnumerationIteratesAndContains) {
 }
 
 TEST(Schema, KnowsParents) {
-  const Schema schema = parse_good(kSmall);
+  const Schema schema = parse_good(kSmallSchema);
   EXPECT_EQ(schema.parents_of("part", Version{0}), Names{"doc"});
   EXPECT_EQ(schema.parents_of("part", Version{2}), (Names{"doc", "part"}));
   EXPECT_EQ(schema.parents_of("inner", Version{2}), Names{"doc/old"});
@@ -181,7 +181,7 @@ TEST(Schema, KnowsParents) {
 }
 
 TEST(Schema, NearestVersionIsNotNewer) {
-  const Schema schema = parse_good(kSmall);
+  const Schema schema = parse_good(kSmallSchema);
   EXPECT_EQ(schema.nearest(Version{1}), Version{0});
   EXPECT_EQ(schema.nearest(Version{9}), Version{2});
   EXPECT_EQ(schema.nearest(Version{99}), Version{10});
@@ -189,7 +189,7 @@ TEST(Schema, NearestVersionIsNotNewer) {
 }
 
 TEST(Schema, NodesOutliveAMoveOfTheSchema) {
-  Schema first = parse_good(kSmall);
+  Schema first = parse_good(kSmallSchema);
   const Node doc = *first.root("doc", Version{2});
   const Schema second = std::move(first);
   EXPECT_EQ(doc.child("size")->name(), "size");
@@ -301,6 +301,19 @@ TEST(SdfSchema, KnownChangesBetweenVersions) {
   const Node pose8 = *at(schema, Version{8}, "sdf/model/pose");
   EXPECT_EQ(pose8.attribute_in_other_version("frame")->until(), Version{6});
   EXPECT_EQ(pose8.attribute_in_other_version("degrees")->since(), Version{9});
+}
+
+TEST(SdfSchema, KnowsSinceWhenAValueIsListed) {
+  // sdformat's sensor.sdf has air_speed from 1.10 on, and never had air_sped.
+  const Schema schema = parse_good(sdf_schema_text());
+  const auto type = [&schema](int minor) {
+    return *at(schema, Version{minor}, "sdf/model/link/sensor/@type");
+  };
+  EXPECT_EQ(type(6).listed_since("air_speed"), Version{10});
+  EXPECT_EQ(type(9).listed_since("air_speed"), Version{10});
+  EXPECT_EQ(type(10).listed_since("air_speed"), std::nullopt);
+  EXPECT_EQ(type(6).listed_since("air_sped"), std::nullopt);
+  EXPECT_EQ(type(6).listed_since("camera"), std::nullopt);
 }
 
 TEST(SdfSchema, RecursionFacetsAndOpenContent) {

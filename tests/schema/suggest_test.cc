@@ -11,7 +11,7 @@
 namespace rigor::schema {
 namespace {
 
-using Names = std::vector<std::string_view>;
+using NameList = std::vector<std::string_view>;
 
 TEST(Suggest, DistanceCountsEdits) {
   EXPECT_EQ(edit_distance("", "", 2), 0u);
@@ -34,34 +34,34 @@ TEST(Suggest, DistanceStopsAtItsLimit) {
 }
 
 TEST(Suggest, NearestFirst) {
-  EXPECT_EQ(near("colision", {"visual", "collision", "pose"}), Names{"collision"});
-  EXPECT_EQ(near("inertal", {"inertia", "inertial"}), (Names{"inertial", "inertia"}));
-  EXPECT_EQ(near("axis3", {"axis", "axis2", "mimic"}), (Names{"axis", "axis2"}));
+  EXPECT_EQ(near("colision", {"visual", "collision", "pose"}), NameList{"collision"});
+  EXPECT_EQ(near("inertal", {"inertia", "inertial"}), (NameList{"inertial", "inertia"}));
+  EXPECT_EQ(near("axis3", {"axis", "axis2", "mimic"}), (NameList{"axis", "axis2"}));
 }
 
 TEST(Suggest, OtherCaseComesBeforeAnEdit) {
-  EXPECT_EQ(near("axis", {"axis2", "Axis"}), (Names{"Axis", "axis2"}));
-  EXPECT_EQ(near("XYZ", {"xyz"}), Names{"xyz"});
+  EXPECT_EQ(near("axis", {"axis2", "Axis"}), (NameList{"Axis", "axis2"}));
+  EXPECT_EQ(near("XYZ", {"xyz"}), NameList{"xyz"});
 }
 
 TEST(Suggest, AtMostThreeEachOnce) {
   EXPECT_EQ(near("cccccc", {"accccc", "bccccc", "bccccc", "cccccd", "ccccce"}),
-            (Names{"accccc", "bccccc", "cccccd"}));
+            (NameList{"accccc", "bccccc", "cccccd"}));
 }
 
 TEST(Suggest, ShortNamesMustBeNearer) {
-  EXPECT_EQ(near("mu", {"kd", "kp", "mu2"}), Names{});
-  EXPECT_EQ(near("kd", {"KD"}), Names{"KD"});
-  EXPECT_EQ(near("pos", {"pose", "size"}), Names{"pose"});
-  EXPECT_EQ(near("pose", {"poes", "size"}), Names{"poes"});
+  EXPECT_EQ(near("mu", {"kd", "kp", "mu2"}), NameList{});
+  EXPECT_EQ(near("kd", {"KD"}), NameList{"KD"});
+  EXPECT_EQ(near("pos", {"pose", "size"}), NameList{"pose"});
+  EXPECT_EQ(near("pose", {"poes", "size"}), NameList{"poes"});
 }
 
 TEST(Suggest, NothingNearIsNothing) {
-  EXPECT_EQ(near("banana", {"link", "joint"}), Names{});
-  EXPECT_EQ(near("", {"link"}), Names{});
-  EXPECT_EQ(near("link", {}), Names{});
+  EXPECT_EQ(near("banana", {"link", "joint"}), NameList{});
+  EXPECT_EQ(near("", {"link"}), NameList{});
+  EXPECT_EQ(near("link", {}), NameList{});
   const std::string long_name(100'000, 'x');
-  EXPECT_EQ(near(long_name, {long_name}), Names{});
+  EXPECT_EQ(near(long_name, {long_name}), NameList{});
 }
 
 }  // namespace

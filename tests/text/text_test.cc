@@ -37,19 +37,21 @@ TEST(Sources, AByteOrderMarkHasNoColumn) {
   EXPECT_EQ(LineTable(sources.bytes(id)).line(1), "<a/>");
 }
 
-Edit edit(std::uint32_t begin, std::uint32_t end, std::string text) {
+Edit small_edit(std::uint32_t begin, std::uint32_t end, std::string text) {
   return {{SourceId{0}, begin, end}, std::move(text)};
 }
 
 TEST(Edits, ReplaceInsertAndRemove) {
-  EXPECT_EQ(apply_edits("0123456", {edit(5, 6, ""), edit(1, 3, "ab"), edit(0, 0, "<")}), "<0ab346");
+  EXPECT_EQ(
+      apply_edits("0123456", {small_edit(5, 6, ""), small_edit(1, 3, "ab"), small_edit(0, 0, "<")}),
+      "<0ab346");
 }
 
 TEST(Edits, ThatOverlapAreNotDone) {
-  EXPECT_EQ(apply_edits("0123", {edit(0, 2, "a"), edit(1, 3, "b")}), std::nullopt);
-  EXPECT_EQ(apply_edits("0123", {edit(1, 1, "a"), edit(1, 1, "b")}), std::nullopt);
-  EXPECT_EQ(apply_edits("0123", {edit(3, 5, "a")}), std::nullopt);
-  EXPECT_EQ(apply_edits("0123", {edit(1, 1, "a"), edit(1, 1, "a")}), "0a123");
+  EXPECT_EQ(apply_edits("0123", {small_edit(0, 2, "a"), small_edit(1, 3, "b")}), std::nullopt);
+  EXPECT_EQ(apply_edits("0123", {small_edit(1, 1, "a"), small_edit(1, 1, "b")}), std::nullopt);
+  EXPECT_EQ(apply_edits("0123", {small_edit(3, 5, "a")}), std::nullopt);
+  EXPECT_EQ(apply_edits("0123", {small_edit(1, 1, "a"), small_edit(1, 1, "a")}), "0a123");
 }
 
 TEST(Paths, AreNormalizedAsText) {

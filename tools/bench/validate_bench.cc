@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // `tools/dev bench`: how long `validate` takes for real files, as a ratio to bare tinyxml2's parse of
-// the same bytes in the same process. Files are held in memory and meshes are not opened; one thread.
+// the same bytes in the same process, and to reading them into models without a rule. Files are held in
+// memory and meshes are not opened; one thread.
 //
 //   rigor_bench [SET]     a folder of RIGOR_CORPUS, default gazebo_models
 
@@ -21,6 +22,7 @@
 #include <tinyxml2.h>
 
 #include <rigor/environment.h>
+#include <rigor/read/load.h>
 #include <rigor/rules/validate.h>
 
 namespace {
@@ -47,6 +49,29 @@ void parse_bare(const std::map<std::string, std::string>& files,
     const std::string& bytes = files.at(path);
     tinyxml2::XMLDocument document;
     document.Parse(bytes.data(), bytes.size());
+  }
+}
+
+/// What the reader finds of the schema, without words.
+void check_schema(const rigor::Environment& environment, const rigor::read::Loaded& loaded) {
+  const auto& document = loaded.file->document;
+  if (!document || !document->root()) return;
+  const bool urdf = loaded.root.format == rigor::model::Format::kUrdf;
+  const auto node = (urdf ? environment.urdf : environment.sdf)
+                        .root(document->root()->name(), {loaded.root.version});
+  if (node) rigor::read::check_conformance(*document, *node, [](const rigor::read::SchemaFact&) {});
+}
+
+void read_only(const rigor::Environment& environment, const std::vector<std::string>& paths,
+               bool schema) {
+  rigor::Sources sources;
+  rigor::read::Workspace workspace(environment.disk, sources);
+  const rigor::read::Reader reader{workspace, environment.resolver, environment.sdf,
+                                   environment.urdf};
+  for (const std::string& path : paths) {
+    const rigor::read::Loaded loaded = rigor::read::load(reader, workspace.open(path));
+    const rigor::model::Frames frames(loaded.root);
+    if (schema) check_schema(environment, loaded);
   }
 }
 
@@ -89,10 +114,14 @@ int main(int argc, char** argv) {
   search.given.push_back({set.filename().string(), "--model-path"});
   const rigor::Environment environment(disk, search);
   std::vector<double> bare;
+  std::vector<double> read;
+  std::vector<double> checked;
   std::vector<double> ours;
   std::size_t found = 0;
   for (int round = 0; round < kRounds; ++round) {
     bare.push_back(seconds([&] { parse_bare(files, paths); }));
+    read.push_back(seconds([&] { read_only(environment, paths, false); }));
+    checked.push_back(seconds([&] { read_only(environment, paths, true); }));
     ours.push_back(seconds([&] {
       rigor::Sources sources;
       const auto result = rigor::rules::validate(
@@ -102,6 +131,10 @@ int main(int argc, char** argv) {
   }
   fmt::print("{} files, {:.2f} MB, {} findings\n", paths.size(), double(bytes) / 1e6, found);
   fmt::print("bare tinyxml2   {:8.2f} ms\n", median(bare) * 1e3);
+  fmt::print("reading alone   {:8.2f} ms, with the schema {:.2f} ms\n", median(read) * 1e3,
+             median(checked) * 1e3);
   fmt::print("rigor validate  {:8.2f} ms\n", median(ours) * 1e3);
-  fmt::print("ratio           {:8.2f}\n", median(ours) / median(bare));
+  fmt::print(
+      "ratio           {:8.2f} of bare tinyxml2, {:.2f} of reading alone, {:.2f} with schema\n",
+      median(ours) / median(bare), median(ours) / median(read), median(ours) / median(checked));
 }

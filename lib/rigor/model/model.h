@@ -124,7 +124,7 @@ struct Sensor {
   Field<std::string> name;
   Field<std::string> type;
   Id<Link> link;    ///< the link that carries it, or
-  Id<Joint> joint;  ///< the joint that does
+  Id<Joint> joint;  ///< the joint that does; neither in the <gazebo> of a URDF joint, or of nothing
   PoseField pose;
   Field<double> update_rate;  ///< Hz; 0 means as often as possible
   Field<std::string> topic;
@@ -232,7 +232,7 @@ struct Link {
   Field<bool> gravity;
   std::vector<Id<Collision>> collisions;
   std::vector<Id<Visual>> visuals;
-  std::vector<Id<Sensor>> sensors;
+  std::vector<Id<Sensor>> sensors;  ///< written in it; not those of a URDF's <gazebo> blocks
 };
 
 struct Plugin {

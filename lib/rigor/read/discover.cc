@@ -4,6 +4,7 @@
 #include <rigor/read/discover.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -68,8 +69,11 @@ class FolderWalk {
     } else {
       passed_over_.clear();
       met_ = 0;
+      unlisted_.clear();
+      const std::size_t before = found_.unusable.size();
       folder(path, 0);
-      if (met_ == 0) no_model_in(path);
+      if (met_ == 0 && found_.unusable.size() == before) no_model_in(path);
+      std::move(unlisted_.begin(), unlisted_.end(), std::back_inserter(found_.left_out));
     }
   }
 
@@ -77,7 +81,7 @@ class FolderWalk {
   void file(const std::string& path) {
     const std::string_view why = template_of(path);
     ++met_;
-    if (!seen_.insert(normalize_path(path)).second) return;
+    if (!seen_.insert(absolute(path)).second) return;
     if (options_.wanted && !options_.wanted(path)) {
       ++found_.unwanted;
     } else if (why.empty()) {
@@ -89,7 +93,13 @@ class FolderWalk {
 
   void folder(const std::string& path, int depth) {
     if (depth > kMaxFolderDepth) return;
-    for (const std::string& name : disk_.list(path)) {
+    const std::vector<std::string> names = disk_.list(path);
+    if (names.empty()) {
+      std::string why = disk_.obstacle(path);
+      if (!why.empty() && depth == 0) found_.unusable.push_back(path + ": " + why);
+      if (!why.empty() && depth > 0) unlisted_.push_back({path, std::move(why), true});
+    }
+    for (const std::string& name : names) {
       if (name.starts_with('.')) continue;
       const std::string inside = path == "." ? name : join_path(path, name);
       const PathKind kind = disk_.kind(inside);
@@ -139,6 +149,7 @@ class FolderWalk {
 
   void no_model_in(const std::string& path) {
     std::string message = path + ": holds no .sdf, .world, .urdf or model.config";
+    if (!unlisted_.empty()) message += " in what can be listed";
     if (!passed_over_.empty()) {
       message += " but in what is left out: " + passed_over_.front().path + " by " +
                  passed_over_.front().why;
@@ -154,6 +165,7 @@ class FolderWalk {
   Discovered& found_;
   RepositoryIgnores ignores_;
   std::vector<LeftOut> passed_over_;  ///< in the folder that is being walked
+  std::vector<LeftOut> unlisted_;     ///< folders in it that nobody can look into
   std::size_t met_ = 0;               ///< models and templates in it
   std::set<std::string> seen_;
 };

@@ -44,13 +44,14 @@ struct DiscoverOptions {
 struct LeftOut {
   std::string path;
   std::string why;
-  bool excluded = false;  ///< ignored or excluded; else it is a template
+  bool excluded = false;  ///< ignored, excluded, or a folder that cannot be listed; else a template
 };
 
 struct Discovered {
   std::vector<std::string> files;  ///< each once, in the order of the arguments, then by name
-  std::vector<LeftOut> left_out;   ///< templates, which somebody has to expand; named and excluded
-  std::size_t unwanted = 0;        ///< files that were found, but not wanted
+  /// Templates, which somebody has to expand; named and excluded; folders that cannot be listed.
+  std::vector<LeftOut> left_out;
+  std::size_t unwanted = 0;           ///< files that were found, but not wanted
   std::vector<std::string> unusable;  ///< arguments that do not exist, and folders without a model
 };
 

@@ -100,6 +100,9 @@ class SdfReader {
 /// The URI of an `<include>`, as any version writes it.
 model::Field<std::string> include_uri(xml::Element include);
 
+/// What a `<sensor>` says of itself: its place, pose and plugins are left to the caller (sdf_sensor.cc).
+void read_measurement(xml::Element element, model::Sensor& sensor);
+
 /// `<geometry>` of a collision or visual, in any version of SDF or URDF (geometry.cc).
 model::Geometry read_geometry(xml::Element parent);
 

@@ -40,24 +40,30 @@ model::Lidar read_lidar(xml::Element element) {
 
 }  // namespace
 
-void SdfReader::read_sensor(xml::Element element, model::Sensor sensor) {
-  const model::Id<model::Sensor> id{static_cast<std::uint32_t>(root_.sensors.size())};
+void read_measurement(xml::Element element, model::Sensor& sensor) {
   sensor.site = site_of(element);
   sensor.name = string_field(attribute_text(element, "name"));
   sensor.type = string_field(attribute_text(element, "type"));
-  sensor.pose = read_pose(element);
   sensor.update_rate = number_field(child_text(element, "update_rate"), 0);
   sensor.topic = string_field(child_text(element, "topic"));
   for (const xml::Element child : element.children()) {
     const std::string_view name = child.name();
     if (name == "camera") sensor.cameras.push_back(read_camera(child));
     if (name == "ray" || name == "lidar") sensor.lidar = read_lidar(child);
-    if (name == "plugin") read_plugin(child, {.sensor = id});
     if (name != "contact") continue;
     for (const xml::Element part : child.children()) {
       if (part.name() != "collision") continue;
       sensor.contact_collisions.push_back(string_field(Text{part.text(), part.text_span()}));
     }
+  }
+}
+
+void SdfReader::read_sensor(xml::Element element, model::Sensor sensor) {
+  const model::Id<model::Sensor> id = model::next_id(root_.sensors);
+  read_measurement(element, sensor);
+  sensor.pose = read_pose(element);
+  for (const xml::Element child : element.children()) {
+    if (child.name() == "plugin") read_plugin(child, {.sensor = id});
   }
   if (sensor.link) root_.links[sensor.link.value].sensors.push_back(id);
   root_.sensors.push_back(std::move(sensor));

@@ -3,9 +3,12 @@
 
 #include <rigor/read/urdf.h>
 
+#include <string>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include <rigor/read/joint_type.h>
 #include <rigor/read/values.h>
@@ -104,6 +107,21 @@ model::Axis read_axis(xml::Element joint) {
   return axis;
 }
 
+/// `<pose>` of what stands in a `<gazebo>` block: as in SDF, in the link's frame.
+model::PoseField read_block_pose(xml::Element parent) {
+  model::PoseField field;
+  const auto element = parent.child("pose");
+  if (!element) return field;
+  field.site = site_of(*element);
+  const auto parsed = schema::parse_pose(element->text(), schema::RotationFormat::kEulerRpy);
+  if (const auto* pose = std::get_if<schema::PoseNumbers>(&parsed)) {
+    const auto& n = pose->numbers;
+    field.pose = {
+        {{n[0], n[1], n[2]}, model::from_rpy(n[3], n[4], n[5])}, element->text_span(), true};
+  }
+  return field;
+}
+
 class UrdfReader {
  public:
   UrdfReader(model::Root& root, Id<model::Model> model) : root_(root), model_(model) {}
@@ -125,7 +143,9 @@ class UrdfReader {
         read_controlled_joints(child, Controller::kRos2Control);
       }
     }
-    place_links();
+    const LinksByName links = links_by_name();
+    read_block_sensors(links);
+    place_links(links);
   }
 
  private:
@@ -204,15 +224,31 @@ class UrdfReader {
     const auto reference = string_field(attribute_text(element, "reference"));
     root_.gazebo_blocks.push_back({site_of(element), reference});
     for (const xml::Element child : element.children()) {
-      if (child.name() != "plugin") continue;
-      model::Plugin plugin;
-      plugin.site = site_of(child);
-      plugin.name = string_field(attribute_text(child, "name"));
-      plugin.filename = string_field(attribute_text(child, "filename"));
-      plugin.model = model_;
-      plugin.gazebo_reference = reference.value;
-      root_.plugins.push_back(std::move(plugin));
+      if (child.name() == "sensor") block_sensors_.push_back({child, reference.value});
+      if (child.name() == "plugin") read_plugin(child, {.model = model_}, reference.value);
     }
+  }
+
+  /// Written as in SDF. It belongs to a link; what is told of a joint, or of none, belongs to no part
+  /// of the model. The list of a link has only those that are written inside it.
+  void read_sensor(xml::Element element, const std::string& reference, Id<model::Link> link) {
+    const Id<model::Sensor> id = next_id(root_.sensors);
+    model::Sensor sensor;
+    read_measurement(element, sensor);
+    sensor.link = link;
+    sensor.pose = read_block_pose(element);
+    for (const xml::Element child : element.children()) {
+      if (child.name() == "plugin") read_plugin(child, {.sensor = id}, reference);
+    }
+    root_.sensors.push_back(std::move(sensor));
+  }
+
+  void read_plugin(xml::Element element, model::Plugin plugin, const std::string& reference) {
+    plugin.site = site_of(element);
+    plugin.name = string_field(attribute_text(element, "name"));
+    plugin.filename = string_field(attribute_text(element, "filename"));
+    plugin.gazebo_reference = reference;
+    root_.plugins.push_back(std::move(plugin));
   }
 
   void read_controlled_joints(xml::Element element, Controller controller) {
@@ -224,11 +260,26 @@ class UrdfReader {
     }
   }
 
-  /// A link stands where the last joint says whose child it is, as urdfdom decides.
-  void place_links() {
+  using LinksByName = std::unordered_map<std::string_view, Id<model::Link>>;  // the first of each
+
+  LinksByName links_by_name() const {
+    LinksByName links;
     const model::Model& robot = root_[model_];
-    std::unordered_map<std::string_view, Id<model::Link>> links;  // the first of each name
     for (const Id<model::Link> id : robot.links) links.try_emplace(root_[id].name.value, id);
+    return links;
+  }
+
+  /// A block may stand before the link that it refers to.
+  void read_block_sensors(const LinksByName& links) {
+    for (const auto& [element, reference] : block_sensors_) {
+      const auto link = links.find(reference);
+      read_sensor(element, reference, link == links.end() ? Id<model::Link>() : link->second);
+    }
+  }
+
+  /// A link stands where the last joint says whose child it is, as urdfdom decides.
+  void place_links(const LinksByName& links) {
+    const model::Model& robot = root_[model_];
     for (const Id<model::Joint> id : robot.joints) {
       const model::Joint& joint = root_[id];
       const auto child = links.find(joint.child.value);
@@ -237,8 +288,14 @@ class UrdfReader {
     }
   }
 
+  struct BlockSensor {
+    xml::Element element;
+    std::string reference;
+  };
+
   model::Root& root_;
   Id<model::Model> model_;
+  std::vector<BlockSensor> block_sensors_;
 };
 
 }  // namespace

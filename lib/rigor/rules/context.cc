@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include <rigor/mass/resolve.h>
 #include <rigor/model/subject.h>
 #include <rigor/read/values.h>
 #include <rigor/rules/schema/place.h>
@@ -134,6 +135,13 @@ const mass::LinkBody& Context::body(const model::Link& link, mass::From from) {
   const auto find = [this](const model::Mesh& mesh) { return survey(mesh); };
   return bodies_.emplace(std::pair{&link, from}, link_body(root(), frames(), id, from, find))
       .first->second;
+}
+
+const mass::Verdict& Context::verdict(const model::Link& link) {
+  verdicts_.resize(root().links.size());
+  auto& known = verdicts_[static_cast<std::size_t>(&link - root().links.data())];
+  if (!known) known = mass::judge(link.inertial.mass.value, mass::tensor(link.inertial));
+  return *known;
 }
 
 std::string_view Context::folder() const { return parent_path(inputs_.path); }

@@ -105,6 +105,8 @@ class Context {
   const mass::MeshSurvey* survey(const model::Mesh& mesh);
   /// The link's shapes as solids. Computed once, however many rules ask.
   const mass::LinkBody& body(const model::Link& link, mass::From from);
+  /// What is possible of the tensor that the link's inertial has, written or not. Judged once.
+  const mass::Verdict& verdict(const model::Link& link);
 
   /// The folder of the file that is checked.
   std::string_view folder() const;
@@ -160,7 +162,8 @@ class Context {
   std::optional<std::vector<NameScope>> repeated_names_;
   std::optional<SdformatRobot> sdformat_robot_;
   std::map<std::pair<const model::Link*, mass::From>, mass::LinkBody> bodies_;
-  std::string mesh_;  // empty when none is looked at
+  std::vector<std::optional<mass::Verdict>> verdicts_;  // by the link's index
+  std::string mesh_;                                    // empty when none is looked at
   std::set<std::tuple<std::string_view, std::string, std::string>> told_of_meshes_;
   std::string_view rule_;
   std::string_view category_;

@@ -18,7 +18,6 @@ using Kind = SuppressionFactKind;
 
 constexpr std::string_view kSuppressionOpen = "<!--";
 constexpr std::string_view kSuppressionClose = "-->";
-constexpr std::string_view kSuppressionMark = "rigor:";
 constexpr std::string_view kSuppressionSpace = " \t\r\n";
 constexpr std::array<std::string_view, 3> kSuppressionForms{"ignore", "ignore-next", "file-ignore"};
 

@@ -22,6 +22,9 @@
 
 namespace rigor::rules {
 
+/// How the text of such a comment begins.
+inline constexpr std::string_view kSuppressionMark = "rigor:";
+
 enum class SuppressionForm : std::uint8_t {
   kIgnore,      ///< the next element and all it contains
   kIgnoreNext,  ///< the next element's start tag

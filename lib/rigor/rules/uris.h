@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <rigor/read/values.h>
+#include <rigor/rules/package/assets.h>
 #include <rigor/rules/xml/xacro.h>
 #include <rigor/xml/document.h>
 
@@ -21,7 +22,7 @@ struct Uri {
   bool verbatim;  ///< whether the text is the file's own bytes
 };
 
-/// Of includes, meshes, textures, scripts and heightmaps; not of plugins, which may mean anything.
+/// Of includes, meshes, textures, scripts, heightmaps and actors; not of plugins, which may mean anything.
 inline std::vector<Uri> uris_of(const xml::Document& document) {
   std::vector<Uri> uris;
   const auto add = [&uris](std::string_view text, Span span, bool verbatim) {
@@ -42,7 +43,8 @@ inline std::vector<Uri> uris_of(const xml::Document& document) {
   for (std::uint32_t i = 0; i < document.element_count(); ++i) {
     const xml::Element element = document.element(i);
     const std::string_view name = element.name();
-    if ((name == "uri" || name == "texture") && element.children().empty() && !in_plugin(element)) {
+    const bool is_uri = name == "uri" || name == "texture" || !kind_of_asset(element).empty();
+    if (is_uri && element.children().empty() && !in_plugin(element)) {
       add(element.text(), element.text_span(), element.text_verbatim());
     }
     if (name != "mesh" && name != "texture") continue;

@@ -18,7 +18,7 @@
 #include <rigor/read/discover.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
-#include <rigor/read/xacro_places.h>
+#include <rigor/rules/expanded_templates.h>
 #include <rigor/rules/runner.h>
 #include <rigor/rules/suppression.h>
 #include <rigor/text/path.h>
@@ -97,6 +97,7 @@ class Run {
         options_(options),
         sources_(sources),
         workspace_(environment.disk, sources),
+        templates_(environment, sources, workspace_, options),
         runners_(environment.registry, options),
         reads_(environment.disk),
         surveys_(environment.disk, {nullptr, &reads_}),
@@ -128,8 +129,8 @@ class Run {
     std::move(found.files.begin(), found.files.end(), std::back_inserter(paths));
     std::vector<read::LeftOut> left_out;
     for (read::LeftOut& left : found.left_out) {
-      if (is_to_be_expanded(left)) {
-        expand(left.path);
+      if (templates_.takes(left)) {
+        templates_.expand(left.path);
         paths.push_back(std::move(left.path));
       } else {
         left_out.push_back(std::move(left));
@@ -142,20 +143,6 @@ class Run {
       result_.not_looked_at.push_back({std::move(left.path), std::move(left.why), index});
     }
     return paths;
-  }
-
-  /// Of a folder's templates nobody knows which are robots, and which only hold macros.
-  bool is_to_be_expanded(const read::LeftOut& left) const {
-    const auto& named = options_.paths;
-    return options_.expand && !left.excluded && extension(left.path) == ".xacro" &&
-           std::find(named.begin(), named.end(), left.path) != named.end();
-  }
-
-  void expand(const std::string& path) {
-    if (!options_.shard.has(path)) return;
-    read::Expansion expansion = options_.expand(path);
-    if (expansion.text) workspace_.put(path, std::move(*expansion.text));
-    expansions_[normalize_path(path)] = std::move(expansion);
   }
 
   struct Included {
@@ -205,28 +192,15 @@ class Run {
               std::back_inserter(result_.not_looked_at));
     checked.diagnostics.take(errors_of_includes(path, checked));
     checked.diagnostics.take(errors_of_suppressions(path, checked));
-    if (expansions_.contains(normalize_path(path))) trace_back(path, checked);
+    if (templates_.has(path)) {
+      checked.diagnostics = templates_.in_source(path, std::exchange(checked.diagnostics, {}));
+    }
     checked.diagnostics.sort();
     checked.summary.index = index;
     checked.summary.first_finding = result_.diagnostics.list().size();
     result_.diagnostics.take(std::exchange(checked.diagnostics, {}));
     checked.summary.end_finding = result_.diagnostics.list().size();
     result_.files.push_back(checked.summary);
-  }
-
-  /// From what a template became to the template.
-  void trace_back(const std::string& path, Checked& checked) {
-    const read::File& file = workspace_.open(path);
-    ReadResult read = environment_.disk.read(path, read::kMaxModelBytes);
-    if (!file.document || !read.bytes) return;
-    const SourceId id = sources_.add(path, std::move(*read.bytes));
-    const xml::Document source = xml::parse(sources_.bytes(id), id);
-    const read::XacroPlaces places(*file.document, source);
-    Diagnostics traced;
-    for (const Diagnostic& found : checked.diagnostics.list()) {
-      traced.add(places.in_source(found, path));
-    }
-    checked.diagnostics = std::move(traced);
   }
 
   void tell_not_expanded(const std::string& path, const read::Expansion& expansion,
@@ -243,9 +217,8 @@ class Run {
 
   /// From any thread: each file has an entry of its own.
   void check(const std::string& path, Checked& checked) {
-    const auto expansion = expansions_.find(normalize_path(path));
-    if (expansion != expansions_.end() && !expansion->second.text) {
-      return tell_not_expanded(path, expansion->second, checked);
+    if (const read::Expansion* failed = templates_.failed(path)) {
+      return tell_not_expanded(path, *failed, checked);
     }
     const read::File& file = workspace_.open(path);
     const read::Reader reader{workspace_, environment_.resolver, environment_.sdf,
@@ -296,8 +269,23 @@ class Run {
                              fault.errors});
     }
     if (about.facts.empty()) return {};
-    return checked.suppressions.uncovered(
-        checked.runner->run(environment_, sources_, about, Meshes{}));
+    return each_once(checked.suppressions.uncovered(
+        checked.runner->run(environment_, sources_, about, Meshes{})));
+  }
+
+  /// A file at fault is told at the first include that leads to it, with how many do.
+  static Diagnostics each_once(const Diagnostics& found) {
+    std::map<std::string_view, std::size_t> times;
+    for (const Diagnostic& diagnostic : found.list()) ++times[diagnostic.message];
+    Diagnostics once;
+    for (const Diagnostic& diagnostic : found.list()) {
+      const std::size_t count = std::exchange(times[diagnostic.message], 0);
+      if (count == 0) continue;
+      Diagnostic first = diagnostic;
+      if (count > 1) first.message += " (included " + std::to_string(count) + " times)";
+      once.add(std::move(first));
+    }
+    return once;
   }
 
   /// What is wrong with the comments that suppress findings; when all findings are known. It is never
@@ -342,13 +330,13 @@ class Run {
   const ValidateOptions& options_;
   Sources& sources_;
   read::Workspace workspace_;
+  ExpandedTemplates templates_;
   Runners runners_;
   mass::MeshReads reads_;
   mass::MeshSurveys surveys_;
   mass::MeshFiles mesh_files_;
   Meshes meshes_;
-  std::set<std::string> named_;                        // normal paths, those of other shards too
-  std::map<std::string, read::Expansion> expansions_;  // of templates, by normal path
+  std::set<std::string> named_;  // normal paths, those of other shards too
   std::map<std::string, Checked> checked_;
   std::map<std::string, std::string> at_fault_;  // what `at_fault` gave
   ValidateResult result_;

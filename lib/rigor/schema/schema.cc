@@ -131,6 +131,15 @@ Enumeration Node::enumeration() const {
   return facet ? Enumeration(facet->value) : Enumeration();
 }
 
+std::optional<Version> Node::listed_since(std::string_view value) const {
+  if (enumeration().contains(value)) return std::nullopt;
+  for (int minor = minor_ + 1; minor <= tables_->versions.back().minor; ++minor) {
+    const Facet* facet = tables_->facet(place_, declaration_, Key::kEnum, minor);
+    if (facet && Enumeration(facet->value).contains(value)) return Version{minor};
+  }
+  return std::nullopt;
+}
+
 std::string_view Node::unit() const {
   const Facet* facet = tables_->facet(place_, declaration_, Key::kUnit, minor_);
   return facet ? facet->value : std::string_view();

@@ -165,7 +165,7 @@ std::string encode(const Record& record) {
   RecordWriter writer;
   writer(record);
   const Digest digest = digest_of(writer.bytes);
-  return std::move(writer.bytes) + std::string(view(digest));
+  return std::move(writer.bytes) + std::string(digest_bytes(digest));
 }
 
 std::optional<Record> decode(std::string_view bytes) {
@@ -174,7 +174,7 @@ std::optional<Record> decode(std::string_view bytes) {
   const std::string_view text = bytes.substr(0, bytes.size() - kDigest);
   if (text.substr(0, kRecordWord.size()) != kRecordWord) return std::nullopt;
   const Digest digest = digest_of(text);
-  if (view(digest) != bytes.substr(text.size())) return std::nullopt;
+  if (digest_bytes(digest) != bytes.substr(text.size())) return std::nullopt;
   RecordReader reader(text.substr(kRecordWord.size()));
   Record record;
   reader(record);

@@ -68,8 +68,11 @@ std::string indentation(const Document& document, Element element) {
 }
 
 bool stands_first(const Document& document, Element element) {
-  const std::size_t begin = line_begin(document.bytes(), element.span().begin);
-  return indentation(document, element).size() == element.span().begin - begin;
+  // Back over blanks only: a line may hold all of a large file.
+  const std::string_view bytes = document.bytes();
+  const std::string_view before = bytes.substr(0, element.span().begin);
+  const std::size_t past = before.find_last_not_of(kBlanks) + 1;
+  return past == 0 || bytes[past - 1] == '\n' || before.substr(0, past) == kByteOrderMark;
 }
 
 bool is_empty_tag(const Document& document, Element element) {

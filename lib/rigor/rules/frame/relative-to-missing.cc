@@ -42,7 +42,12 @@ Rule rule() {
       .refused = {.sdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "a pose is relative to a frame that does not exist",
-      .why = "libsdformat refuses the file: without the frame there is no pose.",
+      .why =
+          "Of a link, joint, frame or model libsdformat refuses the file: without the frame there "
+          "is "
+          "no pose. Of a visual, collision, sensor or light the simulator prints an error and "
+          "takes "
+          "the numbers as if no frame were named.",
       .what_to_do =
           "Name a link, joint, frame or model of the same scope. The world can be named "
           "only from a pose that stands in the world itself.",

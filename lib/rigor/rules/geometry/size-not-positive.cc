@@ -35,6 +35,12 @@ std::vector<Size> sizes_of(const model::Shape& shape) {
   if (const auto* polyline = std::get_if<model::Polyline>(&shape)) {
     return {of("height", polyline->height)};
   }
+  if (const auto* ground = std::get_if<model::Heightmap>(&shape)) {
+    // Its z may be zero: it is flat then.
+    const model::Vector3& size = ground->size.value;
+    return {
+        {"size", ground->size.written ? &ground->size.span : nullptr, std::min(size.x, size.y)}};
+  }
   const auto round = [](const auto& solid) -> std::vector<Size> {
     return {of("radius", solid.radius), of("length", solid.length)};
   };

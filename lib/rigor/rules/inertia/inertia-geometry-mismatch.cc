@@ -7,41 +7,17 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/inertia/inertial_fix.h>
+#include <rigor/rules/inertia/slip.h>
 #include <rigor/rules/inertia/solid_body.h>
 #include <rigor/rules/inertia/tensor.h>
+#include <rigor/rules/inertia/tensor_mistake.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertia_geometry_mismatch {
 namespace {
 
-struct Slip {
-  double share;
-  const char* help;
-};
-
 // Less is a token for a frame that had to have some mass.
 constexpr double kLeast = 1e-3;  // kg
-
-// The shapes need not be the body, so a share is near when it is within this factor.
-constexpr double kNear = 2;
-
-constexpr Slip kSlips[] = {
-    {1e3, "the moments look as if they were in g·m²: divide them by 1e3"},
-    {1e4, "the moments look as if they were in kg·cm²: divide them by 1e4"},
-    {1e6, "the moments look as if they were in kg·mm²: divide them by 1e6"},
-    {1e7, "the moments look as if they were in g·cm²: divide them by 1e7"},
-    {1e9, "the moments look as if they were in g·mm²: divide them by 1e9"},
-    {1e-3, "the moments look as if they had been divided by 1e3 once too often"},
-    {1e-4, "the sizes look as if they were in cm, or the moments divided by 1e4 twice"},
-    {1e-6, "the sizes look as if they were in mm, or the moments divided by 1e6 twice"},
-};
-
-std::string guess(double share) {
-  for (const Slip& slip : kSlips) {
-    if (share < slip.share * kNear && share > slip.share / kNear) return slip.help;
-  }
-  return "compute the tensor again from the body's mass and size";
-}
 
 void check(const model::Link& link, Context& context) {
   constexpr mass::Inertia kIdentity{1, 0, 0, 1, 0, 1};  // inertia-identity speaks of that
@@ -49,10 +25,10 @@ void check(const model::Link& link, Context& context) {
   if (!has_tensor(link, context) || !is_dynamic(link, context)) return;
   if (!link.inertial.mass.written || mass <= kLeast) return;
   const mass::Inertia tensor = mass::tensor(link.inertial);
-  const auto verdict = mass::judge(mass, tensor);
-  if (!verdict.possible() || mass::trace(tensor) == 0 || tensor == kIdentity) return;
+  if (!context.verdict(link).possible() || mass::trace(tensor) == 0 || tensor == kIdentity) return;
   const auto share = share_of_solid(link, mass, tensor, context);
   if (!share || plausible(*share)) return;
+  if (mistaken_tensor(link, context).mistake != TensorMistake::kNone) return;  // told there
   const double solid = mass::trace(tensor) / *share;
   const double factor = std::max(*share, 1 / *share);
   context.report({.where = link.inertial.tensor_site.name,
@@ -61,7 +37,7 @@ void check(const model::Link& link, Context& context) {
                       "kg·m² of its shapes as solids of {} kg",
                       mass::trace(tensor), factor, *share > 1 ? "more" : "less", solid, mass),
                   .subject = context.subject(link),
-                  .help = guess(*share),
+                  .help = guess_slip(*share),
                   .fix = fix_from_shapes(link, context)});
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include <fmt/core.h>
@@ -17,14 +18,24 @@ void check(const model::Link& link, Context& context) {
   const std::pair<const char*, const model::Field<double>*> entries[] = {
       {"ixx", &i.ixx}, {"ixy", &i.ixy}, {"ixz", &i.ixz},
       {"iyy", &i.iyy}, {"iyz", &i.iyz}, {"izz", &i.izz}};
+  // A tensor is broken once, however many of its entries are.
+  const model::Field<double>* first = nullptr;
+  std::string message;
+  bool alone = true;
   for (const auto& [name, entry] : entries) {
     if (!entry->written || std::isfinite(entry->value)) continue;
-    context.report({.where = entry->span,
-                    .message = fmt::format("{} is {}: it must be a finite number of kg·m²", name,
-                                           entry->value),
-                    .subject = context.subject(link),
-                    .refused = refuses_inertia(link, context)});
+    if (first == nullptr) {
+      first = entry;
+      message = fmt::format("{} is {}: it must be a finite number of kg·m²", name, entry->value);
+    } else {
+      message += (std::exchange(alone, false) ? ", and so must " : ", ") + std::string(name);
+    }
   }
+  if (first == nullptr) return;
+  context.report({.where = first->span,
+                  .message = std::move(message),
+                  .subject = context.subject(link),
+                  .refused = refuses_inertia(link, context)});
 }
 
 }  // namespace

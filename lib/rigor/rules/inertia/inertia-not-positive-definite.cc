@@ -21,7 +21,7 @@ std::string help(const mass::Inertia& tensor) {
 
 void check(const model::Link& link, Context& context) {
   if (!has_tensor(link, context)) return;
-  const auto verdict = mass::judge(link.inertial.mass.value, mass::tensor(link.inertial));
+  const mass::Verdict& verdict = context.verdict(link);
   if (!verdict.tensor_finite || verdict.smallest != mass::Verdict::Sign::kNegative) return;
   const auto& moments = verdict.principal;
   context.report(

@@ -78,7 +78,9 @@ Rule rule() {
       <«inertial»>
         <mass>1</mass>
         <inertia>
-          <ixx>4</ixx>
+          <ixx>0.1</ixx>
+          <iyy>0.2</iyy>
+          <izz>0.30000000000001</izz>
         </inertia>
       </inertial>
     </link>
@@ -91,7 +93,9 @@ Rule rule() {
       <inertial>
         <mass>1</mass>
         <inertia>
-          <ixx>2</ixx>
+          <ixx>0.1</ixx>
+          <iyy>0.2</iyy>
+          <izz>0.3</izz>
         </inertia>
       </inertial>
     </link>

@@ -28,7 +28,7 @@ void check(const model::Root& root, Context& context) {
     const double mass = link.inertial.mass.value;
     if (!root.own(link.site) || !has_tensor(link, context) || !(mass > 0)) continue;
     if (!is_dynamic(link, context) || fixed.count(link.name.value) != 0) continue;
-    const auto verdict = mass::judge(mass, mass::tensor(link.inertial));
+    const mass::Verdict& verdict = context.verdict(link);
     if (!verdict.possible() || verdict.smallest != mass::Verdict::Sign::kZero) continue;
     const bool all = verdict.principal[2] == 0;
     context.report({.where = link.inertial.tensor_site.name,

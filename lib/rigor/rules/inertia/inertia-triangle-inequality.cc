@@ -31,7 +31,7 @@ std::string rounding(const mass::Verdict::Triangle& triangle) {
 
 void check(const model::Link& link, Context& context) {
   if (!has_tensor(link, context)) return;
-  const auto verdict = mass::judge(link.inertial.mass.value, mass::tensor(link.inertial));
+  const mass::Verdict& verdict = context.verdict(link);
   if (!verdict.tensor_finite || verdict.smallest == mass::Verdict::Sign::kNegative) return;
   const auto& triangle = verdict.triangle;
   if (triangle.holds) return;

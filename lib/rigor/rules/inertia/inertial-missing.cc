@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <set>
 #include <string>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -25,8 +27,31 @@ std::string comparison(const model::Link& link, Context& context) {
                      most, most < 1 ? 1 / most : most, most < 1 ? "less" : "more");
 }
 
-void check(const model::Link& link, Context& context) {
-  if (link.inertial.written || !is_dynamic(link, context)) return;
+// Boxes half a metre wide that lie about in worlds turn thirty times as hard as they should, and
+// nobody minds: no motor turns them.
+constexpr double kUnnoticed = 100;
+
+/// Whether a ball of three metres is near enough, or there is nothing that could be touched.
+bool may_be_meant(const model::Link& link, const model::Model& model, Context& context) {
+  if (link.collisions.empty()) return true;
+  const auto share = share_of_solid(link, 1, mass::Inertia{1, 0, 0, 1, 0, 1}, context);
+  if (!share) return false;
+  const double times = std::max(*share, 1 / *share);
+  return model.joints.empty() ? times < kUnnoticed : plausible(*share);
+}
+
+/// The links that joints of the model fix to the world: whatever they weigh, they stay.
+std::set<model::Id<model::Link>> anchored_links(const model::Model& model, Context& context) {
+  std::set<model::Id<model::Link>> anchored;
+  for (const auto id : model.joints) {
+    const auto& ends = context.frames().ends(id);
+    if (context.root()[id].type != model::JointType::kFixed || !ends.parent_is_world) continue;
+    if (ends.child) anchored.insert(ends.child);
+  }
+  return anchored;
+}
+
+void report(const model::Link& link, Context& context) {
   context.report({.where = link.site.name,
                   .message = "the link '" + link.name.value +
                              "' has no <inertial>: it is taken to be 1 kg with a moment of 1 kg·m² "
@@ -34,6 +59,24 @@ void check(const model::Link& link, Context& context) {
                   .subject = context.subject(link),
                   .help = comparison(link, context),
                   .fix = fix_from_shapes(link, context)});
+}
+
+void check(const model::Model& model, Context& context) {
+  const model::Root& root = context.root();
+  // Where other links have masses, or need them, one without was forgotten.
+  bool told = std::any_of(model.links.begin(), model.links.end(),
+                          [&](const auto id) { return root[id].inertial.written; });
+  const auto anchored = anchored_links(model, context);
+  std::vector<const model::Link*> without;
+  for (const auto id : model.links) {
+    const model::Link& link = root[id];
+    if (anchored.count(id) > 0) continue;
+    if (link.inertial.written || !root.own(link.site) || !is_dynamic(link, context)) continue;
+    without.push_back(&link);
+    told = told || !may_be_meant(link, model, context);
+  }
+  if (!told) return;
+  for (const model::Link* link : without) report(*link, context);
 }
 
 }  // namespace
@@ -111,8 +154,18 @@ Rule rule() {
     <link name="body"/>
   </model>
 </sdf>
+)"},
+               {R"(<sdf version="1.9">
+  <model name="crate">
+    <link name="body">
+      <collision name="hull">
+        <geometry><box><size>1 1 1</size></box></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
 )"}},
-      .checks = {on<model::Link>(check)},
+      .checks = {on<model::Model>(check)},
   };
 }
 

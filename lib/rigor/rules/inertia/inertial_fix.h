@@ -7,6 +7,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -16,18 +18,36 @@
 
 namespace rigor::rules {
 
-/// Nothing when neither the collisions nor the visuals are all solids.
+/// Lead has 11,340 kg/m³: shapes that would have more are not the whole body.
+inline constexpr double kDensestOfParts = 12'000;  // kg/m³
+
+/// What the fix does to the mass stands in its title: without a written one it changes.
+inline std::string title_of(const mass::Proposal& proposal, const model::Inertial& written,
+                            const Context& context) {
+  const double density = proposal.body.mass / proposal.volume;
+  if (proposal.mass_from == mass::MassFrom::kWritten) {
+    return fmt::format("write the inertial of its shapes as solids, {:.4g} kg at {:.4g} kg/m³",
+                       proposal.body.mass, density);
+  }
+  const double before = context.is_urdf() || written.mass.written ? 0 : 1;
+  return fmt::format(
+      "write the inertial of its shapes as solids of {:.4g} kg/m³{}: {:.4g} kg instead of {} kg",
+      density, density > 999.9 && density < 1000.1 ? ", which is water" : "", proposal.body.mass,
+      before);
+}
+
+/// Nothing when neither the collisions nor the visuals are all solids that can be the body.
 inline std::optional<Fix> fix_from_shapes(const model::Link& link, Context& context) {
   for (const mass::From from : {mass::From::kCollisions, mass::From::kVisuals}) {
     const auto proposal = mass::propose(link.inertial, context.body(link, from), {});
     if (!proposal) continue;
+    if (proposal->body.mass > kDensestOfParts * proposal->volume) continue;
     const auto format = context.is_urdf() ? write::BlockFormat::kUrdf : write::BlockFormat::kSdf;
     auto edits = write::write_inertial(context.document(), context.element(link.site),
                                        proposal->body, format);
     if (edits.empty()) return std::nullopt;
-    return Fix{fmt::format("write the inertial of its shapes as solids, {:.4g} kg at {:.4g} kg/m³",
-                           proposal->body.mass, proposal->body.mass / proposal->volume),
-               Applicability::kUnsafe, std::move(edits)};
+    return Fix{title_of(*proposal, link.inertial, context), Applicability::kUnsafe,
+               std::move(edits)};
   }
   return std::nullopt;
 }

@@ -25,7 +25,7 @@ Rule rule() {
   return {
       .name = "axis-missing",
       .category = Category::kKinematics,
-      .severity = Severity::kWarning,
+      .severity = Severity::kInfo,
       .formats = Formats::kSdf,
       .summary = "a joint that moves along an axis has none",
       .why =

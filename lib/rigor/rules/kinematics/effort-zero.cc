@@ -15,9 +15,11 @@ void check(const model::Joint& joint, Context& context) {
   if (context.is_sdf() && context.root().version <= 3) return;
   for (const model::Axis& axis : joint.axes) {
     if (axis.mimic || !axis.effort.written || axis.effort.value != 0) continue;
+    const bool still = axis.velocity.written && axis.velocity.value == 0;
     context.report({.where = axis.effort.span,
-                    .message = fmt::format("the effort limit is 0 {}: nothing can drive the joint",
-                                           effort_unit(joint.type)),
+                    .message = fmt::format(
+                        "the effort limit is 0 {}{}: nothing can drive the joint",
+                        effort_unit(joint.type), still ? ", and so is that of velocity" : ""),
                     .subject = context.subject(joint)});
   }
 }

@@ -9,6 +9,15 @@
 namespace rigor::rules::loose_link {
 namespace {
 
+/// Whether a joint of the model holds two links together, not only one to the world.
+bool connects_links(const model::Model& model, Context& context) {
+  for (const auto id : model.joints) {
+    const auto& ends = context.frames().ends(id);
+    if (ends.parent && ends.child && ends.parent != ends.child) return true;
+  }
+  return false;
+}
+
 void check(const model::Root& root, Context& context) {
   std::vector<bool> connected(root.links.size(), false);
   for (std::uint32_t i = 0; i < root.joints.size(); ++i) {
@@ -22,8 +31,8 @@ void check(const model::Root& root, Context& context) {
     if (include.model && !include.followed) return;
   }
   for (const model::Model& model : root.models) {
-    // Links without any joint are a heap of parts, and meant as that.
-    if (!root.own(model.site) || model.joints.empty()) continue;
+    // Links that no joint connects to another are a heap of parts, and meant as that.
+    if (!root.own(model.site) || !connects_links(model, context)) continue;
     for (const auto id : model.links) {
       const model::Link& link = root[id];
       if (connected[id.value] || link.kinematic.value || is_static(root, link.model)) continue;
@@ -80,6 +89,17 @@ Rule rule() {
   <model name="arm">
     <link name="base"/>
     <link name="tip"/>
+  </model>
+</sdf>
+)"},
+               {R"(<sdf version="1.9">
+  <model name="drop">
+    <link name="plate"/>
+    <link name="ball"/>
+    <joint name="nail" type="fixed">
+      <parent>world</parent>
+      <child>plate</child>
+    </joint>
   </model>
 </sdf>
 )"}},

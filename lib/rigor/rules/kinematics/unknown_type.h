@@ -31,6 +31,7 @@ inline std::vector<std::string_view> types_of(const read::SchemaFact& fact) {
 }
 
 inline void report_unknown_type(const read::SchemaFact& fact, Context& context) {
+  if (fact.node->listed_since(read::trimmed(fact.text))) return;  // value-newer-than-version
   const auto types = types_of(fact);
   const auto near = schema::near(fact.text, types);
   std::string all = "the types are";

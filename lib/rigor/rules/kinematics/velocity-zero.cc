@@ -15,6 +15,7 @@ void check(const model::Joint& joint, Context& context) {
   if (context.is_sdf() && context.root().version <= 3) return;
   for (const model::Axis& axis : joint.axes) {
     if (axis.mimic || !axis.velocity.written || axis.velocity.value != 0) continue;
+    if (axis.effort.written && axis.effort.value == 0) continue;  // effort-zero says both
     context.report({.where = axis.velocity.span,
                     .message = fmt::format("the velocity limit is 0 {}/s: the joint can never move",
                                            position_unit(joint.type)),
@@ -91,6 +92,16 @@ Rule rule() {
     <parent link="base"/>
     <child link="tip"/>
     <limit lower="-1" upper="1" effort="5" velocity="2"/>
+  </joint>
+</robot>
+)"},
+               {R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="1" effort="0" velocity="0"/>
   </joint>
 </robot>
 )"}},

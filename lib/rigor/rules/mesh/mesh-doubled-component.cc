@@ -36,7 +36,7 @@ Rule rule() {
   return {
       .name = "mesh-doubled-component",
       .category = Category::kMesh,
-      .severity = Severity::kWarning,
+      .severity = Severity::kInfo,
       .summary = "a closed piece of a mesh lies inside another and counts twice",
       .why =
           "It faces the same way as the piece around it, so it is not a cavity: what it "

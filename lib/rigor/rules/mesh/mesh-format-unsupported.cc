@@ -14,6 +14,11 @@ namespace {
 
 constexpr std::string_view kFormats[] = {".stl", ".dae", ".obj", ".glb", ".gltf", ".ply", ".fbx"};
 
+std::string read_by_none(const std::string& extension) {
+  if (extension == ".mesh") return "RViz alone reads Ogre's format '.mesh': no simulator does";
+  return "no simulator is known to read meshes of the format '" + extension + "'";
+}
+
 void check(const MeshUse& use, Context& context) {
   const std::string& uri = use.mesh.uri.value;
   const std::size_t dot = uri.rfind('.');
@@ -25,11 +30,10 @@ void check(const MeshUse& use, Context& context) {
     if (extension.size() == format.size() && schema::edit_distance(extension, format, 0) == 0)
       return;
   }
-  context.report(
-      {.where = use.mesh.uri.span,
-       .message = none ? "the mesh has no file extension: nobody knows its format"
-                       : "no simulator is known to read meshes of the format '" + extension + "'",
-       .subject = use.subject});
+  context.report({.where = use.mesh.uri.span,
+                  .message = none ? "the mesh has no file extension: nobody knows its format"
+                                  : read_by_none(extension),
+                  .subject = use.subject});
 }
 
 /// Of a file by itself there is no URI: then it is its bytes that nobody knows.
@@ -49,7 +53,7 @@ Rule rule() {
       .why =
           "Gazebo reads STL, DAE, OBJ, glTF and, by assimp, a few more; RViz much the same. "
           "Formats of CAD programs (STEP, IGES, SLDPRT) and of renderers (blend, vtk) are read "
-          "by none.",
+          "by none, Ogre's own (.mesh) by RViz alone.",
       .what_to_do = "Export the mesh as STL, OBJ, DAE or glTF.",
       .bad = {{R"(<sdf version="1.9">
   <model name="arm">

@@ -14,7 +14,7 @@ void check(const MeshFile& file, Context& context) {
   report_mesh(file, context,
               how_many(mirrored.count, "node") + in_line(mirrored.first) +
                   (mirrored.count == 1 ? " mirrors its" : " mirror their") +
-                  " shapes, which turns them inside out");
+                  " shapes: some readers then turn their triangles round, some do not");
 }
 
 }  // namespace
@@ -23,12 +23,13 @@ Rule rule() {
   return {
       .name = "mesh-mirrored-node",
       .category = Category::kMesh,
-      .severity = Severity::kWarning,
+      .severity = Severity::kInfo,
       .summary = "a node of a mesh file mirrors its shapes",
       .why =
           "A transform with a negative scale turns the order of each triangle's corners "
-          "around. Assimp leaves it to its user to turn it back; who does not sees the inside "
-          "of the part and computes a negative volume.",
+          "around. Assimp leaves it to its user to turn it back. Exporters differ as well: some "
+          "write a shape that is right only if nobody does. Where reader and exporter disagree, "
+          "the inside of the part is drawn, and its volume is negative.",
       .what_to_do =
           "Apply the transforms before exporting, or write the mesh anew, which does so: "
           "`rigor mesh-check FILE -o OUT.dae`.",

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <rigor/rules/package/own_package.h>
 #include <rigor/rules/package/tried.h>
 #include <rigor/rules/rule.h>
 
@@ -19,10 +20,13 @@ void check(const MeshUse& use, Context& context) {
   for (const read::Tried& place : found.tried) {
     tried.push_back(place.path + " (" + place.origin + ")");
   }
+  const std::string package = package_without_file(uri.value, found, context);
   context.report({.where = uri.span,
                   .message = "the mesh '" + uri.value + "' is not found",
                   .subject = use.subject,
-                  .help = tried_places(tried, uri.value)});
+                  .help = package.empty()
+                              ? tried_places(tried, uri.value)
+                              : "the package lies in '" + package + "', and has no such file"});
 }
 
 }  // namespace

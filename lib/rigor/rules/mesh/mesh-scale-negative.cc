@@ -11,7 +11,9 @@ void check(const MeshUse& use, Context& context) {
   const auto [x, y, z] = scale.value;
   if (!scale.written || (x >= 0 && y >= 0 && z >= 0)) return;
   context.report({.where = scale.span,
-                  .message = "a negative scale mirrors the mesh, which turns it inside out",
+                  .message =
+                      "a negative scale mirrors the mesh: who does not turn its triangles back "
+                      "sees it inside out",
                   .subject = use.subject});
 }
 
@@ -24,8 +26,10 @@ Rule rule() {
       .severity = Severity::kWarning,
       .summary = "a mesh is scaled by a negative factor",
       .why =
-          "Mirroring turns the triangles' order around: some viewers draw the inside, some "
-          "engines see a hollow of negative volume, and others take the absolute value.",
+          "Many robots make their left side of the meshes of the right one so, and consumers "
+          "differ: MuJoCo turns the triangles back; new Gazebo draws such a visual with its inside "
+          "outside and reports an error for such a collision (gazebosim/gz-sim#2656); Webots and "
+          "O3DE refuse the factor; some take the absolute value.",
       .what_to_do =
           "Mirror the mesh file itself, with its triangles turned the right way round, and take "
           "the "

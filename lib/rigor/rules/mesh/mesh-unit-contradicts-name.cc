@@ -56,7 +56,7 @@ Rule rule() {
   return {
       .name = "mesh-unit-contradicts-name",
       .category = Category::kMesh,
-      .severity = Severity::kWarning,
+      .severity = Severity::kInfo,
       .summary = "a unit's name and size contradict each other",
       .why =
           "Who reads the name gets another size than who reads the number. Simulators read the "

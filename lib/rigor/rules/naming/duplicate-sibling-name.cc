@@ -38,7 +38,7 @@ Rule rule() {
           "one set of names: from SDF 1.7 on libsdformat refuses the file; of an older one it "
           "renames the later kind while it reads, so that nobody finds it by the name that is "
           "written. Its check (ign sdf -k) refuses both, and a visual with the name of its "
-          "collision too.",
+          "collision too, which simulators load all the same.",
       .what_to_do = "Rename one of them, as to elbow_joint.",
       .bad = {{R"(<sdf version="1.9">
   <model name="box">

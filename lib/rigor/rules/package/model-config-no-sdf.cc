@@ -1,12 +1,26 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <string>
+#include <string_view>
+
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::model_config_no_sdf {
 namespace {
 
+/// A folder of meshes that other models use has a model.config so that model:// leads there, and
+/// nobody includes it.
+bool holds_a_model(const Context& context) {
+  for (const std::string& name : context.disk().list(std::string(context.folder()))) {
+    const std::string_view file = name;
+    if (file.ends_with(".sdf") || file.ends_with(".urdf") || file.ends_with(".xacro")) return true;
+  }
+  return false;
+}
+
 void check(const read::ConfigFact& fact, Context& context) {
+  if (!holds_a_model(context)) return;
   context.report({.where = fact.where, .message = "no <sdf> names the file to load"});
 }
 
@@ -26,7 +40,10 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "a model.config names no SDF file",
-      .why = "Whoever includes the folder gets an error: there is nothing to load.",
+      .why =
+          "Whoever includes the folder gets an error: there is nothing to load. Of a folder "
+          "without "
+          "a model, as one of meshes that others use, that is told only where it is included.",
       .what_to_do = "Write the file to load, as in <sdf version=\"1.9\">model.sdf</sdf>.",
       .bad = {{R"(<sdf version="1.9">
   <world name="lab">
@@ -60,6 +77,14 @@ a box
     <link name="body"/>
   </model>
 </sdf>
+)"},
+               {R"(<?xml version="1.0"?>
+<model>
+  <name>meshes of all robots</name>
+</model>
+=== meshes/wheel.stl
+solid wheel
+endsolid wheel
 )"}},
       .checks = {on_config({read::ConfigFactKind::kNoSdf}, check),
                  on_read({read::FactKind::kConfigWithoutSdf}, check_included)},

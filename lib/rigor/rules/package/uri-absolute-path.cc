@@ -31,6 +31,15 @@ void check(const model::Root& /*root*/, Context& context) {
   }
 }
 
+void check_plugin(const model::Plugin& plugin, Context& context) {
+  const std::string& library = plugin.filename.value;
+  if (!is_of_one_machine(library)) return;
+  context.report({.where = plugin.filename.span,
+                  .message = "'" + library + "' is a path of one machine",
+                  .subject = context.subject(plugin),
+                  .help = "a plugin is found by the bare name of its library"});
+}
+
 }  // namespace
 
 Rule rule() {
@@ -40,7 +49,10 @@ Rule rule() {
       .severity = Severity::kWarning,
       .summary = "a URI is a path of one machine",
       .why = "On any other machine the file is not found.",
-      .what_to_do = "Write it relative to the model, or as model:// or package://.",
+      .what_to_do =
+          "Write it relative to the model, or as model:// or package://; of a plugin the name of "
+          "the "
+          "library, with its folder in GZ_SIM_SYSTEM_PLUGIN_PATH or GAZEBO_PLUGIN_PATH.",
       .bad = {{R"(<sdf version="1.9">
   <model name="box">
     <static>true</static>
@@ -72,6 +84,25 @@ Rule rule() {
         </material>
       </visual>
     </link>
+  </model>
+</sdf>
+)"},
+              {R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <visual name="shape">
+        <geometry><sphere><radius>1</radius></sphere></geometry>
+        <material>
+          <pbr>
+            <metal>
+              <albedo_map>«/home/ann/wood.png»</albedo_map>
+            </metal>
+          </pbr>
+        </material>
+      </visual>
+    </link>
+    <plugin name="push" filename="«/opt/ros/jazzy/lib/libpush.so»"/>
   </model>
 </sdf>
 )"}},
@@ -109,7 +140,7 @@ Rule rule() {
   </model>
 </sdf>
 )"}},
-      .checks = {on<model::Root>(check)},
+      .checks = {on<model::Root>(check), on<model::Plugin>(check_plugin)},
   };
 }
 

@@ -1,11 +1,9 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
-#include <iterator>
 #include <string>
-#include <string_view>
 
+#include <rigor/rules/plugin/simulator.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_classic {
@@ -14,24 +12,10 @@ namespace {
 // Gazebo classic ends with SDF 1.7, so a file of a later version is not for it.
 constexpr int kFirstWithoutClassic = 8;
 
-constexpr std::string_view kClassic[] = {
-    "libActorPlugin.so",          "libBreakableJointPlugin.so",
-    "libBuoyancyPlugin.so",       "libCameraPlugin.so",
-    "libContactPlugin.so",        "libDiffDrivePlugin.so",
-    "libGpuRayPlugin.so",         "libGravityCompensationPlugin.so",
-    "libHydraDemoPlugin.so",      "libImuSensorPlugin.so",
-    "libJointControlPlugin.so",   "libLiftDragPlugin.so",
-    "libPressurePlugin.so",       "libRandomVelocityPlugin.so",
-    "libRaySensorNoisePlugin.so", "libRubblePlugin.so",
-    "libSkidSteerDrivePlugin.so", "libTouchPlugin.so",
-    "libVehiclePlugin.so",        "libWindPlugin.so"};
-
 void check(const model::Plugin& plugin, Context& context) {
   const std::string& file = plugin.filename.value;
   if (context.root().version < kFirstWithoutClassic) return;
-  const bool known =
-      std::find(std::begin(kClassic), std::end(kClassic), file) != std::end(kClassic);
-  if (!known && !file.starts_with("libgazebo_ros_")) return;
+  if (!is_of_gazebo_classic(file)) return;
   context.report({.where = plugin.filename.span,
                   .message = "'" + file +
                              "' is a plugin of Gazebo classic, which does not read SDF " +
@@ -45,7 +29,7 @@ Rule rule() {
   return {
       .name = "plugin-classic",
       .category = Category::kPlugin,
-      .severity = Severity::kInfo,
+      .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a plugin of Gazebo classic in a file that is not for it",
       .why =

@@ -1,6 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <rigor/rules/plugin/gazebo_block.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_filename_missing {
@@ -12,7 +13,8 @@ void check(const model::Plugin& plugin, Context& context) {
   if (!file.value.empty() || (context.is_sdf() && !file.written)) return;
   context.report({.where = file.span.size() > 0 ? file.span : plugin.site.name,
                   .message = "the plugin '" + plugin.name.value + "' names no library",
-                  .subject = context.subject(plugin)});
+                  .subject = context.subject(plugin),
+                  .refused = is_read_from_block(plugin, context)});
 }
 
 }  // namespace
@@ -22,7 +24,7 @@ Rule rule() {
       .name = "plugin-filename-missing",
       .category = Category::kPlugin,
       .severity = Severity::kError,
-      .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
+      .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kSays},
       .summary = "a plugin names no library",
       .why =
           "libsdformat refuses the file, also one that it makes of a URDF: the filename is "

@@ -61,7 +61,9 @@ void check(const model::Root& root, Context& context) {
       if (parameter == std::end(kPluginParameters)) continue;
       const std::string value(read::trimmed(child.text()));
       const std::string_view inner = within(root[plugin.model], value);
-      if (value.empty() || exists(names, plugin.model, parameter->what, value)) continue;
+      // Some plugins of ROS 1 take a list.
+      if (value.empty() || value.find_first_of(", ") != std::string::npos) continue;
+      if (exists(names, plugin.model, parameter->what, value)) continue;
       if (exists(names, plugin.model, parameter->what, inner)) continue;
       const auto all = [&] { return names.in({plugin.model, {}}); };
       const char* kind = parameter->what == ParameterOf::kJoint ? "joint" : "link";

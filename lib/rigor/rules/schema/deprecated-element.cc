@@ -1,6 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <optional>
 #include <string>
 
 #include <rigor/rules/rule.h>
@@ -10,7 +11,12 @@ namespace rigor::rules::deprecated_element {
 namespace {
 
 /// What to do about it: the concise report has the message alone.
-std::string instead_of(const schema::Node& node) {
+std::string instead_of(const schema::Node& node, xml::Element element) {
+  const auto parent = element.parent();
+  const auto above = parent ? parent->parent() : std::nullopt;
+  if (node.instead() == node.name() && above) {
+    return ": write it in <" + std::string(above->name()) + ">";
+  }
   if (!node.instead().empty()) return ": write '" + std::string(node.instead()) + "'";
   return node.doc().starts_with("Without effect") ? ": it has no effect" : "";
 }
@@ -20,7 +26,7 @@ void check(const read::SchemaFact& fact, Context& context) {
   std::string message = "'" + std::string(fact.node->name()) + "' is deprecated";
   if (context.is_sdf() && since) message += " since SDF " + schema::to_string(*since);
   context.report({.where = fact.where,
-                  .message = message + instead_of(*fact.node),
+                  .message = message + instead_of(*fact.node, fact.element),
                   .subject = subject_of(fact.element)});
 }
 

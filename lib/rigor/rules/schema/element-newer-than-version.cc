@@ -9,7 +9,14 @@
 namespace rigor::rules::element_newer_than_version {
 namespace {
 
+/// Every version of libsdformat reads an <include> by itself, whatever the version of the file.
+bool of_include(xml::Element element) {
+  const auto parent = element.parent();
+  return element.name() == "include" || (parent && parent->name() == "include");
+}
+
 void check(const read::SchemaFact& fact, Context& context) {
+  if (context.is_sdf() && of_include(fact.element)) return;
   const std::string format = context.is_urdf() ? "URDF " : "SDF ";
   const std::string since = schema::to_string(fact.node->since());
   context.report({.where = fact.where,
@@ -25,7 +32,7 @@ Rule rule() {
   return {
       .name = "element-newer-than-version",
       .category = Category::kSchema,
-      .severity = Severity::kWarning,
+      .severity = Severity::kInfo,
       .summary = "an element or attribute is newer than the version of the file",
       .why =
           "A reader that goes by the version of the file passes over it; libsdformat goes by the "
@@ -60,6 +67,24 @@ Rule rule() {
         </inertia>
       </inertial>
     </link>
+  </model>
+</sdf>
+)"},
+               {R"(<sdf version="1.4">
+  <world name="lab">
+    <include>
+      <uri>box</uri>
+      <pose>0 0 9 0 0 0</pose>
+    </include>
+  </world>
+</sdf>
+=== box/model.config
+<model><name>box</name><sdf version="1.4">model.sdf</sdf></model>
+=== box/model.sdf
+<sdf version="1.4">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
   </model>
 </sdf>
 )"}},

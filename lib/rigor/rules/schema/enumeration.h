@@ -5,11 +5,13 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <rigor/read/conformance.h>
+#include <rigor/read/values.h>
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules {
@@ -46,6 +48,12 @@ inline ListKeeper keeper_of(const read::SchemaFact& fact) {
       element == "world_frame_orientation" || attribute == "rotation_format" ||
       of_force_torque_frame(fact.element) || of_camera_noise(fact.element);
   return refused ? ListKeeper::kRefuses : ListKeeper::kNobody;
+}
+
+/// Since when the value is one of the list, if a later version of the format has it; of that
+/// `value-newer-than-version` speaks.
+inline std::optional<schema::Version> listed_since(const read::SchemaFact& fact) {
+  return fact.node->listed_since(read::trimmed(fact.text));
 }
 
 inline std::vector<std::string_view> listed_values(const read::SchemaFact& fact) {

@@ -22,16 +22,25 @@ std::string list(const std::vector<std::string>& places) {
   return places.size() > kMostPlaces ? text + " and others" : text;
 }
 
+/// The models, links and lights of a world's <state> have the names of others, and hold less.
+bool in_state(xml::Element element) {
+  for (auto at = element.parent(); at; at = at->parent()) {
+    if (at->name() == "state") return true;
+  }
+  return false;
+}
+
 void check(const read::SchemaFact& fact, Context& context) {
   const schema::Version version = fact.parent->version();
   const std::string name(fact.element.name());
   const auto places = context.schema()->parents_of(name, version);
   if (places.empty()) return;  // unknown-element
-  context.report(
-      {.where = fact.where,
-       .message = "<" + name + "> has no effect in <" + std::string(fact.parent->name()) + ">",
-       .subject = subject_of(fact.element),
-       .help = "it belongs in " + list(places)});
+  context.report({.where = fact.where,
+                  .message = "<" + name + "> has no effect in <" +
+                             std::string(fact.parent->name()) +
+                             (in_state(fact.element) ? "> of a <state>" : ">"),
+                  .subject = subject_of(fact.element),
+                  .help = "it belongs in " + list(places)});
 }
 
 }  // namespace
@@ -43,8 +52,9 @@ Rule rule() {
       .severity = Severity::kWarning,
       .summary = "an element stands where the format does not look for it",
       .why =
-          "libsdformat, urdfdom and Gazebo look for it somewhere else and pass over it here "
-          "without a word: what it says has no effect.",
+          "libsdformat, urdfdom and Gazebo look for it somewhere else and pass over it here, "
+          "newer libsdformat with a warning, the others without a word: what it says has no "
+          "effect.",
       .what_to_do = "Move it to the element that the message names.",
       .bad = {{R"(<sdf version="1.9">
   <model name="box">

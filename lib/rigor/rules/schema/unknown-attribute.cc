@@ -1,6 +1,9 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,10 +14,29 @@
 namespace rigor::rules::unknown_attribute {
 namespace {
 
+constexpr std::uint32_t kNearby = 100;  // elements: the next joint is some 20 further on
+
+/// Whether an element near by has the attribute, too: then it is no slip of the pen. URDF readers pass
+/// over what they do not know, and laboratories add what their own tools read (`mu_viscous` of the
+/// dynamics of each joint).
+bool is_habit(const read::SchemaFact& fact, const xml::Document& document) {
+  const std::uint32_t here = fact.element.index();
+  const std::uint32_t end = std::min(document.element_count(), here + kNearby);
+  for (std::uint32_t i = here - std::min(here, kNearby); i < end; ++i) {
+    const xml::Element other = document.element(i);
+    if (i != here && other.name() == fact.element.name() &&
+        other.attribute(fact.attribute->name())) {
+      return true;
+    }
+  }
+  return false;
+}
+
 void check(const read::SchemaFact& fact, Context& context) {
   const std::string_view name = fact.attribute->name();
   if (meant_for_missing(fact, name)) return;
   const auto near = schema::near(name, node_names(fact.parent->attributes()));
+  if (context.is_urdf() && near.empty() && is_habit(fact, context.document())) return;
   std::optional<Fix> fix;
   if (near.size() == 1 && !fact.element.attribute(near.front())) {
     const std::string meant(near.front());
@@ -40,7 +62,9 @@ Rule rule() {
       .why = "libsdformat warns, urdfdom and Gazebo say nothing; what it says has no effect.",
       .what_to_do =
           "Write the name that was meant. Attributes of your own take a prefix, as "
-          "mine:note=\"…\", and are left alone.",
+          "mine:note=\"…\", and are left alone; so are those that several joints or links of a "
+          "URDF "
+          "have alike.",
       .bad = {{R"(<sdf version="1.9">
   <model name="box">
     <static>true</static>
@@ -68,6 +92,22 @@ Rule rule() {
     <link name="body"/>
   </model>
 </sdf>
+)"},
+               {R"(<robot name="arm">
+  <link name="base"/>
+  <link name="upper"/>
+  <link name="lower"/>
+  <joint name="shoulder" type="continuous">
+    <parent link="base"/>
+    <child link="upper"/>
+    <dynamics damping="1" mu_viscous="16"/>
+  </joint>
+  <joint name="elbow" type="continuous">
+    <parent link="upper"/>
+    <child link="lower"/>
+    <dynamics damping="1" mu_viscous="12"/>
+  </joint>
+</robot>
 )"}},
       .checks = {on_schema({read::SchemaFactKind::kUnknownAttribute}, check)},
   };

@@ -11,10 +11,19 @@
 namespace rigor::rules::unknown_element {
 namespace {
 
+/// What no version of SDF has and gz-sensors reads all the same: libsdformat copies it.
+bool read_by_gazebo(xml::Element element) {
+  const std::string_view name = element.name();
+  const auto parent = element.parent();
+  return (name == "gz_frame_id" || name == "ignition_frame_id") && parent &&
+         parent->name() == "sensor";
+}
+
 void check(const read::SchemaFact& fact, Context& context) {
   const schema::Version version = fact.parent->version();
   const std::string_view name = fact.element.name();
   if (!context.schema()->parents_of(name, version).empty()) return;  // misplaced-element
+  if (read_by_gazebo(fact.element)) return;
   const auto near = schema::near(name, node_names(fact.parent->children()));
   std::optional<Fix> fix;
   if (near.size() == 1 && !fact.element.parent()->child(near.front())) {
@@ -40,8 +49,8 @@ Rule rule() {
       .fix = FixGrade::kUnsafe,
       .summary = "an element that the format does not have",
       .why =
-          "libsdformat, urdfdom and Gazebo pass over it and all it holds without a word: what it "
-          "says has no effect. Most are misspelt.",
+          "libsdformat, urdfdom and Gazebo pass over it and all it holds, newer libsdformat with a "
+          "warning, the others without a word: what it says has no effect. Most are misspelt.",
       .what_to_do =
           "Write the name that was meant. Elements of your own take a prefix, as <mine:note>, and "
           "are left alone.",
@@ -80,6 +89,17 @@ Rule rule() {
     <static>true</static>
     <link name="body">
       <mine:note xmlns:mine="urn:mine">ours</mine:note>
+    </link>
+  </model>
+</sdf>
+)"},
+               {R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <sensor name="eye" type="imu">
+        <gz_frame_id>eye</gz_frame_id>
+      </sensor>
     </link>
   </model>
 </sdf>

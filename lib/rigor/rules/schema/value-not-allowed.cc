@@ -10,7 +10,7 @@ namespace rigor::rules::value_not_allowed {
 namespace {
 
 void check(const read::SchemaFact& fact, Context& context) {
-  if (keeper_of(fact) != ListKeeper::kRefuses || left_for_xacro(fact)) return;
+  if (keeper_of(fact) != ListKeeper::kRefuses || left_for_xacro(fact) || listed_since(fact)) return;
   context.report({.where = fact.where,
                   .message = quoted_fault(fact) + " is none of the values of " + owner_of(fact),
                   .subject = subject_of(fact.element),

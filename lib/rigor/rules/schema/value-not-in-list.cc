@@ -9,8 +9,17 @@
 namespace rigor::rules::value_not_in_list {
 namespace {
 
+/// Gazebo Classic leaves noise of this type to a plugin.
+bool custom_noise(const read::SchemaFact& fact) {
+  if (fact.text != "custom") return false;
+  if (fact.element.name() == "noise") return true;
+  const auto parent = fact.element.parent();
+  return fact.element.name() == "type" && parent && parent->name() == "noise";
+}
+
 void check(const read::SchemaFact& fact, Context& context) {
-  if (keeper_of(fact) != ListKeeper::kNobody || left_for_xacro(fact)) return;
+  if (keeper_of(fact) != ListKeeper::kNobody || left_for_xacro(fact) || custom_noise(fact)) return;
+  if (listed_since(fact)) return;
   context.report({.where = fact.where,
                   .message = quoted_fault(fact) + " is none of the values of " + owner_of(fact),
                   .subject = subject_of(fact.element),
@@ -65,6 +74,32 @@ Rule rule() {
       </ode>
     </physics>
   </world>
+</sdf>
+)"},
+               {R"(<sdf version="1.5">
+  <model name="scanner">
+    <static>true</static>
+    <link name="head">
+      <sensor name="laser" type="ray">
+        <ray>
+          <scan>
+            <horizontal>
+              <samples>640</samples>
+              <min_angle>-1</min_angle>
+              <max_angle>1</max_angle>
+            </horizontal>
+          </scan>
+          <range>
+            <min>0.1</min>
+            <max>10</max>
+          </range>
+          <noise>
+            <type>custom</type>
+          </noise>
+        </ray>
+      </sensor>
+    </link>
+  </model>
 </sdf>
 )"}},
       .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check)},

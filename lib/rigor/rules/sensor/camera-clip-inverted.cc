@@ -4,10 +4,15 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/edits.h>
+#include <rigor/rules/plugin/gazebo_block.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::camera_clip_inverted {
 namespace {
+
+// What the schema of SDF allows. Its rules speak of less in SDF, and of a URDF's <gazebo> nobody does.
+constexpr double kLeastFarInSdf = 0.1;
+constexpr double kLeastNearInSdf = 0;
 
 void check(const model::Sensor& sensor, Context& context) {
   for (const model::Camera& camera : sensor.cameras) {
@@ -23,7 +28,10 @@ void check(const model::Sensor& sensor, Context& context) {
                     .message = fmt::format("the camera sees from {} m to {} m, which is nothing",
                                            camera.near_clip.value, camera.far_clip.value),
                     .subject = context.subject(sensor),
-                    .fix = std::move(fix)});
+                    .fix = std::move(fix),
+                    .refused = context.is_urdf() && is_in_part(sensor, context) &&
+                               (camera.near_clip.value < kLeastNearInSdf ||
+                                camera.far_clip.value < kLeastFarInSdf)});
   }
 }
 
@@ -34,7 +42,7 @@ Rule rule() {
       .name = "camera-clip-inverted",
       .category = Category::kSensor,
       .severity = Severity::kError,
-      .formats = Formats::kSdf,
+      .refused = {.urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "the near clip distance of a camera is not before the far one",
       .why = "ign sdf -k calls it valid; the renderer then shows an empty picture or stops.",

@@ -28,7 +28,6 @@ Rule rule() {
       .name = "camera-image-empty",
       .category = Category::kSensor,
       .severity = Severity::kError,
-      .formats = Formats::kSdf,
       .summary = "a camera takes pictures without a pixel",
       .why =
           "ign sdf -k calls it valid (and takes -1 for four thousand million); the renderer "

@@ -31,7 +31,6 @@ Rule rule() {
       .name = "lidar-range-inverted",
       .category = Category::kSensor,
       .severity = Severity::kError,
-      .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the least distance of a lidar is not below the greatest",
       .why =

@@ -26,7 +26,6 @@ Rule rule() {
       .name = "lidar-samples-zero",
       .category = Category::kSensor,
       .severity = Severity::kError,
-      .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a lidar sends no ray",
       .why =

@@ -36,7 +36,6 @@ Rule rule() {
       .name = "sensor-topic-duplicate",
       .category = Category::kSensor,
       .severity = Severity::kWarning,
-      .formats = Formats::kSdf,
       .summary = "two sensors publish on the same topic",
       .why = "Whoever listens gets the measurements of both, mixed.",
       .what_to_do = "Give each sensor a topic of its own.",

@@ -26,7 +26,6 @@ Rule rule() {
       .name = "update-rate-negative",
       .category = Category::kSensor,
       .severity = Severity::kWarning,
-      .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the update rate of a sensor is negative",
       .why =

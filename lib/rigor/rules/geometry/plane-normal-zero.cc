@@ -1,0 +1,81 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <variant>
+
+#include <rigor/rules/edits.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::plane_normal_zero {
+namespace {
+
+template <class Part>
+void check(const Part& part, Context& context) {
+  const auto* plane = std::get_if<model::Plane>(&part.geometry.shape);
+  if (plane == nullptr || !plane->normal.written || length(plane->normal.value) > 0) return;
+  context.report(
+      {.where = plane->normal.span,
+       .message = "the normal of the plane is 0 0 0: it faces nowhere",
+       .subject = context.subject(part),
+       .fix = Fix{"let it face up", Applicability::kUnsafe, {{plane->normal.span, "0 0 1"}}}});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "plane-normal-zero",
+      .category = Category::kGeometry,
+      .severity = Severity::kError,
+      .formats = Formats::kSdf,
+      .fix = FixGrade::kUnsafe,
+      .summary = "the normal of a plane is zero",
+      .why =
+          "The normal says which side is up. Normalised, zero becomes nan or stays zero, and "
+          "nothing rests "
+          "on the plane.",
+      .what_to_do = "Write the direction the plane faces; 0 0 1 for a floor.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="ground">
+    <static>true</static>
+    <link name="slab">
+      <collision name="top">
+        <geometry>
+          <plane><normal>«0 0 0»</normal></plane>
+        </geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="ground">
+    <static>true</static>
+    <link name="slab">
+      <collision name="top">
+        <geometry>
+          <plane><normal>0 0 1</normal></plane>
+        </geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="ramp">
+    <static>true</static>
+    <link name="slab">
+      <collision name="top">
+        <geometry>
+          <plane><normal>1 0 3</normal></plane>
+        </geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Collision>(check), on<model::Visual>(check)},
+  };
+}
+
+}  // namespace rigor::rules::plane_normal_zero

@@ -1,0 +1,108 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <string>
+
+#include <fmt/core.h>
+
+#include <rigor/mass/convex.h>
+#include <rigor/rules/geometry/placed_shapes.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::size_suspicious {
+namespace {
+
+// m. In 2,000 real model files one shape that may move is larger, a ball in a test.
+constexpr double kLarge = 100;
+
+// m: what a part of a robot measures, where the size was written in another unit.
+constexpr double kLikelySmall = 0.01;
+constexpr double kLikelyLarge = 5;
+
+struct Unit {
+  const char* name;
+  double meter;
+};
+constexpr Unit kUnits[] = {{"millimetres", 0.001}, {"centimetres", 0.01}};
+
+std::string meant(double size) {
+  for (const Unit& unit : kUnits) {
+    const double metres = size * unit.meter;
+    if (metres < kLikelySmall || metres > kLikelyLarge) continue;
+    return fmt::format("if the sizes are in {}, {:.3g} m are meant", unit.name, metres);
+  }
+  return {};
+}
+
+template <class Part>
+void check(const Part& part, Context& context) {
+  const auto shape = mass::ConvexShape::of(part.geometry.shape, {});
+  if (!shape) return;
+  const mesh::Bounds box = shape->bounds();
+  const model::Vector3 size = box.max - box.min;
+  const double largest = std::max({size.x, size.y, size.z});
+  if (!(largest > kLarge) || !sizes_are_written(part.geometry.shape)) return;
+  const model::Root& root = context.root();
+  const model::Link& link = root[part.link];
+  if (link.kinematic.value || !link.model || is_static(root, link.model)) return;
+  context.report({.where = part.geometry.site.name,
+                  .message = fmt::format("the {} is {:.4g} m large, and its link moves",
+                                         model::shape_name(part.geometry.shape), largest),
+                  .subject = context.subject(part),
+                  .help = meant(largest)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "size-suspicious",
+      .category = Category::kGeometry,
+      .severity = Severity::kWarning,
+      .summary = "a shape of a link that moves is larger than 100 m",
+      .why =
+          "Sizes are in metres. A part of 300 mm that was written as 300 is as large as a stadium: "
+          "it throws "
+          "all else about, and no camera sees its outside.",
+      .what_to_do = "Write the size in metres. What stands fast may be as large as it likes.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="brick">
+    <link name="body">
+      <collision name="clay">
+        <geometry>
+          <«box»><size>200 100 50</size></box>
+        </geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)"},
+              {R"(<robot name="brick">
+  <link name="body">
+    <visual>
+      <geometry>
+        <«cylinder» radius="60" length="40"/>
+      </geometry>
+    </visual>
+  </link>
+</robot>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="hall">
+    <static>true</static>
+    <link name="body">
+      <collision name="floor">
+        <geometry>
+          <box><size>200 100 1</size></box>
+        </geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Collision>(check), on<model::Visual>(check)},
+  };
+}
+
+}  // namespace rigor::rules::size_suspicious

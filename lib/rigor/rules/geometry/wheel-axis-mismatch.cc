@@ -1,0 +1,159 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <variant>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::wheel_axis_mismatch {
+namespace {
+
+using model::Vector3;
+
+// 18°: no camber or toe is larger.
+constexpr double kAlong = 0.95;
+
+// A disk whose middle is farther from the axis, as a share of its radius, swings rather than rolls.
+constexpr double kOffAxis = 0.2;
+
+bool turns_round(const model::Joint& joint) {
+  if (joint.type == model::JointType::kContinuous) return true;
+  if (joint.type != model::JointType::kRevolute) return false;
+  const model::Axis& axis = joint.axes.front();
+  if (!axis.lower.written || !axis.upper.written) return true;
+  return axis.upper.value - axis.lower.value > 2 * std::numbers::pi;
+}
+
+/// The link's only collision, when that is a disk.
+const model::Collision* disk_of(const model::Link& link, const model::Root& root) {
+  if (link.collisions.size() != 1) return nullptr;
+  const model::Collision& collision = root[link.collisions.front()];
+  const auto* cylinder = std::get_if<model::Cylinder>(&collision.geometry.shape);
+  if (cylinder == nullptr || !cylinder->radius.written || !cylinder->length.written) return nullptr;
+  if (!(cylinder->length.value < 2 * cylinder->radius.value)) return nullptr;
+  return &collision;
+}
+
+void check(const model::Joint& joint, Context& context) {
+  if (joint.axes.empty() || !joint.axes.front().xyz.written || !turns_round(joint)) return;
+  const model::Root& root = context.root();
+  const model::Frames& frames = context.frames();
+  const model::Id<model::Joint> id{static_cast<std::uint32_t>(&joint - root.joints.data())};
+  const auto child = frames.ends(id).child;
+  const model::Collision* disk = child ? disk_of(root[child], root) : nullptr;
+  if (disk == nullptr) return;
+  const auto axis = frames.axis(id, 0);
+  const auto X_WJ = frames.pose(id);
+  const auto X_WD = frames.pose(root[child].collisions.front());
+  if (!axis || !X_WJ || !X_WD) return;
+  const double cosine = std::abs(dot(rotate(X_WD->rotation, {0, 0, 1}), *axis));
+  if (cosine > kAlong) return;
+  const Vector3 arm = X_WD->translation - X_WJ->translation;
+  const double off = length(arm - dot(arm, *axis) * *axis);
+  if (off > kOffAxis * std::get<model::Cylinder>(disk->geometry.shape).radius.value) return;
+  Finding finding{.where = joint.axes.front().xyz.span,
+                  .message = fmt::format(
+                      "the axis is {:.0f}° off that of the disk which it turns: the wheel '{}' "
+                      "cannot roll",
+                      std::acos(cosine) * 180 / std::numbers::pi, root[child].name.value),
+                  .subject = context.subject(joint)};
+  if (root.own(disk->site))
+    finding.related = {{disk->geometry.site.name, "the disk: its axis is its z"}};
+  context.report(std::move(finding));
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "wheel-axis-mismatch",
+      .category = Category::kGeometry,
+      .severity = Severity::kWarning,
+      .summary = "a wheel does not turn about its own axis",
+      .why =
+          "A joint without limits turns a flat cylinder through its middle, but about another line "
+          "than "
+          "the cylinder's. The wheel tumbles like a coin, or wobbles: it lifts the robot, or does "
+          "not roll. "
+          "Mostly the axis is right for another frame: up to SDF 1.4 it is in the model's, from "
+          "1.5 on in "
+          "the joint's; or the cylinder was turned and the axis not.",
+      .what_to_do =
+          "Write the axis along the cylinder's z, in the frame that the axis is in; `rigor "
+          "inspect` "
+          "prints both in one frame.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="cart">
+    <link name="body"/>
+    <link name="wheel">
+      <pose>0 0.2 0.1 -1.5708 0 0</pose>
+      <collision name="tyre">
+        <geometry><cylinder><radius>0.1</radius><length>0.04</length></cylinder></geometry>
+      </collision>
+    </link>
+    <joint name="axle" type="revolute">
+      <parent>body</parent>
+      <child>wheel</child>
+      <axis><xyz>«0 1 0»</xyz></axis>
+    </joint>
+  </model>
+</sdf>
+)"},
+              {R"(<robot name="cart">
+  <link name="body"/>
+  <link name="wheel">
+    <collision>
+      <geometry><cylinder radius="0.1" length="0.04"/></geometry>
+    </collision>
+  </link>
+  <joint name="axle" type="continuous">
+    <parent link="body"/>
+    <child link="wheel"/>
+    <axis xyz="«0 1 0»"/>
+  </joint>
+</robot>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="cart">
+    <link name="body"/>
+    <link name="wheel">
+      <pose>0 0.2 0.1 -1.5708 0 0</pose>
+      <collision name="tyre">
+        <geometry><cylinder><radius>0.1</radius><length>0.04</length></cylinder></geometry>
+      </collision>
+    </link>
+    <joint name="axle" type="revolute">
+      <parent>body</parent>
+      <child>wheel</child>
+      <axis><xyz>0 0 1</xyz></axis>
+    </joint>
+  </model>
+</sdf>
+)"},
+               // A pendulum: the bob is beside the axis.
+               {R"(<robot name="clock">
+  <link name="body"/>
+  <link name="bob">
+    <collision>
+      <origin xyz="0 0 -1"/>
+      <geometry><cylinder radius="0.1" length="0.04"/></geometry>
+    </collision>
+  </link>
+  <joint name="pivot" type="continuous">
+    <parent link="body"/>
+    <child link="bob"/>
+    <axis xyz="0 1 0"/>
+  </joint>
+</robot>
+)"}},
+      .checks = {on<model::Joint>(check)},
+  };
+}
+
+}  // namespace rigor::rules::wheel_axis_mismatch

@@ -1,0 +1,96 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include <rigor/mass/link_body.h>
+#include <rigor/rules/inertia/automatic.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::automatic_inertia_counted_twice {
+namespace {
+
+// Shapes that share less than this part of the smaller are put together as people do.
+constexpr double kJoined = 0.2;
+
+// Each pair is compared, by some thousand points.
+constexpr std::size_t kMostShapes = 24;
+
+void check(const model::Link& link, Context& context) {
+  if (!is_computed(link, context)) return;
+  if (link.collisions.size() < 2 || link.collisions.size() > kMostShapes) return;
+  const model::Root& root = context.root();
+  const model::Id<model::Link> id{static_cast<std::uint32_t>(&link - root.links.data())};
+  const mass::PartOverlap* worst = nullptr;
+  const auto overlaps = mass::overlaps_in(root, context.frames(), id, mass::From::kCollisions);
+  for (const mass::PartOverlap& overlap : overlaps) {
+    if (overlap.share >= kJoined && (!worst || overlap.share > worst->share)) worst = &overlap;
+  }
+  if (worst == nullptr) return;
+  const model::Collision& first = root[link.collisions[worst->first]];
+  const model::Collision& second = root[link.collisions[worst->second]];
+  context.report(
+      {.where = second.site.name,
+       .message = fmt::format("the collisions '{}' and '{}' share {:.0f} % of the smaller "
+                              "one's volume, and its mass is counted in both",
+                              first.name.value, second.name.value, 100 * worst->share),
+       .subject = context.subject(link),
+       .related = {{first.site.name, "the other collision"}}});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "automatic-inertia-counted-twice",
+      .category = Category::kInertia,
+      .severity = Severity::kWarning,
+      .formats = Formats::kSdf,
+      .summary = "collisions of a link with an automatic inertial overlap",
+      .why =
+          "libsdformat adds up the collisions as separate bodies, so what two of them share weighs "
+          "twice.",
+      .what_to_do =
+          "Let the collisions touch instead of overlap, or give one of them a smaller <density>.",
+      .bad = {{R"(<sdf version="1.11">
+  <model name="arm">
+    <link name="body">
+      <inertial auto="true">
+        <density>1240</density>
+      </inertial>
+      <collision name="hull">
+        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
+      </collision>
+      <«collision» name="rim">
+        <geometry><box><size>0.2 0.25 0.02</size></box></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.11">
+  <model name="arm">
+    <link name="body">
+      <inertial auto="true">
+        <density>1240</density>
+      </inertial>
+      <collision name="hull">
+        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
+      </collision>
+      <collision name="lid">
+        <pose>0 0 0.06 0 0 0</pose>
+        <geometry><box><size>0.2 0.25 0.02</size></box></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Link>(check)},
+  };
+}
+
+}  // namespace rigor::rules::automatic_inertia_counted_twice

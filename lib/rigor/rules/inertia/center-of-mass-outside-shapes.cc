@@ -1,0 +1,132 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/inertia/outline.h>
+#include <rigor/rules/inertia/tensor.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::center_of_mass_outside_shapes {
+namespace {
+
+// What is drawn may be less than what was weighed: not all screws and cables are.
+constexpr double kShare = 0.05;  // of the size
+constexpr double kThin = 1e-3;   // m
+constexpr double kLeast = 1e-3;  // kg; less is a token for a frame that had to have some mass
+
+// Along the link's axes, and across the corners between them.
+constexpr std::array<model::Vector3, 13> kDirections{{{1, 0, 0},
+                                                      {0, 1, 0},
+                                                      {0, 0, 1},
+                                                      {1, 1, 0},
+                                                      {1, -1, 0},
+                                                      {1, 0, 1},
+                                                      {1, 0, -1},
+                                                      {0, 1, 1},
+                                                      {0, 1, -1},
+                                                      {1, 1, 1},
+                                                      {1, 1, -1},
+                                                      {1, -1, 1},
+                                                      {-1, 1, 1}}};
+
+struct Outside {
+  double distance = 0;  ///< m, how far outside at least
+  double size = 0;      ///< m, the largest extent along an axis
+};
+
+Outside outside(const model::Vector3& com, const Outline& outline) {
+  Outside result;
+  for (const model::Vector3& direction : kDirections) {
+    const model::Vector3 d = (1 / model::length(direction)) * direction;
+    const double ahead = outline.reach(d);
+    const double behind = outline.reach(-1 * d);
+    const double along = model::dot(d, com);
+    result.distance = std::max({result.distance, along - ahead, -along - behind});
+    if (model::length(direction) == 1) result.size = std::max(result.size, ahead + behind);
+  }
+  return result;
+}
+
+void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
+  const model::Inertial& inertial = link.inertial;
+  const model::Vector3& com = inertial.pose.pose.value.translation;
+  if (!inertial.pose.pose.written || com == model::Vector3{} || mass::is_automatic(link)) return;
+  if (!inertial.mass.written || !inertial.tensor_written) return;  // told elsewhere
+  if (!(inertial.mass.value > kLeast) || !is_dynamic(link, context)) return;
+  const auto breaks = [&com](const Outline& outline) {
+    const Outside out = outside(com, outline);
+    return out.distance > kShare * out.size + kThin;
+  };
+  const auto outline = outline_that_breaks(link, groups, context, breaks);
+  if (!outline) return;
+  const Outside out = outside(com, *outline);
+  context.report(
+      {.where = inertial.pose.site.name,
+       .message = fmt::format("the center of mass ({:.4g} {:.4g} {:.4g}) is {:.3g} m outside the "
+                              "link's shapes, which are {:.3g} m long",
+                              com.x, com.y, com.z, out.distance, out.size),
+       .subject = context.subject(link),
+       .help = "it is given in the link's own frame, from the link's origin, in metres"});
+}
+
+void check(const model::Root& root, Context& context) {
+  LazyGroups groups(context);
+  for (const model::Link& link : root.links) {
+    if (root.own(link.site)) check_link(link, groups, context);
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "center-of-mass-outside-shapes",
+      .category = Category::kInertia,
+      .severity = Severity::kInfo,
+      .summary = "a link's center of mass is outside all of its shapes",
+      .why =
+          "No body has its center of mass outside its convex hull. Mostly it was written in the "
+          "frame of the model, of the mesh or of the joint, or for the link on the other side; "
+          "the simulated body then swings about a point in the air, and tips where the real one "
+          "stands.",
+      .what_to_do =
+          "Give it in the link's frame, or let it stand where shapes are simpler than the body. "
+          "`rigor inertia MODEL` shows where that of the shapes is.",
+      .bad = {{R"(<robot name="arm">
+  <link name="rod">
+    <inertial>
+      <«origin» xyz="0 0 0.9"/>
+      <mass value="1.5"/>
+      <inertia ixx="0.0201" ixy="0" ixz="0" iyy="0.0201" iyz="0" izz="0.0001"/>
+    </inertial>
+    <collision>
+      <origin xyz="0 0 0.2"/>
+      <geometry><box size="0.02 0.02 0.4"/></geometry>
+    </collision>
+  </link>
+</robot>
+)"}},
+      .good = {{R"(<robot name="arm">
+  <link name="rod">
+    <inertial>
+      <origin xyz="0 0 0.39"/>
+      <mass value="1.5"/>
+      <inertia ixx="0.0201" ixy="0" ixz="0" iyy="0.0201" iyz="0" izz="0.0001"/>
+    </inertial>
+    <collision>
+      <origin xyz="0 0 0.2"/>
+      <geometry><box size="0.02 0.02 0.4"/></geometry>
+    </collision>
+  </link>
+</robot>
+)"}},
+      .checks = {on<model::Root>(check)},
+  };
+}
+
+}  // namespace rigor::rules::center_of_mass_outside_shapes

@@ -1,0 +1,143 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include <rigor/mass/proposal.h>
+#include <rigor/rules/inertia/outline.h>
+#include <rigor/rules/inertia/tensor.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::density_too_high {
+namespace {
+
+// Less is a token for a frame that had to have some mass, and a shape to be seen by.
+constexpr double kLeast = 0.01;  // kg
+
+/// Of the box around the shapes, in which there is room for more than the body, m³. A sheet is taken to be
+/// a millimetre thick.
+double volume_around(const Outline& outline) {
+  constexpr double kThin = 1e-3;  // m
+  double volume = 1;
+  for (const model::Vector3& d : {model::Vector3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
+    volume *= std::max(kThin, outline.extent(d));
+  }
+  return volume;
+}
+
+/// A base that holds what moves on it is made heavy on purpose.
+class LazyBases {
+ public:
+  explicit LazyBases(const Context& context) : context_(context) {}
+
+  bool has(const model::Link& link) {
+    const model::Root& root = context_.root();
+    if (roles_.empty()) fill();
+    const Roles& roles = roles_[static_cast<std::size_t>(&link - root.links.data())];
+    return roles.fixed_to_world || (roles.parent && !roles.child);
+  }
+
+ private:
+  struct Roles {
+    bool parent = false;
+    bool child = false;
+    bool fixed_to_world = false;
+  };
+
+  void fill() {
+    const model::Root& root = context_.root();
+    roles_.resize(root.links.size());
+    for (std::uint32_t i = 0; i < root.joints.size(); ++i) {
+      const auto& ends = context_.frames().ends({i});
+      if (ends.parent) roles_[ends.parent.value].parent = true;
+      if (!ends.child) continue;
+      roles_[ends.child.value].child = true;
+      if (ends.parent_is_world) roles_[ends.child.value].fixed_to_world = true;
+    }
+  }
+
+  const Context& context_;
+  std::vector<Roles> roles_;
+};
+
+void check_link(const model::Link& link, LazyGroups& groups, LazyBases& bases, Context& context) {
+  const model::Inertial& inertial = link.inertial;
+  const double mass = inertial.mass.value;
+  if (!inertial.mass.written || !(mass > kLeast) || !std::isfinite(mass)) return;
+  if (mass::is_automatic(link) || !is_dynamic(link, context)) return;
+  const auto breaks = [mass](const Outline& outline) {
+    return mass > mass::kDensest * volume_around(outline);
+  };
+  const auto outline = outline_that_breaks(link, groups, context, breaks);
+  if (!outline || bases.has(link)) return;
+  const double density = mass / volume_around(*outline);
+  context.report(
+      {.where = inertial.mass.span,
+       .message = fmt::format(
+           "{} kg do not fit into the link's shapes, which are {:.3g} × {:.3g} × "
+           "{:.3g} m: that would be {} kg/m³ at least, and the densest metal "
+           "has 22,590",
+           mass, outline->extent({1, 0, 0}), outline->extent({0, 1, 0}), outline->extent({0, 0, 1}),
+           density < 1e7 ? fmt::format("{:.0f}", density) : fmt::format("{:.3g}", density)),
+       .subject = context.subject(link),
+       .help = "masses are in kilograms, sizes in metres"});
+}
+
+void check(const model::Root& root, Context& context) {
+  LazyGroups groups(context);
+  LazyBases bases(context);
+  for (const model::Link& link : root.links) {
+    if (root.own(link.site)) check_link(link, groups, bases, context);
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "density-too-high",
+      .category = Category::kInertia,
+      .severity = Severity::kWarning,
+      .summary = "a link weighs more than its shapes can hold of any material",
+      .why =
+          "Either the mass is in grams, or the sizes or a mesh are in the wrong unit, or the "
+          "shapes "
+          "stand for a much larger body. Contacts of such a link are hard to solve: it sinks into "
+          "what it rests on.",
+      .what_to_do = "Give the mass in kilograms and the shapes the size of the body, in metres.",
+      .bad = {{R"(<robot name="arm">
+  <link name="finger">
+    <inertial>
+      <mass value="«55»"/>
+      <inertia ixx="0.02" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.004"/>
+    </inertial>
+    <collision>
+      <geometry><box size="0.02 0.02 0.06"/></geometry>
+    </collision>
+  </link>
+</robot>
+)"}},
+      .good = {{R"(<robot name="arm">
+  <link name="finger">
+    <inertial>
+      <mass value="0.055"/>
+      <inertia ixx="2e-5" ixy="0" ixz="0" iyy="2e-5" iyz="0" izz="4e-6"/>
+    </inertial>
+    <collision>
+      <geometry><box size="0.02 0.02 0.06"/></geometry>
+    </collision>
+  </link>
+</robot>
+)"}},
+      .checks = {on<model::Root>(check)},
+  };
+}
+
+}  // namespace rigor::rules::density_too_high

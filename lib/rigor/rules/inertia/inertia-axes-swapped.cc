@@ -1,0 +1,124 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <array>
+#include <string>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/edits.h>
+#include <rigor/rules/inertia/tensor_mistake.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::inertia_axes_swapped {
+namespace {
+
+using Moments = std::array<const model::Field<double>*, 3>;
+
+Fix put_where_they_belong(const Moments& moments, const std::array<std::size_t, 3>& belongs,
+                          const Context& context) {
+  Fix fix{"write each moment at its own axis", Applicability::kUnsafe, {}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (belongs[k] == k) continue;
+    fix.edits.push_back({moments[belongs[k]]->span, std::string(context.bytes(moments[k]->span))});
+  }
+  return fix;
+}
+
+void check(const model::Link& link, Context& context) {
+  const model::Inertial& inertial = link.inertial;
+  if (inertial.ixx.value == inertial.iyy.value && inertial.iyy.value == inertial.izz.value) return;
+  const MistakenTensor found = mistaken_tensor(link, context);
+  if (found.mistake != TensorMistake::kAxesSwapped) return;
+  const Moments moments{&inertial.ixx, &inertial.iyy, &inertial.izz};
+  std::array<double, 3> right{};
+  for (std::size_t k = 0; k < 3; ++k) right[found.belongs[k]] = moments[k]->value;
+  context.report(
+      {.where = inertial.tensor_site.name,
+       .message = fmt::format("ixx, iyy and izz are {:.4g}, {:.4g} and {:.4g} kg·m², but "
+                              "fit the link's shapes only as {:.4g}, {:.4g} and {:.4g}: they "
+                              "stand at the wrong axes",
+                              moments[0]->value, moments[1]->value, moments[2]->value, right[0],
+                              right[1], right[2]),
+       .subject = context.subject(link),
+       .fix = put_where_they_belong(moments, found.belongs, context)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "inertia-axes-swapped",
+      .category = Category::kInertia,
+      .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
+      .summary = "the moments of inertia fit the shapes, but stand at the wrong axes",
+      .why =
+          "Formulas for a cylinder or a box take its length along one axis; when the shape is "
+          "turned, or the formula's axes are others, the moments must move with it. As it stands "
+          "a wheel turns about its own axle with the moment of another axis.",
+      .what_to_do = "Exchange the moments.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="cart">
+    <link name="wheel">
+      <inertial>
+        <mass>2</mass>
+        <«inertia»>
+          <ixx>0.00541667</ixx>
+          <iyy>0.00541667</iyy>
+          <izz>0.01</izz>
+        </inertia>
+      </inertial>
+      <collision name="tyre">
+        <pose>0 0 0 1.570796 0 0</pose>
+        <geometry><cylinder><radius>0.1</radius><length>0.05</length></cylinder></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)",
+               // m/2 r² about its own axis, which is y; m/12 (3 r² + h²) about the others.
+               R"(<sdf version="1.9">
+  <model name="cart">
+    <link name="wheel">
+      <inertial>
+        <mass>2</mass>
+        <inertia>
+          <ixx>0.00541667</ixx>
+          <iyy>0.01</iyy>
+          <izz>0.00541667</izz>
+        </inertia>
+      </inertial>
+      <collision name="tyre">
+        <pose>0 0 0 1.570796 0 0</pose>
+        <geometry><cylinder><radius>0.1</radius><length>0.05</length></cylinder></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="cart">
+    <link name="wheel">
+      <inertial>
+        <pose>0 0 0 1.570796 0 0</pose>
+        <mass>2</mass>
+        <inertia>
+          <ixx>0.00541667</ixx>
+          <iyy>0.00541667</iyy>
+          <izz>0.01</izz>
+        </inertia>
+      </inertial>
+      <collision name="tyre">
+        <pose>0 0 0 1.570796 0 0</pose>
+        <geometry><cylinder><radius>0.1</radius><length>0.05</length></cylinder></geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Link>(check)},
+  };
+}
+
+}  // namespace rigor::rules::inertia_axes_swapped

@@ -1,0 +1,242 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/inertia/inertial_fix.h>
+#include <rigor/rules/inertia/outline.h>
+#include <rigor/rules/inertia/slip.h>
+#include <rigor/rules/inertia/solid_body.h>
+#include <rigor/rules/inertia/tensor.h>
+#include <rigor/rules/inertia/tensor_mistake.h>
+#include <rigor/rules/inertia/written_digits.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::inertia_exceeds_shapes {
+namespace {
+
+// What is drawn may be a little smaller than what was weighed: no bolts, no cables.
+constexpr double kDrawnSmaller = 1.1;
+constexpr double kThin = 1e-3;    // m: stickers, sheets
+constexpr double kLeast = 1e-3;   // kg; less is a token for a frame that had to have some mass
+constexpr double kAlong = 0.999;  // cosine: what is called an axis by its name
+
+/// How far the mass is from its centre along a principal axis, root mean square.
+struct Spread {
+  model::Vector3 axis_L;  ///< unit vector
+  double least = 0;       ///< m, with the written digits rounded in the file's favour
+  double spread = 0;      ///< m
+};
+
+using Spreads = std::array<Spread, 3>;
+
+/// Half the sum of the moments is Σ m r²; what an axis does not share of it, it has along itself.
+Spreads spreads(const model::Inertial& inertial, const Context& context) {
+  const double mass = inertial.mass.value;
+  const mass::PrincipalAxes principal = mass::principal_axes(mass::tensor(inertial));
+  double rounding = 0;
+  for (const auto* entry : {&inertial.ixx, &inertial.iyy, &inertial.izz}) {
+    rounding += half_of_last_digit(context.bytes(entry->span)) / 2;
+  }
+  Spreads result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto& moments = principal.moments;
+    const double along = (moments[(k + 1) % 3] + moments[(k + 2) % 3] - moments[k]) / 2;
+    result[k] = {model::rotate(inertial.pose.pose.value.rotation, principal.axes[k]),
+                 std::sqrt(std::max(0.0, along - rounding) / mass),
+                 std::sqrt(std::max(0.0, along) / mass)};
+  }
+  return result;
+}
+
+/// Of a model without joints nobody notices how hard it turns, unless it is far off.
+constexpr double kFree = 2;
+
+double leniency(const model::Link& link, const Context& context) {
+  return context.root()[link.model].joints.empty() ? kFree : 1;
+}
+
+/// A body between two planes has its mass farthest from the centre when half of it is on each.
+const Spread* impossible(const Spreads& spreads, const Outline& outline, double leniency) {
+  const Spread* worst = nullptr;
+  double most = leniency;
+  for (const Spread& spread : spreads) {
+    const double allowed = kDrawnSmaller * outline.extent(spread.axis_L) / 2 + kThin;
+    if (spread.least <= most * allowed) continue;
+    most = spread.least / allowed;
+    worst = &spread;
+  }
+  return worst;
+}
+
+std::string axis_name(const model::Vector3& axis) {
+  if (std::abs(axis.x) > kAlong) return "x";
+  if (std::abs(axis.y) > kAlong) return "y";
+  if (std::abs(axis.z) > kAlong) return "z";
+  return fmt::format("({:.2f} {:.2f} {:.2f})", axis.x, axis.y, axis.z);
+}
+
+struct Box {
+  double volume = 0;  ///< m³
+  double trace = 0;   ///< m²: sum of its moments as a solid, per kilogram
+};
+
+/// Around the shapes, along the axes of the link.
+Box box_around(const Outline& outline) {
+  const double x = outline.extent({1, 0, 0}), y = outline.extent({0, 1, 0}),
+               z = outline.extent({0, 0, 1});
+  return {x * y * z, (x * x + y * y + z * z) / 6};
+}
+
+/// Whether another rule says what is wrong with the tensor.
+bool told_elsewhere(const model::Link& link, const Box& box, Context& context) {
+  constexpr mass::Inertia kIdentity{1, 0, 0, 1, 0, 1};
+  const double mass = link.inertial.mass.value;
+  const mass::Inertia tensor = mass::tensor(link.inertial);
+  if (mass > mass::kDensest * box.volume) return true;  // a placeholder, not the body
+  const auto share = share_of_solid(link, mass, tensor, context);
+  if (share && (!plausible(*share))) return true;
+  if (tensor == kIdentity) return mass > 10 && !share;
+  return mistaken_tensor(link, context).mistake != TensorMistake::kNone;
+}
+
+void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
+  const model::Inertial& inertial = link.inertial;
+  if (!inertial.mass.written || !(inertial.mass.value > kLeast)) return;
+  if (!has_tensor(link, context) || !is_dynamic(link, context)) return;
+  if (!context.verdict(link).possible()) return;
+  const Spreads all = spreads(inertial, context);
+  const double most = leniency(link, context);
+  const auto breaks = [&all, most](const Outline& outline) {
+    return impossible(all, outline, most) != nullptr;
+  };
+  const auto outline = outline_that_breaks(link, groups, context, breaks);
+  if (!outline) return;
+  const Box box = box_around(*outline);
+  if (told_elsewhere(link, box, context)) return;
+  const Spread& worst = *impossible(all, *outline, most);
+  const double extent = outline->extent(worst.axis_L);
+  context.report(
+      {.where = inertial.tensor_site.name,
+       .message = fmt::format("by its moments of inertia the mass lies {1:.3g} m from its center "
+                              "along {0} (root mean square), but the link's shapes are only "
+                              "{2:.3g} m long there, which allows {3:.3g} m",
+                              axis_name(worst.axis_L), worst.spread, extent, extent / 2),
+       .subject = context.subject(link),
+       .help = guess_slip(mass::trace(mass::tensor(inertial)) / (inertial.mass.value * box.trace)),
+       .fix = fix_from_shapes(link, context)});
+}
+
+void check(const model::Root& root, Context& context) {
+  LazyGroups groups(context);
+  for (const model::Link& link : root.links) {
+    if (root.own(link.site)) check_link(link, groups, context);
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "inertia-exceeds-shapes",
+      .category = Category::kInertia,
+      .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
+      .summary = "moments of inertia are larger than any body inside the link's shapes can have",
+      .why =
+          "Wherever the mass is inside the shapes, even half of it at each end, it has smaller "
+          "moments than these: so they are another body's, in another unit, or made up. The link "
+          "turns more sluggishly than the real one, and controllers are tuned to that.",
+      .what_to_do =
+          "`rigor inertia MODEL` shows what the mass has in the link's shapes, and writes it with "
+          "--write.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="rod">
+      <collision name="hull">
+        <geometry><box><size>0.03 0.03 0.4</size></box></geometry>
+      </collision>
+      <inertial>
+        <mass>1.5</mass>
+        <«inertia»>
+          <ixx>0.0201</ixx>
+          <iyy>0.0201</iyy>
+          <izz>0.0101</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)",
+               // 1.5 kg / 12 (y² + z²) = 0.125 (0.0009 + 0.16), and so on.
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="rod">
+      <collision name="hull">
+        <geometry><box><size>0.03 0.03 0.4</size></box></geometry>
+      </collision>
+      <inertial>
+        <mass>1.5</mass>
+        <inertia>
+          <ixx>0.0201125</ixx>
+          <iyy>0.0201125</iyy>
+          <izz>0.000225</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{
+                   R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="rod">
+      <collision name="hull">
+        <geometry><box><size>0.03 0.03 0.4</size></box></geometry>
+      </collision>
+      <inertial>
+        <mass>1.5</mass>
+        <inertia>
+          <ixx>0.0201</ixx>
+          <iyy>0.0201</iyy>
+          <izz>0.000225</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)",
+               },
+               {R"(<robot name="arm">
+  <link name="rod">
+    <inertial>
+      <mass value="1.5"/>
+      <inertia ixx="0.0201" ixy="0" ixz="0" iyy="0.0201" iyz="0" izz="0.0101"/>
+    </inertial>
+    <collision>
+      <geometry><box size="0.03 0.03 0.4"/></geometry>
+    </collision>
+  </link>
+  <link name="flange">
+    <collision>
+      <geometry><box size="0.3 0.3 0.02"/></geometry>
+    </collision>
+  </link>
+  <joint name="weld" type="fixed">
+    <parent link="rod"/>
+    <child link="flange"/>
+  </joint>
+</robot>
+)"}},
+      .checks = {on<model::Root>(check)},
+  };
+}
+
+}  // namespace rigor::rules::inertia_exceeds_shapes

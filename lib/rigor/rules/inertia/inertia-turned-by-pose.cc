@@ -1,0 +1,94 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <optional>
+
+#include <rigor/rules/edits.h>
+#include <rigor/rules/inertia/tensor_mistake.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::inertia_turned_by_pose {
+namespace {
+
+/// Of a URDF, where the rotation is an attribute of its own.
+std::optional<Fix> without_rotation(const model::Inertial& inertial, const Context& context) {
+  if (!context.is_urdf()) return std::nullopt;
+  const auto rpy = context.element(inertial.pose.site).attribute("rpy");
+  if (!rpy) return std::nullopt;
+  return fix_of("take the rotation out of the inertial", Applicability::kUnsafe,
+                xml::remove_attribute(context.document(), *rpy));
+}
+
+void check(const model::Link& link, Context& context) {
+  if (link.inertial.pose.pose.value.rotation == model::Quaternion{}) return;
+  if (mistaken_tensor(link, context).mistake != TensorMistake::kTurned) return;
+  const model::Inertial& inertial = link.inertial;
+  context.report({.where = inertial.pose.site.name,
+                  .message = "the inertial's rotation turns the tensor away from the shapes: its "
+                             "numbers are what they have along the link's own axes",
+                  .subject = context.subject(link),
+                  .related = {{inertial.tensor_site.name, "the tensor"}},
+                  .fix = without_rotation(inertial, context)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "inertia-turned-by-pose",
+      .category = Category::kInertia,
+      .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
+      .summary = "a tensor along the link's axes is turned by its inertial's rotation",
+      .why =
+          "The tensor is taken along the axes that the inertial's pose or origin gives. A rotation "
+          "that was copied there from the visual or collision turns a tensor that had been right "
+          "along the link's axes.",
+      .what_to_do = "Take the rotation out of the inertial, and leave the position.",
+      .bad = {{R"(<robot name="arm">
+  <link name="rod">
+    <inertial>
+      <«origin» xyz="0 0.2 0" rpy="1.570796 0 0"/>
+      <mass value="3"/>
+      <inertia ixx="0.0402" ixy="0" ixz="0" iyy="0.0006" iyz="0" izz="0.0402"/>
+    </inertial>
+    <collision>
+      <origin xyz="0 0.2 0" rpy="1.570796 0 0"/>
+      <geometry><cylinder radius="0.02" length="0.4"/></geometry>
+    </collision>
+  </link>
+</robot>
+)",
+               R"(<robot name="arm">
+  <link name="rod">
+    <inertial>
+      <origin xyz="0 0.2 0"/>
+      <mass value="3"/>
+      <inertia ixx="0.0402" ixy="0" ixz="0" iyy="0.0006" iyz="0" izz="0.0402"/>
+    </inertial>
+    <collision>
+      <origin xyz="0 0.2 0" rpy="1.570796 0 0"/>
+      <geometry><cylinder radius="0.02" length="0.4"/></geometry>
+    </collision>
+  </link>
+</robot>
+)"}},
+      .good = {{R"(<robot name="arm">
+  <link name="rod">
+    <inertial>
+      <origin xyz="0 0.2 0" rpy="1.570796 0 0"/>
+      <mass value="3"/>
+      <inertia ixx="0.0402" ixy="0" ixz="0" iyy="0.0402" iyz="0" izz="0.0006"/>
+    </inertial>
+    <collision>
+      <origin xyz="0 0.2 0" rpy="1.570796 0 0"/>
+      <geometry><cylinder radius="0.02" length="0.4"/></geometry>
+    </collision>
+  </link>
+</robot>
+)"}},
+      .checks = {on<model::Link>(check)},
+  };
+}
+
+}  // namespace rigor::rules::inertia_turned_by_pose

@@ -1,0 +1,136 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/inertia/joint_masses.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::light_link_between_heavy {
+namespace {
+
+// A link that is a hundredth of what hangs on it: twice what solvers take well.
+constexpr double kMost = 100;
+
+void check(const model::Root& root, Context& context) {
+  const std::vector<JointMasses> all = joint_masses(context);
+  std::unordered_map<std::uint32_t, const JointMasses*> above;  // by the group that is the child
+  for (const JointMasses& masses : all) {
+    if (masses.child == kImmovable || masses.parent < kMost * masses.child) continue;
+    above.emplace(masses.child_group, &masses);
+  }
+  if (above.empty()) return;
+  std::unordered_map<std::uint32_t, const JointMasses*> heaviest;  // by the light group
+  for (const JointMasses& masses : all) {
+    if (masses.parent == kImmovable || masses.child == kImmovable) continue;
+    if (masses.child < kMost * masses.parent || !above.contains(masses.parent_group)) continue;
+    const JointMasses*& known = heaviest[masses.parent_group];
+    if (known == nullptr || known->child < masses.child) known = &masses;
+  }
+  for (const JointMasses& below : all) {
+    const auto light = heaviest.find(below.parent_group);
+    if (light == heaviest.end() || light->second != &below) continue;
+    const model::Joint& joint = root[below.joint];
+    if (!root.own(joint.site)) continue;
+    const JointMasses& over = *above.at(below.parent_group);
+    context.report(
+        {.where = joint.site.name,
+         .message = fmt::format("{:.4g} kg hang on a link {:.3g} times lighter ({:.4g} kg), which "
+                                "another joint holds to {}: it may stretch or shake",
+                                below.child, below.child / below.parent, below.parent,
+                                over.parent == kImmovable ? "what does not move"
+                                                          : fmt::format("{:.4g} kg", over.parent)),
+         .subject = context.subject(joint),
+         .related = {{root[over.joint].site.name, "the other joint"}}});
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "light-link-between-heavy",
+      .category = Category::kInertia,
+      .severity = Severity::kWarning,
+      .summary = "a heavy body hangs on a light link, which hangs on a heavy one or on the world",
+      .why =
+          "All the weight goes through the light link, and iterative solvers, which Gazebo's "
+          "engines "
+          "use by default, need about as many iterations as the ratio of the masses: the joints "
+          "are "
+          "pulled apart, or the chain swings and shakes.",
+      .what_to_do =
+          "Give the light link more mass, or make the two joints one (a universal or ball joint). "
+          "Masses within a factor of 50 are safe.",
+      .bad = {{R"(<robot name="crane">
+  <link name="post">
+    <inertial>
+      <mass value="60"/>
+      <inertia ixx="20" ixy="0" ixz="0" iyy="20" iyz="0" izz="0.3"/>
+    </inertial>
+  </link>
+  <link name="cross">
+    <inertial>
+      <mass value="0.01"/>
+      <inertia ixx="1e-6" ixy="0" ixz="0" iyy="1e-6" iyz="0" izz="1e-6"/>
+    </inertial>
+  </link>
+  <link name="jib">
+    <inertial>
+      <mass value="25"/>
+      <inertia ixx="0.1" ixy="0" ixz="0" iyy="8" iyz="0" izz="8"/>
+    </inertial>
+  </link>
+  <joint name="slew" type="continuous">
+    <parent link="post"/>
+    <child link="cross"/>
+    <axis xyz="0 0 1"/>
+  </joint>
+  <«joint» name="luff" type="continuous">
+    <parent link="cross"/>
+    <child link="jib"/>
+    <axis xyz="0 1 0"/>
+  </joint>
+</robot>
+)"}},
+      .good = {{R"(<robot name="crane">
+  <link name="post">
+    <inertial>
+      <mass value="60"/>
+      <inertia ixx="20" ixy="0" ixz="0" iyy="20" iyz="0" izz="0.3"/>
+    </inertial>
+  </link>
+  <link name="cross">
+    <inertial>
+      <mass value="2"/>
+      <inertia ixx="0.002" ixy="0" ixz="0" iyy="0.002" iyz="0" izz="0.002"/>
+    </inertial>
+  </link>
+  <link name="jib">
+    <inertial>
+      <mass value="25"/>
+      <inertia ixx="0.1" ixy="0" ixz="0" iyy="8" iyz="0" izz="8"/>
+    </inertial>
+  </link>
+  <joint name="slew" type="continuous">
+    <parent link="post"/>
+    <child link="cross"/>
+    <axis xyz="0 0 1"/>
+  </joint>
+  <joint name="luff" type="continuous">
+    <parent link="cross"/>
+    <child link="jib"/>
+    <axis xyz="0 1 0"/>
+  </joint>
+</robot>
+)"}},
+      .checks = {on<model::Root>(check)},
+  };
+}
+
+}  // namespace rigor::rules::light_link_between_heavy

@@ -1,0 +1,87 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/inertia/solid_body.h>
+#include <rigor/rules/inertia/tensor.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::mass_not_written {
+namespace {
+
+// A tensor that is within this factor of what 1 kg has in the link's shapes was made for 1 kg.
+constexpr double kFits = 2;
+
+bool is_made_for_one_kilogram(const model::Link& link, Context& context) {
+  if (!has_tensor(link, context)) return false;
+  const auto share = share_of_solid(link, 1, mass::tensor(link.inertial), context);
+  return share && *share<kFits&& * share> 1 / kFits;
+}
+
+void check(const model::Link& link, Context& context) {
+  const model::Inertial& inertial = link.inertial;
+  if (!inertial.written || inertial.mass.written || mass::is_automatic(link)) return;
+  if (!is_dynamic(link, context)) return;
+  // One that cannot be read is told by the schema's rules.
+  const xml::Element element = context.element(inertial.site);
+  if (element.child("mass") || element.attribute("mass")) return;
+  if (is_made_for_one_kilogram(link, context)) return;
+  const char* tensor = inertial.tensor_written ? "" : ", with a moment of 1 kg·m² about every axis";
+  context.report(
+      {.where = inertial.site.name,
+       .message = fmt::format("the <inertial> has no <mass>: it is taken to be 1 kg{}", tensor),
+       .subject = context.subject(link)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "mass-not-written",
+      .category = Category::kInertia,
+      .severity = Severity::kWarning,
+      .formats = Formats::kSdf,
+      .summary = "an <inertial> has no mass",
+      .why =
+          "SDF then takes 1 kg, which no checker mentions, and which fits neither the tensor nor "
+          "the body.",
+      .what_to_do =
+          "Write the mass in kilograms. `rigor inertia MODEL --mass LINK=KG --write` computes a "
+          "tensor that fits.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <«inertial»>
+        <inertia>
+          <ixx>0.02</ixx>
+          <iyy>0.02</iyy>
+          <izz>0.02</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <inertial>
+        <mass>3</mass>
+        <inertia>
+          <ixx>0.02</ixx>
+          <iyy>0.02</iyy>
+          <izz>0.02</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Link>(check)},
+  };
+}
+
+}  // namespace rigor::rules::mass_not_written

@@ -1,0 +1,85 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::axes_parallel {
+namespace {
+
+constexpr double kLeastSine = 1e-3;
+
+void check(const model::Joint& joint, Context& context) {
+  if (joint.type != model::JointType::kUniversal && joint.type != model::JointType::kRevolute2) {
+    return;
+  }
+  if (joint.axes.size() != 2 || !joint.axes[1].xyz.written) return;
+  const model::Axis& first = joint.axes[0];
+  const model::Axis& second = joint.axes[1];
+  if (first.expressed_in.value != second.expressed_in.value) return;
+  const model::Vector3& a = first.xyz.value;
+  const model::Vector3& b = second.xyz.value;
+  const double lengths = length(a) * length(b);
+  if (!(lengths > 0)) return;  // axis-zero says so
+  const model::Vector3 cross{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  if (!(length(cross) < kLeastSine * lengths)) return;
+  context.report({.where = second.xyz.span,
+                  .message = "both axes of the " + std::string(to_string(joint.type)) +
+                             " joint point the same way",
+                  .subject = context.subject(joint),
+                  .related = {{first.xyz.span, "the first axis"}}});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "axes-parallel",
+      .category = Category::kKinematics,
+      .severity = Severity::kWarning,
+      .formats = Formats::kSdf,
+      .summary = "the two axes of a joint are the same",
+      .why =
+          "A universal joint turns about two axes that cross. With one and the same it is a "
+          "revolute joint with an angle too many: only the sum of the two means anything.",
+      .what_to_do = "Write the second axis at a right angle to the first.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="universal">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+      </axis>
+      <axis2>
+        <xyz>«0 0 -1»</xyz>
+      </axis2>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="universal">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+      </axis>
+      <axis2>
+        <xyz>0 1 0</xyz>
+      </axis2>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Joint>(check)},
+  };
+}
+
+}  // namespace rigor::rules::axes_parallel

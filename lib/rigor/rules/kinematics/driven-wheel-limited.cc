@@ -1,0 +1,167 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+#include <fmt/core.h>
+
+#include <rigor/read/values.h>
+#include <rigor/rules/kinematics/leader.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::driven_wheel_limited {
+namespace {
+
+constexpr double kEnough = 1000;  // rad; what turns as far is meant to turn on
+
+struct Drive {
+  std::string_view library;  // a part of the name of the file
+  std::array<std::string_view, 6> joints;
+};
+
+constexpr Drive kDrives[] = {
+    {"diff-drive", {"left_joint", "right_joint"}},
+    {"diff_drive", {"left_joint", "right_joint", "leftJoint", "rightJoint"}},
+    {"DiffDrivePlugin", {"left_joint", "right_joint"}},
+    {"SkidSteerDrivePlugin", {"left_front", "right_front", "left_rear", "right_rear"}},
+    {"skid_steer_drive", {"leftFrontJoint", "rightFrontJoint", "leftRearJoint", "rightRearJoint"}},
+    {"mecanum-drive",
+     {"front_left_joint", "front_right_joint", "back_left_joint", "back_right_joint"}},
+    {"ackermann-steering", {"left_joint", "right_joint"}},
+    {"multicopter-motor-model", {"jointName"}},
+    {"thruster-system", {"joint_name"}},
+};
+
+const Drive* drive_of(const model::Plugin& plugin) {
+  for (const Drive& drive : kDrives) {
+    if (plugin.filename.value.find(drive.library) != std::string::npos) return &drive;
+  }
+  return nullptr;
+}
+
+/// Why the joint cannot turn on; empty when it can.
+std::string obstacle(const model::Joint& joint) {
+  if (joint.type == model::JointType::kFixed || joint.type == model::JointType::kPrismatic) {
+    return fmt::format("is {}", to_string(joint.type));
+  }
+  if (!is_limited(joint.type) || joint.axes.empty()) return {};
+  const model::Axis& axis = joint.axes.front();
+  if (!(axis.upper.value - axis.lower.value < kEnough)) return {};
+  return fmt::format("is limited to {:.6g} … {:.6g} rad", axis.lower.value, axis.upper.value);
+}
+
+void check(const model::Plugin& plugin, Context& context) {
+  const Drive* drive = drive_of(plugin);
+  if (drive == nullptr || !plugin.model) return;
+  for (const xml::Element child : context.element(plugin.site).children()) {
+    if (std::find(drive->joints.begin(), drive->joints.end(), child.name()) ==
+        drive->joints.end()) {
+      continue;
+    }
+    const auto id = joint_named(context.frames(), plugin.model, read::trimmed(child.text()));
+    if (!id) continue;
+    const model::Joint& joint = context.root()[id];
+    const std::string why = obstacle(joint);
+    if (why.empty()) continue;
+    context.report(
+        {.where = child.text_span(),
+         .message = "the plugin turns the joint '" + joint.name.value + "', which " + why,
+         .subject = context.subject(plugin)});
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "driven-wheel-limited",
+      .category = Category::kKinematics,
+      .severity = Severity::kWarning,
+      .summary = "a plugin turns a joint that cannot turn on",
+      .why =
+          "Wheels, rotors and propellers turn without end. One with limits stops when it "
+          "has reached them, after some metres, and the robot turns on the spot or stands; "
+          "a fixed or sliding one never begins.",
+      .what_to_do =
+          "Take lower and upper out of the limit of an SDF, or make the joint continuous.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-3.14</lower>
+          <upper>3.14</upper>
+        </limit>
+      </axis>
+    </joint>
+    <plugin filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive">
+      <left_joint>«elbow»</left_joint>
+    </plugin>
+  </model>
+</sdf>
+)"},
+              {R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="fixed">
+      <parent>base</parent>
+      <child>tip</child>
+    </joint>
+    <plugin filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive">
+      <left_joint>«elbow»</left_joint>
+    </plugin>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+      </axis>
+    </joint>
+    <plugin filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive">
+      <left_joint>elbow</left_joint>
+    </plugin>
+  </model>
+</sdf>
+)"},
+               {R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1e16</lower>
+          <upper>1e16</upper>
+        </limit>
+      </axis>
+    </joint>
+    <plugin filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive">
+      <left_joint>elbow</left_joint>
+    </plugin>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Plugin>(check)},
+  };
+}
+
+}  // namespace rigor::rules::driven_wheel_limited

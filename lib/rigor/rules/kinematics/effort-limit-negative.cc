@@ -1,0 +1,183 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cmath>
+#include <string>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/kinematics/motion.h>
+#include <rigor/rules/rule.h>
+#include <rigor/write/numbers.h>
+
+namespace rigor::rules::effort_limit_negative {
+namespace {
+
+constexpr int kInfiniteSince = 10;
+constexpr double kNoLimit = -1;  // as older versions say it
+
+void check(const model::Joint& joint, Context& context) {
+  const bool old = context.root().version < kInfiniteSince;
+  for (const model::Axis& axis : joint.axes) {
+    for (const model::Field<double>* limit : {&axis.effort, &axis.velocity}) {
+      if (!limit->written || !(limit->value < 0) || !std::isfinite(limit->value)) continue;
+      const bool no_limit = limit->value == kNoLimit;
+      if (old && no_limit) continue;
+      const std::string unit = limit == &axis.effort
+                                   ? effort_unit(joint.type)
+                                   : std::string(position_unit(joint.type)) + "/s";
+      context.report(
+          {.where = limit->span,
+           .message = fmt::format("the {} limit is {:.6g} {}: {}",
+                                  limit == &axis.effort ? "effort" : "velocity", limit->value, unit,
+                                  no_limit ? "since SDF 1.10 'inf' says that there is none"
+                                           : "a negative one counts as none"),
+           .subject = context.subject(joint),
+           .fix = Fix{
+               no_limit ? "write infinity" : "write it without the sign",
+               Applicability::kUnsafe,
+               {{limit->span, no_limit ? std::string("inf") : write::joined({-limit->value})}}}});
+    }
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "effort-limit-negative",
+      .category = Category::kKinematics,
+      .severity = Severity::kWarning,
+      .formats = Formats::kSdf,
+      .fix = FixGrade::kUnsafe,
+      .summary = "the effort or velocity limit of a joint is negative",
+      .why =
+          "Up to SDF 1.9 the default -1 stood for no limit, since 1.10 infinity does. "
+          "libsdformat makes every negative one infinite, so a sign by mistake leaves the "
+          "joint without a limit; other programs take it for a limit that no motion meets.",
+      .what_to_do = "Write the greatest effort or speed; for no limit leave it out.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1</lower>
+          <upper>1</upper>
+          <effort>«-30»</effort>
+          <velocity>2</velocity>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1</lower>
+          <upper>1</upper>
+          <effort>30</effort>
+          <velocity>2</velocity>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"},
+              {R"(<sdf version="1.10">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1</lower>
+          <upper>1</upper>
+          <effort>«-1»</effort>
+          <velocity>2</velocity>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.10">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1</lower>
+          <upper>1</upper>
+          <effort>inf</effort>
+          <velocity>2</velocity>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1</lower>
+          <upper>1</upper>
+          <effort>-1</effort>
+          <velocity>2</velocity>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"},
+               {R"(<sdf version="1.10">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1</lower>
+          <upper>1</upper>
+          <effort>30</effort>
+          <velocity>2</velocity>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Joint>(check)},
+  };
+}
+
+}  // namespace rigor::rules::effort_limit_negative

@@ -1,0 +1,89 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/kinematics/ros_model.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::joint_type_not_in_urdf {
+namespace {
+
+void check(const model::Joint& joint, Context& context) {
+  if (!may_be_for_ros(context.root(), joint.model)) return;
+  switch (joint.type) {
+    case model::JointType::kBall:
+    case model::JointType::kUniversal:
+    case model::JointType::kRevolute2:
+    case model::JointType::kScrew:
+    case model::JointType::kGearbox: break;
+    default: return;
+  }
+  context.report({.where = joint.type_name.span,
+                  .message = "URDF has no " + joint.type_name.value +
+                             " joint, and robot_state_publisher refuses the model",
+                  .subject = context.subject(joint)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "joint-type-not-in-urdf",
+      .category = Category::kKinematics,
+      .severity = Severity::kError,
+      .formats = Formats::kSdf,
+      .targets = {Target::kRos},
+      .summary = "a joint has a type that a robot of ROS cannot have",
+      .why =
+          "ROS reads SDF by sdformat_urdf, which makes a URDF robot of it. It knows fixed, "
+          "continuous, revolute and prismatic joints, and refuses the whole model for any other.",
+      .what_to_do = "Write a universal joint as two revolute ones, with a small link between them.",
+      .bad = {{R"(<sdf version="1.7">
+  <model name="car">
+    <link name="base">
+      <inertial>
+        <mass>1</mass>
+        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
+      </inertial>
+    </link>
+    <link name="wheel">
+      <inertial>
+        <mass>1</mass>
+        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
+      </inertial>
+    </link>
+    <joint name="steer" type="«universal»">
+      <parent>base</parent>
+      <child>wheel</child>
+      <axis><xyz>0 0 1</xyz></axis>
+      <axis2><xyz>0 1 0</xyz></axis2>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.7">
+  <model name="car">
+    <link name="base">
+      <inertial>
+        <mass>1</mass>
+        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
+      </inertial>
+    </link>
+    <link name="wheel">
+      <inertial>
+        <mass>1</mass>
+        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
+      </inertial>
+    </link>
+    <joint name="steer" type="revolute">
+      <parent>base</parent>
+      <child>wheel</child>
+      <axis><xyz>0 0 1</xyz></axis>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Joint>(check)},
+  };
+}
+
+}  // namespace rigor::rules::joint_type_not_in_urdf

@@ -1,0 +1,158 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <utility>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::limit_without_effect {
+namespace {
+
+// Whoever writes a whole turn, or nothing but zeros, means no limit.
+constexpr double kWholeTurn = 6.28;
+
+void check(const model::Joint& joint, Context& context) {
+  const bool turns_freely = joint.type == model::JointType::kContinuous;
+  if (!turns_freely && joint.type != model::JointType::kFloating &&
+      joint.type != model::JointType::kPlanar) {
+    return;
+  }
+  for (const model::Axis& axis : joint.axes) {
+    if (!axis.lower.written && !axis.upper.written) continue;
+    if (!(axis.lower.value < axis.upper.value)) continue;
+    if (turns_freely && axis.upper.value - axis.lower.value >= kWholeTurn) continue;
+    Finding finding{
+        .where = axis.lower.written ? axis.lower.span : axis.upper.span,
+        .message = fmt::format("a {} joint has no limits: these, {:.6g} and {:.6g}, "
+                               "are ignored",
+                               to_string(joint.type), axis.lower.value, axis.upper.value),
+        .subject = context.subject(joint)};
+    if (turns_freely) {
+      finding.fix =
+          Fix{"make it revolute", Applicability::kUnsafe, {{joint.type_name.span, "revolute"}}};
+    }
+    context.report(std::move(finding));
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "limit-without-effect",
+      .category = Category::kKinematics,
+      .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
+      .summary = "a joint that has no limits is given some",
+      .why =
+          "The type says that the joint goes on for ever, and then nobody reads lower and "
+          "upper: the joint turns past them. URDF lets a continuous joint leave them out "
+          "for that reason.",
+      .what_to_do =
+          "Make the joint revolute (or prismatic) if the limits are meant; else take them "
+          "out.",
+      .bad = {{R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="continuous">
+    <parent link="base"/>
+    <child link="tip"/>
+    <axis xyz="0 0 1"/>
+    <limit lower="«-1»" upper="1" effort="5" velocity="2"/>
+  </joint>
+</robot>
+)",
+               R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <axis xyz="0 0 1"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+  </joint>
+</robot>
+)"},
+              {R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="continuous">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>«-1.5»</lower>
+          <upper>1.5</upper>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1.5</lower>
+          <upper>1.5</upper>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="continuous">
+    <parent link="base"/>
+    <child link="tip"/>
+    <axis xyz="0 0 1"/>
+    <limit effort="5" velocity="2"/>
+  </joint>
+</robot>
+)"},
+               {R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="continuous">
+    <parent link="base"/>
+    <child link="tip"/>
+    <axis xyz="0 0 1"/>
+    <limit lower="-6.2832" upper="6.2832" effort="5" velocity="2"/>
+  </joint>
+</robot>
+)"},
+               {R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="continuous">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1e16</lower>
+          <upper>1e16</upper>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Joint>(check)},
+  };
+}
+
+}  // namespace rigor::rules::limit_without_effect

@@ -1,0 +1,198 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cstddef>
+#include <string>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/kinematics/leader.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::mimic_dof_mismatch {
+namespace {
+
+/// What is wrong between the two; empty when they can go together.
+std::string mismatch(const model::Joint& joint, const model::Joint& leader, std::size_t axis,
+                     const Context& context) {
+  if (leader.type == model::JointType::kUnknown || joint.type == model::JointType::kUnknown) {
+    return {};
+  }
+  const std::size_t leads = degrees_of_freedom(leader.type);
+  const std::size_t follows = degrees_of_freedom(joint.type);
+  if (leads == 0) return "which is fixed: this one stays where it is";
+  if (follows == 0) return "but is fixed itself";
+  if (context.is_sdf()) {
+    if (leader.axes.empty()) return "which has no axis";
+    if (axis >= leads || axis >= leader.axes.size()) return "which has no second axis";
+    return {};
+  }
+  if (leads == follows) return {};
+  return fmt::format("which is {}, while it is {} itself", to_string(leader.type),
+                     to_string(joint.type));
+}
+
+void check(const model::Joint& joint, Context& context) {
+  for (const model::Axis& axis : joint.axes) {
+    if (!axis.mimic) continue;
+    const auto leader = leader_of(context.frames(), joint, *axis.mimic);
+    if (!leader) continue;
+    const std::string why =
+        mismatch(joint, context.root()[leader], leading_axis(*axis.mimic), context);
+    if (why.empty()) continue;
+    context.report({.where = axis.mimic->joint.span,
+                    .message = "mimics the joint '" + axis.mimic->joint.value + "', " + why,
+                    .subject = context.subject(joint)});
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "mimic-dof-mismatch",
+      .category = Category::kKinematics,
+      .severity = Severity::kWarning,
+      .summary = "a joint mimics one that moves otherwise, or not at all",
+      .why =
+          "A joint follows another by one number: the position of both. A fixed joint has "
+          "none, and a planar, floating or ball joint has several. MoveIt leaves such a "
+          "mimic out; newer libsdformat refuses one whose leader lacks the axis; elsewhere "
+          "the joint stands still.",
+      .what_to_do = "Name a joint with one axis, or take the mimic out.",
+      .bad = {{R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <link name="finger"/>
+  <joint name="knuckle" type="fixed">
+    <parent link="base"/>
+    <child link="finger"/>
+  </joint>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+    <mimic joint="«knuckle»"/>
+  </joint>
+</robot>
+)"},
+              {R"(<sdf version="1.11">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <link name="finger"/>
+    <joint name="knuckle" type="fixed">
+      <parent>base</parent>
+      <child>finger</child>
+    </joint>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1</lower>
+          <upper>1</upper>
+        </limit>
+        <mimic joint="«knuckle»">
+          <multiplier>1</multiplier>
+          <offset>0</offset>
+          <reference>0</reference>
+        </mimic>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"},
+              {R"(<sdf version="1.11">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <link name="finger"/>
+    <joint name="knuckle" type="revolute">
+      <parent>base</parent>
+      <child>finger</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1</lower>
+          <upper>1</upper>
+        </limit>
+      </axis>
+    </joint>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1</lower>
+          <upper>1</upper>
+        </limit>
+        <mimic joint="«knuckle»" axis="axis2">
+          <multiplier>1</multiplier>
+          <offset>0</offset>
+          <reference>0</reference>
+        </mimic>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <link name="finger"/>
+  <joint name="knuckle" type="prismatic">
+    <parent link="base"/>
+    <child link="finger"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+  </joint>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+    <mimic joint="knuckle"/>
+  </joint>
+</robot>
+)"},
+               {R"(<sdf version="1.11">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <link name="finger"/>
+    <joint name="knuckle" type="revolute">
+      <parent>base</parent>
+      <child>finger</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1</lower>
+          <upper>1</upper>
+        </limit>
+      </axis>
+    </joint>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <limit>
+          <lower>-1</lower>
+          <upper>1</upper>
+        </limit>
+        <mimic joint="knuckle">
+          <multiplier>1</multiplier>
+          <offset>0</offset>
+          <reference>0</reference>
+        </mimic>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Joint>(check)},
+  };
+}
+
+}  // namespace rigor::rules::mimic_dof_mismatch

@@ -1,0 +1,72 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::mimic_multiplier_zero {
+namespace {
+
+void check(const model::Joint& joint, Context& context) {
+  for (const model::Axis& axis : joint.axes) {
+    if (!axis.mimic || !axis.mimic->multiplier.written) continue;
+    if (axis.mimic->multiplier.value != 0) continue;
+    context.report({.where = axis.mimic->multiplier.span,
+                    .message = "the multiplier is 0: the joint does not move with '" +
+                               axis.mimic->joint.value + "'",
+                    .subject = context.subject(joint)});
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "mimic-multiplier-zero",
+      .category = Category::kKinematics,
+      .severity = Severity::kWarning,
+      .summary = "a joint mimics another with the multiplier zero",
+      .why =
+          "Its position is the offset, wherever the other joint goes: it never moves, and "
+          "no controller may move it.",
+      .what_to_do =
+          "Write the ratio of the two joints; 1 when they move alike, -1 when they move "
+          "against each other.",
+      .bad = {{R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <link name="finger"/>
+  <joint name="knuckle" type="revolute">
+    <parent link="base"/>
+    <child link="finger"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+  </joint>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+    <mimic joint="knuckle" multiplier="«0»"/>
+  </joint>
+</robot>
+)"}},
+      .good = {{R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <link name="finger"/>
+  <joint name="knuckle" type="revolute">
+    <parent link="base"/>
+    <child link="finger"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+  </joint>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+    <mimic joint="knuckle" multiplier="-1"/>
+  </joint>
+</robot>
+)"}},
+      .checks = {on<model::Joint>(check)},
+  };
+}
+
+}  // namespace rigor::rules::mimic_multiplier_zero

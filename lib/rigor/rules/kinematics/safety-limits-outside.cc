@@ -1,0 +1,97 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <fmt/core.h>
+
+#include <rigor/rules/kinematics/leader.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::safety_limits_outside {
+namespace {
+
+constexpr double kTolerance = 1e-6;
+
+void check(const model::Joint& joint, Context& context) {
+  if (!joint.safety || joint.axes.empty() || !is_limited(joint.type)) return;
+  const model::Field<double>& lower = joint.safety->soft_lower;
+  const model::Field<double>& upper = joint.safety->soft_upper;
+  const model::Axis& axis = joint.axes.front();
+  if (!lower.written || !upper.written || !axis.limit_written) return;
+  if (axis.lower.value > axis.upper.value) return;  // limit-inverted says so
+  const bool swapped = lower.value > upper.value;
+  const bool outside =
+      lower.value < axis.lower.value - kTolerance || upper.value > axis.upper.value + kTolerance;
+  if (!swapped && !outside) return;
+  context.report(
+      {.where = joint.safety->site.name,
+       .message = swapped
+                      ? fmt::format("the lower soft limit {:.6g} is above the upper one {:.6g}",
+                                    lower.value, upper.value)
+                      : fmt::format("the soft limits {:.6g} and {:.6g} reach beyond the limits "
+                                    "{:.6g} and {:.6g}",
+                                    lower.value, upper.value, axis.lower.value, axis.upper.value),
+       .subject = context.subject(joint)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "safety-limits-outside",
+      .category = Category::kKinematics,
+      .severity = Severity::kWarning,
+      .formats = Formats::kUrdf,
+      .summary = "the soft limits of a joint are not within its hard ones",
+      .why =
+          "Soft limits are there to slow the joint before it reaches its stop. Beyond the "
+          "stop they come too late, and swapped no position is within them.",
+      .what_to_do = "Let soft_lower_limit and soft_upper_limit lie between lower and upper.",
+      .bad = {{R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+    <«safety_controller» k_velocity="10" soft_lower_limit="-1.5" soft_upper_limit="0.9"/>
+  </joint>
+</robot>
+)"},
+              {R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+    <«safety_controller» k_velocity="10" soft_lower_limit="0.9" soft_upper_limit="-0.9"/>
+  </joint>
+</robot>
+)"}},
+      .good = {{R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+    <safety_controller k_velocity="10" soft_lower_limit="-0.9" soft_upper_limit="0.9"/>
+  </joint>
+</robot>
+)"},
+               {R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+    <safety_controller k_velocity="10" soft_lower_limit="-1" soft_upper_limit="1"/>
+  </joint>
+</robot>
+)"}},
+      .checks = {on<model::Joint>(check)},
+  };
+}
+
+}  // namespace rigor::rules::safety_limits_outside

@@ -1,0 +1,102 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <string>
+
+#include <rigor/mass/mesh_survey.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::submesh_not_in_file {
+namespace {
+
+void check(const MeshUse& use, Context& context) {
+  const auto& submesh = use.mesh.submesh;
+  if (submesh.value.empty()) return;
+  const mass::MeshSurvey* survey = context.survey(use.mesh);
+  if (survey == nullptr || survey->usable()) return;
+  // A file that is empty as a whole is told by mesh-empty, which has no such
+  // words.
+  const std::string words = "it has no part named " + submesh.value;
+  const auto says_so = [&words](const mesh::Fault& fault) { return fault.detail == words; };
+  if (std::none_of(survey->faults.begin(), survey->faults.end(), says_so)) return;
+  context.report(
+      {.where = submesh.span,
+       .message = "'" + use.mesh.uri.value + "' has no part named '" + submesh.value + "'",
+       .subject = use.subject});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "submesh-not-in-file",
+      .category = Category::kMesh,
+      .severity = Severity::kWarning,
+      .formats = Formats::kSdf,
+      .summary = "a shape takes a part of a mesh file that the file does not have",
+      .why =
+          "The simulator finds no such submesh and leaves the shape out: nothing is seen, or "
+          "collided with. ign sdf -k opens no meshes.",
+      .what_to_do = "Write the name that the part has in the file: in OBJ behind o or g.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="body">
+      <collision name="hull">
+        <geometry>
+          <mesh>
+            <uri>meshes/arm.obj</uri>
+            <submesh>
+              <name>«forearm»</name>
+            </submesh>
+          </mesh>
+        </geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+=== meshes/arm.obj
+o upper_arm
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+f 1 3 2
+f 1 2 4
+f 1 4 3
+f 2 3 4
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="body">
+      <collision name="hull">
+        <geometry>
+          <mesh>
+            <uri>meshes/arm.obj</uri>
+            <submesh>
+              <name>upper_arm</name>
+            </submesh>
+          </mesh>
+        </geometry>
+      </collision>
+    </link>
+  </model>
+</sdf>
+=== meshes/arm.obj
+o upper_arm
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+f 1 3 2
+f 1 2 4
+f 1 4 3
+f 2 3 4
+)"}},
+      .checks = {on<MeshUse>(check)},
+  };
+}
+
+}  // namespace rigor::rules::submesh_not_in_file

@@ -1,0 +1,190 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <rigor/read/values.h>
+#include <rigor/rules/package/assets.h>
+#include <rigor/rules/rule.h>
+#include <rigor/rules/xml/xacro.h>
+#include <rigor/text/path.h>
+
+namespace rigor::rules::asset_not_found {
+namespace {
+
+/// What Gazebo brings along: file://media/materials/scripts/gazebo.material; for actors and projectors
+/// a bare name, as walk.dae.
+bool is_of_gazebo(std::string_view uri, xml::Element element) {
+  if (uri.starts_with("file://media/") || uri == "__default__") return true;
+  if (uri.find('/') != std::string_view::npos) return false;
+  const auto above = element.parent();
+  return element.name() == "filename" || (above && above->name() == "projector");
+}
+
+/// Of a path of one machine, and of what is no path, other rules speak.
+bool is_told_elsewhere(std::string_view uri) {
+  const std::size_t colon = uri.find(':');
+  const std::string_view scheme = uri.substr(0, colon);
+  const bool known = colon == std::string_view::npos || scheme == "model" || scheme == "package" ||
+                     scheme == "file";
+  const std::string_view path = uri.starts_with("file://") ? uri.substr(7) : uri;
+  return !known || is_absolute(path) || uri.find('\\') != std::string_view::npos;
+}
+
+/// Puts the file's own spelling in, when only the last part of the URI differs.
+std::optional<Fix> other_case(const read::Text& text, const read::Resolution& found) {
+  const std::string_view written = file_name(found.tried.front().path);
+  const std::string_view right = file_name(found.other_case);
+  const std::size_t at = text.text.rfind(written);
+  if (at == std::string_view::npos || written.size() != right.size()) return std::nullopt;
+  Span span = text.span;
+  span.begin += static_cast<std::uint32_t>(at);
+  span.end = span.begin + static_cast<std::uint32_t>(written.size());
+  return Fix{"write " + std::string(right), Applicability::kSafe, {{span, std::string(right)}}};
+}
+
+struct Missing {
+  read::Text first;
+  std::string_view kind;
+  std::size_t others = 0;  ///< further places that name it
+};
+
+/// What the file names and nobody has, by URI; of the first place that names it.
+std::map<std::string, Missing> missing_assets(Context& context) {
+  std::map<std::string, Missing> missing;
+  const xml::Document& document = context.document();
+  for (std::uint32_t i = 0; i < document.element_count(); ++i) {
+    const xml::Element element = document.element(i);
+    const std::string_view kind = kind_of_asset(element);
+    if (kind.empty()) continue;
+    const auto written = asset_uri(element);
+    if (!written) continue;
+    const std::string uri(read::trimmed(written->text));
+    if (uri.empty() || has_xacro(uri) || is_of_gazebo(uri, element) || is_told_elsewhere(uri)) {
+      continue;
+    }
+    const auto [known, is_new] = missing.try_emplace(uri, Missing{*written, kind});
+    if (!is_new) {
+      ++known->second.others;
+      continue;
+    }
+    const read::Resolution& found = context.resolve(uri);
+    if (found.path || found.remote) missing.erase(known);
+  }
+  return missing;
+}
+
+void check(const model::Root& /*root*/, Context& context) {
+  for (const auto& [uri, asset] : missing_assets(context)) {
+    const read::Resolution& found = context.resolve(uri);
+    Finding finding{.where = asset.first.span,
+                    .message = "the " + std::string(asset.kind) + " '" + uri + "' is not found"};
+    if (!found.other_case.empty()) {
+      finding.message += ", but '" + found.other_case + "' is: only the case of letters differs";
+      if (asset.others == 0) finding.fix = other_case(asset.first, found);
+    }
+    if (asset.others > 0) {
+      finding.message += "; it is named " + std::to_string(asset.others + 1) + " times";
+    }
+    context.report(std::move(finding));
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "asset-not-found",
+      .category = Category::kPackage,
+      .severity = Severity::kWarning,
+      .fix = FixGrade::kSafe,
+      .summary = "a texture, height map, material script or skin is not found",
+      .why =
+          "The part is drawn without it, in one colour; of a height map or an actor nothing is "
+          "left. The simulator says so in one line of its log. ign sdf -k does not look.",
+      .what_to_do =
+          "Mend the path, or say where the files are: --model-path and --package, rigor.toml, "
+          "GZ_SIM_RESOURCE_PATH. What Gazebo brings itself (file://media/…) is not looked for.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <visual name="shape">
+        <geometry><sphere><radius>1</radius></sphere></geometry>
+        <material>
+          <pbr>
+            <metal>
+              <albedo_map>«textures/wodd.png»</albedo_map>
+            </metal>
+          </pbr>
+        </material>
+      </visual>
+    </link>
+  </model>
+</sdf>
+=== textures/wood.png
+PNG
+)"},
+              {R"(<robot name="box">
+  <link name="body">
+    <visual>
+      <geometry>
+        <sphere radius="1"/>
+      </geometry>
+      <material name="wood">
+        <texture filename="«textures/Wood.png»"/>
+      </material>
+    </visual>
+  </link>
+</robot>
+=== textures/wood.png
+PNG
+)",
+               R"(<robot name="box">
+  <link name="body">
+    <visual>
+      <geometry>
+        <sphere radius="1"/>
+      </geometry>
+      <material name="wood">
+        <texture filename="textures/wood.png"/>
+      </material>
+    </visual>
+  </link>
+</robot>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <visual name="shape">
+        <geometry><sphere><radius>1</radius></sphere></geometry>
+        <material>
+          <script>
+            <uri>file://media/materials/scripts/gazebo.material</uri>
+            <name>Gazebo/Wood</name>
+          </script>
+          <pbr>
+            <metal>
+              <albedo_map>textures/wood.png</albedo_map>
+            </metal>
+          </pbr>
+        </material>
+      </visual>
+    </link>
+  </model>
+</sdf>
+=== textures/wood.png
+PNG
+)"}},
+      .checks = {on<model::Root>(check)},
+  };
+}
+
+}  // namespace rigor::rules::asset_not_found

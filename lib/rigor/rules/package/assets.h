@@ -1,0 +1,50 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The files beside meshes that a model names: textures, height maps, material scripts, skins.
+
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include <rigor/read/values.h>
+#include <rigor/xml/document.h>
+
+namespace rigor::rules {
+
+/// "texture", "height map", …; empty when the element names no such file.
+inline std::string_view kind_of_asset(xml::Element element) {
+  const std::string_view name = element.name();
+  const auto stands_in = [element](std::string_view parent) {
+    const auto above = element.parent();
+    return above && above->name() == parent;
+  };
+  if (name == "uri") {
+    if (stands_in("script")) {
+      const auto above = element.parent()->parent();
+      return above && above->name() == "material" ? "material file or folder" : "";
+    }
+    if (stands_in("heightmap")) return "height map";
+    return stands_in("image") ? "image" : "";
+  }
+  if (name.ends_with("_map")) return stands_in("metal") || stands_in("specular") ? "texture" : "";
+  if (name == "diffuse" || name == "normal") return stands_in("texture") ? "texture" : "";
+  if (name == "texture") return stands_in("material") || stands_in("projector") ? "texture" : "";
+  if (name == "filename") {
+    if (stands_in("skin")) return "skin";
+    return stands_in("animation") ? "animation" : "";
+  }
+  if (name == "cubemap_uri") return stands_in("sky") ? "texture" : "";
+  if (name == "color_range_image") return stands_in("particle_emitter") ? "image" : "";
+  return "";
+}
+
+/// The text of such an element; of URDF's <texture> the filename.
+inline std::optional<read::Text> asset_uri(xml::Element element) {
+  if (const auto file = read::attribute_text(element, "filename")) return file;
+  if (!element.children().empty()) return std::nullopt;
+  return read::Text{element.text(), element.text_span()};
+}
+
+}  // namespace rigor::rules

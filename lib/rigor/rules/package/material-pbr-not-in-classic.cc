@@ -1,0 +1,81 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <optional>
+#include <string_view>
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::material_pbr_not_in_classic {
+namespace {
+
+void check(const model::Visual& visual, Context& context) {
+  const auto material = context.element(visual.site).child("material");
+  const auto pbr = material ? material->child("pbr") : std::nullopt;
+  if (!pbr) return;
+  for (const std::string_view shown : {"script", "ambient", "diffuse", "emissive"}) {
+    if (material->child(shown)) return;
+  }
+  context.report(
+      {.where = pbr->name_span(),
+       .message = "Gazebo classic passes over <pbr>, and nothing else says how this looks",
+       .subject = context.subject(visual)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "material-pbr-not-in-classic",
+      .category = Category::kPackage,
+      .severity = Severity::kWarning,
+      .formats = Formats::kSdf,
+      .targets = {Target::kGazeboClassic},
+      .summary = "a visual gets its look from <pbr> alone",
+      .why =
+          "Gazebo classic has no physically based rendering. It draws the part without a texture.",
+      .what_to_do =
+          "Add <ambient> and <diffuse>, or a material <script>: gz-sim goes on using the <pbr> "
+          "beside them.",
+      .bad = {{R"(<sdf version="1.7">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <visual name="shape">
+        <geometry><sphere><radius>1</radius></sphere></geometry>
+        <material>
+          <«pbr»>
+            <metal>
+              <roughness>0.4</roughness>
+            </metal>
+          </pbr>
+        </material>
+      </visual>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.7">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <visual name="shape">
+        <geometry><sphere><radius>1</radius></sphere></geometry>
+        <material>
+          <diffuse>0.5 0.3 0.1 1</diffuse>
+          <pbr>
+            <metal>
+              <roughness>0.4</roughness>
+            </metal>
+          </pbr>
+        </material>
+      </visual>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Visual>(check)},
+  };
+}
+
+}  // namespace rigor::rules::material_pbr_not_in_classic

@@ -1,0 +1,98 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <optional>
+#include <variant>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/physics/contact_settings.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::contact_depth_too_large {
+namespace {
+
+// Of the thinnest side: the body is seen to stand in the ground.
+constexpr double kMost = 0.25;
+
+// A few millimetres are usual, however thin the sheet is.
+constexpr double kUsual = 5e-3;  // m
+
+/// The thinnest side of a plain shape, m.
+std::optional<double> thickness(const model::Shape& shape) {
+  if (const auto* box = std::get_if<model::Box>(&shape)) {
+    const model::Vector3& size = box->size.value;
+    return std::min({size.x, size.y, size.z});
+  }
+  if (const auto* ball = std::get_if<model::Sphere>(&shape)) return 2 * ball->radius.value;
+  if (const auto* cylinder = std::get_if<model::Cylinder>(&shape)) {
+    return std::min(2 * cylinder->radius.value, cylinder->length.value);
+  }
+  if (const auto* capsule = std::get_if<model::Capsule>(&shape)) return 2 * capsule->radius.value;
+  return std::nullopt;
+}
+
+void check(const model::Collision& collision, Context& context) {
+  const auto thick = thickness(collision.geometry.shape);
+  if (!thick || !(*thick > 0)) return;
+  const auto settings = contact_settings(collision, context);
+  if (!settings) return;
+  const auto depth = contact_setting(*settings, "min_depth");
+  if (!depth.written || depth.value <= std::max(kUsual, kMost * *thick)) return;
+  context.report(
+      {.where = depth.span,
+       .message = fmt::format("bodies may sink {} m into each other before anything pushes "
+                              "them apart, and this one is {:.3g} m thick",
+                              depth.value, *thick),
+       .subject = context.subject(collision)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "contact-depth-too-large",
+      .category = Category::kPhysics,
+      .severity = Severity::kWarning,
+      .formats = Formats::kSdf,
+      .summary = "the depth that contacts leave uncorrected is a large part of the shape",
+      .why =
+          "Gazebo classic corrects a penetration only beyond min_depth (metres). The body sinks in "
+          "by that much, and a wheel rolls with a smaller radius than it has.",
+      .what_to_do = "Write a millimetre or less, in metres.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="crate">
+    <link name="body">
+      <inertial>
+        <mass>0.1</mass>
+        <inertia><ixx>1e-5</ixx><iyy>1e-5</iyy><izz>1e-5</izz></inertia>
+      </inertial>
+      <collision name="hull">
+        <geometry><box><size>0.03 0.03 0.03</size></box></geometry>
+        <surface><contact><ode><min_depth>«0.01»</min_depth></ode></contact></surface>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="crate">
+    <link name="body">
+      <inertial>
+        <mass>0.1</mass>
+        <inertia><ixx>1e-5</ixx><iyy>1e-5</iyy><izz>1e-5</izz></inertia>
+      </inertial>
+      <collision name="hull">
+        <geometry><box><size>0.03 0.03 0.03</size></box></geometry>
+        <surface><contact><ode><min_depth>0.001</min_depth></ode></contact></surface>
+      </collision>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Collision>(check)},
+  };
+}
+
+}  // namespace rigor::rules::contact_depth_too_large

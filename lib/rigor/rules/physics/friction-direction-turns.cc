@@ -1,0 +1,175 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <variant>
+
+#include <fmt/core.h>
+
+#include <rigor/read/values.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::friction_direction_turns {
+namespace {
+
+constexpr double kAligned = 0.9;  // cosine of 26°: a mecanum wheel's rollers stand at 45°
+constexpr double kCentred = 0.1;  // of the radius
+
+/// Whether the joint turns a wheel: what turns by less always has the same side on the ground.
+bool turns_round(const model::Joint& joint) {
+  if (joint.type == model::JointType::kContinuous) return true;
+  if (joint.type != model::JointType::kRevolute || joint.axes.empty()) return false;
+  const model::Axis& axis = joint.axes.front();
+  return !axis.limit_written || axis.upper.value - axis.lower.value >= 2 * std::numbers::pi;
+}
+
+/// Whether it is round about the axle: a ball, or a cylinder along it, with its middle on it.
+bool is_wheel(const model::Shape& shape, const model::Pose& X_WC, const model::Vector3& axis_W,
+              const model::Vector3& p_WJ) {
+  const auto* cylinder = std::get_if<model::Cylinder>(&shape);
+  const auto* ball = std::get_if<model::Sphere>(&shape);
+  if (cylinder == nullptr && ball == nullptr) return false;
+  const model::Vector3 z_W = model::rotate(X_WC.rotation, {0, 0, 1});
+  if (cylinder != nullptr && std::abs(model::dot(z_W, axis_W)) < kAligned) return false;
+  const double radius = cylinder != nullptr ? cylinder->radius.value : ball->radius.value;
+  const double off = model::length(model::cross(X_WC.translation - p_WJ, axis_W));
+  return off < kCentred * radius;
+}
+
+struct Direction {
+  model::Field<model::Vector3> along;  ///< in the collision's frame
+  double mu = 1;
+  double mu2 = 1;
+};
+
+/// Nothing when none is written, when it stands in a frame of its own, or when both directions are alike.
+std::optional<Direction> direction_of(const model::Collision& collision, const Context& context) {
+  std::optional<xml::Element> element = context.element(collision.site);
+  for (const char* name : {"surface", "friction", "ode"}) {
+    if (element) element = element->child(name);
+  }
+  if (!element) return std::nullopt;
+  const auto fdir1 = element->child("fdir1");
+  if (fdir1 && !fdir1->attributes().empty()) return std::nullopt;  // expressed in another frame
+  Direction result;
+  result.along = read::vector_field(read::child_text(*element, "fdir1"), {});
+  if (!result.along.written || !(model::length(result.along.value) > 0)) return std::nullopt;
+  result.mu = read::number_field(read::child_text(*element, "mu"), 1).value;
+  result.mu2 = read::number_field(read::child_text(*element, "mu2"), 1).value;
+  const double slip1 = read::number_field(read::child_text(*element, "slip1"), 0).value;
+  const double slip2 = read::number_field(read::child_text(*element, "slip2"), 0).value;
+  if (result.mu == result.mu2 && slip1 == slip2) return std::nullopt;
+  return result;
+}
+
+void check(const model::Joint& joint, Context& context) {
+  if (!turns_round(joint)) return;
+  const model::Root& root = context.root();
+  const model::Id<model::Joint> id{static_cast<std::uint32_t>(&joint - root.joints.data())};
+  const auto wheel = context.frames().ends(id).child;
+  if (!wheel || !root.own(root[wheel].site)) return;
+  const auto axis_W = context.frames().axis(id, 0);
+  const auto X_WJ = context.frames().pose(id);
+  if (!axis_W || !X_WJ) return;
+  for (const auto collision_id : root[wheel].collisions) {
+    const model::Collision& collision = root[collision_id];
+    const auto X_WC = context.frames().pose(collision_id);
+    if (!X_WC || !is_wheel(collision.geometry.shape, *X_WC, *axis_W, X_WJ->translation)) continue;
+    const auto direction = direction_of(collision, context);
+    if (!direction) continue;
+    const model::Vector3 along_W = model::rotate(X_WC->rotation, direction->along.value);
+    const double aligned =
+        std::abs(model::dot(along_W, *axis_W)) / model::length(direction->along.value);
+    if (aligned > kAligned) continue;
+    const model::Vector3 axle =
+        model::rotate(model::conjugate(X_WC->rotation), *axis_W);  // in the collision's frame
+    context.report(
+        {.where = direction->along.span,
+         .message = fmt::format(
+             "the friction direction is {:.0f}° off the axle of '{}': it turns with "
+             "the wheel, and points into the ground twice a turn",
+             std::acos(std::min(1.0, aligned)) * 180 / std::numbers::pi, joint.name.value),
+         .subject = context.subject(collision),
+         .related = {{joint.site.name, "turns the wheel"}},
+         .help = fmt::format("the axle is {:.3g} {:.3g} {:.3g} in the collision's frame", axle.x,
+                             axle.y, axle.z)});
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "friction-direction-turns",
+      .category = Category::kPhysics,
+      .severity = Severity::kWarning,
+      .formats = Formats::kSdf,
+      .summary =
+          "the friction direction of a wheel is not its axle, so that it turns with the wheel",
+      .why =
+          "fdir1 is fixed to the collision, which turns with its link: only a direction along the "
+          "axle stays where it is. With another one mu and mu2 change places as the wheel turns, "
+          "and the robot pulls to a side or hops.",
+      .what_to_do =
+          "Let fdir1 be the axle in the collision's frame, 0 0 1 for a cylinder; mu is then the "
+          "friction sideways, mu2 the one that drives. gz:expressed_in names a frame that does not "
+          "turn.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="cart">
+    <link name="chassis">
+      <inertial><mass>8</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia></inertial>
+    </link>
+    <link name="wheel">
+      <inertial><mass>1</mass><inertia><ixx>0.003</ixx><iyy>0.005</iyy><izz>0.003</izz></inertia></inertial>
+      <collision name="tyre">
+        <pose>0 0 0 1.5707963 0 0</pose>
+        <geometry><cylinder><radius>0.1</radius><length>0.05</length></cylinder></geometry>
+        <surface>
+          <friction>
+            <ode><mu>0.5</mu><mu2>1</mu2><fdir1>«1 0 0»</fdir1></ode>
+          </friction>
+        </surface>
+      </collision>
+    </link>
+    <joint name="axle" type="revolute">
+      <parent>chassis</parent>
+      <child>wheel</child>
+      <axis><xyz>0 1 0</xyz></axis>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="cart">
+    <link name="chassis">
+      <inertial><mass>8</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia></inertial>
+    </link>
+    <link name="wheel">
+      <inertial><mass>1</mass><inertia><ixx>0.003</ixx><iyy>0.005</iyy><izz>0.003</izz></inertia></inertial>
+      <collision name="tyre">
+        <pose>0 0 0 1.5707963 0 0</pose>
+        <geometry><cylinder><radius>0.1</radius><length>0.05</length></cylinder></geometry>
+        <surface>
+          <friction>
+            <ode><mu>0.5</mu><mu2>1</mu2><fdir1>0 0 1</fdir1></ode>
+          </friction>
+        </surface>
+      </collision>
+    </link>
+    <joint name="axle" type="revolute">
+      <parent>chassis</parent>
+      <child>wheel</child>
+      <axis><xyz>0 1 0</xyz></axis>
+    </joint>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Joint>(check)},
+  };
+}
+
+}  // namespace rigor::rules::friction_direction_turns

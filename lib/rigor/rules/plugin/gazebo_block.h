@@ -1,0 +1,29 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Sensors and plugins in the <gazebo> blocks of a URDF.
+
+#pragma once
+
+#include <rigor/model/model.h>
+#include <rigor/rules/context.h>
+
+namespace rigor::rules {
+
+/// Whether the sensor's block refers to a part of the robot. What stands in a block that speaks of the
+/// whole robot comes into the model beside its links, where no consumer looks at it.
+inline bool is_in_part(const model::Sensor& sensor, const Context& context) {
+  if (sensor.link || sensor.joint) return true;
+  const auto block = context.element(sensor.site).parent();
+  const auto reference = block ? block->attribute("reference") : std::nullopt;
+  return reference && !reference->value().empty();
+}
+
+/// Whether libsdformat reads the plugin of a URDF, and so refuses what is wrong with it. One that is told
+/// of a link itself it passes on unread.
+inline bool is_read_from_block(const model::Plugin& plugin, const Context& context) {
+  if (plugin.sensor) return is_in_part(context.root()[plugin.sensor], context);
+  return plugin.gazebo_reference.empty();
+}
+
+}  // namespace rigor::rules

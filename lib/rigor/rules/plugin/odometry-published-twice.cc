@@ -1,0 +1,97 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <rigor/read/values.h>
+#include <rigor/rules/plugin/systems.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::odometry_published_twice {
+namespace {
+
+constexpr std::string_view kPublishers[] = {"ackermann-steering", "diff-drive", "mecanum-drive",
+                                            "odometry-publisher"};
+
+bool publishes_odometry(const model::Plugin& plugin) {
+  const GazeboSystem* const system = gazebo_system(plugin.filename.value);
+  return system != nullptr && std::find(std::begin(kPublishers), std::end(kPublishers),
+                                        system->library) != std::end(kPublishers);
+}
+
+/// Without a topic all of them take the one that is named after the model.
+std::string topic_of(xml::Element plugin) {
+  const auto topic = plugin.child("odom_topic");
+  return topic ? std::string(read::trimmed(topic->text())) : std::string();
+}
+
+void check(const model::Root& root, Context& context) {
+  std::map<std::pair<std::uint32_t, std::string>, const model::Plugin*> seen;
+  for (const model::Plugin& plugin : root.plugins) {
+    if (!plugin.model || !root.own(plugin.site) || !publishes_odometry(plugin)) continue;
+    const std::string topic = topic_of(context.element(plugin.site));
+    const auto [entry, first] = seen.try_emplace({plugin.model.value, topic}, &plugin);
+    if (first) continue;
+    const model::Plugin& other = *entry->second;
+    // The same plugin twice is what plugin-duplicate speaks of.
+    if (context.bytes(plugin.site.span) == context.bytes(other.site.span)) continue;
+    context.report({.where = plugin.site.name,
+                    .message = topic.empty() ? "two plugins publish the odometry of the model"
+                                             : "two plugins publish odometry on '" + topic + "'",
+                    .subject = context.subject(plugin),
+                    .related = {{other.site.name, "the first one"}}});
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "odometry-published-twice",
+      .category = Category::kPlugin,
+      .severity = Severity::kWarning,
+      .summary = "two plugins publish the odometry of a model on one topic",
+      .why =
+          "The drives of new Gazebo publish odometry themselves, on /model/NAME/odometry unless "
+          "they are given an odom_topic, and OdometryPublisher does on the same topic. The one "
+          "counts the turns of wheels, the other looks where the model is: who listens gets "
+          "both, mixed.",
+      .what_to_do = "Give one of them an odom_topic of its own, or take it out.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="base"/>
+    <plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">
+      <left_joint>left_axle</left_joint>
+      <right_joint>right_axle</right_joint>
+    </plugin>
+    <«plugin» name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
+    </plugin>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="base"/>
+    <plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">
+      <left_joint>left_axle</left_joint>
+      <right_joint>right_axle</right_joint>
+    </plugin>
+    <plugin name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
+      <odom_topic>truth</odom_topic>
+    </plugin>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Root>(check)},
+  };
+}
+
+}  // namespace rigor::rules::odometry_published_twice

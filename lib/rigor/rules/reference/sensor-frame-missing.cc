@@ -1,0 +1,127 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <unordered_set>
+
+#include <rigor/read/values.h>
+#include <rigor/rules/reference/nearest.h>
+#include <rigor/rules/rule.h>
+#include <rigor/rules/xml/xacro.h>
+
+namespace rigor::rules::sensor_frame_missing {
+namespace {
+
+constexpr std::string_view kFrames[] = {"gz_frame_id", "ignition_frame_id", "frameName",
+                                        "frame_name"};
+// Frames that others publish.
+constexpr std::string_view kOutside[] = {"world", "map", "odom"};
+
+template <std::size_t count>
+bool is_among(const std::string_view (&list)[count], std::string_view name) {
+  return std::find(std::begin(list), std::end(list), name) != std::end(list);
+}
+
+using Links = std::unordered_set<std::string_view>;
+
+void look_at(xml::Element frame_element, const model::Sensor& sensor, const Links& links,
+             Context& context) {
+  if (!is_among(kFrames, frame_element.name())) return;
+  const std::string_view name = read::trimmed(frame_element.text());
+  // A namespace may stand in front.
+  const std::string_view frame = name.substr(name.rfind('/') + 1);
+  if (frame.empty() || links.count(frame) != 0 || is_among(kOutside, frame)) return;
+  if (has_xacro(name)) return;
+  const Span where = frame_element.text_span();
+  const Suggestion near = suggest_of(
+      name, [&context] { return names_of(context.root().links); }, where, context);
+  context.report({.where = where,
+                  .message = "the sensor measures in the frame '" + std::string(name) +
+                             "', which is no link of this robot",
+                  .subject = context.subject(sensor),
+                  .help = near.help,
+                  .fix = near.fix});
+}
+
+void check(const model::Root& root, Context& context) {
+  if (root.sensors.empty()) return;
+  const Links links = name_set(root.links);
+  for (const model::Sensor& sensor : root.sensors) {
+    if (!root.own(sensor.site)) continue;
+    for (const xml::Element child : context.element(sensor.site).children()) {
+      look_at(child, sensor, links, context);
+      if (child.name() != "plugin") continue;
+      for (const xml::Element part : child.children()) look_at(part, sensor, links, context);
+    }
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "sensor-frame-missing",
+      .category = Category::kReference,
+      .severity = Severity::kInfo,
+      .formats = Formats::kUrdf,
+      .fix = FixGrade::kUnsafe,
+      .summary = "a sensor measures in a frame that is no link of the robot",
+      .why =
+          "In ROS the frame in the header of a measurement is looked up in tf, where "
+          "robot_state_publisher publishes the links of the URDF. What comes in an unknown "
+          "frame, RViz drops, and navigation waits for, unless something else publishes it.",
+      .what_to_do = "Name a link of the robot: mostly the one that carries the sensor.",
+      .bad = {{R"(<robot name="arm">
+  <link name="base"/>
+  <link name="camera_link"/>
+  <joint name="mount" type="fixed">
+    <parent link="base"/>
+    <child link="camera_link"/>
+  </joint>
+  <gazebo reference="camera_link">
+    <sensor name="level" type="imu">
+      <update_rate>100</update_rate>
+      <gz_frame_id>«camera_lnk»</gz_frame_id>
+    </sensor>
+  </gazebo>
+</robot>
+)",
+               R"(<robot name="arm">
+  <link name="base"/>
+  <link name="camera_link"/>
+  <joint name="mount" type="fixed">
+    <parent link="base"/>
+    <child link="camera_link"/>
+  </joint>
+  <gazebo reference="camera_link">
+    <sensor name="level" type="imu">
+      <update_rate>100</update_rate>
+      <gz_frame_id>camera_link</gz_frame_id>
+    </sensor>
+  </gazebo>
+</robot>
+)"}},
+      .good = {{R"(<robot name="arm">
+  <link name="base"/>
+  <link name="camera_link"/>
+  <joint name="mount" type="fixed">
+    <parent link="base"/>
+    <child link="camera_link"/>
+  </joint>
+  <gazebo reference="camera_link">
+    <sensor name="level" type="imu">
+      <update_rate>100</update_rate>
+      <gz_frame_id>camera_link</gz_frame_id>
+    </sensor>
+  </gazebo>
+</robot>
+)"}},
+      .checks = {on<model::Root>(check)},
+  };
+}
+
+}  // namespace rigor::rules::sensor_frame_missing

@@ -1,0 +1,80 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string>
+
+#include <rigor/rules/rule.h>
+#include <rigor/rules/schema/enumeration.h>
+#include <rigor/rules/schema/value_text.h>
+
+namespace rigor::rules::value_newer_than_version {
+namespace {
+
+/// The latest version that libsdformat 12 knows: it refuses values that came later.
+constexpr schema::Version kLatestOfSdformat12{9};
+
+void check(const read::SchemaFact& fact, Context& context) {
+  const auto since = listed_since(fact);
+  if (!since) return;
+  const std::string format = context.is_urdf() ? "URDF " : "SDF ";
+  context.report({.where = fact.where,
+                  .message = quoted_fault(fact) + " is a value of " + owner_of(fact) + " since " +
+                             format + schema::to_string(*since) + ": this file is " + format +
+                             schema::to_string(fact.node->version()),
+                  .subject = subject_of(fact.element),
+                  .refused = context.is_sdf() && *since > kLatestOfSdformat12 &&
+                             keeper_of(fact) != ListKeeper::kNobody});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "value-newer-than-version",
+      .category = Category::kSchema,
+      .severity = Severity::kError,
+      .refused = {.sdf = Refusal::kSays},
+      .summary = "a value came with a later version than the file has",
+      .why =
+          "libsdformat goes by the newest version that it knows: one from before that version "
+          "refuses the file, a later one takes the value.",
+      .what_to_do =
+          "Raise the version of the file, so that it says what it needs; where an older reader has "
+          "to take it, write what the older version has.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="plane">
+    <static>true</static>
+    <link name="wing">
+      <sensor name="pitot" type="«air_speed»">
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)"},
+              {R"(<sdf version="1.9">
+  <world name="moon">
+    <spherical_coordinates>
+      <surface_model>«MOON_SCS»</surface_model>
+      <latitude_deg>0</latitude_deg>
+      <longitude_deg>0</longitude_deg>
+      <elevation>0</elevation>
+      <heading_deg>0</heading_deg>
+    </spherical_coordinates>
+  </world>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.10">
+  <model name="plane">
+    <static>true</static>
+    <link name="wing">
+      <sensor name="pitot" type="air_speed">
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check)},
+  };
+}
+
+}  // namespace rigor::rules::value_newer_than_version

@@ -1,0 +1,150 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <string_view>
+
+#include <fmt/core.h>
+
+#include <rigor/read/values.h>
+#include <rigor/rules/edits.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::noise_stddev_negative {
+namespace {
+
+void look_at(xml::Element noise, const model::Sensor& sensor, Context& context) {
+  const auto deviation = read::number_field(read::child_text(noise, "stddev"), 0);
+  if (!deviation.written || !(deviation.value < 0)) return;
+  const std::string_view bytes = context.bytes(deviation.span);
+  const std::size_t minus = bytes.find('-');
+  std::optional<Fix> fix;
+  if (minus != std::string_view::npos && minus < bytes.find_first_of("0123456789.")) {
+    const auto at = deviation.span.begin + static_cast<std::uint32_t>(minus);
+    fix = Fix{
+        "take the minus away", Applicability::kUnsafe, {{{deviation.span.source, at, at + 1}, ""}}};
+  }
+  context.report(
+      {.where = deviation.span,
+       .message = fmt::format("the standard deviation of the noise is {}", deviation.value),
+       .subject = context.subject(sensor),
+       .fix = std::move(fix)});
+}
+
+void look_into(xml::Element block, const model::Sensor& sensor, Context& context) {
+  for (const xml::Element child : block.children()) {
+    if (child.name() == "noise") look_at(child, sensor, context);
+  }
+}
+
+/// The schema of SDF has a least value for the noise of all other sensors; in a URDF there is none.
+void check(const model::Sensor& sensor, Context& context) {
+  for (const model::Camera& camera : sensor.cameras) {
+    look_into(context.element(camera.site), sensor, context);
+  }
+  if (sensor.lidar) look_into(context.element(sensor.lidar->site), sensor, context);
+  if (context.is_sdf()) return;
+  const auto imu = context.element(sensor.site).child("imu");
+  if (!imu) return;
+  for (const xml::Element quantity : imu->children()) {
+    for (const xml::Element axis : quantity.children()) look_into(axis, sensor, context);
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "noise-stddev-negative",
+      .category = Category::kSensor,
+      .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
+      .summary = "the noise of a sensor has a negative standard deviation",
+      .why =
+          "A standard deviation is not negative. The normal distributions of the C++ library, "
+          "which the simulators draw the noise from, are undefined for one; in practice the "
+          "noise is the same as without the minus, but that nobody promises.",
+      .what_to_do =
+          "Write how far measurements stray, in the unit of what is measured: 0 and more.",
+      .bad = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="head">
+      <sensor name="eye" type="camera">
+        <camera>
+          <horizontal_fov>1.05</horizontal_fov>
+          <image>
+            <width>640</width>
+            <height>480</height>
+          </image>
+          <clip>
+            <near>0.1</near>
+            <far>100</far>
+          </clip>
+          <noise>
+            <type>gaussian</type>
+            <mean>0</mean>
+            <stddev>«-0.1»</stddev>
+          </noise>
+        </camera>
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="head">
+      <sensor name="eye" type="camera">
+        <camera>
+          <horizontal_fov>1.05</horizontal_fov>
+          <image>
+            <width>640</width>
+            <height>480</height>
+          </image>
+          <clip>
+            <near>0.1</near>
+            <far>100</far>
+          </clip>
+          <noise>
+            <type>gaussian</type>
+            <mean>0</mean>
+            <stddev>0.1</stddev>
+          </noise>
+        </camera>
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <model name="arm">
+    <static>true</static>
+    <link name="head">
+      <sensor name="eye" type="camera">
+        <camera>
+          <horizontal_fov>1.05</horizontal_fov>
+          <image>
+            <width>640</width>
+            <height>480</height>
+          </image>
+          <clip>
+            <near>0.1</near>
+            <far>100</far>
+          </clip>
+          <noise>
+            <type>gaussian</type>
+            <mean>0</mean>
+            <stddev>0.1</stddev>
+          </noise>
+        </camera>
+      </sensor>
+    </link>
+  </model>
+</sdf>
+)"}},
+      .checks = {on<model::Sensor>(check)},
+  };
+}
+
+}  // namespace rigor::rules::noise_stddev_negative

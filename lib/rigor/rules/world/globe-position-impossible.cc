@@ -1,0 +1,102 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include <rigor/read/values.h>
+#include <rigor/rules/edits.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::globe_position_impossible {
+namespace {
+
+constexpr double kMostLatitude = 90;  // degrees
+
+// Some count east from 0 to 360.
+constexpr double kMostLongitude = 360;
+
+void check(const model::World& world, Context& context) {
+  const auto place = context.element(world.site).child("spherical_coordinates");
+  if (!place) return;
+  const auto latitude = read::number_field(read::child_text(*place, "latitude_deg"), 0);
+  const auto longitude = read::number_field(read::child_text(*place, "longitude_deg"), 0);
+  if (std::abs(latitude.value) > kMostLatitude) {
+    const bool swapped = longitude.written && std::abs(longitude.value) <= kMostLatitude &&
+                         std::abs(latitude.value) <= kMostLongitude;
+    Finding finding{
+        .where = latitude.span,
+        .message = fmt::format("the latitude is {}°: the poles are at 90°", latitude.value),
+        .subject = context.subject(world)};
+    if (swapped)
+      finding.fix = swap("swap latitude and longitude", latitude.span, longitude.span, context);
+    context.report(std::move(finding));
+  } else if (std::abs(longitude.value) > kMostLongitude) {
+    context.report(
+        {.where = longitude.span,
+         .message = fmt::format("the longitude is {}°: a turn has 360°", longitude.value),
+         .subject = context.subject(world)});
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "globe-position-impossible",
+      .category = Category::kWorld,
+      .severity = Severity::kWarning,
+      .formats = Formats::kSdf,
+      .fix = FixGrade::kUnsafe,
+      .summary = "a world's latitude or longitude is nowhere on the globe",
+      .why =
+          "<spherical_coordinates> says where on the globe the middle of the world is; satellite "
+          "navigation "
+          "and magnetometers count from there. Beyond the pole, or round the globe more than once, "
+          "they give "
+          "places that no map has. Mostly latitude and longitude were swapped, or are not in "
+          "degrees.",
+      .what_to_do =
+          "Write degrees north (at most 90) in latitude_deg and degrees east in longitude_deg.",
+      .bad = {{R"(<sdf version="1.9">
+  <world name="harbour">
+    <spherical_coordinates>
+      <surface_model>EARTH_WGS84</surface_model>
+      <latitude_deg>«151.2»</latitude_deg>
+      <longitude_deg>-33.7</longitude_deg>
+      <elevation>0</elevation>
+      <heading_deg>0</heading_deg>
+    </spherical_coordinates>
+  </world>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <world name="harbour">
+    <spherical_coordinates>
+      <surface_model>EARTH_WGS84</surface_model>
+      <latitude_deg>-33.7</latitude_deg>
+      <longitude_deg>151.2</longitude_deg>
+      <elevation>0</elevation>
+      <heading_deg>0</heading_deg>
+    </spherical_coordinates>
+  </world>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <world name="harbour">
+    <spherical_coordinates>
+      <surface_model>EARTH_WGS84</surface_model>
+      <latitude_deg>-33.7</latitude_deg>
+      <longitude_deg>151.2</longitude_deg>
+      <elevation>0</elevation>
+      <heading_deg>0</heading_deg>
+    </spherical_coordinates>
+  </world>
+</sdf>
+)"}},
+      .checks = {on<model::World>(check)},
+  };
+}
+
+}  // namespace rigor::rules::globe_position_impossible

@@ -1,0 +1,67 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <fmt/core.h>
+
+#include <rigor/rules/edits.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::real_time_factor_negative {
+namespace {
+
+void check(const model::Physics& physics, Context& context) {
+  const auto& factor = physics.real_time_factor;
+  if (!factor.written || factor.value >= 0) return;
+  context.report({.where = factor.span,
+                  .message = fmt::format("the real time factor is {}: time does not run backwards",
+                                         factor.value),
+                  .fix = Fix{"run in real time", Applicability::kUnsafe, {{factor.span, "1"}}}});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "real-time-factor-negative",
+      .category = Category::kWorld,
+      .severity = Severity::kWarning,
+      .formats = Formats::kSdf,
+      .fix = FixGrade::kUnsafe,
+      .summary = "the real time factor of the physics is negative",
+      .why =
+          "The factor is simulated time over wall time: 1 is real time, 0 as fast as can be. "
+          "Gazebo Sim makes "
+          "the pause between steps of it, and a negative one is no pause that anybody meant.",
+      .what_to_do = "Write 1 for real time, 0.5 for half of it, 0 for as fast as can be.",
+      .bad = {{R"(<sdf version="1.9">
+  <world name="lab">
+    <physics name="fast" type="ode">
+      <max_step_size>0.001</max_step_size>
+      <real_time_factor>«-1»</real_time_factor>
+    </physics>
+  </world>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <world name="lab">
+    <physics name="fast" type="ode">
+      <max_step_size>0.001</max_step_size>
+      <real_time_factor>1</real_time_factor>
+    </physics>
+  </world>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.9">
+  <world name="lab">
+    <physics name="fast" type="ode">
+      <max_step_size>0.001</max_step_size>
+      <real_time_factor>0</real_time_factor>
+    </physics>
+  </world>
+</sdf>
+)"}},
+      .checks = {on<model::Physics>(check)},
+  };
+}
+
+}  // namespace rigor::rules::real_time_factor_negative

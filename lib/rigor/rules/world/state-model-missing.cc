@@ -1,0 +1,118 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include <rigor/rules/edits.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::state_model_missing {
+namespace {
+
+using Names = std::set<std::string_view>;
+
+/// What the world has under a name; nothing when an include might have brought any.
+std::optional<Names> names_in(const model::World& world, const xml::Element& element,
+                              const model::Root& root) {
+  Names names;
+  for (const xml::Element child : element.children()) {
+    if (const auto name = child.attribute("name")) names.insert(name->value());
+  }
+  for (const auto id : world.models) names.insert(root[id].name.value);
+  for (const model::Include& include : root.includes) {
+    if (include.name.written) names.insert(include.name.value);
+    if (!include.loaded && !include.name.written) return std::nullopt;
+  }
+  return names;
+}
+
+void check(const model::World& world, Context& context) {
+  const xml::Element element = context.element(world.site);
+  std::optional<Names> names;
+  for (const xml::Element state : element.children()) {
+    if (state.name() != "state") continue;
+    if (!names) names = names_in(world, element, context.root());
+    if (!names || state.child("insertions")) return;
+    for (const xml::Element child : state.children()) {
+      const auto name = child.attribute("name");
+      if (child.name() != "model" || !name || names->contains(name->value())) continue;
+      context.report({.where = name->value_span(),
+                      .message = "the state is of a model '" + std::string(name->value()) +
+                                 "' that the world does not have",
+                      .subject = context.subject(world),
+                      .fix = fix_of("remove it", Applicability::kUnsafe,
+                                    xml::remove_element(context.document(), child))});
+    }
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "state-model-missing",
+      .category = Category::kWorld,
+      .severity = Severity::kWarning,
+      .formats = Formats::kSdf,
+      .fix = FixGrade::kUnsafe,
+      .summary = "the <state> of a world names a model that is not in it",
+      .why =
+          "Gazebo classic writes the places of all models into <state> when it saves a world, and "
+          "puts "
+          "them there when it loads it. A model that was renamed or taken out in an editor keeps "
+          "its state: "
+          "it has no effect, and the renamed one begins elsewhere than it was saved.",
+      .what_to_do = "Give the state the model's new name, or take it out.",
+      .bad = {{R"(<sdf version="1.6">
+  <world name="lab">
+    <model name="table">
+      <static>true</static>
+      <link name="body"/>
+    </model>
+    <state world_name="lab">
+      <model name="table">
+        <pose>1 0 0 0 0 0</pose>
+      </model>
+      <model name="«desk»">
+        <pose>2 0 0 0 0 0</pose>
+      </model>
+    </state>
+  </world>
+</sdf>
+)",
+               R"(<sdf version="1.6">
+  <world name="lab">
+    <model name="table">
+      <static>true</static>
+      <link name="body"/>
+    </model>
+    <state world_name="lab">
+      <model name="table">
+        <pose>1 0 0 0 0 0</pose>
+      </model>
+    </state>
+  </world>
+</sdf>
+)"}},
+      .good = {{R"(<sdf version="1.6">
+  <world name="lab">
+    <model name="table">
+      <static>true</static>
+      <link name="body"/>
+    </model>
+    <state world_name="lab">
+      <model name="table">
+        <pose>1 0 0 0 0 0</pose>
+      </model>
+    </state>
+  </world>
+</sdf>
+)"}},
+      .checks = {on<model::World>(check)},
+  };
+}
+
+}  // namespace rigor::rules::state_model_missing
