@@ -64,28 +64,35 @@ class Runners {
   std::vector<std::pair<Selection, std::unique_ptr<Runner>>> runners_;
 };
 
-/// Calls `work` with each index below `count`, from so many threads at most; 0: as many as cores.
+/// Calls `work` with each index below `count`, from so many threads at most; 0: as many as cores. Each thread
+/// begins in a part of its own, then helps in the others: neighbours use the same meshes, and two threads at
+/// one mesh would wait for each other.
 template <class Work>
 void for_each_index(std::size_t count, unsigned threads, const Work& work) {
   if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
-  std::atomic<std::size_t> next{0};
+  // A thread is worth its while for some files only.
+  const std::size_t parts = std::clamp<std::size_t>(count / kFilesPerThread, 1, threads);
+  const auto begin_of = [&](std::size_t part) { return count * part / parts; };
+  std::vector<std::atomic<std::size_t>> next(parts);
+  for (std::size_t part = 0; part < parts; ++part) next[part] = begin_of(part);
   std::exception_ptr failure;
   std::mutex mutex;
-  const auto run = [&] {
-    for (std::size_t i = next++; i < count; i = next++) {
-      try {
-        work(i);
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        failure = std::current_exception();
+  const auto run = [&](std::size_t own) {
+    for (std::size_t k = 0; k < parts; ++k) {
+      const std::size_t part = (own + k) % parts;
+      for (std::size_t i = next[part]++; i < begin_of(part + 1); i = next[part]++) {
+        try {
+          work(i);
+        } catch (...) {
+          const std::lock_guard lock(mutex);
+          failure = std::current_exception();
+        }
       }
     }
   };
-  // A thread is worth its while for some files only.
-  const std::size_t most = std::min<std::size_t>(threads, count / kFilesPerThread);
   std::vector<std::thread> others;
-  for (std::size_t i = 1; i < most; ++i) others.emplace_back(run);
-  run();
+  for (std::size_t part = 1; part < parts; ++part) others.emplace_back(run, part);
+  run(0);
   for (std::thread& other : others) other.join();
   if (failure) std::rethrow_exception(failure);
 }
