@@ -37,6 +37,22 @@ std::string box_of_link(const std::string& inside = {}) {
          (inside.empty() ? "<box><size>1 2 3</size></box>" : inside) + "</geometry></collision>";
 }
 
+TEST(BuildWorld, IsTheSameWithoutWhatWouldHaveToBeDownloaded) {
+  const std::string uri = "https://fuel.gazebosim.org/1.0/openrobotics/models/sun";
+  const std::string include = "<include><uri>" + uri + "</uri></include>";
+  const std::string model =
+      "<model name=\"m\">" + link_text("a", kKilogram + box_of_link()) + "</model>";
+  const Built whole =
+      built("<sdf version=\"1.9\"><world name=\"w\">" + include + model + "</world></sdf>");
+  EXPECT_FALSE(whole.blocked);
+  EXPECT_EQ(whole.scene.bodies.size(), 1U);
+  EXPECT_EQ(whole.places(FactKind::kElementIgnored), std::vector<std::string>{uri});
+  // A part of a model is another matter: without it the model is another one.
+  const Built part = built(model_of(include + link_text("a", kKilogram + box_of_link())));
+  EXPECT_TRUE(part.blocked);
+  EXPECT_EQ(part.places(FactKind::kUnreadable), std::vector<std::string>{uri});
+}
+
 /// By hand: two point-like kilograms a metre apart about their middle: 0.1 + 2 · 0.5² about y and z.
 TEST(BuildBody, FixedJointsMerge) {
   const Built b = built(

@@ -181,9 +181,13 @@ Vector3 ConvexShape::farthest(const Vector3& direction_W) const {
 }
 
 mesh::Bounds ConvexShape::bounds() const {
-  const auto reach = [this](const Vector3& d) { return farthest(d); };
-  return {{reach({-1, 0, 0}).x, reach({0, -1, 0}).y, reach({0, 0, -1}).z},
-          {reach({1, 0, 0}).x, reach({0, 1, 0}).y, reach({0, 0, 1}).z}};
+  const model::Quaternion R_SW = conjugate(X_WS_.rotation);
+  const auto reach = [this](const Vector3& d_S) { return dot(d_S, farthest_in_shape(d_S)); };
+  const Vector3 x_S = rotate(R_SW, {1, 0, 0});
+  const Vector3 y_S = rotate(R_SW, {0, 1, 0});
+  const Vector3 z_S = rotate(R_SW, {0, 0, 1});
+  return {X_WS_.translation - Vector3{reach(-1 * x_S), reach(-1 * y_S), reach(-1 * z_S)},
+          X_WS_.translation + Vector3{reach(x_S), reach(y_S), reach(z_S)}};
 }
 
 ConvexShape ConvexShape::shrunk(double depth) const {

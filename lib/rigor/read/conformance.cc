@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -128,10 +129,9 @@ class SchemaWalk {
         unknown_element(child, node);
       }
     }
-    seen_.erase(seen_.begin() + static_cast<std::ptrdiff_t>(others), seen_.end());
-    if (element.cut()) return;
-    for (const Node required : node.required_children()) {
-      if (!element.child(required.name())) {
+    if (!element.cut()) {
+      for (const Node required : node.required_children()) {
+        if (first_of(others, required) != seen_.end()) continue;
         add({.kind = Kind::kMissingElement,
              .where = element.tag_span(),
              .element = element,
@@ -139,15 +139,14 @@ class SchemaWalk {
              .parent = node});
       }
     }
+    seen_.erase(seen_.begin() + static_cast<std::ptrdiff_t>(others), seen_.end());
   }
 
   /// Only the first of its name can be read where one is allowed; told once, at the second.
   /// `others` is where those of the same parent begin in `seen_`.
   void repeated(std::size_t others, xml::Element child, const Node& known) {
-    const auto first =
-        std::find_if(seen_.begin() + static_cast<std::ptrdiff_t>(others), seen_.end(),
-                     [&child](const Seen& seen) { return seen.element.name() == child.name(); });
-    if (first == seen_.end()) return seen_.push_back({child});
+    const auto first = first_of(others, known);
+    if (first == seen_.end()) return seen_.push_back({child, known.place()});
     const Cardinality cardinality = known.cardinality();
     if (cardinality == Cardinality::kMany || cardinality == Cardinality::kOneOrMore) return;
     if (std::exchange(first->told, true)) return;
@@ -277,8 +276,14 @@ class SchemaWalk {
   /// The first of a name that the schema knows here.
   struct Seen {
     xml::Element element;
+    std::uint32_t place;
     bool told = false;
   };
+
+  std::vector<Seen>::iterator first_of(std::size_t others, const Node& known) {
+    return std::find_if(seen_.begin() + static_cast<std::ptrdiff_t>(others), seen_.end(),
+                        [&known](const Seen& seen) { return seen.place == known.place(); });
+  }
 
   const std::function<void(const SchemaFact&)>& tell_;
   std::vector<Seen> seen_;  // of the elements that are open, one parent's after the other's

@@ -61,7 +61,7 @@ class NameCollector {
         add_include(child);
       }
     }
-    if (some_repeat() && !in_plugin(element)) scopes_.push_back({element.name(), members_});
+    if (members_.size() > 1 && some_repeat() && !in_plugin(element)) scopes_.push_back({element.name(), members_});
   }
 
   bool some_repeat() {

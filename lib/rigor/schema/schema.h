@@ -122,6 +122,9 @@ class Node {
   // a model. What is inside is the same, so a walk that must end need not enter a number twice.
   std::uint32_t declaration() const { return declaration_; }
 
+  // Another number for every child and every attribute of a declaration.
+  std::uint32_t place() const { return place_; }
+
  private:
   friend class Schema;
   friend class NodeRange;

@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include <rigor/simulate/build_draft.h>
@@ -106,6 +108,12 @@ void take_models(SceneDraft& draft, const std::vector<Id<model::Model>>& chosen)
   for (SceneModel& model : draft.scene.models) model.is_static = draft.is_static[model.id.value];
 }
 
+bool is_remote(std::string_view uri) {
+  return uri.starts_with("https://") || uri.starts_with("http://");
+}
+
+/// A world without a model that would have to be downloaded is still that world; a model without a part
+/// is another model.
 void check_includes(SceneDraft& draft) {
   const model::Root& root = draft.root;
   for (const model::Include& include : root.includes) {
@@ -113,6 +121,14 @@ void check_includes(SceneDraft& draft) {
         include.model ? draft.takes(include.model)
                       : include.world && include.world.value == 0 && draft.options.model.empty();
     if (!here || include.followed) continue;
+    if (include.world && is_remote(include.uri.value)) {
+      draft.facts.push_back({.kind = FactKind::kElementIgnored,
+                             .where = include.uri.span,
+                             .subject = model::subject(root, root[include.world]),
+                             .name = "include",
+                             .severe = false});
+      continue;
+    }
     say_unreadable(draft, include.uri.written ? include.uri.span : include.site.name,
                    include.model ? model::subject(root, root[include.model])
                                  : model::subject(root, root[include.world]),

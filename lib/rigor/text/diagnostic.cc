@@ -4,7 +4,11 @@
 #include <rigor/text/diagnostic.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace rigor {
 
@@ -29,8 +33,15 @@ void Diagnostics::sort() {
   const auto key = [](const Diagnostic& d) {
     return std::tie(d.where.source, d.where.begin, d.where.end, d.rule, d.message);
   };
-  std::stable_sort(list_.begin(), list_.end(),
-                   [&key](const Diagnostic& a, const Diagnostic& b) { return key(a) < key(b); });
+  // A diagnostic is large: it is moved once, when its place is known.
+  std::vector<std::size_t> order(list_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return key(list_[a]) < key(list_[b]); });
+  std::vector<Diagnostic> sorted;
+  sorted.reserve(list_.size());
+  for (const std::size_t i : order) sorted.push_back(std::move(list_[i]));
+  list_ = std::move(sorted);
 }
 
 }  // namespace rigor

@@ -16,27 +16,40 @@ namespace rigor::rules {
 /// "texture", "height map", …; empty when the element names no such file.
 inline std::string_view kind_of_asset(xml::Element element) {
   const std::string_view name = element.name();
+  if (name.empty()) return "";
   const auto stands_in = [element](std::string_view parent) {
     const auto above = element.parent();
     return above && above->name() == parent;
   };
-  if (name == "uri") {
-    if (stands_in("script")) {
-      const auto above = element.parent()->parent();
-      return above && above->name() == "material" ? "material file or folder" : "";
-    }
-    if (stands_in("heightmap")) return "height map";
-    return stands_in("image") ? "image" : "";
+  // Every element of a file is asked: one look tells of nearly all that they name none.
+  if (name.back() == 'p' && name.ends_with("_map")) {
+    return stands_in("metal") || stands_in("specular") ? "texture" : "";
   }
-  if (name.ends_with("_map")) return stands_in("metal") || stands_in("specular") ? "texture" : "";
-  if (name == "diffuse" || name == "normal") return stands_in("texture") ? "texture" : "";
-  if (name == "texture") return stands_in("material") || stands_in("projector") ? "texture" : "";
-  if (name == "filename") {
-    if (stands_in("skin")) return "skin";
-    return stands_in("animation") ? "animation" : "";
+  switch (name.front()) {
+    case 'c':
+      if (name == "cubemap_uri") return stands_in("sky") ? "texture" : "";
+      if (name == "color_range_image") return stands_in("particle_emitter") ? "image" : "";
+      break;
+    case 'd':
+    case 'n':
+      if (name == "diffuse" || name == "normal") return stands_in("texture") ? "texture" : "";
+      break;
+    case 'f':
+      if (name != "filename") break;
+      if (stands_in("skin")) return "skin";
+      return stands_in("animation") ? "animation" : "";
+    case 't':
+      if (name != "texture") break;
+      return stands_in("material") || stands_in("projector") ? "texture" : "";
+    case 'u':
+      if (name != "uri") break;
+      if (stands_in("script")) {
+        const auto above = element.parent()->parent();
+        return above && above->name() == "material" ? "material file or folder" : "";
+      }
+      if (stands_in("heightmap")) return "height map";
+      return stands_in("image") ? "image" : "";
   }
-  if (name == "cubemap_uri") return stands_in("sky") ? "texture" : "";
-  if (name == "color_range_image") return stands_in("particle_emitter") ? "image" : "";
   return "";
 }
 

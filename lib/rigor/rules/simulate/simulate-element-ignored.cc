@@ -16,6 +16,9 @@ void check(const simulate::Fact& fact, Context& context) {
   std::string message = fact.name + " has no effect in this simulation";
   if (fact.name == "model" || fact.name == "world") {
     message = "this " + fact.name + " is not simulated: only the first one of a file is";
+  } else if (fact.name == "include") {
+    message =
+        "this include is not simulated: it is not in the Fuel cache, and nothing is downloaded";
   } else if (fact.kind == simulate::FactKind::kDampingAsNone) {
     message =
         fmt::format("{} of {:.6g} would drive the joint: it is taken as 0", fact.name, fact.value);
