@@ -3,8 +3,10 @@
 
 #include <rigor/report/page_changes.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <utility>
 
 #include <fmt/core.h>
@@ -101,18 +103,39 @@ class ChangeTeller {
     }
   }
 
+  /// One that says the same of the same thing with another number is neither new nor fixed.
   void findings(const std::vector<KnownFinding>& before, const std::vector<KnownFinding>& after) {
     const FindingChanges changes = what_changed(before, after);
+    std::multiset<Finding> gone;
+    for (const std::size_t i : changes.fixed) gone.insert(finding(before[i]));
+    std::multiset<Finding> reworded;
     for (const std::size_t i : changes.fresh) {
-      sentences.push_back(
-          fmt::format("new {}: {}", to_string(after[i].severity), after[i].message));
+      const auto same = gone.find(finding(after[i]));
+      if (same == gone.end()) {
+        sentences.push_back(
+            fmt::format("new {}: {}", to_string(after[i].severity), after[i].message));
+      } else {
+        reworded.insert(gone.extract(same));
+      }
     }
-    for (const std::size_t i : changes.fixed) sentences.push_back("fixed: " + before[i].message);
+    for (const std::size_t i : changes.fixed) {
+      const auto same = reworded.find(finding(before[i]));
+      if (same == reworded.end()) {
+        sentences.push_back("fixed: " + before[i].message);
+      } else {
+        reworded.erase(same);
+      }
+    }
   }
 
   std::vector<std::string> sentences;
 
  private:
+  using Finding = std::array<std::string, 3>;
+  static Finding finding(const KnownFinding& known) {
+    return {known.path, known.rule, known.subject};
+  }
+
   void say(const char* kind, const std::string& name, const std::string& what) {
     sentences.push_back(*kind == '\0' ? name + ' ' + what
                                       : fmt::format("{} {} {}", kind, name, what));
