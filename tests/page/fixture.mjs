@@ -71,7 +71,7 @@ export function armFile(options) {
 const SOFTWARE = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 const NO_WEBGL = ['--disable-gpu', '--disable-3d-apis'];
 
-function browser(webgl) {
+export function browserOf(webgl) {
   if (!browsers.has(webgl)) {
     browsers.set(webgl, chromium.launch({
       executablePath: browserPath,
@@ -83,7 +83,7 @@ function browser(webgl) {
 
 /** A page that is ready. Its errors fail the test that closes it; `page.requests` are the addresses it asked for. */
 export async function open(address, { webgl = true, ...context } = {}) {
-  const made = await (await browser(webgl)).newContext({ viewport: { width: 1280, height: 800 }, ...context });
+  const made = await (await browserOf(webgl)).newContext({ viewport: { width: 1280, height: 800 }, ...context });
   const page = await made.newPage();
   page.requests = [];
   page.errors = [];

@@ -60,6 +60,7 @@ export class Kinematics {
     const { pose, axes } = this.joints[index];
     if (!pose) return IDENTITY;
     return axes.reduce((D, axis, k) => {
+      if (!axis.direction) return D; // the file does not tell
       const q = this.position(index, k);
       const step = axis.slides
         ? slideAlong(axis.direction, q)

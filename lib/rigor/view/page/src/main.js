@@ -107,7 +107,7 @@ class App {
     const chosen = state.selected();
     const { kind, index } = state.selection ?? {};
     if (kind === 'link' && chosen.pose) stage.pointAtLink(bodies.linkPose(index));
-    else if (kind === 'joint' && chosen.pose && chosen.axes.length > 0) {
+    else if (kind === 'joint' && chosen.pose && chosen.axes.some((axis) => axis.direction)) {
       stage.pointAtJoint(chosen, bodies.displacement(chosen.parent));
     } else stage.point([]);
   }
@@ -130,7 +130,7 @@ async function start(app) {
   await app.swap(page);
   linkDeeply(app.state);
   app.stage?.render();
-  document.body.classList.add('ready');
+  performance.mark('rigor-ready');
   if (page.data.live) reloadLive((changed) => app.swap(changed));
 }
 

@@ -54,7 +54,8 @@ export function showSliders(state) {
 
   const build = () => {
     sliders = state.data.joints.flatMap((joint, index) =>
-      joint.axes.map((axis, k) => make(joint, index, axis, k)));
+      joint.axes.flatMap((axis, k) =>
+        (axis.direction && joint.type !== 'fixed' ? [make(joint, index, axis, k)] : [])));
     list.replaceChildren(...sliders.map(({ item }) => item));
     byId('joints-none').hidden = sliders.length > 0;
     byId('reset').disabled = sliders.length === 0;

@@ -105,7 +105,7 @@ export class Stage {
   pointAtJoint({ pose, axes }, displacement) {
     const size = 0.5 * this.#size();
     const at = new Vector3(...pose).applyMatrix4(displacement);
-    this.point(axes.map(({ direction }) => {
+    this.point(axes.filter((axis) => axis.direction).map(({ direction }) => {
       const along = new Vector3(...direction).transformDirection(displacement).multiplyScalar(size);
       return { from: at.clone().addScaledVector(along, -0.5), along, color: JOINT_COLOR };
     }));
