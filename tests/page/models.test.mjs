@@ -4,7 +4,6 @@
 //
 // RIGOR_BINARY: the program. RIGOR_CORPUS: a folder of real models, of which some are tried too.
 
-
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
@@ -22,16 +21,31 @@ const corpus = process.env.RIGOR_CORPUS;
 const skip = noBrowser || (program ? false : 'RIGOR_BINARY is not set');
 
 const MODELS = [
-  'models/my_robot', 'frames/models/old14', 'frames/models/old16', 'sane/arm.sdf', 'sane/crane', 'sane/drone.sdf',
-  'sane/gripper.sdf', 'sane/hauler.urdf', 'sane/quadruped.sdf', 'sane/walker.urdf', 'sane/welder.urdf',
+  'models/my_robot',
+  'frames/models/old14',
+  'frames/models/old16',
+  'sane/arm.sdf',
+  'sane/crane',
+  'sane/drone.sdf',
+  'sane/gripper.sdf',
+  'sane/hauler.urdf',
+  'sane/quadruped.sdf',
+  'sane/walker.urdf',
+  'sane/welder.urdf',
 ];
 const CORPUS_MODELS = [
-  'SO-ARM100/Simulation/SO101/so101_new_calib.urdf', 'urdf_tutorial/urdf/06-flexible.urdf', 'urdf_tutorial/urdf/07-physics.urdf',
+  'SO-ARM100/Simulation/SO101/so101_new_calib.urdf',
+  'urdf_tutorial/urdf/06-flexible.urdf',
+  'urdf_tutorial/urdf/07-physics.urdf',
 ];
 const CLOSE = 1e-5; // m
 
 function rigor(...args) {
-  return execFileSync(program, args, { encoding: 'utf8', maxBuffer: 1 << 28, stdio: ['ignore', 'pipe', 'ignore'] });
+  return execFileSync(program, args, {
+    encoding: 'utf8',
+    maxBuffer: 1 << 28,
+    stdio: ['ignore', 'pipe', 'ignore'],
+  });
 }
 
 function inspect(model, ...args) {
@@ -40,15 +54,31 @@ function inspect(model, ...args) {
 
 /** Three joints that lead, each somewhere within its limits, and with them those that follow: {name: position}. */
 function chosenPositions(joints) {
-  const leading = joints.filter(({ type, axes }) => type !== 'fixed' && axes.length === 1 && !axes[0].mimic);
-  const chosen = [...new Set([leading[0], leading[leading.length >> 1], leading.at(-1)])].filter(Boolean);
-  const set = Object.fromEntries(chosen.map(({ name, type, axes: [{ lower, upper }] }, i) => {
-    const isFree = type === 'continuous' || !(upper?.value - lower?.value < 100);
-    return [name, isFree ? [0.7, -0.4, 1.1][i] : lower.value + [0.3, 0.6, 0.85][i] * (upper.value - lower.value)];
-  }));
-  const following = Object.fromEntries(joints
-    .filter(({ axes }) => axes[0]?.mimic?.joint in set)
-    .map(({ name, axes: [{ mimic }] }) => [name, mimic.multiplier * (set[mimic.joint] - (mimic.reference ?? 0)) + mimic.offset]));
+  const leading = joints.filter(
+    ({ type, axes }) => type !== 'fixed' && axes.length === 1 && !axes[0].mimic,
+  );
+  const chosen = [...new Set([leading[0], leading[leading.length >> 1], leading.at(-1)])].filter(
+    Boolean,
+  );
+  const set = Object.fromEntries(
+    chosen.map(({ name, type, axes: [{ lower, upper }] }, i) => {
+      const isFree = type === 'continuous' || !(upper?.value - lower?.value < 100);
+      return [
+        name,
+        isFree
+          ? [0.7, -0.4, 1.1][i]
+          : lower.value + [0.3, 0.6, 0.85][i] * (upper.value - lower.value),
+      ];
+    }),
+  );
+  const following = Object.fromEntries(
+    joints
+      .filter(({ axes }) => axes[0]?.mimic?.joint in set)
+      .map(({ name, axes: [{ mimic }] }) => [
+        name,
+        mimic.multiplier * (set[mimic.joint] - (mimic.reference ?? 0)) + mimic.offset,
+      ]),
+  );
   return { set, following };
 }
 
@@ -80,15 +110,22 @@ async function compare(model) {
   rigor('view', model, '-o', html);
   const still = inspect(model);
   const { set, following } = chosenPositions(still.joints);
-  const said = Object.entries({ ...set, ...following }).map(([name, q]) => ['--joint', `${name}=${q}`]);
+  const said = Object.entries({ ...set, ...following }).map(([name, q]) => [
+    '--joint',
+    `${name}=${q}`,
+  ]);
   const moved = inspect(model, ...said.flat());
 
   const page = await open(pathToFileURL(html).href, { offline: true });
   const scoped = (name) => still.joints.find((joint) => joint.name === name).scoped_name;
-  await page.evaluate((positions) => positions.forEach(([name, q]) => rigor.setJoint(name, q)),
-    Object.entries(set).map(([name, q]) => [scoped(name), q]));
-  const poses = await page.evaluate((names) => names.map((name) => rigor.linkPose(name)),
-    moved.links.map(({ scoped_name: name }) => name));
+  await page.evaluate(
+    (positions) => positions.forEach(([name, q]) => rigor.setJoint(name, q)),
+    Object.entries(set).map(([name, q]) => [scoped(name), q]),
+  );
+  const poses = await page.evaluate(
+    (names) => names.map((name) => rigor.linkPose(name)),
+    moved.links.map(({ scoped_name: name }) => name),
+  );
 
   let urdf;
   if (model.endsWith('.urdf')) {
@@ -102,8 +139,11 @@ async function compare(model) {
   const loaded = await place(urdf, set);
   const loadedStill = await place(urdf, {});
   // urdf-loader's poses are those in the root link, which SDF may place elsewhere; a `world` stands at zero.
-  const rootOf = ({ links }) => links.find(({ name }) => name === loaded.root)?.pose
-    ?? { translation: [0, 0, 0], quaternion_wxyz: [1, 0, 0, 0] };
+  const rootOf = ({ links }) =>
+    links.find(({ name }) => name === loaded.root)?.pose ?? {
+      translation: [0, 0, 0],
+      quaternion_wxyz: [1, 0, 0, 0],
+    };
 
   let moving = 0;
   moved.links.forEach(({ name, pose }, i) => {
@@ -115,13 +155,21 @@ async function compare(model) {
     // the URDF, with all joints at zero, is followed.
     const before = still.links[i].pose;
     const origin = toFrame(before, fromFrame(rootOf(still), loadedStill.links[name]));
-    if (model.endsWith('.urdf')) assertNear(origin, [0, 0, 0], `${name} at zero against urdf-loader`);
-    assertNear(fromFrame(seen, origin), fromFrame(rootOf(moved), loaded.links[name]), `${name} against urdf-loader`);
+    if (model.endsWith('.urdf'))
+      assertNear(origin, [0, 0, 0], `${name} at zero against urdf-loader`);
+    assertNear(
+      fromFrame(seen, origin),
+      fromFrame(rootOf(moved), loaded.links[name]),
+      `${name} against urdf-loader`,
+    );
     const values = [...before.translation, ...before.quaternion_wxyz];
     moving += values.some((v, k) => Math.abs(v - poses[i][k]) > 1e-3) ? 1 : 0;
   });
   if (Object.keys(set).length > 0) assert.ok(moving > 0, 'the joints move something');
-  assert.deepEqual(page.requests.filter((url) => !/^(file|data|blob):/.test(url)), []);
+  assert.deepEqual(
+    page.requests.filter((url) => !/^(file|data|blob):/.test(url)),
+    [],
+  );
   assert.deepEqual(page.errors, []);
   await page.context().close();
 }
@@ -133,18 +181,33 @@ for (const model of MODELS) {
   test(`links of ${model}`, { skip }, () => compare(join(testdata, model)));
 }
 for (const model of CORPUS_MODELS) {
-  test(`links of ${model}`, { skip: skip || (corpus ? false : 'RIGOR_CORPUS is not set') }, () => compare(join(corpus, model)));
+  test(`links of ${model}`, { skip: skip || (corpus ? false : 'RIGOR_CORPUS is not set') }, () =>
+    compare(join(corpus, model)),
+  );
 }
 
 test('100,000 triangles of meshes on 20 links', { skip }, async (t) => {
   const folder = temporaryFile('large');
   mkdirSync(folder);
   const names = Array.from({ length: 20 }, (_, i) => `l${i}`);
-  names.forEach((name, i) => writeFileSync(join(folder, `${name}.stl`), stlOf(roughBall(50, 50, i))));
-  writeFileSync(join(folder, 'large.urdf'), `<robot name="large">${names.map((name, i) => `
-    <link name="${name}"><visual><geometry><mesh filename="${name}.stl"/></geometry></visual></link>${i === 0 ? '' : `
-    <joint name="j${i}" type="continuous"><origin xyz="0.25 0 0"/><parent link="l${i - 1}"/><child link="${name}"/><axis xyz="0 0 1"/></joint>`}`).join('')}
-  </robot>`);
+  names.forEach((name, i) =>
+    writeFileSync(join(folder, `${name}.stl`), stlOf(roughBall(50, 50, i))),
+  );
+  writeFileSync(
+    join(folder, 'large.urdf'),
+    `<robot name="large">${names
+      .map(
+        (name, i) => `
+    <link name="${name}"><visual><geometry><mesh filename="${name}.stl"/></geometry></visual></link>${
+      i === 0
+        ? ''
+        : `
+    <joint name="j${i}" type="continuous"><origin xyz="0.25 0 0"/><parent link="l${i - 1}"/><child link="${name}"/><axis xyz="0 0 1"/></joint>`
+    }`,
+      )
+      .join('')}
+  </robot>`,
+  );
   const html = temporaryFile('large.html');
   rigor('view', join(folder, 'large.urdf'), '-o', html);
   const { size } = statSync(html);

@@ -3,7 +3,6 @@
 // Where npm's urdf-loader puts the links of a URDF. It needs a browser, and runs in one; its files come
 // from node_modules by interception, not from a network.
 
-
 import { existsSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -43,5 +42,6 @@ export async function urdfLoader(browser) {
   });
   await page.goto(origin);
   await page.waitForFunction(() => window.loaded);
-  return (text, positions) => page.evaluate(([urdf, q]) => window.poses(urdf, q), [text, positions]);
+  return (text, positions) =>
+    page.evaluate(([urdf, q]) => window.poses(urdf, q), [text, positions]);
 }

@@ -3,7 +3,6 @@
 // Forward kinematics, as lib/rigor/model/kinematics.cc: from joint positions to the
 // displacement of every link from where it is with all joints at zero.
 
-
 import { IDENTITY, compose, slideAlong, turnAbout } from './pose.js';
 
 export class Kinematics {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page of `rigor view`: puts its parts together.
 
-
 import { makeBodies } from './bodies.js';
 import { readPage } from './data.js';
 import { linkDeeply } from './deep_links.js';
@@ -92,11 +91,11 @@ class App {
     const { state, bodies } = this;
     if (!bodies) return;
     const { kind, index } = state.selection ?? {};
-    const joint = state.data.joints[index];
+    const joint = kind === 'joint' ? index : -1;
+    const link = kind === 'link' ? index : (state.data.joints[joint]?.child ?? -1);
     bodies.highlight((body) =>
-      kind === 'link' ? body.link === index && body.joint < 0
-      : kind === 'joint' ? body.joint === index || (body.joint < 0 && body.link === joint.child && index >= 0 && joint.child >= 0)
-      : false);
+      body.joint >= 0 ? body.joint === joint : body.link >= 0 && body.link === link,
+    );
     this.point();
   }
 
