@@ -50,7 +50,9 @@ let templates = null;
 export function template(name) {
   templates ??= process.env.RIGOR_PAGE ?? join(folder, 'templates');
   if (!existsSync(join(templates, name))) {
-    execFileSync(process.execPath, [join(source, 'build.mjs'), templates], { stdio: ['ignore', 'ignore', 'inherit'] });
+    execFileSync(process.execPath, [join(source, 'build.mjs'), templates], {
+      stdio: ['ignore', 'ignore', 'inherit'],
+    });
   }
   return readFileSync(join(templates, name), 'utf8');
 }
@@ -71,19 +73,24 @@ export function armFile(options) {
 const SOFTWARE = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 const NO_WEBGL = ['--disable-gpu', '--disable-3d-apis'];
 
-function browser(webgl) {
+export function browserOf(webgl) {
   if (!browsers.has(webgl)) {
-    browsers.set(webgl, chromium.launch({
-      executablePath: browserPath,
-      args: ['--no-sandbox', ...(webgl ? SOFTWARE : NO_WEBGL)],
-    }));
+    browsers.set(
+      webgl,
+      chromium.launch({
+        executablePath: browserPath,
+        args: ['--no-sandbox', ...(webgl ? SOFTWARE : NO_WEBGL)],
+      }),
+    );
   }
   return browsers.get(webgl);
 }
 
-/** A page that is ready. Its errors fail the test that closes it; `page.requests` are the addresses it asked for. */
+/** A page that is ready. `page.requests`: the addresses it asked for; `page.errors`: what went wrong. */
 export async function open(address, { webgl = true, ...context } = {}) {
-  const made = await (await browser(webgl)).newContext({ viewport: { width: 1280, height: 800 }, ...context });
+  const made = await (
+    await browserOf(webgl)
+  ).newContext({ viewport: { width: 1280, height: 800 }, ...context });
   const page = await made.newPage();
   page.requests = [];
   page.errors = [];
@@ -97,12 +104,17 @@ export async function open(address, { webgl = true, ...context } = {}) {
 
 /** A picture of the scene's middle, where no button is. */
 export async function sceneShot(page) {
-  await page.evaluate(() => new Promise((done) => {
-    rigor.render();
-    requestAnimationFrame(() => requestAnimationFrame(done));
-  }));
+  await page.evaluate(
+    () =>
+      new Promise((done) => {
+        rigor.render();
+        requestAnimationFrame(() => requestAnimationFrame(done));
+      }),
+  );
   const { x, y, width, height } = await page.locator('#scene').boundingBox();
-  return page.screenshot({ clip: { x: x + 5, y: y + 100, width: width - 10, height: height - 150 } });
+  return page.screenshot({
+    clip: { x: x + 5, y: y + 100, width: width - 10, height: height - 150 },
+  });
 }
 
 /** Where the window shows a point of the file's frame, by the pinhole formula; z is up. */
@@ -117,5 +129,8 @@ export async function onScreen(page, point, degrees = 32) {
   const right = unit(cross(ahead, [0, 0, 1]));
   const ray = minus(point, [ex, ey, ez]);
   const scale = height / 2 / Math.tan((degrees * Math.PI) / 360) / dot(ray, ahead);
-  return [x + width / 2 + scale * dot(ray, right), y + height / 2 - scale * dot(ray, cross(right, ahead))];
+  return [
+    x + width / 2 + scale * dot(ray, right),
+    y + height / 2 - scale * dot(ray, cross(right, ahead)),
+  ];
 }

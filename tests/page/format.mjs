@@ -33,7 +33,9 @@ export function packMesh(bytes, { positions, triangles, normals, uvs, colors, pa
   const most = (values) => values.reduce((a, b) => Math.max(a, b), -Infinity);
   const low = [0, 1, 2].map((k) => least(axis(k)));
   const step = [0, 1, 2].map((k) => (most(axis(k)) - low[k]) / 65535);
-  const quantized = positions.flatMap((p) => p.map((v, k) => (step[k] > 0 ? Math.round((v - low[k]) / step[k]) : 0)));
+  const quantized = positions.flatMap((p) =>
+    p.map((v, k) => (step[k] > 0 ? Math.round((v - low[k]) / step[k]) : 0)),
+  );
   const Index = positions.length > 65535 ? Uint32Array : Uint16Array;
   return {
     vertices: positions.length,
@@ -52,6 +54,9 @@ export function packMesh(bytes, { positions, triangles, normals, uvs, colors, pa
 /** The page with a model in it. */
 export function fillTemplate(template, data, base64) {
   const json = JSON.stringify(data).replaceAll('<', '\\u003c');
-  return template.replace('<!--DATA-->', () =>
-    `<script id="data" type="application/json">${json}</script>\n<script id="bytes" type="text/plain">${base64}</script>`);
+  return template.replace(
+    '<!--DATA-->',
+    () =>
+      `<script id="data" type="application/json">${json}</script>\n<script id="bytes" type="text/plain">${base64}</script>`,
+  );
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A page that is served takes the changed model and keeps what one looks at.
 
-
 import assert from 'node:assert/strict';
 import { createServer } from 'node:http';
 import { test } from 'node:test';
@@ -35,7 +34,8 @@ async function serve(served) {
     server.close();
   });
   served.say = (event) => {
-    for (const listener of listeners) listener.write(`event: changed\ndata: ${JSON.stringify(event)}\n\n`);
+    for (const listener of listeners)
+      listener.write(`event: changed\ndata: ${JSON.stringify(event)}\n\n`);
   };
   served.stop = () => server.closeAllConnections();
   return `http://127.0.0.1:${server.address().port}/`;
@@ -46,7 +46,9 @@ const toastSays = (page, text) =>
 
 test('a changed model is swapped in place', { skip }, async () => {
   const served = { page: armPage({ live: true }) };
-  const listening = new Promise((done) => { served.onListener = done; });
+  const listening = new Promise((done) => {
+    served.onListener = done;
+  });
   const page = await open(await serve(served));
   await listening;
   await page.evaluate(() => {
@@ -63,7 +65,14 @@ test('a changed model is swapped in place', { skip }, async () => {
     change: (data) => {
       data.links.unshift({ ...data.links[0], name: 'mast', scoped: 'arm::mast', movedBy: -1 });
       for (const link of data.links.slice(1)) link.movedBy += link.movedBy >= 0 ? 1 : 0;
-      data.joints.unshift({ ...data.joints[0], name: 'pan', scoped: 'arm::pan', parent: -1, child: -1, axes: [] });
+      data.joints.unshift({
+        ...data.joints[0],
+        name: 'pan',
+        scoped: 'arm::pan',
+        parent: -1,
+        child: -1,
+        axes: [],
+      });
       for (const joint of data.joints.slice(1)) {
         joint.parent += 1;
         joint.child += 1;
@@ -82,19 +91,36 @@ test('a changed model is swapped in place', { skip }, async () => {
   assert.deepEqual(await page.evaluate(() => rigor.selection), { kind: 'link', name: 'arm::fore' });
   assert.equal(await page.evaluate(() => rigor.jointPosition('arm::elbow')), 0.4);
   const fore = await page.evaluate(() => rigor.linkPose('arm::fore'));
-  [1.5, 0, 0, Math.cos(0.2), 0, 0, Math.sin(0.2)].forEach((v, i) => assert.ok(Math.abs(fore[i] - v) < 1e-9, String(fore)));
+  [1.5, 0, 0, Math.cos(0.2), 0, 0, Math.sin(0.2)].forEach((v, i) =>
+    assert.ok(Math.abs(fore[i] - v) < 1e-9, String(fore)),
+  );
   assert.match(await page.locator('#findings').textContent(), /Nothing was found/);
 
   served.say({ changes: [], nothing: true });
   await toastSays(page, 'nothing about the model changed');
   assert.deepEqual(page.errors, []);
-  assert.ok(page.requests.every((url) => url.startsWith('http://127.0.0.1:') || /^(data|blob):/.test(url)));
+  assert.ok(
+    page.requests.every((url) => url.startsWith('http://127.0.0.1:') || /^(data|blob):/.test(url)),
+  );
 });
 
-test('a server that goes away is spoken of, and its return brings the model', { skip }, async () => {
-  const served = { page: armPage({ live: true }) };
-  const page = await open(await serve(served));
-  served.page = armPage({ live: true, change: (data) => { data.name = 'arm 2'; } });
-  served.stop();
-  await page.waitForFunction(() => document.getElementById('model-name').textContent === 'arm 2', null, { timeout: 15_000 });
-});
+test(
+  'a server that goes away is spoken of, and its return brings the model',
+  { skip },
+  async () => {
+    const served = { page: armPage({ live: true }) };
+    const page = await open(await serve(served));
+    served.page = armPage({
+      live: true,
+      change: (data) => {
+        data.name = 'arm 2';
+      },
+    });
+    served.stop();
+    await page.waitForFunction(
+      () => document.getElementById('model-name').textContent === 'arm 2',
+      null,
+      { timeout: 15_000 },
+    );
+  },
+);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nothing leaves the page, and nothing that a model's file says is run.
 
-
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { gzipSync } from 'node:zlib';
@@ -13,7 +12,7 @@ import { armFile, onScreen, open, skip, template } from './fixture.mjs';
 async function useAll(page) {
   const click = async (selector) => {
     for (const button of await page.locator(selector).all()) {
-      if (await button.isVisible() && await button.isEnabled()) await button.click();
+      if ((await button.isVisible()) && (await button.isEnabled())) await button.click();
     }
   };
   await click('#tree button');
@@ -21,18 +20,25 @@ async function useAll(page) {
   await click('.finding');
   await click('#not-drawn summary');
   await click('#layers button');
-  await page.evaluate(() => rigor.show(['visual', 'collision', 'inertia', 'com', 'frames', 'axes', 'contacts', 'ground']));
+  await page.evaluate(() =>
+    rigor.show(['visual', 'collision', 'inertia', 'com', 'frames', 'axes', 'contacts', 'ground']),
+  );
   await page.locator('#tree button').nth(3).click();
   await click('#selection button');
-  await page.mouse.move(...await onScreen(page, [0.5, 0, 0]));
+  await page.mouse.move(...(await onScreen(page, [0.5, 0, 0])));
   await page.locator('#hover').waitFor({ state: 'visible' });
   await page.keyboard.press('l');
 }
 
 test('hostile names are text', { skip }, async () => {
   for (const attack of [
-    '</script><img src=x onerror=window.hit=1>', '"><svg onload=window.hit=1>', "'-window.hit++-'", '<!--<script>window.hit=1</script>',
-    '${window.hit=1}', 'javascript:window.hit=1', '\u2028\u0000&lt;img src=x onerror=window.hit=1&gt;',
+    '</script><img src=x onerror=window.hit=1>',
+    '"><svg onload=window.hit=1>',
+    "'-window.hit++-'",
+    '<!--<script>window.hit=1</script>',
+    '${window.hit=1}',
+    'javascript:window.hit=1',
+    '\u2028\u0000&lt;img src=x onerror=window.hit=1&gt;',
   ]) {
     const page = await open(armFile({ rename: (text) => `${attack}${text}` }));
     await useAll(page);
@@ -45,7 +51,9 @@ test('hostile names are text', { skip }, async () => {
 });
 
 test('names of objects in JavaScript are names like others', { skip }, async () => {
-  const page = await open(armFile({ rename: (text) => (text.includes('arm::') ? `${text}::__proto__` : 'constructor') }));
+  const page = await open(
+    armFile({ rename: (text) => (text.includes('arm::') ? `${text}::__proto__` : 'constructor') }),
+  );
   await useAll(page);
   assert.deepEqual(page.errors, []);
 });
@@ -62,7 +70,9 @@ test('the policy stops what would be a request or a script', { skip }, async () 
   const page = await open(armFile());
   const refused = await page.evaluate(async () => {
     const violations = [];
-    document.addEventListener('securitypolicyviolation', ({ effectiveDirective }) => violations.push(effectiveDirective));
+    document.addEventListener('securitypolicyviolation', ({ effectiveDirective }) =>
+      violations.push(effectiveDirective),
+    );
     const settled = [
       fetch('http://127.0.0.1:9/').catch(() => {}),
       new Promise((done) => {
@@ -79,12 +89,20 @@ test('the policy stops what would be a request or a script', { skip }, async () 
     await new Promise(requestAnimationFrame);
     return violations;
   });
-  assert.deepEqual(refused.toSorted(), ['connect-src', 'img-src', 'script-src-elem', 'style-src-attr']);
+  assert.deepEqual(refused.toSorted(), [
+    'connect-src',
+    'img-src',
+    'script-src-elem',
+    'style-src-attr',
+  ]);
   assert.equal(await page.evaluate(() => window.hit), undefined);
 });
 
 test('the template holds what its users rely on', { skip }, () => {
-  for (const [name, connects] of [['page.html', false], ['page_live.html', true]]) {
+  for (const [name, connects] of [
+    ['page.html', false],
+    ['page_live.html', true],
+  ]) {
     const text = template(name);
     assert.equal(text.split('<!--DATA-->').length, 2);
     assert.equal(text.includes("connect-src 'self'"), connects);

@@ -52,12 +52,19 @@ if (!folder) {
   console.error('usage: node build.mjs FOLDER');
   process.exit(2);
 }
-const script = await bundle('src/main.js', { format: 'iife', target: 'es2022', banner: { js: notice } });
+const script = await bundle('src/main.js', {
+  format: 'iife',
+  target: 'es2022',
+  banner: { js: notice },
+});
 const style = await bundle('page.css', {});
 const template = read('page.html');
 
 mkdirSync(folder, { recursive: true });
-for (const [name, isLive] of [['page.html', false], ['page_live.html', true]]) {
+for (const [name, isLive] of [
+  ['page.html', false],
+  ['page_live.html', true],
+]) {
   // Replacements are functions, since `$&` in a bundle would mean something in a text.
   const page = template
     .replace('@POLICY@', () => policy(script, style, isLive))
@@ -70,5 +77,8 @@ for (const [name, isLive] of [['page.html', false], ['page_live.html', true]]) {
   writeFileSync(join(folder, name), page);
 }
 const kilobytes = (bytes) => `${(bytes / 1000).toFixed(1)} kB`;
-console.log(`script ${kilobytes(script.length)}, style ${kilobytes(style.length)}, both ${
-  kilobytes(gzipSync(script + style, { level: 9 }).length)} with gzip`);
+console.log(
+  `script ${kilobytes(script.length)}, style ${kilobytes(style.length)}, both ${kilobytes(
+    gzipSync(script + style, { level: 9 }).length,
+  )} with gzip`,
+);

@@ -3,7 +3,6 @@
 // The model's bodies as three.js holds them: a group for every link, which its joints move, and in it
 // what moves with it.
 
-
 import { Box3, Group, Matrix4, Mesh, Quaternion, Vector3 } from 'three';
 
 import { geometryOf } from './geometry.js';
@@ -16,12 +15,19 @@ export const MARKS_LAYER = 1;
 
 function matrixOf([x, y, z, w, i, j, k], scale = [1, 1, 1]) {
   return new Matrix4().compose(
-    new Vector3(x, y, z), new Quaternion(i, j, k, w), new Vector3(...scale));
+    new Vector3(x, y, z),
+    new Quaternion(i, j, k, w),
+    new Vector3(...scale),
+  );
 }
 
 export async function makeBodies({ data, buffer }) {
   const textures = await texturesOf(data.textures);
-  return new Bodies(data, data.meshes.map((mesh) => geometryOf(mesh, buffer)), textures);
+  return new Bodies(
+    data,
+    data.meshes.map((mesh) => geometryOf(mesh, buffer)),
+    textures,
+  );
 }
 
 export class Bodies {
@@ -52,9 +58,9 @@ export class Bodies {
   }
 
   #paint(mesh, highlighted) {
-    const { surfaces } = mesh.userData;
+    const { surfaces, layer } = mesh.userData;
     const { colors } = mesh.geometry.userData;
-    const made = surfaces.map((surface) => this.materials.of(surface, colors, highlighted));
+    const made = surfaces.map((surface) => this.materials.of(surface, colors, layer, highlighted));
     mesh.material = made.length === 1 ? made[0] : made;
   }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copies text, also where a page from a file may not use the clipboard's interface.
 
-
 import { el } from './dom.js';
 
 function copyByHand(text) {

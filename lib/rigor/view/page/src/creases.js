@@ -3,7 +3,6 @@
 // Normals of meshes that come without: faces that meet at less than a crease's angle share
 // theirs, as of the side of a cylinder; others, as of a box, have an edge.
 
-
 const COS_CREASE = Math.cos(Math.PI / 6); // the sides of a cylinder of 16 meet at 22.5°
 /** The tip of a fan has no smooth normal, and comparing all its faces would take long. */
 const MOST_FACES_OF_A_POINT = 64;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What C++ put into the page, or what the server sends: JSON, and the numbers of the meshes.
 
-
 function fromBase64(text) {
   if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
   const characters = atob(text);

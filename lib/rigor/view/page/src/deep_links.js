@@ -4,7 +4,6 @@
 //
 //   #link=arm::hand   #joint=elbow&q.elbow=0.4   #finding=3   #show=visual,com
 
-
 import { indexOfName } from './state.js';
 import { rangeOf } from './sliders.js';
 
@@ -31,10 +30,12 @@ export function hashOf(state) {
   const { data, selection, finding, layers, kinematics } = state;
   const said = new URLSearchParams();
   if (finding >= 0) said.set('finding', finding);
-  else if (selection && selection.kind !== 'model') said.set(selection.kind, state.selected().scoped);
+  else if (selection && selection.kind !== 'model')
+    said.set(selection.kind, state.selected().scoped);
   data.joints.forEach(({ scoped, axes }, joint) => {
     const values = axes.map((axis, k) => (axis.mimic ? 0 : kinematics.values[joint][k]));
-    if (values.some((q) => q !== 0)) said.set(`q.${scoped}`, values.map((q) => Number(q.toFixed(6))).join(','));
+    if (values.some((q) => q !== 0))
+      said.set(`q.${scoped}`, values.map((q) => Number(q.toFixed(6))).join(','));
   });
   const shown = [...layers].sort().join(',');
   if (shown !== 'ground,visual') said.set('show', shown);
@@ -49,7 +50,8 @@ export function linkDeeply(state) {
     clearTimeout(timer);
     timer = setTimeout(() => {
       const hash = hashOf(state);
-      if (hash !== location.hash) history.replaceState(null, '', hash || location.pathname + location.search);
+      if (hash !== location.hash)
+        history.replaceState(null, '', hash || location.pathname + location.search);
     }, 250);
   };
   const read = () => apply(state, location.hash);

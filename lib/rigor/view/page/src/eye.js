@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // From where the model is seen. z is up.
 
-
 import { PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
@@ -47,11 +46,16 @@ export class Eye {
     let distance = 0;
     for (let i = 0; i < 8; ++i) {
       const corner = new Vector3(
-        i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z,
+        i & 1 ? box.max.x : box.min.x,
+        i & 2 ? box.max.y : box.min.y,
+        i & 4 ? box.max.z : box.min.z,
       ).sub(centre);
       const nearer = corner.dot(towards);
       distance = Math.max(
-        distance, nearer + Math.abs(corner.dot(up)) / high, nearer + Math.abs(corner.dot(right)) / wide);
+        distance,
+        nearer + Math.abs(corner.dot(up)) / high,
+        nearer + Math.abs(corner.dot(right)) / wide,
+      );
     }
     this.controls.target.copy(centre);
     this.camera.position.copy(centre).addScaledVector(towards, Math.max(distance, 1e-3));

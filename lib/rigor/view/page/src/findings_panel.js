@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What `rigor validate` found, the worst first.
 
-
 import { byId, counted, el } from './dom.js';
 
-const SEVERITIES = [['error', 'error'], ['warning', 'warning'], ['info', 'note']];
+const SEVERITIES = [
+  ['error', 'error'],
+  ['warning', 'warning'],
+  ['info', 'note'],
+];
 
 export function showFindings(state) {
   const panel = byId('findings');
@@ -15,11 +18,21 @@ export function showFindings(state) {
   const button = (finding, index) => {
     const file = state.data.files[finding.file];
     const made = el(
-      'button', { type: 'button', class: `finding ${finding.severity}`, click: () => state.selectFinding(index) },
+      'button',
+      {
+        type: 'button',
+        class: `finding ${finding.severity}`,
+        click: () => state.selectFinding(index),
+      },
       el('span', { class: 'rule' }, finding.rule),
       el('span', { class: 'message' }, finding.message),
       finding.hint ? el('span', { class: 'hint' }, finding.hint) : null,
-      el('span', { class: 'place' }, [finding.where, file && `${file.path}:${finding.line}`].filter(Boolean).join(' · ')));
+      el(
+        'span',
+        { class: 'place' },
+        [finding.where, file && `${file.path}:${finding.line}`].filter(Boolean).join(' · '),
+      ),
+    );
     buttons[index] = made;
     return el('li', {}, made);
   };
@@ -34,16 +47,33 @@ export function showFindings(state) {
     const { findings } = state.data;
     buttons = [];
     const groups = SEVERITIES.map(([severity, noun]) => ({
-      severity, noun,
-      members: findings.flatMap((finding, i) => (finding.severity === severity ? [button(finding, i)] : [])),
+      severity,
+      noun,
+      members: findings.flatMap((finding, i) =>
+        finding.severity === severity ? [button(finding, i)] : [],
+      ),
     })).filter(({ members }) => members.length > 0);
-    panel.replaceChildren(...groups.map(({ severity, noun, members }) =>
-      el('details', { open: true },
-        el('summary', {}, el('span', { class: `dot ${severity}`, 'aria-hidden': true }), counted(members.length, noun)),
-        el('ul', {}, ...members))));
+    panel.replaceChildren(
+      ...groups.map(({ severity, noun, members }) =>
+        el(
+          'details',
+          { open: true },
+          el(
+            'summary',
+            {},
+            el('span', { class: `dot ${severity}`, 'aria-hidden': true }),
+            counted(members.length, noun),
+          ),
+          el('ul', {}, ...members),
+        ),
+      ),
+    );
     if (groups.length === 0) panel.append(el('p', { class: 'muted' }, 'Nothing was found.'));
-    badges.replaceChildren(...groups.map(({ severity, noun, members }) =>
-      el('span', { class: `badge ${severity}` }, counted(members.length, noun))));
+    badges.replaceChildren(
+      ...groups.map(({ severity, noun, members }) =>
+        el('span', { class: `badge ${severity}` }, counted(members.length, noun)),
+      ),
+    );
     if (groups.length === 0) badges.append(el('span', { class: 'badge clean' }, 'nothing found'));
     mark();
   };

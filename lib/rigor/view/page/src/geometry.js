@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Meshes for the graphics card.
 
-
 import { BufferAttribute, BufferGeometry } from 'three';
 
 import { creasedCorners } from './creases.js';
@@ -54,7 +53,8 @@ export function geometryOf(mesh, buffer) {
   geometry.setAttribute('normal', new BufferAttribute(normals, 3, normals instanceof Int8Array));
   if (uvs) geometry.setAttribute('uv', new BufferAttribute(uvs, 2));
   if (colors) geometry.setAttribute('color', new BufferAttribute(colors, 4));
-  geometry.userData.colors = colors && (colors.some((v, i) => i % 4 === 3 && v < 1) ? 'glass' : 'solid');
+  geometry.userData.colors =
+    colors && (colors.some((v, i) => i % 4 === 3 && v < 1) ? 'glass' : 'solid');
   mesh.parts.forEach(({ first, count }, i) => geometry.addGroup(3 * first, 3 * count, i));
   return geometry;
 }

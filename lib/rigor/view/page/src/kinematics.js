@@ -3,7 +3,6 @@
 // Forward kinematics, as lib/rigor/model/kinematics.cc: from joint positions to the
 // displacement of every link from where it is with all joints at zero.
 
-
 import { IDENTITY, compose, slideAlong, turnAbout } from './pose.js';
 
 export class Kinematics {
@@ -60,6 +59,7 @@ export class Kinematics {
     const { pose, axes } = this.joints[index];
     if (!pose) return IDENTITY;
     return axes.reduce((D, axis, k) => {
+      if (!axis.direction) return D; // the file does not tell
       const q = this.position(index, k);
       const step = axis.slides
         ? slideAlong(axis.direction, q)

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A page that is served asks for the model again when the server says that a file changed.
 
-
 import { readServer } from './data.js';
 import { toast } from './toast.js';
 
@@ -15,7 +14,11 @@ export function reloadLive(swap) {
   const reload = async ({ changes, nothing }) => {
     try {
       await swap(await readServer());
-      toast(nothing || changes.length === 0 ? 'Saved: nothing about the model changed' : changes.join('; '));
+      toast(
+        nothing || changes.length === 0
+          ? 'Saved: nothing about the model changed'
+          : changes.join('; '),
+      );
     } catch (error) {
       toast(`The changed model could not be shown: ${error.message}`);
     }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page of `rigor view`: puts its parts together.
 
-
 import { makeBodies } from './bodies.js';
 import { readPage } from './data.js';
 import { linkDeeply } from './deep_links.js';
@@ -92,11 +91,11 @@ class App {
     const { state, bodies } = this;
     if (!bodies) return;
     const { kind, index } = state.selection ?? {};
-    const joint = state.data.joints[index];
+    const joint = kind === 'joint' ? index : -1;
+    const link = kind === 'link' ? index : (state.data.joints[joint]?.child ?? -1);
     bodies.highlight((body) =>
-      kind === 'link' ? body.link === index && body.joint < 0
-      : kind === 'joint' ? body.joint === index || (body.joint < 0 && body.link === joint.child && index >= 0 && joint.child >= 0)
-      : false);
+      body.joint >= 0 ? body.joint === joint : body.link >= 0 && body.link === link,
+    );
     this.point();
   }
 
@@ -107,7 +106,7 @@ class App {
     const chosen = state.selected();
     const { kind, index } = state.selection ?? {};
     if (kind === 'link' && chosen.pose) stage.pointAtLink(bodies.linkPose(index));
-    else if (kind === 'joint' && chosen.pose && chosen.axes.length > 0) {
+    else if (kind === 'joint' && chosen.pose && chosen.axes.some((axis) => axis.direction)) {
       stage.pointAtJoint(chosen, bodies.displacement(chosen.parent));
     } else stage.point([]);
   }
@@ -130,7 +129,7 @@ async function start(app) {
   await app.swap(page);
   linkDeeply(app.state);
   app.stage?.render();
-  document.body.classList.add('ready');
+  performance.mark('rigor-ready');
   if (page.data.live) reloadLive((changed) => app.swap(changed));
 }
 

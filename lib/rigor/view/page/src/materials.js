@@ -2,10 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // How surfaces look. Bodies of the same look share a material, since each costs the card a switch.
 
-
-import { Color, DoubleSide, MeshPhongMaterial, RepeatWrapping, SRGBColorSpace, Texture } from 'three';
+import {
+  Color,
+  DoubleSide,
+  MeshPhongMaterial,
+  RepeatWrapping,
+  SRGBColorSpace,
+  Texture,
+} from 'three';
 
 const HIGHLIGHT = 0x1d6fd6;
+/** Steps of depth: a collision often lies exactly on its visual, and a model's floor on the ground. */
+const LIFTED = { collision: -1, ground: 1 };
 
 async function textureOf(source) {
   const image = new Image();
@@ -32,9 +40,9 @@ export class Materials {
   }
 
   /** `colors`: whether the mesh's vertices have some, which multiply the surface's: null, "solid", "glass". */
-  of({ color, texture }, colors, highlighted) {
+  of({ color, texture }, colors, layer, highlighted) {
     const [r, g, b, a] = color;
-    const key = `${color} ${texture} ${colors} ${highlighted}`;
+    const key = `${color} ${texture} ${colors} ${LIFTED[layer]} ${highlighted}`;
     let material = this.#made.get(key);
     if (!material) {
       material = new MeshPhongMaterial({
@@ -48,6 +56,9 @@ export class Materials {
         side: DoubleSide,
         specular: 0x1a1a1a,
         shininess: 32,
+        polygonOffset: layer in LIFTED,
+        polygonOffsetFactor: LIFTED[layer] ?? 0,
+        polygonOffsetUnits: LIFTED[layer] ?? 0,
       });
       if (material.map) Object.assign(material, { alphaTest: 0.02, transparent: true });
       if (highlighted) {

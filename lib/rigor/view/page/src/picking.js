@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The pointer in the scene: names under it, and what a click selects.
 
-
 /** px. A hand that moves farther between press and release is turning the model. */
 const STILL = 5;
 
@@ -27,7 +26,10 @@ export function pickWithPointer(stage, state, label) {
     canvas.classList.toggle('over-body', Boolean(body));
     if (!body) return;
     const carrier = state.data.joints[body.joint] ?? state.data.links[body.link];
-    label.replaceChildren(carrier && !body.name.includes(carrier.scoped) ? `${carrier.scoped}: ${body.name}` : body.name);
+    // "arm::hand/link palm/visual shell"
+    label.replaceChildren(
+      carrier ? `${carrier.scoped} · ${body.name.split('/').at(-1)}` : body.name,
+    );
     const { left, top, width } = canvas.getBoundingClientRect();
     const flipped = x - left > width / 2;
     label.style.left = flipped ? 'auto' : `${x - left + 14}px`;

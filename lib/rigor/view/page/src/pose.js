@@ -3,7 +3,6 @@
 // Poses [x, y, z, qw, qx, qy, qz]: how they compose, and how they are written.
 // A quaternion is [w, x, y, z], a vector [x, y, z].
 
-
 export const IDENTITY = [0, 0, 0, 1, 0, 0, 0];
 
 export function multiply([aw, ax, ay, az], [bw, bx, by, bz]) {
@@ -52,7 +51,7 @@ export function toRollPitchYaw([w, x, y, z]) {
   const sine = Math.max(-1, Math.min(1, 2 * (w * y - x * z)));
   if (Math.abs(sine) > 1 - 1e-12) {
     // Straight up or down roll and yaw turn about one axis: yaw takes all of it.
-    return [0, Math.sign(sine) * Math.PI / 2, -2 * Math.sign(sine) * Math.atan2(x, w)];
+    return [0, (Math.sign(sine) * Math.PI) / 2, -2 * Math.sign(sine) * Math.atan2(x, w)];
   }
   return [
     Math.atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)),

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A slider and a number for every axis of every joint. Those that follow another cannot be moved.
 
-
 import { byId, el } from './dom.js';
 import { numberText } from './pose.js';
 
@@ -36,25 +35,47 @@ export function showSliders(state) {
       if (Number.isFinite(value)) state.setJoint(index, k, Math.max(low, Math.min(high, value)));
     };
     const common = {
-      min: low, max: high, disabled: axis.mimic !== null, input: set,
-      title: leader ? `follows ${leader.scoped}` : `${numberText(low)} to ${numberText(high)} ${unit}`,
+      min: low,
+      max: high,
+      disabled: axis.mimic !== null,
+      input: set,
+      title: leader
+        ? `follows ${leader.scoped}`
+        : `${numberText(low)} to ${numberText(high)} ${unit}`,
     };
     const range = el('input', {
-      ...common, type: 'range', step: 'any', 'aria-label': `${joint.scoped}, ${unit}`,
+      ...common,
+      type: 'range',
+      step: 'any',
+      'aria-label': `${joint.scoped}, ${unit}`,
     });
     const number = el('input', {
-      ...common, type: 'number', step: (high - low) / 100 || 'any', 'aria-label': `${joint.scoped}, ${unit}, as a number`,
+      ...common,
+      type: 'number',
+      step: (high - low) / 100 || 'any',
+      'aria-label': `${joint.scoped}, ${unit}, as a number`,
       blur: update,
     });
     const label = el(
-      'button', { type: 'button', class: 'joint-name', title: joint.scoped, click: () => state.select('joint', index) }, name);
+      'button',
+      {
+        type: 'button',
+        class: 'joint-name',
+        title: joint.scoped,
+        click: () => state.select('joint', index),
+      },
+      name,
+    );
     const note = el('span', { class: 'unit' }, leader ? 'follows' : unit);
     return { joint: index, axis: k, range, number, item: el('li', {}, label, number, note, range) };
   };
 
   const build = () => {
     sliders = state.data.joints.flatMap((joint, index) =>
-      joint.axes.map((axis, k) => make(joint, index, axis, k)));
+      joint.axes.flatMap((axis, k) =>
+        axis.direction && joint.type !== 'fixed' ? [make(joint, index, axis, k)] : [],
+      ),
+    );
     list.replaceChildren(...sliders.map(({ item }) => item));
     byId('joints-none').hidden = sliders.length > 0;
     byId('reset').disabled = sliders.length === 0;
@@ -65,6 +86,7 @@ export function showSliders(state) {
   state.on('model', build);
   state.on('positions', update);
   state.on('selection', () => {
-    for (const { joint, item } of sliders) item.classList.toggle('selected', state.isSelected('joint', joint));
+    for (const { joint, item } of sliders)
+      item.classList.toggle('selected', state.isSelected('joint', joint));
   });
 }

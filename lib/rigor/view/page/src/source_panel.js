@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The files' text with line numbers, and in it the place that is spoken of.
 
-
 import { byId, el } from './dom.js';
 
 /** Columns count code points from 1, as the findings' do. */
 function cut(line, from, to) {
   const points = [...line];
-  return [points.slice(0, from - 1), points.slice(from - 1, to - 1), points.slice(to - 1)].map((part) => part.join(''));
+  return [points.slice(0, from - 1), points.slice(from - 1, to - 1), points.slice(to - 1)].map(
+    (part) => part.join(''),
+  );
 }
 
 /** Text before, in and after the span; a span without an end is its line. */
@@ -20,7 +21,9 @@ export function splitAt(lines, { line, column, endLine, endColumn }) {
   const after = isSpan ? cut(lines[last], endColumn, endColumn)[2] : '';
   const marked = lines.slice(first, last + 1).join('\n');
   return {
-    first, last, isSpan,
+    first,
+    last,
+    isSpan,
     before: [...lines.slice(0, first), before].join('\n'),
     marked: marked.slice(before.length, marked.length - after.length),
     after: [after, ...lines.slice(last + 1)].join('\n'),
@@ -42,7 +45,11 @@ export function showSource(state) {
       return;
     }
     const lines = file.text.split(/\r\n|\r|\n/);
-    const numbers = el('pre', { class: 'numbers', 'aria-hidden': true }, lines.map((_, i) => i + 1).join('\n'));
+    const numbers = el(
+      'pre',
+      { class: 'numbers', 'aria-hidden': true },
+      lines.map((_, i) => i + 1).join('\n'),
+    );
     const code = el('pre', { class: 'code' });
     const body = el('div', { class: 'sheet' }, numbers, code);
     scroller.replaceChildren(body);

@@ -2,10 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scene on the screen. A frame is drawn when something changed, never else.
 
-
 import {
-  BoxGeometry, Color, DirectionalLight, Group, HemisphereLight, Mesh, MeshBasicMaterial, Raycaster, Scene, Sphere,
-  Vector2, Vector3, WebGLRenderer,
+  BoxGeometry,
+  Color,
+  DirectionalLight,
+  Group,
+  HemisphereLight,
+  Mesh,
+  MeshBasicMaterial,
+  Raycaster,
+  Scene,
+  Sphere,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
 } from 'three';
 
 import { MARKS_LAYER } from './bodies.js';
@@ -71,8 +81,10 @@ export class Stage {
 
   /** The link, or all; from where one looks, or from a view's side. */
   frame(view = null, link = -1) {
-    const box = this.bodies.bounds((body) =>
-      (body.layer === 'visual' || body.layer === 'collision') && (link < 0 || body.link === link));
+    const box = this.bodies.bounds(
+      (body) =>
+        (body.layer === 'visual' || body.layer === 'collision') && (link < 0 || body.link === link),
+    );
     this.eye.frame(box.isEmpty() ? this.#whole() : box, view);
     this.draw();
   }
@@ -96,19 +108,33 @@ export class Stage {
   pointAtLink(pose) {
     const size = 0.14 * this.#size();
     const from = new Vector3(...pose.slice(0, 3));
-    this.point([[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((axis, k) => ({
-      from, along: new Vector3(...rotate(pose.slice(3), axis)).multiplyScalar(size), color: FRAME_COLORS[k],
-    })));
+    this.point(
+      [
+        [1, 0, 0],
+        [0, 1, 0],
+        [0, 0, 1],
+      ].map((axis, k) => ({
+        from,
+        along: new Vector3(...rotate(pose.slice(3), axis)).multiplyScalar(size),
+        color: FRAME_COLORS[k],
+      })),
+    );
   }
 
   /** `displacement`: of what the joint is fixed to. */
   pointAtJoint({ pose, axes }, displacement) {
     const size = 0.5 * this.#size();
     const at = new Vector3(...pose).applyMatrix4(displacement);
-    this.point(axes.map(({ direction }) => {
-      const along = new Vector3(...direction).transformDirection(displacement).multiplyScalar(size);
-      return { from: at.clone().addScaledVector(along, -0.5), along, color: JOINT_COLOR };
-    }));
+    this.point(
+      axes
+        .filter((axis) => axis.direction)
+        .map(({ direction }) => {
+          const along = new Vector3(...direction)
+            .transformDirection(displacement)
+            .multiplyScalar(size);
+          return { from: at.clone().addScaledVector(along, -0.5), along, color: JOINT_COLOR };
+        }),
+    );
   }
 
   #size() {
@@ -153,9 +179,16 @@ export class Stage {
     const ray = new Raycaster();
     ray.layers.enableAll();
     ray.setFromCamera(at, this.eye.camera);
-    const seen = this.bodies.meshes.filter(({ visible, userData }) => visible && userData.layer !== 'ground');
+    const seen = this.bodies.meshes.filter(
+      ({ visible, userData }) => visible && userData.layer !== 'ground',
+    );
     const bodies = ray.intersectObjects(seen, false).map(({ object }) => object.userData);
     const first = (...layers) => bodies.find(({ layer }) => layers.includes(layer));
-    return first('com', 'frames', 'axes', 'contacts') ?? first('visual', 'collision') ?? first('inertia') ?? null;
+    return (
+      first('com', 'frames', 'axes', 'contacts') ??
+      first('visual', 'collision') ??
+      first('inertia') ??
+      null
+    );
   }
 }

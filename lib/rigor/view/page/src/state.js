@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is looked at: selection, layers, joint positions. Panels and scene listen; none knows another.
 
-
 import { Kinematics } from './kinematics.js';
 
 export const LAYERS = [
@@ -22,7 +21,8 @@ export function indexOfName(entities, name) {
   return full >= 0 ? full : entities.findIndex((entity) => entity.name === name);
 }
 
-const LISTS = { link: 'links', joint: 'joints', model: 'models' };
+/** Where the data has what can be selected. */
+export const LISTS = { link: 'links', joint: 'joints', model: 'models' };
 
 /**
  * Events: `model` (another model took the place of the last), `selection`, `finding`, `layers`, `positions`,

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // On a narrow window one panel is shown at a time.
 
-
 import { byId } from './dom.js';
 
 export function switchTabs(state) {

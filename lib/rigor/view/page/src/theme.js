@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dark or light: as the system has it, until the reader chooses.
 
-
 import { byId } from './dom.js';
 
 const system = matchMedia('(prefers-color-scheme: dark)');

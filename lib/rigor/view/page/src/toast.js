@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A line that says what just happened, and goes away.
 
-
 import { byId } from './dom.js';
 
 const SHOWN = 6000; // ms

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Models, links and joints as a tree: a joint stands above the link that it moves.
 
-
 import { byId, counted, el } from './dom.js';
+import { LISTS } from './state.js';
 
 const DEEPEST = 10; // steps of indentation; a chain of thirty links would leave the panel
 
@@ -24,7 +24,8 @@ export function rowsOf({ models, links, joints }) {
     joints.forEach((joint, i) => {
       if (joint.parent !== index || placed.has(i)) return;
       addJoint(i, depth + 1);
-      const moves = links[joint.child]?.movedBy === i && links[joint.child].model === links[index].model;
+      const moves =
+        links[joint.child]?.movedBy === i && links[joint.child].model === links[index].model;
       if (moves) addLink(joint.child, depth + 1);
     });
   };
@@ -48,8 +49,6 @@ export function rowsOf({ models, links, joints }) {
   links.forEach((_, i) => addLink(i, 0)); // that are in no model
   return rows;
 }
-
-const LISTS = { model: 'models', link: 'links', joint: 'joints' };
 
 export function showTree(state) {
   const list = byId('tree');
@@ -80,18 +79,22 @@ export function showTree(state) {
     rows = rowsOf(state.data).map(({ kind, index, depth }) => {
       const { name, scoped, type } = state.data[LISTS[kind]][index];
       const button = el(
-        'button', { type: 'button', title: `${kind} ${scoped}`, click: () => state.select(kind, index) },
-        el('span', { class: `kind ${kind}` , 'aria-hidden': true }),
+        'button',
+        { type: 'button', title: `${kind} ${scoped}`, click: () => state.select(kind, index) },
+        el('span', { class: `kind ${kind}`, 'aria-hidden': true }),
         el('span', { class: 'sr' }, `${kind} `),
         el('span', { class: 'name' }, name || scoped),
-        type ? el('span', { class: 'type' }, type) : null);
+        type ? el('span', { class: 'type' }, type) : null,
+      );
       const item = el('li', {}, button);
       item.style.setProperty('--depth', Math.min(depth, DEEPEST));
       return { kind, index, button, item, text: scoped.toLowerCase() };
     });
     list.replaceChildren(...rows.map(({ item }) => item));
     const { links, joints } = state.data;
-    byId('tree-count').replaceChildren(`${counted(links.length, 'link')}, ${counted(joints.length, 'joint')}`);
+    byId('tree-count').replaceChildren(
+      `${counted(links.length, 'link')}, ${counted(joints.length, 'joint')}`,
+    );
     filter();
     mark();
   };
@@ -105,7 +108,9 @@ export function showTree(state) {
   });
   search.addEventListener('input', filter);
   search.addEventListener('keydown', (event) => {
-    const first = rows.find(({ item, kind }) => !item.hidden && (kind !== 'model' || search.value === ''));
+    const first = rows.find(
+      ({ item, kind }) => !item.hidden && (kind !== 'model' || search.value === ''),
+    );
     if (event.key === 'Enter' && first) state.select(first.kind, first.index);
   });
   state.on('model', build);
