@@ -237,6 +237,11 @@ TEST_F(ViewCli, TellsWhatChanged) {
   put_at_once(viewed("lower") + "<!-- the same -->\n");
   EXPECT_NE(Served::read_to(events, "\"nothing\":true").find("\"changes\":[]"), std::string::npos);
 
+  // Who asked for the page before that and listens only now is told at once.
+  const int late = served.ask("/events", served.own_host());
+  EXPECT_NE(Served::read_to(late, "\"nothing\":true").find("event: changed"), std::string::npos);
+  ::close(late);
+
   // While the file is away, the last model stays.
   std::filesystem::remove(folder.path("arm/model.sdf"));
   EXPECT_NE(Served::read_to(events, "model.sdf").find("\"nothing\":false"), std::string::npos);

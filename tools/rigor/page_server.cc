@@ -120,12 +120,14 @@ std::string PageServer::address() const {
 void PageServer::publish(Content content) {
   const std::lock_guard lock(mutex_);
   content_ = std::move(content);
+  ++published_;
 }
 
 void PageServer::tell(std::string_view event, std::string_view data) {
   {
     const std::lock_guard lock(mutex_);
-    told_.push_back("event: " + std::string(event) + "\ndata: " + std::string(data) + "\n\n");
+    last_told_ = "event: " + std::string(event) + "\ndata: " + std::string(data) + "\n\n";
+    told_.push_back(last_told_);
   }
   const std::uint64_t one = 1;
   // It cannot be full: that would take as many events as there are numbers.
@@ -213,16 +215,19 @@ bool PageServer::send(Connection& connection) {
   return true;
 }
 
-void PageServer::answer(Connection& connection) const {
+void PageServer::answer(Connection& connection) {
   if (connection.answered) return;
   const std::size_t end = connection.received.find("\r\n\r\n");
   if (end == std::string::npos) return;
   connection.answered = true;
   connection.to_send = response_to(std::string_view(connection.received).substr(0, end));
   connection.listens = connection.to_send == kEventStream;
+  if (!connection.listens) return;
+  const std::lock_guard lock(mutex_);
+  if (asked_for_ < published_) connection.to_send += last_told_;
 }
 
-std::string PageServer::response_to(std::string_view request) const {
+std::string PageServer::response_to(std::string_view request) {
   std::string_view line = take_to(request, "\r\n");
   const std::string_view method = take_to(line, " ");
   std::string_view target = take_to(line, " ");
@@ -240,10 +245,12 @@ std::string PageServer::response_to(std::string_view request) const {
   if (!own) return refusal("403 Forbidden");
   if (method != "GET") return refusal("405 Method Not Allowed");
   if (path == "/events") return std::string(kEventStream);
+  const bool page = path == "/";
+  if (!page && path != "/data") return refusal("404 Not Found");
   const std::lock_guard lock(mutex_);
-  if (path == "/") return response("200 OK", "text/html; charset=utf-8", content_.page);
-  if (path == "/data") return response("200 OK", "application/json", content_.data);
-  return refusal("404 Not Found");
+  asked_for_ = published_;
+  return page ? response("200 OK", "text/html; charset=utf-8", content_.page)
+              : response("200 OK", "application/json", content_.data);
 }
 
 bool PageServer::is_own_host(std::string_view host) const {

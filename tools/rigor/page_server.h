@@ -57,17 +57,21 @@ class PageServer {
   void take_told();
   static bool receive(Connection& connection);
   static bool send(Connection& connection);
-  void answer(Connection& connection) const;
-  std::string response_to(std::string_view request) const;
+  void answer(Connection& connection);
+  std::string response_to(std::string_view request);
   bool is_own_host(std::string_view host) const;
 
   int listener_ = -1;
   int wake_ = -1;
   std::uint16_t port_ = 0;
   std::list<Connection> connections_;  // of the thread that runs
-  mutable std::mutex mutex_;
-  Content content_;                // guarded
-  std::vector<std::string> told_;  // guarded
+  std::mutex mutex_;                   // of all that follows
+  Content content_;
+  std::vector<std::string> told_;
+  // A page that was asked for before the last change, and listens since, hears of it then.
+  std::string last_told_;
+  std::uint64_t published_ = 0;
+  std::uint64_t asked_for_ = 0;
 };
 
 }  // namespace rigor::tool
