@@ -13,7 +13,8 @@ function(try out)
   else()
     set(${out} FALSE PARENT_SCOPE)
     string(JOIN " " command ${ARGN})
-    message("rigor: this build has no page for `rigor view`: `${command}` failed:\n${said}")
+    message("rigor: this build has no page for `rigor view`: `${command}` failed (remove ${SOURCE} to \
+try again):\n${said}")
   endif()
 endfunction()
 

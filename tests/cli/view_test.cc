@@ -77,6 +77,12 @@ TEST_F(ViewCli, IsCalledLikeTheModel) {
   EXPECT_EQ(folder.get("arm.html"), "<p>mine</p>");
 }
 
+TEST_F(ViewCli, InItsOwnFolderItIsCalledLikeTheFile) {
+  folder.put("model.sdf", viewed("upper"));
+  EXPECT_EQ(folder.rigor("view model.sdf").exit, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder.path("model.html")));
+}
+
 TEST_F(ViewCli, RefusesWhatCannotBe) {
   EXPECT_EQ(folder.rigor("view arm/model.sdf -o missing/out.html").exit, 2);
   EXPECT_FALSE(std::filesystem::exists(folder.path("missing")));

@@ -93,15 +93,13 @@ class ViewPage final : public Command {
 
   /// "my_robot.html" of my_robot/model.sdf. A UsageError when something else is called so.
   static std::string default_file(const Disk& disk, const std::string& model) {
-    std::string_view name = file_name(model);
+    const std::string_view name = file_name(model);
+    const std::string_view folder = file_name(parent_path(model));
     // Models of a folder are all called so.
-    if (name.starts_with("model.") || name.starts_with("model-")) {
-      const std::string_view folder = file_name(parent_path(model));
-      if (folder != "." && folder != ".." && folder != "/") name = folder;
-    } else {
-      name = name.substr(0, name.rfind('.'));
-    }
-    std::string file = std::string(name) + ".html";
+    const bool general = name.starts_with("model.") || name.starts_with("model-");
+    const bool known = folder != "." && folder != ".." && folder != "/";
+    std::string file(general && known ? folder : name.substr(0, name.rfind('.')));
+    file += ".html";
     if (disk.kind(file) == PathKind::kMissing) return file;
     const std::unique_ptr<OpenFile> there = disk.open(file);
     std::string begin(kWhereTheTitleIs, '\0');

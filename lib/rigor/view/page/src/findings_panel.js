@@ -30,7 +30,7 @@ export function showFindings(state) {
       el(
         'span',
         { class: 'place' },
-        [finding.where, file && `${file.path}:${finding.line}`].filter(Boolean).join(' · '),
+        [finding.where, file && `${file.path}${finding.line ? `:${finding.line}` : ''}`].filter(Boolean).join(' · '),
       ),
     );
     buttons[index] = made;
