@@ -49,8 +49,8 @@ const std::map<std::string, Names>& rooms() {
        {"text", "xml", "schema", "model", "read", "mesh", "mass", "convert", "simulate", "rules",
         "author", "environment"}},
       {"report",
-       {"text", "xml", "schema", "model", "read", "mesh", "mass", "convert", "simulate", "rules",
-        "author", "environment"}},
+       {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "convert", "simulate",
+        "rules", "author", "view", "environment"}},
   };
   return kRooms;
 }
@@ -72,7 +72,8 @@ const std::map<std::string, Names>& third_parties() {
       {"ode/", {"simulate", "tools"}},
       {"embree3/", {"view"}},
       {"png.h", {"view"}},
-      {"turbojpeg.h", {"view"}}};
+      {"turbojpeg.h", {"view"}},
+      {"zlib.h", {"report"}}};
   return kParties;
 }
 

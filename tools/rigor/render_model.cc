@@ -52,12 +52,17 @@ DrawnModel ModelPainter::draw(const std::string& path, const std::vector<std::st
 
 view::Picture ModelPainter::picture(const view::Drawing& drawing, view::View view,
                                     const PictureOptions& options) const {
-  return picture(drawing, view, drawing.bounds, options);
+  return model_picture(drawing, view, drawing.bounds, options);
 }
 
 view::Picture ModelPainter::picture(const view::Drawing& drawing, view::View view,
                                     const mesh::Bounds& bounds,
                                     const PictureOptions& options) const {
+  return model_picture(drawing, view, bounds, options);
+}
+
+view::Picture model_picture(const view::Drawing& drawing, view::View view,
+                            const mesh::Bounds& bounds, const PictureOptions& options) {
   const double aspect = static_cast<double>(options.width) / options.height;
   view::Traced traced = view::trace(drawing, view::framing(bounds, view, aspect),
                                     {.width = options.width,

@@ -35,6 +35,10 @@ struct PictureOptions {
   unsigned threads = 0;
 };
 
+/// From where all of `bounds` is seen. A UsageError when Embree is not there.
+view::Picture model_picture(const view::Drawing& drawing, view::View view,
+                            const mesh::Bounds& bounds, const PictureOptions& options);
+
 class ModelPainter {
  public:
   ModelPainter(const Disk& disk, const Environment& environment);
