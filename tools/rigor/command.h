@@ -47,6 +47,7 @@ std::unique_ptr<Command> urdf2sdf_command();
 std::unique_ptr<Command> diff_command();
 std::unique_ptr<Command> simulate_command();
 std::unique_ptr<Command> render_command();
+std::unique_ptr<Command> report_command();
 std::unique_ptr<Command> new_command();
 std::unique_ptr<Command> merge_command();
 std::unique_ptr<Command> upgrade_command();

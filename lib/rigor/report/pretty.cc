@@ -78,10 +78,15 @@ class Block {
 
   std::string text() {
     headline();
+    return details() + '\n';
+  }
+
+  /// Once.
+  std::string details() {
     if (diagnostic_.where.nowhere()) place("-->", places_.path(diagnostic_), {});
     for (const Group& group : groups_) draw(group);
     notes();
-    return std::move(out_) + '\n';
+    return std::move(out_);
   }
 
  private:
@@ -159,6 +164,10 @@ std::string pretty(const Diagnostics& diagnostics, const Sources& sources, Color
     out += Block(diagnostic, places, color, rule).text();
   }
   return out;
+}
+
+std::string finding_details(const Diagnostic& diagnostic, Places& places) {
+  return Block(diagnostic, places, Color::kPlain, nullptr).details();
 }
 
 }  // namespace rigor::report

@@ -20,6 +20,7 @@
 #include <string>
 
 #include <rigor/report/color.h>
+#include <rigor/report/places.h>
 #include <rigor/rules/registry.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/text/sources.h>
@@ -33,5 +34,8 @@ std::string pretty(const Diagnostics& diagnostics, const Sources& sources, Color
 /// says nothing of that: the first sentences of the rule's page.
 std::string pretty(const Diagnostics& diagnostics, const Sources& sources, Color color,
                    const rules::Registry& registry);
+
+/// What stands below the headline of one finding, plain: its place, the lines it is about, notes.
+std::string finding_details(const Diagnostic& diagnostic, Places& places);
 
 }  // namespace rigor::report
