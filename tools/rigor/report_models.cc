@@ -37,7 +37,8 @@ class MeshUses {
     }
     std::string why;
     const auto triangles = files_.mesh(*mesh, why);
-    uses_.push_back({mesh->uri.value, collision, 1, triangles ? triangles->triangles.size() : 0});
+    uses_.push_back({mesh->uri.value, collision});
+    if (triangles) uses_.back().triangles = triangles->triangles.size();
   }
 
   std::vector<report::MeshUse> take() { return std::move(uses_); }

@@ -18,6 +18,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <rigor/report/color.h>
 #include <rigor/report/places.h>
@@ -35,7 +36,11 @@ std::string pretty(const Diagnostics& diagnostics, const Sources& sources, Color
 std::string pretty(const Diagnostics& diagnostics, const Sources& sources, Color color,
                    const rules::Registry& registry);
 
-/// What stands below the headline of one finding, plain: its place, the lines it is about, notes.
-std::string finding_details(const Diagnostic& diagnostic, Places& places);
+/// What stands below the headline of one finding, plain.
+struct FindingDetails {
+  std::string excerpt;             ///< its place, and the lines that it is about
+  std::vector<std::string> notes;  ///< "in: arm/joint elbow", "help: swap them"
+};
+FindingDetails finding_details(const Diagnostic& diagnostic, Places& places);
 
 }  // namespace rigor::report

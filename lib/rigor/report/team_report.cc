@@ -24,10 +24,13 @@
 namespace rigor::report {
 namespace {
 
-constexpr std::string_view kTitle = "Robot models";
+constexpr std::string_view kReportTitle = "Robot models";
 
 /// Of a name made from a path: with its ending it stays below the 255 bytes of file systems.
 constexpr std::size_t kLongestSlug = 100;
+
+/// Of a model's name, where its picture is described.
+constexpr std::size_t kLongestName = 80;
 
 /// What a page of a folder and one file have in common.
 std::string begin_report_page(std::string_view title, TeamReportForm form) {
@@ -75,8 +78,9 @@ TriangleCount triangles_of(const ReportedModel& model, bool collision,
   TriangleCount count;
   for (const MeshUse& use : model.meshes) {
     if (use.collision != collision) continue;
-    count.triangles += use.times * use.triangles;
-    count.over_mesh = count.over_mesh || use.triangles > of_mesh;
+    if (!use.triangles) ++count.unread;
+    count.triangles += use.times * use.triangles.value_or(0);
+    count.over_mesh = count.over_mesh || use.triangles.value_or(0) > of_mesh;
   }
   count.over_model = of_model && count.triangles > *of_model;
   return count;
@@ -116,7 +120,7 @@ std::string TeamReport::image_html(const Image& image, std::string_view slug,
                                    std::string_view from) {
   if (image.png.empty()) return {};
   std::string source;
-  if (options_.form == TeamReportForm::kOneFile) {
+  if (one_file()) {
     source = "data:image/png;base64," + base64(image.png);
   } else {
     const std::string path = fmt::format("{}/{}.png", image.folder, slug);
@@ -130,12 +134,11 @@ std::string TeamReport::image_html(const Image& image, std::string_view slug,
       kReportPictureHeight / image.share);
 }
 
-void TeamReport::add(const ReportedModel& model) {
+/// Without its picture.
+TeamReportRow TeamReport::row_of(const ReportedModel& model, const std::string& slug) const {
   const rules::FileSummary& file = validation_.result.files[model.file];
-  const bool one_file = options_.form == TeamReportForm::kOneFile;
   const std::vector<const Diagnostic*> findings = findings_of(validation_, model.file);
-  const std::string slug = slug_of(file.path);
-  TeamReportRow row{.link = one_file ? "#" + slug : "models/" + slug + ".html",
+  TeamReportRow row{.link = one_file() ? "#model-" + slug : "models/" + slug + ".html",
                     .name = model.name.empty() ? std::string(file_name(file.path)) : model.name,
                     .path = printable(file.path),
                     .format = format_text(file),
@@ -155,20 +158,28 @@ void TeamReport::add(const ReportedModel& model) {
   } else if (!model.not_simulated.empty()) {
     row.no_verdict = "not simulated";
   }
+  return row;
+}
+
+void TeamReport::add(const ReportedModel& model) {
+  const std::string slug = slug_of(validation_.result.files[model.file].path);
+  TeamReportRow row = row_of(model, slug);
   row.image = image_html({"thumbnails", model.thumbnail, "", kThumbnailShare}, slug, "");
-  const SectionPage page{
-      validation_, places_, one_file ? "#rule-" : "../index.html#rule-",
-      image_html({"pictures", model.picture, "Picture of " + printable(row.name, 80), 1}, slug,
-                 "../")};
-  const std::string section = team_report_section(model, row, page);
-  if (one_file) {
-    sections_ += fmt::format("<section class=\"model\" id=\"{}\">\n{}</section>\n", slug, section);
+  const std::string alt = "Picture of " + printable(row.name, kLongestName);
+  const SectionPage page{validation_, places_, one_file() ? "#rule-" : "../index.html#rule-",
+                         image_html({"pictures", model.picture, alt, 1}, slug, "../")};
+  const std::string section =
+      fmt::format("<section class=\"model\" id=\"model-{}\">\n{}</section>\n", slug,
+                  team_report_section(model, row, page));
+  if (one_file()) {
+    sections_ += section;
   } else {
-    pages_.push_back({row.link, begin_report_page(row.name, options_.form) +
-                                    "<p><a href=\"../index.html\">All models</a></p>\n" + section +
-                                    end_page()});
+    pages_.push_back(
+        {row.link, begin_report_page(row.name, options_.form) +
+                       fmt::format("<h1><a href=\"../index.html\">{}</a></h1>\n", kReportTitle) +
+                       section + end_page()});
   }
-  tell_rules(findings);
+  tell_rules(findings_of(validation_, model.file));
   if (model.simulation != nullptr) {
     for (const Diagnostic& each : model.simulation->diagnostics.list()) rules_.insert(each.rule);
   }
@@ -208,19 +219,20 @@ std::vector<ReportFile> TeamReport::files() && {
   const Diagnostics& all = validation_.result.diagnostics;
   std::string paths;
   for (const std::string& path : options_.paths) paths += (paths.empty() ? "" : ", ") + path;
-  std::string index = begin_report_page(kTitle, options_.form);
-  index += fmt::format("<h1>{}</h1>\n<p class=\"soft\">{} {} on {}: {} checked, {}</p>\n", kTitle,
-                       kToolName, tool_version(), escaped(printable(paths)),
+  std::string index = begin_report_page(kReportTitle, options_.form);
+  index += fmt::format("<h1>{}</h1>\n<p class=\"soft\">{} {} on {}: {} checked, {}</p>\n",
+                       kReportTitle, kToolName, tool_version(), escaped(printable(paths)),
                        counted(validation_.result.files.size(), "file"),
                        severities(all.count(Severity::kError), all.count(Severity::kWarning)));
   index += team_report_summary(rows_) + "<h2>Models</h2>\n" + team_report_table(rows_);
-  index += sections_ + other_files() + files_left_out(validation_.result) + rule_entries();
+  index += sections_ + files_left_out(validation_.result);
+  index += other_files();  // whose rules are explained, too
+  index += rule_entries();
   index += fmt::format("<script>{}</script>\n", team_report_script()) + end_page();
   std::vector<ReportFile> files = std::move(pages_);
   files.insert(files.end(), std::make_move_iterator(pictures_.begin()),
                std::make_move_iterator(pictures_.end()));
-  const bool one_file = options_.form == TeamReportForm::kOneFile;
-  files.push_back({one_file ? "" : "index.html", std::move(index)});
+  files.push_back({one_file() ? "" : "index.html", std::move(index)});
   return files;
 }
 

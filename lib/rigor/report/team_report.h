@@ -50,7 +50,7 @@ struct MeshUse {
   std::string uri;
   bool collision = false;
   std::size_t times = 1;
-  std::uint64_t triangles = 0;  ///< of one use
+  std::optional<std::uint64_t> triangles = {};  ///< of one use; nothing when it could not be read
 };
 
 /// A model that stands in no other one.
@@ -110,7 +110,9 @@ class TeamReport {
     std::uint32_t share;  ///< of kReportPictureWidth and kReportPictureHeight
   };
 
+  bool one_file() const { return options_.form == TeamReportForm::kOneFile; }
   std::string slug_of(const std::string& path);
+  TeamReportRow row_of(const ReportedModel& model, const std::string& slug) const;
   std::string image_html(const Image& image, std::string_view slug, std::string_view from);
   void tell_rules(const std::vector<const Diagnostic*>& findings);
   std::string other_files();

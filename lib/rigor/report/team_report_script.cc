@@ -21,7 +21,7 @@ border:1px solid var(--soft);border-radius:.3rem;padding:.15rem .4rem}
 vertical-align:middle}#models thead th{position:sticky;top:0;background:var(--back);vertical-align:bottom;
 font-size:.85rem;line-height:1.2}#models tr[hidden]{display:none}
 #models tbody tr:hover{background:color-mix(in srgb,var(--line) 35%,transparent)}
-#models small{display:block;overflow-wrap:anywhere}#models th[scope]{min-width:14rem}
+#models td{white-space:nowrap}#models small{display:block;overflow-wrap:anywhere}#models th[scope]{min-width:14rem}
 th.n{text-align:right}td.error{color:var(--fail);font-weight:bold}td.warning{color:var(--warn);font-weight:bold}
 th button{font:inherit;font-weight:bold;color:inherit;background:none;border:0;padding:0;cursor:pointer;
 text-align:inherit}th button:hover{text-decoration:underline}th[aria-sort=ascending] button::after{content:" ▲"}
@@ -31,11 +31,11 @@ td.thumbnail{padding-right:.6rem}.thumbnail img{display:block;width:6rem;height:
 img{border-radius:.3rem;background:#f2f5f7;color:#1c2430;font-size:.75rem}
 .model{border-top:2px solid var(--line);margin-top:2.5rem;content-visibility:auto;
 contain-intrinsic-size:auto 60rem}.model h2{margin-top:1rem;overflow-wrap:anywhere}.model h2 small{display:block;font-size:.85rem}
-.facts{display:flex;flex-wrap:wrap;gap:1.5rem;align-items:flex-start}.facts img{max-width:100%;height:auto}
+.facts{display:flex;flex-wrap:wrap;gap:1.5rem;align-items:flex-start}.facts img{max-width:100%;height:auto}.facts div{min-width:0}
 .findings{list-style:none;padding:0;margin:0}.finding{border-left:.25rem solid var(--soft);padding-left:.8rem;
 margin:.8rem 0}.finding.error{border-color:var(--fail)}.finding.warning{border-color:var(--warn)}
 .finding p{margin:0;overflow-wrap:anywhere}.finding pre{margin:.3rem 0 0;padding:.4rem .7rem;font-size:.8rem;line-height:1.35;
-overflow-wrap:anywhere;overflow-x:auto}.badge{font-weight:bold}.error .badge{color:var(--fail)}
+white-space:pre;overflow-x:auto}.finding .note{font-size:.85rem;margin:.2rem 0 0 .7rem;color:var(--soft)}.badge{font-weight:bold}.error .badge{color:var(--fail)}
 .warning .badge{color:var(--warn)}summary{cursor:pointer}details{margin:.5rem 0}
 :target{scroll-margin-top:3rem}
 @media(max-width:40rem){body{margin:1rem auto}.plots{grid-template-columns:1fr}}

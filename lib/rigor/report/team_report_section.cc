@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <rigor/report/finding_list.h>
 #include <rigor/report/markup.h>
@@ -44,8 +44,12 @@ std::string facts(const ReportedModel& model, const TeamReportRow& row) {
   if (model.models.size() == 1 && model.models[0].totals.com) {
     out += fact("Centre of mass", numbers(*model.models[0].totals.com, 4) + " m");
   }
-  out += fact("Triangles of meshes", fmt::format("{} to see, {} to collide with",
-                                                 row.visual.triangles, row.collision.triangles));
+  std::string triangles =
+      fmt::format("{} to see, {} to collide with", row.visual.triangles, row.collision.triangles);
+  if (const std::size_t unread = row.visual.unread + row.collision.unread; unread > 0) {
+    triangles += fmt::format("; {} not read", counted(unread, "mesh", "meshes"));
+  }
+  out += fact("Triangles of meshes", triangles);
   return out + "</table>\n";
 }
 
@@ -69,7 +73,7 @@ std::uint64_t budget_of(const MeshUse& use) {
   return use.collision ? rules::kMostCollisionTriangles : rules::kMostVisualTriangles;
 }
 
-bool is_over(const MeshUse& use) { return use.triangles > budget_of(use); }
+bool is_over(const MeshUse& use) { return use.triangles.value_or(0) > budget_of(use); }
 
 /// Largest first.
 std::string mesh_table(std::vector<MeshUse> meshes) {
@@ -88,8 +92,9 @@ std::string mesh_table(std::vector<MeshUse> meshes) {
     out += fmt::format(
         "<tr><td>{}</td><td>{}{}</td><td class=\"n\">{}</td><td "
         "class=\"n\">{}</td><td>{}</td></tr>\n",
-        escaped(printable(use.uri)), use.collision ? "collision" : "visual", times, use.triangles,
-        budget_of(use), is_over(use) ? "<span class=\"over\">over budget</span>" : "");
+        escaped(printable(use.uri)), use.collision ? "collision" : "visual", times,
+        use.triangles ? fmt::to_string(*use.triangles) : "not read", budget_of(use),
+        is_over(use) ? "<span class=\"over\">over budget</span>" : "");
   }
   return out + "</table></div></details>\n";
 }
@@ -102,7 +107,7 @@ std::string simulation_part(const ReportedModel& model, const TeamReportRow& row
                                 row.verdict ? verdict_html(*row.verdict) : row.no_verdict);
   std::vector<const Diagnostic*> findings;
   for (const Diagnostic& each : simulation.diagnostics.list()) findings.push_back(&each);
-  out += finding_list(std::move(findings), page.places, page.rules);
+  out += finding_list(findings, page.places, page.rules);
   for (const simulate::Run& run : simulation.simulation.runs) {
     out += run_html(simulation.scene, run);
   }

@@ -55,7 +55,12 @@ std::string number_cell(double value, const std::string& shown, std::string_view
 }
 
 std::string triangle_cell(const TriangleCount& count) {
-  std::string shown = count.triangles == 0 ? "–" : grouped(count.triangles);
+  const bool none = count.triangles == 0 && count.unread == 0;
+  std::string shown = none ? "–" : grouped(count.triangles);
+  if (count.unread > 0) {
+    shown += fmt::format(" <span title=\"{} not read\">+ ?</span>",
+                         counted(count.unread, "mesh", "meshes"));
+  }
   if (count.over()) shown += " <span class=\"over\">over budget</span>";
   return number_cell(static_cast<double>(count.triangles), shown);
 }

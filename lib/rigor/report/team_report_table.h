@@ -19,6 +19,7 @@ namespace rigor::report {
 
 struct TriangleCount {
   std::uint64_t triangles = 0;
+  std::size_t unread = 0;   ///< meshes whose triangles nobody knows
   bool over_model = false;  ///< more than the budget of a model
   bool over_mesh = false;   ///< one of the meshes has more than that of a mesh
 
