@@ -48,6 +48,7 @@ std::unique_ptr<Command> diff_command();
 std::unique_ptr<Command> simulate_command();
 std::unique_ptr<Command> render_command();
 std::unique_ptr<Command> view_command();
+std::unique_ptr<Command> report_command();
 std::unique_ptr<Command> new_command();
 std::unique_ptr<Command> merge_command();
 std::unique_ptr<Command> upgrade_command();

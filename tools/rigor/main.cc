@@ -24,6 +24,7 @@ constexpr std::string_view kGreeting =
   rigor simulate MODEL         drop it, drive it, sweep its joints: a verdict
   rigor render MODEL -o PNG    pictures of it, without a window; of a folder, a sheet
   rigor view MODEL             a page to look at it in a browser, offline
+  rigor report PATH... -o HTML all of this about many models, as a page for a team
   rigor new NAME               a robot to begin with, done right and explained
   rigor rules, explain RULE    what is checked; why, and what to do about it
   rigor schema, resolve, init  a format's elements; where a URI leads; a rigor.toml
@@ -68,6 +69,7 @@ std::vector<std::unique_ptr<Command>> all_commands() {
   commands.push_back(simulate_command());
   commands.push_back(render_command());
   commands.push_back(view_command());
+  commands.push_back(report_command());
   commands.push_back(new_command());
   commands.push_back(merge_command());
   commands.push_back(upgrade_command());

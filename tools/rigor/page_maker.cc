@@ -64,7 +64,7 @@ std::vector<report::PagePicture> pictures_of(const view::Drawing& drawing) {
   std::vector<report::PagePicture> pictures;
   for (const view::View view : kPageViews) {
     pictures.push_back(
-        {std::string(to_string(view)), model_picture(shown, view, shown.bounds, kPagePicture)});
+        {std::string(to_string(view)), ModelPainter::picture(shown, view, kPagePicture)});
   }
   return pictures;
 }

@@ -4,8 +4,8 @@
 #include "progress.h"
 
 #include <cstdio>
-#include <string_view>
 
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <rigor/report/printable.h>
@@ -45,6 +45,21 @@ ReadResult ProgressDisk::read(const std::string& path, std::uint64_t max_bytes) 
 void ProgressDisk::at(const std::string& path) const {
   if (!terminal_ || std::chrono::steady_clock::now() - begin_ < kQuiet) return;
   put(std::string(kWipe) + "reading " + report::printable(file_name(path), 60));
+  shown_ = true;
+}
+
+CountProgress::CountProgress(std::string_view what)
+    : what_(what),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      begin_(std::chrono::steady_clock::now()) {}
+
+CountProgress::~CountProgress() {
+  if (shown_) put(kWipe);
+}
+
+void CountProgress::at(std::size_t done, std::size_t of) {
+  if (!terminal_ || std::chrono::steady_clock::now() - begin_ < kQuiet) return;
+  put(fmt::format("{}{} of {} {}", kWipe, done, of, what_));
   shown_ = true;
 }
 

@@ -1,16 +1,20 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Shows on a terminal which mesh a long run is at: quiet for the first second, and when stderr is
-// something else.
+// Shows on a terminal where a long run is: quiet for the first second, and when stderr is something else.
 //
 //   const RealDisk real;
 //   const ProgressDisk disk(real);   // then used in place of it
+//
+//   CountProgress progress("runs");
+//   progress.at(12, 100);
 
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <string>
+#include <string_view>
 
 #include <rigor/text/disk.h>
 
@@ -39,6 +43,23 @@ class ProgressDisk final : public Disk {
   bool terminal_;
   std::chrono::steady_clock::time_point begin_;
   mutable bool shown_ = false;
+};
+
+/// "12 of 100 runs"
+class CountProgress {
+ public:
+  explicit CountProgress(std::string_view what);
+  ~CountProgress();
+  CountProgress(const CountProgress&) = delete;
+  CountProgress& operator=(const CountProgress&) = delete;
+
+  void at(std::size_t done, std::size_t of);
+
+ private:
+  std::string_view what_;
+  bool terminal_;
+  std::chrono::steady_clock::time_point begin_;
+  bool shown_ = false;
 };
 
 }  // namespace rigor::tool

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include <rigor/model/frames.h>
-#include <rigor/read/load.h>
 #include <rigor/report/printable.h>
 #include <rigor/report/summary.h>
 #include <rigor/view/drawing_files.h>
@@ -21,6 +20,8 @@ namespace {
 /// Off white, so that a white robot has an outline.
 constexpr view::Color kBackdrop{0.95F, 0.96F, 0.97F, 1};
 
+}  // namespace
+
 std::string why_nothing_is_seen(const read::Loaded& loaded, const view::Drawing& drawing) {
   const bool any = std::any_of(drawing.bodies.begin(), drawing.bodies.end(),
                                [](const view::Body& b) { return b.layer != view::Layer::kGround; });
@@ -30,8 +31,6 @@ std::string why_nothing_is_seen(const read::Loaded& loaded, const view::Drawing&
   if (!drawing.not_drawn.empty()) return "nothing of it can be drawn";
   return "there is nothing to draw of the layers asked for";
 }
-
-}  // namespace
 
 ModelPainter::ModelPainter(const Disk& disk, const Environment& environment)
     : disk_(disk), environment_(environment), reads_(disk) {}
@@ -51,18 +50,12 @@ DrawnModel ModelPainter::draw(const std::string& path, const std::vector<std::st
 }
 
 view::Picture ModelPainter::picture(const view::Drawing& drawing, view::View view,
-                                    const PictureOptions& options) const {
-  return model_picture(drawing, view, drawing.bounds, options);
+                                    const PictureOptions& options) {
+  return picture(drawing, view, drawing.bounds, options);
 }
 
 view::Picture ModelPainter::picture(const view::Drawing& drawing, view::View view,
-                                    const mesh::Bounds& bounds,
-                                    const PictureOptions& options) const {
-  return model_picture(drawing, view, bounds, options);
-}
-
-view::Picture model_picture(const view::Drawing& drawing, view::View view,
-                            const mesh::Bounds& bounds, const PictureOptions& options) {
+                                    const mesh::Bounds& bounds, const PictureOptions& options) {
   const double aspect = static_cast<double>(options.width) / options.height;
   view::Traced traced = view::trace(drawing, view::framing(bounds, view, aspect),
                                     {.width = options.width,

@@ -17,6 +17,7 @@
 
 #include <rigor/environment.h>
 #include <rigor/mass/mesh_reads.h>
+#include <rigor/read/load.h>
 #include <rigor/view/drawing.h>
 #include <rigor/view/trace.h>
 
@@ -35,10 +36,6 @@ struct PictureOptions {
   unsigned threads = 0;
 };
 
-/// From where all of `bounds` is seen. A UsageError when Embree is not there.
-view::Picture model_picture(const view::Drawing& drawing, view::View view,
-                            const mesh::Bounds& bounds, const PictureOptions& options);
-
 class ModelPainter {
  public:
   ModelPainter(const Disk& disk, const Environment& environment);
@@ -49,18 +46,21 @@ class ModelPainter {
                   const std::set<view::Layer>& layers);
 
   /// A UsageError when Embree is not there.
-  view::Picture picture(const view::Drawing& drawing, view::View view,
-                        const PictureOptions& options) const;
+  static view::Picture picture(const view::Drawing& drawing, view::View view,
+                               const PictureOptions& options);
 
   /// The same from where all of `bounds` is seen.
-  view::Picture picture(const view::Drawing& drawing, view::View view, const mesh::Bounds& bounds,
-                        const PictureOptions& options) const;
+  static view::Picture picture(const view::Drawing& drawing, view::View view,
+                               const mesh::Bounds& bounds, const PictureOptions& options);
 
  private:
   const Disk& disk_;
   const Environment& environment_;
   mass::MeshReads reads_;
 };
+
+/// Why nothing is on a drawing but the ground; empty when there is something.
+std::string why_nothing_is_seen(const read::Loaded& loaded, const view::Drawing& drawing);
 
 /// On stderr: `most` of what is not drawn, how many more there are, and why nothing is.
 void say_what_is_missing(const DrawnModel& drawn, std::size_t most);

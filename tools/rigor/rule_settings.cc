@@ -158,4 +158,12 @@ bool RuleSettings::fails(const rules::ValidateResult& result) const {
   });
 }
 
+bool RuleSettings::fails(const std::string& path, const Diagnostics& found) const {
+  const auto level = fail_on_level(said(path).fail_on.value);
+  const auto& all = found.list();
+  return level && std::any_of(all.begin(), all.end(), [&](const Diagnostic& diagnostic) {
+           return diagnostic.severity <= *level;
+         });
+}
+
 }  // namespace rigor::tool

@@ -61,6 +61,9 @@ class RuleSettings {
   /// Whether any finding is at or above the level of its own file.
   bool fails(const rules::ValidateResult& result) const;
 
+  /// The same of what a simulation found about one file.
+  bool fails(const std::string& path, const Diagnostics& found) const;
+
  private:
   const config::Config& sound(const std::string& path) const;
   std::vector<config::Problem> unknown_names(const config::Config& config) const;

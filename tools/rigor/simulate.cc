@@ -4,13 +4,9 @@
 // `rigor simulate`: models in tests, and what came of it.
 
 #include <algorithm>
-#include <chrono>
 #include <deque>
 #include <string>
 #include <vector>
-
-#include <fmt/core.h>
-#include <unistd.h>
 
 #include <rigor/author/simulation.h>
 #include <rigor/environment.h>
@@ -23,6 +19,7 @@
 #include "command.h"
 #include "model_file.h"
 #include "output.h"
+#include "progress.h"
 #include "results_file.h"
 #include "search.h"
 #include "selection.h"
@@ -35,25 +32,6 @@ enum SimulationFormat : std::size_t { kPretty, kJson, kJsonl, kJunit, kCsv, kHtm
 
 /// So many cases are in memory at a time: their trajectories are let go when they are written.
 constexpr std::size_t kChunk = 64;
-
-/// On a terminal, after the first second.
-class RunProgress {
- public:
-  void at(std::size_t done, std::size_t of) {
-    const auto now = std::chrono::steady_clock::now();
-    if (!terminal_ || now - begin_ < std::chrono::seconds(1)) return;
-    fmt::print(stderr, "\r{} of {} runs\x1b[K", done, of);
-    shown_ = true;
-  }
-  ~RunProgress() {
-    if (shown_) fmt::print(stderr, "\r\x1b[K");
-  }
-
- private:
-  bool terminal_ = ::isatty(STDERR_FILENO) != 0;
-  bool shown_ = false;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
 
 class Simulate final : public Command {
  public:
@@ -84,7 +62,7 @@ class Simulate final : public Command {
     author::SimulationOptions options = choices_.options(disk);
     options.selection = selection_.selection();
     require_known(options.selection, environment.registry);
-    RunProgress progress;
+    CountProgress progress("runs");
     options.progress = [&progress](std::size_t done, std::size_t of) { progress.at(done, of); };
     const std::vector<simulate::Case> grid = choices_.cases(options.plan);
 

@@ -4,159 +4,35 @@
 #include <rigor/rules/validate.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include <rigor/environment.h>
-#include <rigor/mass/mesh_reads.h>
-#include <rigor/read/workspace.h>
 #include <rigor/report/github.h>
 #include <rigor/report/printable.h>
 #include <rigor/report/summary.h>
 #include "baseline_options.h"
-#include "cache.h"
-#include "changed_since.h"
+#include "checking.h"
 #include "command.h"
-#include "compat_option.h"
-#include "file_options.h"
 #include "fix_options.h"
 #include "output.h"
 #include "project.h"
-#include "rule_settings.h"
-#include "search.h"
-#include "selection.h"
-#include "shard_option.h"
 #include "show_config.h"
 #include "validation_format.h"
 #include "watch.h"
-#include "xacro.h"
 
 namespace rigor::tool {
 namespace {
 
-/// All of stdin, and one byte more than a model may have at most: enough to tell.
-std::string read_stdin() {
-  std::string bytes;
-  char buffer[65536];
-  while (bytes.size() <= read::kMaxModelBytes) {
-    const std::size_t count = std::fread(buffer, 1, sizeof(buffer), stdin);
-    if (count == 0) break;
-    bytes.append(buffer, count);
-  }
-  return bytes;
-}
-
-/// What the command line says.
-struct ValidateArguments {
-  std::vector<std::string> paths;
-  std::string stdin_filename;
+/// What the command line says besides.
+struct ValidateArguments : CheckArguments {
   OutputOptions output;
   ColorOption color;
-  SelectionOptions selection;
-  CompatOption compat;
   FixOptions fix;
   BaselineOptions baseline;
-  FileOptions files;
-  ChangedSinceOption changed_since;
   bool watch = false;
-  bool no_mesh = false;
-  unsigned jobs = 0;
-  ShardOption shard;
-  CacheOption cache;
-  SearchOptions search;
   ShowConfigOption show_config;
-};
-
-/// What checking takes, on a disk: made once for all that is done with it.
-class Checking {
- public:
-  Checking(const ValidateArguments& a, const Disk& disk)
-      : environment_(disk, a.search.paths()),
-        settings_(a.selection, a.search.config(), environment_.registry),
-        changed_(
-            a.changed_since.changed(a.paths.empty() ? std::vector<std::string>{"."} : a.paths)),
-        cache_(a.cache.cache()),
-        reads_(disk),
-        surveys_(disk, {cache_ ? &*cache_ : nullptr, &reads_}),
-        mesh_files_(disk, mass::MeshDepth::kFile, {cache_ ? &*cache_ : nullptr, &reads_}) {
-    choose_files(a, disk);
-    options_.selection_for = [this, compat = a.compat.compat()](const std::string& path) {
-      rules::Selection selection = settings_.selection(path);
-      selection.compat = compat;
-      return selection;
-    };
-    options_.threads = a.jobs;
-    options_.shard = a.shard.shard();
-    options_.meshes = a.no_mesh ? rules::MeshPolicy::kDoNotOpen : rules::MeshPolicy::kOpen;
-    options_.known = {&surveys_, &mesh_files_};
-    if (!a.no_mesh && checks_many(disk)) reads_.expect_many();
-  }
-  Checking(const Checking&) = delete;
-  Checking& operator=(const Checking&) = delete;
-
-  const Environment& environment() const { return environment_; }
-  const RuleSettings& settings() const { return settings_; }
-  rules::ValidateOptions& options() { return options_; }
-
-  /// Before anything else asks the configurations: a UsageError that tells of all that is wrong in one.
-  void refuse_bad_settings() const {
-    for (const std::string& path : options_.paths) settings_.selection(path);
-  }
-
-  rules::ValidateResult run(Sources& sources) const {
-    return rules::validate(environment_, options_, sources);
-  }
-
-  /// That `--changed-since` left no file, when it did.
-  std::optional<std::string> nothing_changed() const {
-    return changed_ ? changed_->nothing() : std::nullopt;
-  }
-
- private:
-  bool checks_many(const Disk& disk) const {
-    const auto& paths = options_.paths;
-    return paths.size() > 1 || (paths.size() == 1 && disk.kind(paths[0]) == PathKind::kFolder);
-  }
-
-  void choose_files(const ValidateArguments& a, const Disk& disk) {
-    options_.discover = a.files.discover();
-    options_.discover.excluded = [&config = a.search.config()](const std::string& path,
-                                                               PathKind kind) {
-      return config.why_excluded(path, kind);
-    };
-    if (changed_) {
-      options_.discover.wanted = [this, &disk](const std::string& path) {
-        return changed_->concern(disk, environment_.resolver, path);
-      };
-    }
-    options_.expand = expand_xacro;
-    for (const std::string& path : a.paths) {
-      if (path != "-") {
-        options_.paths.push_back(path);
-      } else if (!options_.buffer) {
-        options_.buffer = {a.stdin_filename.empty() ? "<stdin>" : a.stdin_filename, read_stdin()};
-        if (options_.buffer->bytes.size() > read::kMaxModelBytes) {
-          throw UsageError("stdin holds more than the 64 MiB that a model may have");
-        }
-      }
-    }
-    if (!a.stdin_filename.empty() && !options_.buffer) {
-      throw UsageError("--stdin-filename names what - reads, and there is no - among the paths");
-    }
-    if (options_.paths.empty() && !options_.buffer) options_.paths.push_back(".");
-  }
-
-  Environment environment_;
-  RuleSettings settings_;
-  std::optional<ChangedFiles> changed_;
-  std::optional<mass::MeshCache> cache_;
-  mass::MeshReads reads_;
-  mass::MeshSurveys surveys_;
-  mass::MeshFiles mesh_files_;
-  rules::ValidateOptions options_;
 };
 
 void conclude(const rules::ValidateResult& result) {
@@ -226,7 +102,7 @@ class Validate final : public Command {
       }
     }
     result = a_.baseline.apply(checking.environment(), checking.options(), std::move(result));
-    const int code = exit_code(checking.settings(), result);
+    const int code = exit_code(checking, result);
     print(targets, {result, *sources, checking.environment().registry, project_folders(), code},
           checking.options());
     if (const auto nothing = checking.nothing_changed()) say(*nothing);
@@ -276,18 +152,9 @@ class Validate final : public Command {
     }
   }
 
-  /// Whether an argument is a file that nobody can read: then the invocation is wrong.
-  bool names_unreadable(const rules::ValidateResult& result) const {
-    const auto& found = result.diagnostics.list();
-    return std::any_of(found.begin(), found.end(), [this](const Diagnostic& diagnostic) {
-      return diagnostic.rule == "file-unreadable" &&
-             std::count(a_.paths.begin(), a_.paths.end(), diagnostic.path) > 0;
-    });
-  }
-
-  int exit_code(const RuleSettings& settings, const rules::ValidateResult& result) const {
-    if (!result.unusable.empty() || names_unreadable(result)) return kUsage;
-    return a_.baseline.fails() || settings.fails(result) ? kFindings : kClean;
+  int exit_code(const Checking& checking, const rules::ValidateResult& result) const {
+    const int code = checking.exit_code(result);
+    return code == kClean && a_.baseline.fails() ? kFindings : code;
   }
 
   ValidateArguments a_;

@@ -41,8 +41,8 @@ std::string line_of(const rules::FileSummary& file, const Validation& validation
 
 /// A file that was left out, in the shape of the others.
 std::string line_of(const rules::NotLookedAt& item, const Validation& validation) {
-  Json line = {{"case",
-                {{"index", *item.index}, {"of", validation.result.all_files}, {"id", item.path}}}};
+  Json line = {
+      {"case", {{"index", *item.index}, {"of", validation.result.all_files}, {"id", item.path}}}};
   line.update(file_json({.path = item.path}));
   line["not_looked_at"] = Json::array({item.what});
   line["diagnostics"] = Json::array();

@@ -78,10 +78,16 @@ class Block {
 
   std::string text() {
     headline();
-    if (diagnostic_.where.nowhere()) place("-->", places_.path(diagnostic_), {});
-    for (const Group& group : groups_) draw(group);
-    notes();
+    draw();
+    for (const std::string& note : notes()) {
+      out_ += std::string(gutter_ + 1, ' ') + framed("=") + ' ' + note + '\n';
+    }
     return std::move(out_) + '\n';
+  }
+
+  FindingDetails details() {
+    draw();
+    return {std::move(out_), notes()};
   }
 
  private:
@@ -101,6 +107,11 @@ class Block {
     out_ += '\n';
   }
 
+  void draw() {
+    if (diagnostic_.where.nowhere()) place("-->", places_.path(diagnostic_), {});
+    for (const Group& group : groups_) draw(group);
+  }
+
   void draw(const Group& group) {
     const Span first = group.front().where;
     const Position begin = places_.begin(first);
@@ -111,11 +122,11 @@ class Block {
     out_ += excerpt(group, places_, {gutter_, color_, role});
   }
 
-  void note(std::string_view text) {
-    out_ += std::string(gutter_ + 1, ' ') + framed("=") + ' ' + printable(text, kMaxMessage) + '\n';
-  }
-
-  void notes() {
+  std::vector<std::string> notes() const {
+    std::vector<std::string> notes;
+    const auto note = [&notes](std::string_view text) {
+      notes.push_back(printable(text, kMaxMessage));
+    };
     if (!diagnostic_.subject.empty()) note("in: " + diagnostic_.subject);
     for (const Label& label : diagnostic_.related) {
       if (label.where.nowhere()) note("note: " + label.message);
@@ -126,6 +137,7 @@ class Block {
       note("help: " + std::string(first_sentence(rule_->what_to_do)));
     }
     if (!diagnostic_.fixes.empty()) note(fix_line(diagnostic_.fixes.front()));
+    return notes;
   }
 
   const Diagnostic& diagnostic_;
@@ -159,6 +171,10 @@ std::string pretty(const Diagnostics& diagnostics, const Sources& sources, Color
     out += Block(diagnostic, places, color, rule).text();
   }
   return out;
+}
+
+FindingDetails finding_details(const Diagnostic& diagnostic, Places& places) {
+  return Block(diagnostic, places, Color::kPlain, nullptr).details();
 }
 
 }  // namespace rigor::report

@@ -18,8 +18,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <rigor/report/color.h>
+#include <rigor/report/places.h>
 #include <rigor/rules/registry.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/text/sources.h>
@@ -33,5 +35,12 @@ std::string pretty(const Diagnostics& diagnostics, const Sources& sources, Color
 /// says nothing of that: the first sentences of the rule's page.
 std::string pretty(const Diagnostics& diagnostics, const Sources& sources, Color color,
                    const rules::Registry& registry);
+
+/// What stands below the headline of one finding, plain.
+struct FindingDetails {
+  std::string excerpt;             ///< its place, and the lines that it is about
+  std::vector<std::string> notes;  ///< "in: arm/joint elbow", "help: swap them"
+};
+FindingDetails finding_details(const Diagnostic& diagnostic, Places& places);
 
 }  // namespace rigor::report

@@ -94,6 +94,16 @@ std::string grid(const Scale& scale) {
   return out;
 }
 
+/// Whether `b` lies on the level stretch from `a` to `c` as printed: the line is the same without it.
+bool is_passed_over(const Scale& scale, const std::vector<double>& xs,
+                    const std::vector<double>& ys, std::size_t a, std::size_t b, std::size_t c) {
+  const auto finite = [&](std::size_t i) { return std::isfinite(xs[i]) && std::isfinite(ys[i]); };
+  if (!finite(a) || !finite(b) || !finite(c)) return false;
+  const auto tenths = [&](std::size_t i) { return std::round(10 * scale.py(ys[i])); };
+  const bool between = (xs[a] <= xs[b]) == (xs[b] <= xs[c]);
+  return between && tenths(a) == tenths(b) && tenths(b) == tenths(c);
+}
+
 std::string line_of(const Scale& scale, const std::vector<double>& xs,
                     const std::vector<double>& ys) {
   const std::size_t count = std::min(xs.size(), ys.size());
@@ -105,6 +115,8 @@ std::string line_of(const Scale& scale, const std::vector<double>& xs,
       pen_up = true;
       continue;
     }
+    const bool inside = !pen_up && i + stride < count;
+    if (inside && is_passed_over(scale, xs, ys, i - stride, i, i + stride)) continue;
     d += fmt::format("{}{:.1f} {:.1f}", pen_up ? 'M' : 'L', scale.px(xs[i]), scale.py(ys[i]));
     pen_up = false;
   }

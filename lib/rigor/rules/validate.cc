@@ -4,14 +4,10 @@
 #include <rigor/rules/validate.h>
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <iterator>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <set>
-#include <thread>
 #include <utility>
 
 #include <rigor/mass/mesh_reads.h>
@@ -21,6 +17,7 @@
 #include <rigor/rules/expanded_templates.h>
 #include <rigor/rules/runner.h>
 #include <rigor/rules/suppression.h>
+#include <rigor/text/for_each_index.h>
 #include <rigor/text/path.h>
 
 namespace rigor::rules {
@@ -63,39 +60,6 @@ class Runners {
   const ValidateOptions& options_;
   std::vector<std::pair<Selection, std::unique_ptr<Runner>>> runners_;
 };
-
-/// Calls `work` with each index below `count`, from so many threads at most; 0: as many as cores. Each thread
-/// begins in a part of its own, then helps in the others: neighbours use the same meshes, and two threads at
-/// one mesh would wait for each other.
-template <class Work>
-void for_each_index(std::size_t count, unsigned threads, const Work& work) {
-  if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
-  // A thread is worth its while for some files only.
-  const std::size_t parts = std::clamp<std::size_t>(count / kFilesPerThread, 1, threads);
-  const auto begin_of = [&](std::size_t part) { return count * part / parts; };
-  std::vector<std::atomic<std::size_t>> next(parts);
-  for (std::size_t part = 0; part < parts; ++part) next[part] = begin_of(part);
-  std::exception_ptr failure;
-  std::mutex mutex;
-  const auto run = [&](std::size_t own) {
-    for (std::size_t k = 0; k < parts; ++k) {
-      const std::size_t part = (own + k) % parts;
-      for (std::size_t i = next[part]++; i < begin_of(part + 1); i = next[part]++) {
-        try {
-          work(i);
-        } catch (...) {
-          const std::lock_guard lock(mutex);
-          failure = std::current_exception();
-        }
-      }
-    }
-  };
-  std::vector<std::thread> others;
-  for (std::size_t part = 1; part < parts; ++part) others.emplace_back(run, part);
-  run(0);
-  for (std::thread& other : others) other.join();
-  if (failure) std::rethrow_exception(failure);
-}
 
 class Run {
  public:
@@ -185,7 +149,7 @@ class Run {
       if (options_.shard.has(path)) add(path);
     }
     while (!generation.empty()) {
-      for_each_index(generation.size(), options_.threads,
+      for_each_index(generation.size(), options_.threads, kFilesPerThread,
                      [&](std::size_t i) { check(generation[i].first, *generation[i].second); });
       for (const auto& [path, checked] : std::exchange(generation, {})) {
         for (const Included& included : checked->includes) add(included.path);

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,10 @@ std::size_t columns_for(std::size_t count, std::uint32_t width, std::uint32_t he
 /// Where two pictures differ, red; the rest pale and grey. Of different sizes:
 /// what only one has differs.
 Picture difference(const Picture& before, const Picture& after);
+
+/// `times` smaller along each side: a pixel is the mean of those that it stands for. What is left over at the
+/// right and at the bottom is cut off.
+Picture shrunk(const Picture& picture, std::uint32_t times);
 
 /// How many pixels differ visibly.
 std::size_t count_differences(const Picture& before, const Picture& after);

@@ -1,23 +1,21 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <cstdint>
-
 #include <fmt/core.h>
 
 #include <rigor/rules/mesh/places.h>
+#include <rigor/rules/mesh/triangle_budget.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_collision_triangles {
 namespace {
 
-constexpr std::uint64_t kMany = 20'000;
-
 void check(const MeshFile& file, Context& context) {
-  if (!file.collision() || takes_part(file) || file.facts.triangles <= kMany) return;
+  if (!file.collision() || takes_part(file) || file.facts.triangles <= kMostCollisionTriangles)
+    return;
   report_mesh(file, context,
               fmt::format("the mesh has {} triangles, over {}: much for collisions",
-                          file.facts.triangles, kMany));
+                          file.facts.triangles, kMostCollisionTriangles));
 }
 
 }  // namespace

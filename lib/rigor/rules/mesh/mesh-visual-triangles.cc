@@ -1,22 +1,20 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <cstdint>
-
 #include <fmt/core.h>
 
 #include <rigor/rules/mesh/places.h>
+#include <rigor/rules/mesh/triangle_budget.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_visual_triangles {
 namespace {
 
-constexpr std::uint64_t kMany = 100'000;
-
 void check(const MeshFile& file, Context& context) {
-  if (!file.visual() || takes_part(file) || file.facts.triangles <= kMany) return;
+  if (!file.visual() || takes_part(file) || file.facts.triangles <= kMostVisualTriangles) return;
   report_mesh(file, context,
-              fmt::format("the mesh has {} triangles, over {}", file.facts.triangles, kMany));
+              fmt::format("the mesh has {} triangles, over {}", file.facts.triangles,
+                          kMostVisualTriangles));
 }
 
 }  // namespace
