@@ -138,7 +138,7 @@ MadePage make_page(const Disk& disk, const SearchOptions& search, const std::str
       .pictures = pictures_of(drawing),
       .use = use};
   made.data = report::page_data(page);
-  made.facts = report::facts_of(page);
+  if (use == report::PageUse::kServed) made.facts = report::facts_of(page);
   return made;
 }
 

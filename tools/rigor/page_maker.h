@@ -21,8 +21,8 @@ namespace rigor::tool {
 struct MadePage {
   std::string path;  ///< of the model's file
   report::PageData data;
-  report::PageFacts facts;
-  std::string problem;  ///< why there is no model to show; empty when there is
+  report::PageFacts facts;  ///< of a page that is served
+  std::string problem;      ///< why there is no model to show; empty when there is
 };
 
 /// The findings are those of `rigor validate`, with the configuration of the file. Pictures are left out where

@@ -9,11 +9,11 @@
 #include <tuple>
 #include <utility>
 
-#include <rigor/report/concise.h>
 #include <rigor/report/places.h>
 #include <rigor/report/pretty.h>
 #include <rigor/report/printable.h>
 #include <rigor/report/summary.h>
+#include <rigor/report/validation.h>
 
 namespace rigor::report {
 namespace {
@@ -35,11 +35,9 @@ std::vector<KnownFinding> known_findings(const Diagnostics& diagnostics, const S
   Places places(sources);
   std::vector<KnownFinding> known;
   for (const Diagnostic& diagnostic : diagnostics.list()) {
-    Diagnostics alone;
-    alone.add(diagnostic);
     known.push_back({std::string(places.path(diagnostic)), std::string(diagnostic.rule),
                      diagnostic.severity, diagnostic.subject, diagnostic.message,
-                     concise(alone, sources)});
+                     concise_line(diagnostic, places) + '\n'});
   }
   return known;
 }
