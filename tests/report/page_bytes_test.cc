@@ -9,7 +9,6 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <rigor/report/base64.h>
 
 #include "report/page_decoding.h"
 
@@ -21,17 +20,6 @@ using mesh::Vector3;
 using test::from_base64;
 using test::inflated;
 using test::numbers_at;
-
-TEST(Base64, AsTheRfcHasIt) {  // RFC 4648, 10
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foob"), "Zm9vYg==");
-  EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(base64("\xfb\xff\xfe"), "+//+");
-}
 
 /// So many triangles anywhere, with all that corners can carry.
 TriangleMesh scattered(std::size_t triangles) {

@@ -98,15 +98,5 @@ TEST(Compose, LettersAreDifferent) {
   EXPECT_EQ(glyph('\n'), glyph('?'));
 }
 
-/// Of 4 x 3, the left 3 x 3: nine pixels, one of them white and opaque.
-TEST(Shrunk, APixelIsTheMeanOfThoseItStandsFor) {
-  Picture picture{4, 3, std::vector<Pixel>(12, Pixel{0, 90, 9, 255})};
-  picture.at(1, 1) = {255, 90, 18, 255};
-  const Picture small = shrunk(picture, 3);
-  EXPECT_EQ(small.width, 1U);
-  EXPECT_EQ(small.height, 1U);
-  EXPECT_EQ(small.pixels, (std::vector<Pixel>{{28, 90, 10, 255}}));  // 255 / 9 = 28.3, 90 / 9
-}
-
 }  // namespace
 }  // namespace rigor::view

@@ -22,8 +22,7 @@ constexpr std::string_view kGreeting =
   rigor sdf2urdf IN -o OUT     convert, with an account of every loss; urdf2sdf back
   rigor diff A B, upgrade A    as robots: what differs; a newer SDF, the same robot
   rigor simulate MODEL         drop it, drive it, sweep its joints: a verdict
-  rigor render MODEL -o PNG    pictures of it, without a window; of a folder, a sheet
-  rigor view MODEL             a page to look at it in a browser, offline
+  rigor render, view MODEL     pictures of it without a window; an offline page to turn it
   rigor report PATH... -o HTML all of this about many models, as a page for a team
   rigor new NAME               a robot to begin with, done right and explained
   rigor rules, explain RULE    what is checked; why, and what to do about it

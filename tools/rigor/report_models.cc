@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <rigor/rules/mesh_finder.h>
-#include <rigor/view/compose.h>
+#include <rigor/view/shrink.h>
 #include <rigor/view/drawing_files.h>
 
 #include "render_model.h"
@@ -116,7 +116,7 @@ void ModelGatherer::draw(GatheredModel& model, const model::Frames& frames,
       ModelPainter::picture(drawing, view::View::kPerspective,
                             {report::kReportPictureWidth, report::kReportPictureHeight, 1});
   model.told.picture = view::to_png(picture);
-  model.told.thumbnail = view::to_png(view::shrunk(picture, report::kThumbnailShare));
+  model.told.thumbnail = view::to_png(view::shrunk(picture, report::kReportPictureWidth / report::kThumbnailShare));
 }
 
 }  // namespace rigor::tool

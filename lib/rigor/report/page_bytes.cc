@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include <rigor/report/base64.h>
+#include <rigor/text/base64.h>
 
 namespace rigor::report {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include <rigor/report/base64.h>
+#include <rigor/text/base64.h>
 #include <rigor/report/json_page.h>
 #include <rigor/report/summary.h>
 #include <rigor/view/shrink.h>

@@ -136,22 +136,4 @@ std::size_t count_differences(const Picture& before, const Picture& after) {
   return count;
 }
 
-Picture shrunk(const Picture& picture, std::uint32_t times) {
-  Picture small{picture.width / times, picture.height / times, {}};
-  small.pixels.resize(std::size_t{small.width} * small.height);
-  const std::uint32_t count = times * times;
-  for (std::uint32_t y = 0; y < small.height; ++y) {
-    for (std::uint32_t x = 0; x < small.width; ++x) {
-      for (std::size_t channel = 0; channel < Pixel{}.size(); ++channel) {
-        std::uint32_t sum = count / 2;  // rounds
-        for (std::uint32_t k = 0; k < count; ++k) {
-          sum += picture.at(x * times + k % times, y * times + k / times)[channel];
-        }
-        small.at(x, y)[channel] = static_cast<std::uint8_t>(sum / count);
-      }
-    }
-  }
-  return small;
-}
-
 }  // namespace rigor::view

@@ -36,10 +36,6 @@ std::size_t columns_for(std::size_t count, std::uint32_t width, std::uint32_t he
 /// what only one has differs.
 Picture difference(const Picture& before, const Picture& after);
 
-/// `times` smaller along each side: a pixel is the mean of those that it stands for. What is left over at the
-/// right and at the bottom is cut off.
-Picture shrunk(const Picture& picture, std::uint32_t times);
-
 /// How many pixels differ visibly.
 std::size_t count_differences(const Picture& before, const Picture& after);
 
