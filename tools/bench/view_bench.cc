@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // `tools/dev bench view`: how long `rigor view` takes for a model of the corpus, the whole command with pictures, and
-// how large the pages are. Every model that is read makes a page, so a failure ends in 1.
+// how large the pages are. Every file that is a
+// robot model makes a page; one that does not ends in 1.
 //
 //   rigor_view_bench RIGOR_BINARY [SET]
 
@@ -38,6 +39,7 @@ struct PageCost {
   double cpu = 0;      ///< s
   std::uintmax_t bytes = 0;
   bool made = false;
+  bool is_model = true;
 };
 
 double seconds_of(const timeval& time) {
@@ -60,6 +62,7 @@ PageCost page_cost(const char* rigor, const std::string& model, const std::strin
   cost.elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   cost.cpu = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
   cost.made = status == 0;
+  cost.is_model = !WIFEXITED(status) || WEXITSTATUS(status) != 1;
   if (cost.made) cost.bytes = fs::file_size(out, ignored);
   return cost;
 }
@@ -89,8 +92,8 @@ int main(int argc, char** argv) {
     if (rigor::file_name(model) == "model.config") continue;
     const PageCost cost = page_cost(argv[1], model, out);
     if (!cost.made) {
-      fmt::print("no page of {}\n", model);
-      ++failures;
+      fmt::print("{}: {}\n", model, cost.is_model ? "no page" : "no robot model");
+      failures += cost.is_model ? 1 : 0;
       continue;
     }
     elapsed.push_back(cost.elapsed);
