@@ -205,6 +205,11 @@ class Report final : public Command {
         model.told.not_simulated = "it could not be read whole";
         continue;
       }
+      // A light, an actor: nothing is wrong with them.
+      if (model.loaded.root.links.empty()) {
+        model.told.not_simulated = "it has no links";
+        continue;
+      }
       prepared.push_back(simulator.prepare(model.loaded, {}));
       cases.push_back({&prepared.back(), {}});
       of_case.push_back(&model);
