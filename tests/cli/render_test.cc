@@ -134,6 +134,10 @@ TEST_F(RenderCli, WhatIsMissingIsSaidAndTheRestIsDrawn) {
 TEST_F(RenderCli, NothingToSeeIsAFinding) {
   folder.put("empty.sdf", "<sdf version='1.7'><model name='m'><link name='l'/></model></sdf>");
   expect_refused("empty.sdf -o empty.png", 1, "nothing to draw");
+  std::string glass = model("1 0 0");
+  glass.insert(glass.find("<geometry>"), "<transparency>1</transparency>");
+  folder.put("glass.sdf", glass);
+  expect_refused("glass.sdf -o glass.png", 1, "wholly transparent");
   EXPECT_TRUE(folder.get("empty.png").empty());
 }
 

@@ -23,6 +23,7 @@
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>
 #include <rigor/view/drawing_files.h>
+#include <rigor/view/trace.h>
 
 #include "support/corpus.h"
 
@@ -32,6 +33,8 @@ namespace {
 /// Of the 2,000 files of the corpus every so manyth is drawn, and of every so manyth its meshes are read.
 constexpr std::size_t kDrawnStride = 4;
 constexpr std::size_t kMeshStride = 100;
+/// Of every so manyth a picture is made.
+constexpr std::size_t kTracedStride = 20;
 
 /// With a closed form, so that nothing stands in the way of drawing them.
 template <class Part>
@@ -125,6 +128,45 @@ TEST(CorpusDrawing, DrawsWhateverLoads) {
     drawn += visuals.bodies.empty() ? 0U : 1U;
   }
   EXPECT_GT(drawn, 0U);
+}
+
+bool can_be_seen(const Body& body) {
+  const auto is_opaque = [](const Surface& s) { return s.color.a > 0.01F; };
+  const model::Vector3& s = body.scale;
+  return std::any_of(body.surfaces.begin(), body.surfaces.end(), is_opaque) &&
+         !body.mesh->triangles.empty() && s.x * s.y * s.z != 0;
+}
+
+TEST(CorpusDrawing, HasNoBlankPicture) {
+  RIGOR_NEEDS_CORPUS();
+  if (tracer().empty()) GTEST_SKIP() << "Embree is not installed: no pictures are made";
+  const RealDisk disk;
+  const Environment environment(disk, {});
+  const std::vector<std::string> paths = test::corpus_models();
+  std::size_t pictures = 0;
+  for (std::size_t i = 0; i < paths.size(); i += kTracedStride) {
+    SCOPED_TRACE(paths[i]);
+    Sources sources;
+    read::Workspace workspace(disk, sources);
+    const read::File& file = workspace.open(paths[i]);
+    if (!file.document) continue;
+    const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
+    const read::Loaded loaded = read::load(reader, file);
+    const model::Frames frames(loaded.root);
+    mass::MeshReads reads(disk);
+    const Drawing drawing =
+        draw(loaded.root, frames, sources, files_of(environment.resolver, sources, reads),
+             {{Layer::kVisual}});
+    const Traced traced = trace(drawing, framing(drawing.bounds, View::kPerspective, 1.5),
+                                {.width = 150, .height = 100});
+    ASSERT_TRUE(traced.picture) << traced.problem;
+    const auto is_drawn = [](const Pixel& pixel) { return pixel != Pixel{255, 255, 255, 255}; };
+    const std::vector<Pixel>& pixels = traced.picture->pixels;
+    const bool any = std::any_of(drawing.bodies.begin(), drawing.bodies.end(), can_be_seen);
+    EXPECT_EQ(std::any_of(pixels.begin(), pixels.end(), is_drawn), any);
+    pictures += any ? 1U : 0U;
+  }
+  EXPECT_GT(pictures, 0U);
 }
 
 }  // namespace

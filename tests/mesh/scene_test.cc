@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <limits>
+#include <memory>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -240,6 +241,32 @@ TEST_F(MeshScene, GltfWithItsBufferInside) {
   EXPECT_EQ(doubled_area(loaded.mesh, loaded.mesh.parts[0]), (Vector3{0, 0, 4}));
 }
 
+/// The picture's bytes come as they are: whoever draws it sees what they hold.
+TEST_F(MeshScene, APictureInsideAGltfIsHeldOnceForAllMaterials) {
+  std::string file = gltf(kEmbedded);
+  const auto replace = [&file](const std::string& what, const std::string& with) {
+    file.replace(file.find(what), what.size(), with);
+  };
+  const std::string primitive = R"({"attributes":{"POSITION":0})";
+  replace(primitive + "}", primitive + R"(,"material":0},)" + primitive + R"(,"material":1})");
+  const std::string textured = R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0}})";
+  replace("{\"asset\"",
+          R"({"images":[{"uri":"data:image/png;base64,AQIDBA=="}],"textures":[{"source":0}],
+"materials":[{"name":"a",)" +
+              textured + R"(},{"name":"b","alphaMode":"MASK",)" + textured + R"(}],"asset")");
+  const LoadedMesh loaded = read("a.gltf", file);
+  ASSERT_TRUE(loaded.usable());
+  ASSERT_EQ(loaded.mesh.materials.size(), 2U);
+  const Material& a = loaded.mesh.materials[0];
+  const Material& b = loaded.mesh.materials[1];
+  EXPECT_EQ(a.texture, "") << "it is the name of no file";
+  ASSERT_TRUE(a.held_picture);
+  EXPECT_EQ(*a.held_picture, "\1\2\3\4");
+  EXPECT_EQ(b.held_picture, a.held_picture);
+  EXPECT_FALSE(a.picture_opacity);
+  EXPECT_TRUE(b.picture_opacity);
+}
+
 TEST_F(MeshScene, BuffersOfAGltfComeThroughTheDisk) {
   for (const char* folder : {"", "meshes/", "/robots/meshes/", "../meshes/"}) {
     const MemoryDisk disk({{std::string(folder) + "a.gltf", gltf("parts/tip.bin")},
@@ -301,7 +328,12 @@ TEST(MeshFlat, ComesBackAsItWas) {
 }
 
 TEST(MeshFlat, DamagedBytesGiveNothing) {
-  const std::string whole = flatten(two_parts());
+  LoadedMesh pictured = two_parts();
+  pictured.mesh.materials = {
+      {.name = "steel", .held_picture = std::make_shared<const std::string>("P")}};
+  const std::string whole = flatten(pictured);
+  ASSERT_TRUE(unflatten(whole));
+  EXPECT_EQ(*unflatten(whole)->mesh.materials.at(0).held_picture, "P");
   for (std::size_t size = 0; size < whole.size(); ++size) {
     EXPECT_FALSE(unflatten(std::string_view(whole).substr(0, size))) << size;
   }

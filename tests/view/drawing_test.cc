@@ -11,6 +11,9 @@
 #include <numbers>
 #include <string>
 
+#include <rigor/view/drawing_shapes.h>
+#include <rigor/view/picture.h>
+
 #include "drawing_fixture.h"
 
 namespace rigor::view {
@@ -237,17 +240,29 @@ TEST(Drawing, SaysWhyAShapeIsNotDrawn) {
 }
 
 TEST(Drawing, DrawsSoManyTrianglesAndNoMore) {
+  constexpr std::size_t kLands = 21;  // of 524,288 triangles each
+  const Picture flat{kMostHeights, kMostHeights,
+                     std::vector<Pixel>(kMostHeights * kMostHeights, Pixel{9, 9, 9, 255})};
+  std::string lands;
+  for (std::size_t i = 1; i <= kLands; ++i) {
+    const std::string size = "<size>1 1 " + std::to_string(i) + "</size>";
+    lands += visual_of("<heightmap><uri>land.png</uri>" + size + "</heightmap>");
+  }
+  const Drawing drawing = drawn_sdf(lands, {Layer::kVisual}, {{"land.png", to_png(flat)}});
+  ASSERT_FALSE(drawing.bodies.empty());
+  EXPECT_EQ(drawing.bodies.size(), kMostDrawnTriangles / drawing.bodies[0].mesh->triangles.size());
+  EXPECT_EQ(drawing.bodies.size() + drawing.not_drawn.size(), kLands);
+}
+
+TEST(Drawing, CountsAMeshThatBodiesShareOnce) {
   constexpr std::size_t kBalls = 3000;  // of 4,096 triangles each
   std::string balls;
   for (std::size_t i = 0; i < kBalls; ++i) balls += visual_of("<sphere/>");
-  const Drawing drawing = drawn_sdf(balls, {Layer::kVisual});
-  ASSERT_FALSE(drawing.bodies.empty());
-  EXPECT_EQ(drawing.bodies.size(), kMostDrawnTriangles / drawing.bodies[0].mesh->triangles.size());
-  EXPECT_EQ(drawing.bodies.size() + drawing.not_drawn.size(), kBalls);
+  EXPECT_EQ(drawn_sdf(balls, {Layer::kVisual}).bodies.size(), kBalls);
 }
 
 TEST(Drawing, NamesItsLayers) {
-  EXPECT_EQ(layer_names().size(), 7U);
+  EXPECT_EQ(layer_names().size(), 8U);
   for (const std::string_view name : layer_names()) {
     ASSERT_TRUE(layer_named(name));
     EXPECT_EQ(to_string(*layer_named(name)), name);

@@ -218,6 +218,31 @@ TEST_F(Trace, WindingMakesNoDifference) {
   EXPECT_EQ(traced(drawing, View::kPerspective).pixels, outward.pixels);
 }
 
+TEST_F(Trace, OfAWallsTwoSidesTheOneThatFacesTheEyeIsSeen) {
+  mesh::TriangleMesh wall;
+  wall.positions = {{0, -1, -1}, {0, 1, -1}, {0, 1, 1}, {0, -1, 1}};
+  wall.triangles = {{0, 1, 2}, {0, 2, 3}, {3, 2, 1}, {1, 0, 3}};  // split along different diagonals
+  wall.parts = {{"to +x", "", 0, 2}, {"to -x", "", 2, 2}};
+  Body body;
+  body.mesh = std::make_shared<const mesh::TriangleMesh>(wall);
+  Drawing drawing;
+  drawing.bounds = bounds_around({5, 0, 0}, 1);
+  for (const double mirror : {1.0, -1.0}) {
+    for (const float opacity : {1.0F, 0.9F}) {
+      body.scale = {1, mirror, 1};
+      body.pose = {{5, 0, 0}, {std::sqrt(0.5), std::sqrt(0.5), 0, 0}};  // a quarter turn about x
+      body.surfaces = {{{1, 0, 0, opacity}}, {{0, 0, 1, opacity}}};
+      drawing.bodies = {body};
+      const Picture front = traced(drawing, View::kFront);
+      const Picture back = traced(drawing, View::kBack);
+      for (std::uint32_t x = 30; x < kTracedWidth - 30; ++x) {
+        EXPECT_TRUE(is_reddish(front.at(x, kTracedHeight / 3))) << x;
+        EXPECT_TRUE(is_bluish(back.at(x, kTracedHeight / 3))) << x;
+      }
+    }
+  }
+}
+
 /// A square of two triangles, facing x, with texture coordinates from 0 to
 /// `times`.
 Body textured_square(float times, const Picture& picture) {
@@ -268,6 +293,8 @@ TEST_F(Trace, HolesInATextureAreHoles) {
   drawing.bounds = {{0, -1, -1}, {0, 1, 1}};
   drawing.bodies = {textured_square(1, {1, 1, {Pixel{255, 0, 0, 0}}})};
   EXPECT_TRUE(is_background(middle_pixel(traced(drawing, View::kFront))));
+  drawing.bodies[0].surfaces[0].texture_opacity = false;
+  EXPECT_TRUE(is_reddish(middle_pixel(traced(drawing, View::kFront))));
 }
 
 TEST_F(Trace, PartsHaveSurfacesOfTheirOwn) {

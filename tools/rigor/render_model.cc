@@ -4,6 +4,7 @@
 #include "render_model.h"
 
 #include <algorithm>
+#include <vector>
 
 #include <rigor/model/frames.h>
 #include <rigor/report/printable.h>
@@ -20,15 +21,24 @@ namespace {
 /// Off white, so that a white robot has an outline.
 constexpr view::Color kBackdrop{0.95F, 0.96F, 0.97F, 1};
 
+bool can_be_seen(const view::Body& body) {
+  return body.layer != view::Layer::kGround &&
+         std::any_of(body.surfaces.begin(), body.surfaces.end(),
+                     [](const view::Surface& surface) { return surface.color.a > 0; });
+}
+
 }  // namespace
 
 std::string why_nothing_is_seen(const read::Loaded& loaded, const view::Drawing& drawing) {
-  const bool any = std::any_of(drawing.bodies.begin(), drawing.bodies.end(),
-                               [](const view::Body& b) { return b.layer != view::Layer::kGround; });
-  if (any) return {};
+  const std::vector<view::Body>& bodies = drawing.bodies;
+  if (std::any_of(bodies.begin(), bodies.end(), can_be_seen)) return {};
   if (loaded.root.format == model::Format::kUnknown) return "this is no robot model";
   if (!loaded.file->document->complete()) return "it is not well-formed";
   if (!drawing.not_drawn.empty()) return "nothing of it can be drawn";
+  const bool hidden = std::any_of(bodies.begin(), bodies.end(), [](const view::Body& body) {
+    return body.layer != view::Layer::kGround;
+  });
+  if (hidden) return "all that is drawn of it is wholly transparent";
   return "there is nothing to draw of the layers asked for";
 }
 

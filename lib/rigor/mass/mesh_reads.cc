@@ -14,9 +14,14 @@ std::uint64_t bytes_in(const std::vector<T>& list) {
   return list.size() * sizeof(T);
 }
 
+/// A picture that several materials have counts as often.
 std::uint64_t bytes_of(const mesh::LoadedMesh& loaded) {
   const mesh::TriangleMesh& mesh = loaded.mesh;
-  return sizeof loaded + bytes_in(mesh.positions) + bytes_in(mesh.triangles) +
+  std::uint64_t pictures = 0;
+  for (const mesh::Material& material : mesh.materials) {
+    if (material.held_picture) pictures += material.held_picture->size();
+  }
+  return pictures + sizeof loaded + bytes_in(mesh.positions) + bytes_in(mesh.triangles) +
          bytes_in(mesh.corners.texture) + bytes_in(mesh.corners.normals) +
          bytes_in(mesh.corners.colors);
 }

@@ -6,6 +6,7 @@
 #include <assimp/material.h>
 #include <assimp/mesh.h>
 #include <assimp/scene.h>
+#include <assimp/texture.h>
 
 #include <algorithm>
 #include <array>
@@ -14,6 +15,7 @@
 #include <cstdint>
 #include <cstring>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -126,19 +128,46 @@ void read_numbers(const aiMaterialProperty* property, float* into, std::size_t c
   }
 }
 
-/// Pictures within the file are numbered "*0", "*1", …: they have no name.
-std::string texture_of(const aiMaterial& material) {
-  std::string name = string_of(find(material, "$tex.file", aiTextureType_DIFFUSE));
-  if (name.starts_with('*')) name.clear();
-  return name;
+/// Collada and OBJ name a picture of the opacity, glTF says what its one picture's is for.
+bool has_picture_opacity(const aiMaterial& material) {
+  const std::string mode = string_of(find(material, "$mat.gltf.alphaMode"));
+  return mode == "BLEND" || mode == "MASK" || find(material, "$tex.file", aiTextureType_OPACITY);
 }
 
 Material material_of(const aiMaterial& material) {
-  Material look{.name = string_of(find(material, "?mat.name")), .texture = texture_of(material)};
+  Material look{.name = string_of(find(material, "?mat.name")),
+                .texture = string_of(find(material, "$tex.file", aiTextureType_DIFFUSE)),
+                .picture_opacity = has_picture_opacity(material)};
   read_numbers(find(material, "$clr.diffuse"), look.diffuse.data(), look.diffuse.size());
   read_numbers(find(material, "$mat.opacity"), &look.diffuse.back(), 1);
   return look;
 }
+
+/// The pictures within a file, which are numbered "*0", "*1", …
+class HeldPictures {
+ public:
+  explicit HeldPictures(const aiScene& scene) : scene_(scene) {}
+
+  /// Null when there is none, when it is no file but bare pixels, or when there are too many bytes.
+  std::shared_ptr<const std::string> find(std::string_view name) {
+    unsigned index = 0;
+    const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), index);
+    if (error != std::errc() || end != name.data() + name.size()) return nullptr;
+    if (index >= scene_.mNumTextures) return nullptr;
+    const auto [known, is_new] = known_.try_emplace(index);
+    const aiTexture& texture = *scene_.mTextures[index];
+    const bool is_file = texture.mHeight == 0 && texture.pcData;
+    if (!is_new || !is_file || texture.mWidth > kMaxHeldPictureBytes - bytes_) return known->second;
+    bytes_ += texture.mWidth;
+    return known->second = std::make_shared<const std::string>(
+               reinterpret_cast<const char*>(texture.pcData), texture.mWidth);
+  }
+
+ private:
+  const aiScene& scene_;
+  std::map<unsigned, std::shared_ptr<const std::string>> known_;
+  std::size_t bytes_ = 0;
+};
 
 /// What assimp gives to shapes of which the file says nothing: grey or white.
 bool is_invented(const Material& material) {
@@ -146,17 +175,18 @@ bool is_invented(const Material& material) {
   const std::array<float, 4>& color = material.diffuse;
   const bool plain = color[0] == color[1] && color[0] == color[2] && color[3] == 1 &&
                      (color[0] == 0.6F || color[0] == 1);
-  return !named && plain && material.texture.empty();
+  return !named && plain && material.texture.empty() && !material.held_picture;
 }
 
 bool look_alike(const Material& a, const Material& b) {
-  return a.diffuse == b.diffuse && a.texture == b.texture;
+  return a.diffuse == b.diffuse && a.texture == b.texture && a.held_picture == b.held_picture &&
+         a.picture_opacity == b.picture_opacity;
 }
 
 /// The materials of a scene that its shapes use, in order of their use.
 class UsedMaterials {
  public:
-  explicit UsedMaterials(const aiScene& scene) : scene_(scene) {}
+  explicit UsedMaterials(const aiScene& scene) : scene_(scene), pictures_(scene) {}
 
   /// Of the material with this index, its name: when another one that looks different has the same,
   /// one with a number.
@@ -172,6 +202,10 @@ class UsedMaterials {
 
  private:
   std::string added(Material material) {
+    if (material.texture.starts_with('*')) {
+      material.held_picture = pictures_.find(material.texture);
+      material.texture.clear();
+    }
     if (is_invented(material)) return material.name;
     const std::string own = material.name;
     for (unsigned number = 2;; ++number) {
@@ -183,6 +217,7 @@ class UsedMaterials {
   }
 
   const aiScene& scene_;
+  HeldPictures pictures_;
   std::vector<Material> materials_;
   std::map<std::string, std::size_t> by_name_;
   std::map<unsigned, std::string> names_;  ///< by index

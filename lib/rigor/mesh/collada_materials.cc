@@ -82,6 +82,7 @@ class ColladaEffect {
     if (const auto texture = descend(*shading_, {"diffuse", "texture"})) {
       look.diffuse = {1, 1, 1, 1};
       look.texture = picture(value(*texture, "texture"));
+      look.picture_opacity = descend(*shading_, {"transparent", "texture"}).has_value();
     }
     if (const auto written = opacity()) look.diffuse.back() = fraction(*written);
     return look;

@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <memory>
+#include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace rigor::mesh {
 namespace {
@@ -102,6 +105,25 @@ bool lists_fit(const TriangleMesh& mesh) {
   return fits(corners.texture) && fits(corners.normals) && fits(corners.colors);
 }
 
+/// Each once, in the order of the materials.
+using HeldPicture = std::shared_ptr<const std::string>;
+std::vector<HeldPicture> held_pictures(const TriangleMesh& mesh) {
+  std::vector<HeldPicture> pictures;
+  for (const Material& material : mesh.materials) {
+    const HeldPicture& picture = material.held_picture;
+    if (picture && std::find(pictures.begin(), pictures.end(), picture) == pictures.end()) {
+      pictures.push_back(picture);
+    }
+  }
+  return pictures;
+}
+
+/// 0 for none.
+std::uint64_t number_of(const HeldPicture& picture, const std::vector<HeldPicture>& all) {
+  if (!picture) return 0;
+  return static_cast<std::uint64_t>(std::find(all.begin(), all.end(), picture) - all.begin()) + 1;
+}
+
 bool parts_cover(const TriangleMesh& mesh) {
   std::size_t next = 0;
   for (const Part& part : mesh.parts) {
@@ -125,11 +147,16 @@ std::string flatten(const LoadedMesh& loaded) {
     writer.number(part.first);
     writer.number(part.count);
   }
+  const std::vector<HeldPicture> pictures = held_pictures(loaded.mesh);
+  writer.number(pictures.size());
+  for (const HeldPicture& picture : pictures) writer.list(*picture);
   writer.number(loaded.mesh.materials.size());
   for (const Material& material : loaded.mesh.materials) {
     writer.list(material.name);
     for (const float part : material.diffuse) writer.value(part);
     writer.list(material.texture);
+    writer.number(number_of(material.held_picture, pictures));
+    writer.number(material.picture_opacity ? 1 : 0);
   }
   writer.list(loaded.mesh.corners.texture);
   writer.list(loaded.mesh.corners.normals);
@@ -158,11 +185,19 @@ std::optional<LoadedMesh> unflatten(std::string_view bytes) {
     part.first = reader.number();
     part.count = reader.number();
   }
+  std::vector<HeldPicture> pictures{nullptr};
+  for (std::uint64_t left = reader.number(); left > 0 && reader.good(); --left) {
+    pictures.push_back(std::make_shared<const std::string>(reader.list<std::string>()));
+  }
   for (std::uint64_t left = reader.number(); left > 0 && reader.good(); --left) {
     Material& material = mesh.materials.emplace_back();
     material.name = reader.list<std::string>();
     for (float& part : material.diffuse) part = reader.value<float>();
     material.texture = reader.list<std::string>();
+    const std::uint64_t picture = reader.number();
+    if (picture >= pictures.size()) return std::nullopt;
+    material.held_picture = pictures[picture];
+    material.picture_opacity = reader.number() != 0;
   }
   mesh.corners.texture = reader.list<decltype(Corners::texture)>();
   mesh.corners.normals = reader.list<decltype(Corners::normals)>();

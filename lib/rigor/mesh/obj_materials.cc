@@ -60,6 +60,8 @@ class ObjMaterialReader {
       now_->transparency = fraction();
     } else if (word == "map_Kd") {
       picture();
+    } else if (word == "map_d") {
+      now_->look.picture_opacity = true;
     }
   }
 

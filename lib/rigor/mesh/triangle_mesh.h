@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -42,7 +43,13 @@ struct Material {
   std::string name;
   std::array<float, 4> diffuse{0.7F, 0.7F, 0.7F, 1};  ///< red, green, blue, opacity: 0 to 1
   std::string texture = {};  ///< the picture of its colour, as the file names it; empty without one
+  /// The bytes of the picture that the mesh's own file holds (glTF), at most `kMaxHeldPictureBytes` in all; a
+  /// material has one or the other.
+  std::shared_ptr<const std::string> held_picture = nullptr;
+  bool picture_opacity = false;  ///< where the picture lets light through, the surface does
 };
+
+inline constexpr std::size_t kMaxHeldPictureBytes = std::size_t{64} << 20U;
 
 /// What the corners of triangles carry besides their positions. Each list is empty, when nothing of
 /// the mesh carries that, or has one entry a triangle.

@@ -54,27 +54,40 @@ void Canvas::refuse(const Body& body, std::string why) {
   drawing_.not_drawn.push_back({body.name, std::move(why), body.where});
 }
 
+bool Canvas::may_look_at(std::size_t places) {
+  if (places > kMostPlacedTriangles - places_) return false;
+  places_ += places;
+  return true;
+}
+
 bool Canvas::has_room(const Body& body) {
-  const std::size_t count = body.mesh->triangles.size();
   if (drawing_.bodies.size() >= kMostBodies) {
     refuse(body, "more than " + std::to_string(kMostBodies) + " bodies are not drawn");
     return false;
   }
-  if (count > kMostDrawnTriangles - triangles_) {
+  const std::size_t count = body.mesh->triangles.size();
+  const bool is_new = !meshes_.contains(body.mesh.get());
+  if (is_new && count > kMostDrawnTriangles - triangles_) {
     refuse(body, "more than " + std::to_string(kMostDrawnTriangles) + " triangles are not drawn");
     return false;
   }
-  triangles_ += count;
+  if (!may_look_at(count)) {
+    refuse(body, "more than " + std::to_string(kMostPlacedTriangles) +
+                     " triangles, each time they are seen, are not drawn");
+    return false;
+  }
+  if (is_new) triangles_ += count;
+  meshes_.insert(body.mesh.get());
   return true;
 }
 
 void Canvas::add(Body body) {
+  if (!has_room(body)) return;
   const auto bounds = bounds_of_body(body);
   if (!bounds) {
     refuse(body, "it lies where nothing is drawn: a place is no number, or too far away");
     return;
   }
-  if (!has_room(body)) return;
   if (!body.mesh->triangles.empty()) {
     for (const Vector3& corner : {bounds->min, bounds->max}) {
       widen(drawing_.bounds, corner);

@@ -9,8 +9,10 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +29,9 @@ class Canvas {
   /// The same for one whose size is told later: it counts in no bounds. Whether there was room.
   [[nodiscard]] bool put_off(Body body);
   void refuse(const Body& body, std::string why);
+
+  /// Whether so many more places may be looked at, `kMostPlacedTriangles` in all; if so they count.
+  [[nodiscard]] bool may_look_at(std::size_t places);
 
   /// A place that belongs to the model of a link.
   void note(model::Id<model::Link> link, const model::Vector3& place);
@@ -49,7 +54,9 @@ class Canvas {
   const model::Root& root_;
   Drawing drawing_{.bounds = mesh::bounds_of({})};
   std::map<std::uint32_t, mesh::Bounds> models_;  // by the index of an outermost model
-  std::size_t triangles_ = 0;
+  std::set<const mesh::TriangleMesh*> meshes_;
+  std::size_t triangles_ = 0;  // of `meshes_`
+  std::size_t places_ = 0;
 };
 
 }  // namespace rigor::view

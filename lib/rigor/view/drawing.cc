@@ -11,13 +11,12 @@
 #include <utility>
 #include <variant>
 
-#include <rigor/mass/resolve.h>
 #include <rigor/view/canvas.h>
 #include <rigor/view/drawing_marks.h>
+#include <rigor/view/mark_painter.h>
 #include <rigor/view/materials.h>
 #include <rigor/view/shape_finder.h>
 #include <rigor/view/source_elements.h>
-#include <rigor/view/turn.h>
 
 namespace rigor::view {
 namespace {
@@ -26,16 +25,10 @@ using model::Id;
 using model::Pose;
 using model::Vector3;
 
-constexpr std::array<std::string_view, 7> kLayerNames{"visual", "collision", "inertia", "com",
-                                                      "frames", "axes",      "ground"};
-
-// Of the diagonal of a model.
-constexpr double kFrameLength = 0.06;
-constexpr double kAxisLength = 0.1;
-constexpr double kComRadius = 0.01;
+constexpr std::array<std::string_view, 8> kLayerNames{"visual", "collision", "inertia",  "com",
+                                                      "frames", "axes",      "contacts", "ground"};
 
 constexpr Color kCollisionOrange{1, 0.55F, 0.1F, 0.5F};
-constexpr Color kInertiaPurple{0.65F, 0.25F, 0.85F, 0.5F};
 
 /// A plane is drawn as far around the rest as this many of its diagonals.
 constexpr double kPlaneReach = 2;
@@ -57,7 +50,8 @@ class Draftsman {
         elements_(sources),
         materials_(root, elements_, files),
         finder_(elements_, files),
-        canvas_(root) {}
+        canvas_(root),
+        marks_(root, frames, finder_, canvas_) {}
 
   Drawing draw(const std::set<Layer>& layers) {
     for (const Layer layer : layers) draw_layer(layer);
@@ -73,9 +67,10 @@ class Draftsman {
       case Layer::kVisual: return draw_shapes<model::Visual>(layer);
       case Layer::kCollision: return draw_shapes<model::Collision>(layer);
       case Layer::kInertia:
-      case Layer::kCom: return draw_masses(layer);
-      case Layer::kFrames: return draw_frames();
-      case Layer::kAxes: return draw_axes();
+      case Layer::kCom:
+      case Layer::kFrames:
+      case Layer::kAxes:
+      case Layer::kContacts: return marks_.draw(layer);
       case Layer::kGround: return;  // when all else is known
     }
   }
@@ -98,7 +93,7 @@ class Draftsman {
       const Part& part = root_[parts[i]];
       if (part.geometry.explicitly_empty) continue;
       Body body{.layer = layer, .link = link, .where = part.site.tag};
-      body.name = link_name(link) + '/' + named(to_string(layer), part.name.value, i);
+      body.name = name_of(root_, link) + '/' + named(to_string(layer), part.name.value, i);
       const auto X_WP = frames_.pose(parts[i]);
       if (!X_WP) {
         canvas_.refuse(body, "where it is cannot be told");
@@ -125,96 +120,6 @@ class Draftsman {
         if (unbounded) planes_.back().size.x = planes_.back().size.y = HUGE_VAL;
       }
     }
-  }
-
-  void draw_masses(Layer layer) {
-    const Mark com = layer == Layer::kCom ? com_mark() : Mark();
-    for (std::uint32_t i = 0; i < root_.links.size(); ++i) {
-      const Id<model::Link> link{i};
-      const auto X_WL = frames_.pose(link);
-      if (!X_WL || model::is_static(root_, root_[link].model)) continue;
-      const mass::MassProperties mass = mass::resolve(root_, frames_, link, {}).body;
-      if (mass.mass == 0 && mass.about_com == mass::Inertia()) continue;  // URDF: none at all
-      Body body{.layer = layer, .link = link, .where = root_[link].inertial.site.tag};
-      if (body.where.nowhere()) body.where = root_[link].site.tag;
-      body.name = link_name(link) + (layer == Layer::kCom ? "/centre of mass" : "/inertia");
-      if (layer == Layer::kCom) {
-        body.pose = {transform(*X_WL, mass.com), X_WL->rotation};
-        add_mark(std::move(body), com, kComRadius);
-      } else {
-        add_inertia(std::move(body), *X_WL, mass);
-      }
-    }
-  }
-
-  void add_inertia(Body body, const Pose& X_WL, const mass::MassProperties& mass) {
-    if (!(mass.mass > 0) || !mass::judge(mass).possible()) {
-      canvas_.refuse(body, "no rigid body has such a mass and inertia");
-      return;
-    }
-    const mass::PrincipalAxes principal = mass::principal_axes(mass.about_com);
-    const auto sides = mass::equivalent_box(mass.mass, principal.moments);
-    body.pose = compose(X_WL, {mass.com, turn_to(principal.axes)});
-    body.scale = {sides[0], sides[1], sides[2]};
-    body.mesh = finder_.unit_box();
-    body.surfaces = {{kInertiaPurple}};
-    canvas_.add(std::move(body));
-  }
-
-  void draw_frames() {
-    const Mark mark = frame_mark();
-    note_places();
-    for (std::uint32_t i = 0; i < root_.links.size(); ++i) {
-      const Id<model::Link> link{i};
-      const auto X_WL = frames_.pose(link);
-      if (!X_WL) continue;
-      Body body{.layer = Layer::kFrames, .link = link, .pose = *X_WL};
-      body.name = link_name(link) + "/frame";
-      body.where = root_[link].site.tag;
-      add_mark(std::move(body), mark, kFrameLength);
-    }
-  }
-
-  void draw_axes() {
-    const Mark mark = axis_mark();
-    note_places();
-    for (std::uint32_t i = 0; i < root_.joints.size(); ++i) {
-      const Id<model::Joint> id{i};
-      const model::Joint& joint = root_[id];
-      const auto X_WJ = frames_.pose(id);
-      if (!X_WJ || joint.type == model::JointType::kFixed) continue;
-      for (std::size_t a = 0; a < joint.axes.size(); ++a) {
-        const auto axis = frames_.axis(id, a);
-        if (!axis) continue;
-        Body body{.layer = Layer::kAxes, .link = frames_.ends(id).child, .joint = id};
-        body.pose = {X_WJ->translation, turn_from_z(*axis)};
-        body.where = joint.axes[a].site.tag;
-        body.name = scoped_name(root_, joint.model) + "/joint " + joint.name.value +
-                    (a == 0 ? "/axis" : "/axis2");
-        add_mark(std::move(body), mark, kAxisLength);
-      }
-    }
-  }
-
-  void add_mark(Body body, const Mark& mark, double share) {
-    const double size = share * canvas_.size_around(body.link);
-    body.mesh = mark.mesh;
-    body.surfaces = mark.surfaces;
-    body.scale = {size, size, size};
-    canvas_.add(std::move(body));
-  }
-
-  /// A model whose shapes are not shown is as large as its frames lie apart.
-  void note_places() {
-    if (std::exchange(noted_, true)) return;
-    for (std::uint32_t i = 0; i < root_.links.size(); ++i) {
-      const auto X_WL = frames_.pose(Id<model::Link>{i});
-      if (X_WL) canvas_.note(Id<model::Link>{i}, X_WL->translation);
-    }
-  }
-
-  std::string link_name(Id<model::Link> link) const {
-    return scoped_name(root_, root_[link].model) + "/link " + root_[link].name.value;
   }
 
   struct Plane {
@@ -268,8 +173,8 @@ class Draftsman {
   Materials materials_;
   ShapeFinder finder_;
   Canvas canvas_;
+  MarkPainter marks_;
   std::vector<Plane> planes_;
-  bool noted_ = false;
 };
 
 }  // namespace

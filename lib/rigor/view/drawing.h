@@ -31,14 +31,15 @@ namespace rigor::view {
 enum class Layer : std::uint8_t {
   kVisual,
   kCollision,
-  kInertia,  ///< of each link, the solid box that has its mass and principal moments
-  kCom,      ///< a ball at each link's centre of mass
-  kFrames,   ///< of each link: x red, y green, z blue
-  kAxes,     ///< of each joint, an arrow along it
+  kInertia,   ///< of each link, the solid box that has its mass and principal moments
+  kCom,       ///< a ball at each link's centre of mass
+  kFrames,    ///< of each link: x red, y green, z blue
+  kAxes,      ///< of each joint, an arrow along it
+  kContacts,  ///< a ball where a collision touches the ground or one of another link
   kGround,  ///< the plane z = 0 with a grid: lines a metre apart, finer or coarser by the model's size
 };
 
-/// "visual", "collision", "inertia", "com", "frames", "axes", "ground"
+/// "visual", "collision", "inertia", "com", "frames", "axes", "contacts", "ground"
 std::string_view to_string(Layer layer);
 std::optional<Layer> layer_named(std::string_view name);
 std::vector<std::string_view> layer_names();
@@ -54,7 +55,8 @@ struct Color {
 struct Surface {
   Color color;
   std::shared_ptr<const Picture> texture = nullptr;  ///< multiplies the colour; null without one
-  std::string texture_path = {};                     ///< its file
+  std::string texture_path = {};  ///< its file; empty when the mesh's own file holds it
+  bool texture_opacity = true;    ///< where the texture lets light through, the surface does
 };
 
 /// One mesh in one place. Meshes are shared: all boxes have one, of side one, which `scale` brings to size.
@@ -88,9 +90,12 @@ struct Drawing {
   mesh::Bounds bounds;
 };
 
-/// More is not drawn. The largest real world has 3,004 visuals, of four million triangles.
+/// More is not drawn. The largest real world has 3,004 visuals, of four million triangles. A mesh that bodies
+/// share takes its memory once.
 inline constexpr std::size_t kMostBodies = 50'000;
 inline constexpr std::size_t kMostDrawnTriangles = 10'000'000;
+/// Those of each body counted: 1.4 s to find how far they reach.
+inline constexpr std::size_t kMostPlacedTriangles = 100'000'000;
 /// What lies or reaches farther from the origin is not drawn, m: 32-bit numbers, with which pictures are
 /// made, are a metre apart there.
 inline constexpr double kFarthest = 1e7;
@@ -105,6 +110,9 @@ struct Files {
   std::function<std::string(const model::Mesh&, const std::string& written)> texture;
   /// A picture by the path of its file.
   std::function<std::shared_ptr<const Picture>(const std::string& path)> picture;
+  /// A picture by its bytes, which a mesh file holds.
+  std::function<std::shared_ptr<const Picture>(const std::shared_ptr<const std::string>& bytes)>
+      held_picture;
   /// The path of the file that a URI (a texture of a model) leads to; empty when there is none.
   std::function<std::string(const std::string& uri, Span where)> resolve;
   /// The text of the material scripts that a URI (of one, or of a folder of them) leads to.

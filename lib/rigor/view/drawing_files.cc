@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -135,15 +136,21 @@ class DiskFiles {
   }
 
   SharedPicture picture(const std::string& path) {
-    const auto known = pictures_.find(path);
-    if (known != pictures_.end()) return known->second;
-    return pictures_[path] = read_picture(path);
+    const auto [known, is_new] = pictures_.try_emplace(path);
+    if (!is_new) return known->second;
+    const ReadResult read = resolver_.disk().read(path, kMaxPictureBytes);
+    return known->second = read.bytes ? decoded_picture(*read.bytes) : nullptr;
+  }
+
+  SharedPicture held_picture(const std::shared_ptr<const std::string>& bytes) {
+    const auto [known, is_new] = held_pictures_.try_emplace(bytes);
+    if (!is_new) return known->second;
+    return known->second = decoded_picture(*bytes);
   }
 
  private:
-  SharedPicture read_picture(const std::string& path) {
-    const ReadResult read = resolver_.disk().read(path, kMaxPictureBytes);
-    auto decoded = read.bytes ? decode(*read.bytes) : std::nullopt;
+  SharedPicture decoded_picture(std::string_view bytes) {
+    auto decoded = decode(bytes);
     if (!decoded || pixels_ + decoded->pixels.size() > kMaxPicturePixels) return nullptr;
     pixels_ += decoded->pixels.size();
     return std::make_shared<const Picture>(std::move(*decoded));
@@ -154,6 +161,7 @@ class DiskFiles {
   mass::MeshReads& reads_;
   std::map<std::tuple<std::string, std::string, bool>, SharedMesh> submeshes_;
   std::map<std::string, SharedPicture> pictures_;
+  std::map<std::shared_ptr<const std::string>, SharedPicture> held_pictures_;
   std::uint64_t pixels_ = 0;
 };
 
@@ -169,6 +177,7 @@ Files files_of(const read::Resolver& resolver, const Sources& sources, mass::Mes
     return disk->texture(shape, written);
   };
   files.picture = [disk](const std::string& path) { return disk->picture(path); };
+  files.held_picture = [disk](const auto& bytes) { return disk->held_picture(bytes); };
   files.resolve = [disk](const std::string& uri, Span where) { return disk->path(uri, where); };
   files.scripts = [disk](const std::string& uri, Span where) { return disk->scripts(uri, where); };
   return files;

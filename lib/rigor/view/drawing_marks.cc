@@ -35,6 +35,7 @@ constexpr double kLineWidth = 0.02;
 constexpr Color kRed{0.85F, 0.1F, 0.1F, 1};
 constexpr Color kGreen{0.1F, 0.65F, 0.1F, 1};
 constexpr Color kBlue{0.1F, 0.2F, 0.9F, 1};
+constexpr Color kContactRed{0.95F, 0.05F, 0.25F, 1};
 constexpr Color kAxisYellow{0.95F, 0.75F, 0, 1};
 // So that wheels below the ground are seen through it.
 constexpr Color kGroundGrey{0.9F, 0.9F, 0.9F, 0.35F};
@@ -126,6 +127,10 @@ Mark com_mark() {
       std::count_if(ball.triangles.begin(), ball.triangles.end(), is_white));
   ball.parts = {{"white", {}, 0, white}, {"black", {}, white, ball.triangles.size() - white}};
   return smooth_mark(std::move(ball), {{{1, 1, 1, 1}}, {{0.05F, 0.05F, 0.05F, 1}}});
+}
+
+Mark contact_mark() {
+  return smooth_mark(mesh::mesh_of(mesh::Sphere{.radius = 1}), {{kContactRed}});
 }
 
 Grid grid_under(const mesh::Bounds& bounds) {

@@ -30,6 +30,9 @@ Mark axis_mark();
 /// A ball of radius one, its octants black and white by turns.
 Mark com_mark();
 
+/// A red ball of radius one.
+Mark contact_mark();
+
 /// Lines a step apart (m), in the plane z = 0 around `center`, `cells` steps to each side; the lines lie at
 /// multiples of the step.
 struct Grid {

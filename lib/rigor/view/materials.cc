@@ -256,6 +256,10 @@ std::vector<Surface> Materials::of_parts(const model::Mesh& shape, const mesh::T
   for (const mesh::Material& material : mesh.materials) {
     Surface surface;
     surface.color = visible_color(material.diffuse);
+    surface.texture_opacity = material.picture_opacity;
+    if (material.held_picture && files_.held_picture) {
+      surface.texture = files_.held_picture(material.held_picture);
+    }
     if (!material.texture.empty() && files_.texture && files_.picture) {
       const std::string path = files_.texture(shape, material.texture);
       if (!path.empty()) surface.texture = files_.picture(path);

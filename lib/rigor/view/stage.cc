@@ -18,6 +18,11 @@ constexpr const char* kDeviceSettings = "threads=1,set_affinity=0,start_threads=
 /// Of the ground's radius: from here on it fades.
 constexpr double kGroundFades = 0.45;
 
+/// Of the distance: so much apart, two surfaces are in one place.
+constexpr double kInOnePlace = 1e-5;
+/// The cosine of 172°: from there on two surfaces face opposite ways.
+constexpr double kOpposite = -0.99;
+
 /// Of the drawing's size: how far off its surface a shadow's ray begins.
 constexpr double kLift = 2e-5;
 
@@ -47,7 +52,7 @@ model::Vector3 middle_of(const std::vector<model::Vector3>& positions) {
 
 bool marks_what_is_inside(Layer layer) {
   return layer == Layer::kInertia || layer == Layer::kCom || layer == Layer::kFrames ||
-         layer == Layer::kAxes;
+         layer == Layer::kAxes || layer == Layer::kContacts;
 }
 
 model::Vector3 unit_or(const model::Vector3& v, const model::Vector3& otherwise) {
@@ -69,6 +74,10 @@ RTCIntersectContext coherent_rays() {
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   return context;
+}
+
+RTCSceneFlags filtered_scene() {
+  return RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
 }
 
 RTCRay embree_ray(const Ray& ray, double from, double to) {
@@ -105,7 +114,7 @@ Stage::Stage(const Embree& embree, const Drawing& drawing, const Encoding& encod
       device_, [](void*, RTCError, const char*) {}, nullptr);
   solid_ = embree_.new_scene(device_);
   glass_ = embree_.new_scene(device_);
-  embree_.set_scene_flags(solid_, RTC_SCENE_FLAG_ROBUST);
+  embree_.set_scene_flags(solid_, filtered_scene());
   embree_.set_scene_flags(glass_, RTC_SCENE_FLAG_ROBUST);
   bodies_.resize(drawing.bodies.size());
   for (std::uint32_t i = 0; i < bodies_.size(); ++i) {
@@ -172,7 +181,7 @@ const Stage::MeshScene& Stage::scene_of(const mesh::TriangleMesh& mesh) {
   if (!fresh) return held;
   held.middle = middle_of(mesh.positions);
   held.scene = embree_.new_scene(device_);
-  embree_.set_scene_flags(held.scene, RTC_SCENE_FLAG_ROBUST);
+  embree_.set_scene_flags(held.scene, filtered_scene());
   const RTCGeometry geometry = embree_.new_geometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
   if (geometry && fill(mesh, held.middle, geometry)) {
     embree_.commit_geometry(geometry);
@@ -218,9 +227,10 @@ std::vector<Stage::Look> Stage::looks_of(const Body& body, bool& glass) const {
     const bool whole = texture && !texture->pixels.empty() &&
                        texture->pixels.size() == std::size_t{texture->width} * texture->height;
     if (whole && !body.mesh->corners.texture.empty()) look.texture = texture;
-    const bool see_through =
-        look.texture && std::any_of(texture->pixels.begin(), texture->pixels.end(),
-                                    [](const Pixel& pixel) { return pixel[3] != 255; });
+    look.texture_opacity = surface.texture_opacity;
+    const bool see_through = look.texture && look.texture_opacity &&
+                             std::any_of(texture->pixels.begin(), texture->pixels.end(),
+                                         [](const Pixel& pixel) { return pixel[3] != 255; });
     glass = glass || look.paint.opacity < 1 || see_through;
     looks.push_back(look);
   }
@@ -250,8 +260,8 @@ double Stage::ground_left(const model::Vector3& point) const {
   return s * s * (3 - 2 * s);
 }
 
-std::optional<Hit> Stage::first(RTCScene scene, const Ray& ray, double from, double to) const {
-  RTCIntersectContext context = coherent_rays();
+std::optional<Hit> Stage::first(RTCScene scene, RTCIntersectContext& context, const Ray& ray,
+                                double from, double to) const {
   RTCRayHit found = {};
   found.ray = embree_ray(ray, from, to);
   found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -262,12 +272,50 @@ std::optional<Hit> Stage::first(RTCScene scene, const Ray& ray, double from, dou
              static_cast<double>(found.hit.u), static_cast<double>(found.hit.v)};
 }
 
+model::Vector3 Stage::outward(std::uint32_t body, std::uint32_t triangle) const {
+  const Placed& placed = bodies_[body];
+  const mesh::TriangleMesh& mesh = *placed.mesh;
+  const model::Vector3 n = mesh::area_vector(facet(mesh, mesh.triangles[triangle]));
+  return unit_or(
+      {dot(placed.normal_rows[0], n), dot(placed.normal_rows[1], n), dot(placed.normal_rows[2], n)},
+      {});
+}
+
+/// Embree hands it to the filter, as the context that it begins with.
+struct Stage::OtherSide {
+  RTCIntersectContext embree;
+  const Stage* stage;
+  model::Vector3 back;
+
+  static void refuse_others(const RTCFilterFunctionNArguments* met) {
+    const auto* self = reinterpret_cast<const OtherSide*>(met->context);
+    const std::uint32_t body = RTCHitN_instID(met->hit, met->N, 0, 0);
+    const std::uint32_t triangle = RTCHitN_primID(met->hit, met->N, 0);
+    const bool opposite = dot(self->stage->outward(body, triangle), self->back) < kOpposite;
+    if (!opposite) met->valid[0] = 0;
+  }
+};
+
+std::optional<Hit> Stage::first_front(RTCScene scene, const Ray& ray, double from,
+                                      double to) const {
+  RTCIntersectContext plain = coherent_rays();
+  const std::optional<Hit> hit = first(scene, plain, ray, from, to);
+  if (!hit) return hit;
+  OtherSide other{coherent_rays(), this, outward(hit->body, hit->triangle)};
+  if (dot(other.back, ray.direction) <= 0) return hit;
+  other.embree.filter = OtherSide::refuse_others;
+  const std::optional<Hit> front =
+      first(scene, other.embree, ray, std::max(from, hit->t * (1 - kInOnePlace)),
+            std::min(to, hit->t * (1 + kInOnePlace)));
+  return front ? front : hit;
+}
+
 std::optional<Hit> Stage::first_solid(const Ray& ray) const {
-  return first(solid_, ray, 0, INFINITY);
+  return first_front(solid_, ray, 0, INFINITY);
 }
 
 std::optional<Hit> Stage::first_glass(const Ray& ray, double from, double to) const {
-  return first(glass_, ray, from, to);
+  return first_front(glass_, ray, from, to);
 }
 
 bool Stage::reaches_lamp(const model::Vector3& point) const {
@@ -300,7 +348,8 @@ Touched Stage::touched(const Hit& hit, const Ray& ray) const {
              hit.u * static_cast<double>(uv[1][i]) + hit.v * static_cast<double>(uv[2][i]);
     };
     const Paint print = sample(*look.texture, encoding_, mean(0), mean(1));
-    result.paint = {result.paint.light * print.light, result.paint.opacity * print.opacity};
+    result.paint = {result.paint.light * print.light, result.paint.opacity};
+    if (look.texture_opacity) result.paint.opacity *= print.opacity;
   }
   if (hit.triangle < corners.colors.size()) {
     Light sum;

@@ -64,8 +64,10 @@ class Stage {
   /// A ray that has met it meets no other glass.
   bool ground_is_all_glass() const { return ground_is_all_glass_; }
 
-  /// The nearest from `from` to `to` along the ray. Safe across threads.
+  /// The nearest. Of surfaces in one place that which faces the eye: exporters write a wall's two sides as
+  /// triangles of their own, each with its colour. Safe across threads, as all here.
   std::optional<Hit> first_solid(const Ray& ray) const;
+  /// The nearest from `from` to `to` along the ray.
   std::optional<Hit> first_glass(const Ray& ray, double from, double to) const;
   bool reaches_lamp(const model::Vector3& point) const;
 
@@ -80,6 +82,7 @@ class Stage {
   struct Look {
     Paint paint;
     const Picture* texture = nullptr;
+    bool texture_opacity = false;
   };
   struct Placed {
     const mesh::TriangleMesh* mesh = nullptr;
@@ -100,7 +103,12 @@ class Stage {
             RTCGeometry geometry) const;
   std::vector<Look> looks_of(const Body& body, bool& glass) const;
   void measure_ground(const Drawing& drawing);
-  std::optional<Hit> first(RTCScene scene, const Ray& ray, double from, double to) const;
+  std::optional<Hit> first(RTCScene scene, RTCIntersectContext& context, const Ray& ray,
+                           double from, double to) const;
+  std::optional<Hit> first_front(RTCScene scene, const Ray& ray, double from, double to) const;
+  /// Unit, as the triangle is wound; 0 where it has no area.
+  model::Vector3 outward(std::uint32_t body, std::uint32_t triangle) const;
+  struct OtherSide;
   const Look& look_of(const Placed& placed, std::uint32_t triangle) const;
 
   const Embree& embree_;
