@@ -268,8 +268,11 @@ std::optional<Hit> Stage::first(RTCScene scene, RTCIntersectContext& context, co
   found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   embree_.intersect(scene, &context, &found);
   if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  return Hit{static_cast<double>(found.ray.tfar), found.hit.instID[0], found.hit.primID,
-             static_cast<double>(found.hit.u), static_cast<double>(found.hit.v)};
+  Hit hit{found.ray.tfar, found.hit.instID[0], found.hit.primID, found.hit.u, found.hit.v};
+  // Embree's is in the mesh's axes.
+  const model::Vector3 normal{found.hit.Ng_x, found.hit.Ng_y, found.hit.Ng_z};
+  hit.back = dot(bodies_[hit.body].turned(normal), ray.direction) > 0;
+  return hit;
 }
 
 model::Vector3 Stage::outward(std::uint32_t body, std::uint32_t triangle) const {
@@ -300,9 +303,8 @@ std::optional<Hit> Stage::first_front(RTCScene scene, const Ray& ray, double fro
                                       double to) const {
   RTCIntersectContext plain = coherent_rays();
   const std::optional<Hit> hit = first(scene, plain, ray, from, to);
-  if (!hit) return hit;
+  if (!hit || !hit->back) return hit;
   OtherSide other{coherent_rays(), this, outward(hit->body, hit->triangle)};
-  if (dot(other.back, ray.direction) <= 0) return hit;
   other.embree.filter = OtherSide::refuse_others;
   const std::optional<Hit> front =
       first(scene, other.embree, ray, std::max(from, hit->t * (1 - kInOnePlace)),
@@ -362,18 +364,14 @@ Touched Stage::touched(const Hit& hit, const Ray& ray) const {
   }
 
   const model::Vector3 to_eye = -1.0 * ray.direction;
-  const auto turned = [&placed](const model::Vector3& n) {
-    return model::Vector3{dot(placed.normal_rows[0], n), dot(placed.normal_rows[1], n),
-                          dot(placed.normal_rows[2], n)};
-  };
   // Meshes are wound either way: what faces the eye is the outside.
   const mesh::Facet at = facet(triangles, triangles.triangles[hit.triangle]);
-  result.facet = unit_or(turned(mesh::area_vector(at)), to_eye);
+  result.facet = unit_or(placed.turned(mesh::area_vector(at)), to_eye);
   if (dot(result.facet, to_eye) < 0) result.facet = -1.0 * result.facet;
   result.normal = result.facet;
   if (hit.triangle < corners.normals.size()) {
-    result.normal =
-        unit_or(turned(between_corners(corners.normals[hit.triangle], hit.u, hit.v)), result.facet);
+    result.normal = unit_or(
+        placed.turned(between_corners(corners.normals[hit.triangle], hit.u, hit.v)), result.facet);
     if (dot(result.normal, result.facet) < 0) result.normal = -1.0 * result.normal;
   }
   return result;

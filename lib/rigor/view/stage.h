@@ -40,6 +40,7 @@ struct Hit {
   std::uint32_t body = 0;
   std::uint32_t triangle = 0;
   double u = 0, v = 0;  ///< shares of the triangle's second and third corner
+  bool back = false;    ///< it is met from inside, as the triangle is wound
 };
 
 /// What is seen there.
@@ -91,6 +92,11 @@ class Stage {
     bool mark = false;
     bool ground = false;
     bool glass = false;
+
+    model::Vector3 turned(const model::Vector3& normal) const {
+      return {dot(normal_rows[0], normal), dot(normal_rows[1], normal),
+              dot(normal_rows[2], normal)};
+    }
   };
   struct MeshScene {
     RTCScene scene = nullptr;
