@@ -7,6 +7,7 @@
 #include <cmath>
 #include <variant>
 
+#include <rigor/read/discover.h>
 #include <rigor/read/model_config.h>
 #include <rigor/report/summary.h>
 #include <rigor/schema/value.h>
@@ -54,6 +55,23 @@ std::array<double, 2> joint_position(const std::string& option, const std::strin
 }
 
 }  // namespace
+
+std::vector<std::string> model_paths(const Disk& disk, const std::vector<std::string>& named) {
+  std::vector<std::string> all;
+  for (const std::string& path : named) {
+    const bool folder = disk.kind(path) == PathKind::kFolder;
+    if (!folder || disk.kind(join_path(path, "model.config")) == PathKind::kFile) {
+      all.push_back(path);
+      continue;
+    }
+    const read::Discovered found = read::discover(disk, {path});
+    for (const std::string& unusable : found.unusable) throw UsageError(unusable);
+    for (const std::string& file : found.files) {
+      if (!file.ends_with("model.config")) all.push_back(file);
+    }
+  }
+  return all;
+}
 
 const read::File& open_model(read::Workspace& workspace, const std::string& named) {
   const Disk& disk = workspace.disk();

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The one model file that a command is about, from what the user named.
+// The models that a command is about, from what the user named.
 
 #pragma once
 
@@ -12,11 +12,16 @@
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
 #include <rigor/read/workspace.h>
+#include <rigor/text/disk.h>
 
 namespace rigor::tool {
 
 /// A file, or a folder with a model.config, which names one. A UsageError when it cannot be read.
 const read::File& open_model(read::Workspace& workspace, const std::string& path);
+
+/// What `open_model` takes, one by one: of a folder without a model.config, all files in it. A UsageError when a
+/// folder cannot be read.
+std::vector<std::string> model_paths(const Disk& disk, const std::vector<std::string>& named);
 
 /// Of `--joint NAME=VALUE`: by scoped name; a name without its scope will do when only one joint has
 /// it.

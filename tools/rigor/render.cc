@@ -13,7 +13,6 @@
 #include <vector>
 
 #include <rigor/environment.h>
-#include <rigor/read/discover.h>
 #include <rigor/report/printable.h>
 #include <rigor/report/summary.h>
 #include <rigor/text/path.h>
@@ -21,6 +20,7 @@
 
 #include "atomic_file.h"
 #include "command.h"
+#include "model_file.h"
 #include "output.h"
 #include "render_model.h"
 #include "search.h"
@@ -151,23 +151,12 @@ class Render final : public Command {
     return otherwise;
   }
 
-  /// A folder with a model.config is that model; any other is what it holds.
   std::vector<std::string> models(const Disk& disk) const {
-    std::vector<std::string> all;
     for (const std::string& path : paths_) {
       if (disk.kind(path) == PathKind::kMissing)
         throw UsageError(path + ": no such file or folder");
-      const bool folder = disk.kind(path) == PathKind::kFolder;
-      if (!folder || disk.kind(join_path(path, "model.config")) == PathKind::kFile) {
-        all.push_back(path);
-        continue;
-      }
-      const read::Discovered found = read::discover(disk, {path});
-      for (const std::string& unusable : found.unusable) throw UsageError(unusable);
-      for (const std::string& file : found.files) {
-        if (!file.ends_with("model.config")) all.push_back(file);
-      }
     }
+    std::vector<std::string> all = model_paths(disk, paths_);
     if (all.empty()) throw UsageError("there is no model to draw");
     if (all.size() > kMostModels) {
       throw UsageError(report::counted(all.size(), "model") + ": no sheet holds more than " +

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include <rigor/rules/mesh_finder.h>
-#include <rigor/view/shrink.h>
 #include <rigor/view/drawing_files.h>
+#include <rigor/view/shrink.h>
 
 #include "render_model.h"
 #include "xacro.h"
@@ -116,7 +116,8 @@ void ModelGatherer::draw(GatheredModel& model, const model::Frames& frames,
       ModelPainter::picture(drawing, view::View::kPerspective,
                             {report::kReportPictureWidth, report::kReportPictureHeight, 1});
   model.told.picture = view::to_png(picture);
-  model.told.thumbnail = view::to_png(view::shrunk(picture, report::kReportPictureWidth / report::kThumbnailShare));
+  model.told.thumbnail =
+      view::to_png(view::shrunk(picture, report::kReportPictureWidth / report::kThumbnailShare));
 }
 
 }  // namespace rigor::tool

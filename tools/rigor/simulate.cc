@@ -10,7 +10,6 @@
 
 #include <rigor/author/simulation.h>
 #include <rigor/environment.h>
-#include <rigor/read/discover.h>
 #include <rigor/read/load.h>
 #include <rigor/report/printable.h>
 #include <rigor/report/simulation.h>
@@ -91,20 +90,7 @@ class Simulate final : public Command {
     if (named.empty()) {
       throw UsageError("simulate needs a model; `rigor simulate --help` shows examples");
     }
-    // A folder with a model.config is that model; any other is what it holds.
-    std::vector<std::string> all;
-    for (const std::string& path : named) {
-      const bool folder = disk.kind(path) == PathKind::kFolder;
-      if (!folder || disk.kind(path + "/model.config") == PathKind::kFile) {
-        all.push_back(path);
-        continue;
-      }
-      const read::Discovered found = read::discover(disk, {path});
-      for (const std::string& unusable : found.unusable) throw UsageError(unusable);
-      for (const std::string& file : found.files) {
-        if (!file.ends_with("model.config")) all.push_back(file);
-      }
-    }
+    std::vector<std::string> all = model_paths(disk, named);
     several_ = all.size() > 1;
     return all;
   }
