@@ -153,7 +153,7 @@ class Applier {
 
   /// URIs of the file that are no shape's.
   void look_elsewhere() {
-    for (const rules::Uri& uri : rules::uris_of(*file_.document)) {
+    for (const rules::Uri& uri : rules::uris_of(rules::elements_about_files(*file_.document))) {
       if (replacement_of(std::string(uri.text), root_.source) == nullptr) continue;
       if (!seen_.contains(place(uri.where))) {
         result_.left.push_back({uri.where, {}, NotEdited::kElsewhere});

@@ -7,7 +7,7 @@ namespace rigor::model {
 namespace {
 
 std::string joined(std::string scope, const std::string& name) {
-  return scope.empty() ? name : std::move(scope) + "::" + name;
+  return scope.empty() ? name : std::move(scope.append("::").append(name));
 }
 
 }  // namespace

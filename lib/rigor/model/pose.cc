@@ -15,18 +15,10 @@ Quaternion operator*(const Quaternion& a, const Quaternion& b) {
       a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
 }
 
-Quaternion conjugate(const Quaternion& q) { return {q.w, -q.x, -q.y, -q.z}; }
-
 Quaternion normalized(const Quaternion& q) {
   const double norm = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
   if (norm == 0) return {};
   return {q.w / norm, q.x / norm, q.y / norm, q.z / norm};
-}
-
-Vector3 rotate(const Quaternion& q, const Vector3& v) {
-  const Vector3 u{q.x, q.y, q.z};
-  const Vector3 t = 2 * cross(u, v);
-  return v + q.w * t + cross(u, t);
 }
 
 Matrix3 to_matrix(const Quaternion& q) {

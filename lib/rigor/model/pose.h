@@ -54,9 +54,13 @@ struct Quaternion {
 using Matrix3 = std::array<std::array<double, 3>, 3>;
 
 Quaternion operator*(const Quaternion& a, const Quaternion& b);
-Quaternion conjugate(const Quaternion& q);
+inline Quaternion conjugate(const Quaternion& q) { return {q.w, -q.x, -q.y, -q.z}; }
 Quaternion normalized(const Quaternion& q);  ///< the identity for a zero quaternion
-Vector3 rotate(const Quaternion& q, const Vector3& v);
+inline Vector3 rotate(const Quaternion& q, const Vector3& v) {
+  const Vector3 u{q.x, q.y, q.z};
+  const Vector3 t = 2 * cross(u, v);
+  return v + q.w * t + cross(u, t);
+}
 Matrix3 to_matrix(const Quaternion& q);
 
 /// Roll, pitch and yaw in radians about the fixed x, y and z axes, in this order: R = Rz Ry Rx.

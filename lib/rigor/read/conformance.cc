@@ -56,10 +56,9 @@ class SchemaWalk {
   void attributes(xml::Element element, const Node& node) {
     for (const xml::Attribute attribute : element.attributes()) {
       const std::string_view name = attribute.name();
-      if (is_foreign(name) || name == "xmlns") continue;
       if (const auto known = node.attribute(name)) {
         attribute_value(element, attribute, *known);
-      } else {
+      } else if (!is_foreign(name) && name != "xmlns") {
         unknown_attribute(element, attribute, node);
       }
     }
@@ -114,7 +113,6 @@ class SchemaWalk {
     const std::size_t others = seen_.size();
     for (const xml::Element child : element.children()) {
       const std::string_view name = child.name();
-      if (is_foreign(name)) continue;
       if (const auto known = node.child(name)) {
         repeated(others, child, *known);
         if (known->deprecated_since()) {
@@ -125,7 +123,7 @@ class SchemaWalk {
                .parent = node});
         }
         this->element(child, *known);
-      } else {
+      } else if (!is_foreign(name)) {
         unknown_element(child, node);
       }
     }
@@ -228,6 +226,7 @@ class SchemaWalk {
         return add(fact);
       }
     }
+    if (!node.may_have_limits()) return;
     const std::string_view value = trimmed(text);
     // What the schema writes as its own default is never out of its own bounds or list.
     const schema::Enumeration list = node.enumeration();

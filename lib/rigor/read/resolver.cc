@@ -86,8 +86,8 @@ Resolution Resolver::resolve(std::string_view uri, std::string_view file) const 
     resolve_package(rest, file, result);
   } else {
     // A path: beside the file first, then wherever models are.
-    try_path(join_path(parent_path(file), rest), "beside the file", result);
-    if (!result.path && !is_absolute(rest)) resolve_model(rest, file, result);
+    const bool found = try_path(join_path(parent_path(file), rest), "beside the file", result);
+    if (!found && !is_absolute(rest)) resolve_model(rest, file, result);
   }
   if (!result.path) find_other_case(result);
   return result;
@@ -97,47 +97,54 @@ const ConfiguredPaths* Resolver::configured(std::string_view file) const {
   return paths_.configured ? paths_.configured(file) : nullptr;
 }
 
-void Resolver::try_path(std::string path, std::string_view origin, Resolution& result) const {
-  if (result.path) return;
+bool Resolver::try_path(std::string path, std::string_view origin, Resolution& result) const {
   const auto known = [&path](const Tried& tried) { return tried.path == path; };
-  if (std::any_of(result.tried.begin(), result.tried.end(), known)) return;
+  if (std::any_of(result.tried.begin(), result.tried.end(), known)) return false;
   const PathKind kind = disk_.kind(path);
+  const bool found = kind == PathKind::kFile || kind == PathKind::kFolder;
   result.tried.push_back({path, std::string(origin)});
-  if (kind == PathKind::kFile || kind == PathKind::kFolder) result.path = std::move(path);
+  if (found) result.path = std::move(path);
+  return found;
+}
+
+bool Resolver::try_folders(const std::vector<SearchPath>& folders, std::string_view rest,
+                           Resolution& result) const {
+  return std::any_of(folders.begin(), folders.end(), [&](const SearchPath& path) {
+    return try_path(join_path(path.folder, rest), path.origin, result);
+  });
+}
+
+bool Resolver::try_configured(const ConfiguredPaths& paths, std::string_view rest,
+                              Resolution& result) const {
+  return std::any_of(paths.folders.begin(), paths.folders.end(), [&](const std::string& path) {
+    return try_path(join_path(path, rest), kConfiguredOrigin, result);
+  });
 }
 
 void Resolver::resolve_model(std::string_view rest, std::string_view file,
                              Resolution& result) const {
-  for (const SearchPath& path : paths_.given) {
-    try_path(join_path(path.folder, rest), path.origin, result);
-  }
-  if (const ConfiguredPaths* paths = result.path ? nullptr : configured(file)) {
-    for (const std::string& path : paths->folders) {
-      try_path(join_path(path, rest), kConfiguredOrigin, result);
-    }
+  if (try_folders(paths_.given, rest, result)) return;
+  if (const ConfiguredPaths* paths = configured(file)) {
+    if (try_configured(*paths, rest, result)) return;
   }
   // The folder of the model that the file belongs to, and the models beside it.
   std::string folder(parent_path(file));
-  for (int i = 0; i < kMaxAncestors && !result.path; ++i) {
-    const std::string parent = above(folder);
+  for (int i = 0; i < kMaxAncestors; ++i) {
+    std::string parent = above(folder);
     if (disk_.kind(join_path(folder, "model.config")) == PathKind::kFile) {
-      try_path(join_path(parent, rest), "neighbour of the model's folder", result);
+      if (try_path(join_path(parent, rest), "neighbour of the model's folder", result)) return;
       break;
     }
     if (parent == folder || folder == "/") break;
-    folder = parent;
+    folder = std::move(parent);
   }
   // A world belongs to no model: what lies around it, as in `worlds/` beside `models/`.
   const std::string beside(parent_path(file));
-  for (const std::string& around : {beside, above(beside), join_path(above(beside), "models")}) {
-    try_path(join_path(around, rest), "around the file's folder", result);
+  const std::string around = above(beside);
+  for (const std::string& place : {beside, around, join_path(around, "models")}) {
+    if (try_path(join_path(place, rest), "around the file's folder", result)) return;
   }
-  for (const SearchPath& path : paths_.environment) {
-    try_path(join_path(path.folder, rest), path.origin, result);
-  }
-  for (const SearchPath& path : paths_.ros) {
-    try_path(join_path(path.folder, rest), path.origin, result);
-  }
+  if (!try_folders(paths_.environment, rest, result)) try_folders(paths_.ros, rest, result);
 }
 
 void Resolver::resolve_package(std::string_view rest, std::string_view file,
@@ -145,43 +152,38 @@ void Resolver::resolve_package(std::string_view rest, std::string_view file,
   const std::size_t slash = std::min(rest.find('/'), rest.size());
   const std::string name(rest.substr(0, slash));
   const std::string_view inside = slash < rest.size() ? rest.substr(slash + 1) : "";
-  if (const auto found = paths_.packages.find(name); found != paths_.packages.end()) {
-    try_path(join_path(found->second, inside), "--package", result);
-  }
-  for (const SearchPath& path : paths_.given) {
-    try_path(join_path(path.folder, rest), path.origin, result);
-  }
-  if (const ConfiguredPaths* paths = result.path ? nullptr : configured(file)) {
-    if (const auto found = paths->packages.find(name); found != paths->packages.end()) {
-      try_path(join_path(found->second, inside), kConfiguredOrigin, result);
-    }
-    for (const std::string& path : paths->folders) {
-      try_path(join_path(path, rest), kConfiguredOrigin, result);
-    }
+  const auto try_package = [&](const std::map<std::string, std::string>& packages,
+                               std::string_view origin) {
+    const auto found = packages.find(name);
+    return found != packages.end() && try_path(join_path(found->second, inside), origin, result);
+  };
+  if (try_package(paths_.packages, "--package")) return;
+  if (try_folders(paths_.given, rest, result)) return;
+  if (const ConfiguredPaths* paths = configured(file)) {
+    if (try_package(paths->packages, kConfiguredOrigin)) return;
+    if (try_configured(*paths, rest, result)) return;
   }
   std::string folder(parent_path(file));
-  for (int i = 0; i < kMaxAncestors && !result.path; ++i) {
+  for (int i = 0; i < kMaxAncestors; ++i) {
     const std::string manifest = join_path(folder, "package.xml");
     const ReadResult read = disk_.read(manifest, kMaxPackageXml);
     if (read.bytes && package_name(*read.bytes) == name) {
-      try_path(join_path(folder, inside), "package.xml of the file's package", result);
+      if (try_path(join_path(folder, inside), "package.xml of the file's package", result)) return;
       break;
     }
     // A folder of the package's name, or one beside an ancestor: a workspace's `src`.
-    if (file_name(folder) == name) {
-      try_path(join_path(folder, inside), "folder of the package's name", result);
+    if (file_name(folder) == name &&
+        try_path(join_path(folder, inside), "folder of the package's name", result)) {
+      return;
     }
-    const std::string parent = above(folder);
-    try_path(join_path(join_path(parent, name), inside), "beside the file's folders", result);
+    std::string parent = above(folder);
+    if (try_path(join_path(join_path(parent, name), inside), "beside the file's folders", result)) {
+      return;
+    }
     if (parent == folder || folder == "/") break;
-    folder = parent;
+    folder = std::move(parent);
   }
-  for (const SearchPath& path : paths_.ros) {
-    try_path(join_path(path.folder, rest), path.origin, result);
-  }
-  for (const SearchPath& path : paths_.environment) {
-    try_path(join_path(path.folder, rest), path.origin, result);
-  }
+  if (!try_folders(paths_.ros, rest, result)) try_folders(paths_.environment, rest, result);
 }
 
 void Resolver::resolve_remote(std::string_view uri, Resolution& result) const {

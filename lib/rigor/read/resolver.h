@@ -78,7 +78,12 @@ class Resolver {
 
  private:
   const ConfiguredPaths* configured(std::string_view file) const;
-  void try_path(std::string path, std::string_view origin, Resolution& result) const;
+  /// Each says whether it was found; what was tried is remembered.
+  bool try_path(std::string path, std::string_view origin, Resolution& result) const;
+  bool try_folders(const std::vector<SearchPath>& folders, std::string_view rest,
+                   Resolution& result) const;
+  bool try_configured(const ConfiguredPaths& paths, std::string_view rest,
+                      Resolution& result) const;
   void resolve_model(std::string_view rest, std::string_view file, Resolution& result) const;
   void resolve_package(std::string_view rest, std::string_view file, Resolution& result) const;
   void resolve_remote(std::string_view uri, Resolution& result) const;

@@ -106,8 +106,13 @@ const read::Resolution& Context::resolve(const std::string& uri) {
   return resolved_.emplace(uri, inputs_.resolver.resolve(uri, inputs_.path)).first->second;
 }
 
+const std::vector<xml::Element>& Context::elements_about_files() {
+  if (!elements_about_files_) elements_about_files_ = rules::elements_about_files(document());
+  return *elements_about_files_;
+}
+
 const std::vector<Uri>& Context::uris() {
-  if (!uris_) uris_ = uris_of(document());
+  if (!uris_) uris_ = uris_of(elements_about_files());
   return *uris_;
 }
 

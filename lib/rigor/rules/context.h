@@ -94,6 +94,8 @@ class Context {
   /// Where a URI that stands in this file leads. Looked up once, however many rules ask.
   const read::Resolution& resolve(const std::string& uri);
   const Disk& disk() const { return inputs_.resolver.disk(); }
+  /// Those that may name another file, as `package/assets.h` has them. Collected once.
+  const std::vector<xml::Element>& elements_about_files();
   /// The URIs that stand in the file. Collected once.
   const std::vector<Uri>& uris();
   /// The scopes of the file in which some name repeats. Collected once.
@@ -158,6 +160,7 @@ class Context {
   std::unordered_map<std::string_view, Tally> tallies_;  // by rule
   std::size_t compared_ = 0;
   std::unordered_map<std::string, read::Resolution> resolved_;
+  std::optional<std::vector<xml::Element>> elements_about_files_;
   std::optional<std::vector<Uri>> uris_;
   std::optional<std::vector<NameScope>> repeated_names_;
   std::optional<SdformatRobot> sdformat_robot_;

@@ -40,35 +40,74 @@ class NameCollector {
   /// The scopes of the file itself in which some name repeats: nearly none. Where an include names a
   /// thing, that is its place.
   std::vector<NameScope> collect() {
-    for (std::uint32_t i = 0; i < document_.element_count(); ++i) look_at(document_.element(i));
+    all_.reserve(document_.element_count() / 8);
+    for (std::uint32_t i = 1; i < document_.element_count(); ++i) look_at(document_.element(i));
+    // One scope after the other, each in the order of the file.
+    std::stable_sort(all_.begin(), all_.end(),
+                     [](const Member& a, const Member& b) { return a.scope < b.scope; });
+    for (auto scope = all_.begin(); scope != all_.end();) {
+      const auto end = std::find_if(
+          scope, all_.end(), [&](const Member& member) { return member.scope != scope->scope; });
+      if (some_repeat(scope, end)) keep(scope, end);
+      scope = end;
+    }
     return std::move(scopes_);
   }
 
  private:
+  struct Member {
+    std::string_view name;
+    std::uint32_t scope;                      // index of the element around it
+    std::uint32_t element;                    // its own
+    const model::Include* include = nullptr;  // that brings what has the name
+  };
+  using Members = std::vector<Member>::const_iterator;
+
   void look_at(xml::Element element) {
-    if (element.children().empty()) return;
-    members_.clear();
-    for (const xml::Element child : element.children()) {
-      const std::string_view kind = child.name();
-      const auto name = child.attribute("name");
-      if (!name && kind != "include") continue;
-      // What a plugin holds is its own business, and so is its name.
-      if (kind == "plugin" || kind.find(':') != std::string_view::npos) continue;
-      if (name) {
-        const Span where = name->value_span().size() > 0 ? name->value_span() : child.tag_span();
-        members_.push_back({kind, name->value(), where, child});
-      } else {
-        add_include(child);
-      }
+    const std::string_view kind = element.name();
+    if (element.attributes().empty() && kind != "include") return;
+    const auto parent = element.parent();
+    // What a plugin holds is its own business, and so is its name.
+    if (!parent || kind == "plugin" || kind.find(':') != std::string_view::npos) return;
+    if (const auto name = element.attribute("name")) {
+      all_.push_back({name->value(), parent->index(), element.index()});
+    } else if (kind == "include") {
+      add_include(element, parent->index());
     }
-    if (members_.size() > 1 && some_repeat() && !in_plugin(element)) scopes_.push_back({element.name(), members_});
   }
 
-  bool some_repeat() {
+  /// An include stands for the model that it brings, under the name that it gives it.
+  void add_include(xml::Element element, std::uint32_t scope) {
+    for (const model::Include& include : root_.includes) {
+      if (!root_.own(include.site) || include.site.element != element.index()) continue;
+      if (!include.loaded || include.merge.value) return;
+      all_.push_back({root_[include.loaded].name.value, scope, element.index(), &include});
+    }
+  }
+
+  bool some_repeat(Members begin, Members end) {
+    if (end - begin < 2) return false;
     names_.clear();
-    for (const Named& named : members_) names_.push_back(named.name);
+    for (auto member = begin; member != end; ++member) names_.push_back(member->name);
     std::sort(names_.begin(), names_.end());
     return std::adjacent_find(names_.begin(), names_.end()) != names_.end();
+  }
+
+  void keep(Members begin, Members end) {
+    const xml::Element around = document_.element(begin->scope);
+    if (in_plugin(around)) return;
+    NameScope& scope = scopes_.emplace_back(NameScope{around.name(), {}});
+    for (auto member = begin; member != end; ++member) scope.members.push_back(named(*member));
+  }
+
+  Named named(const Member& member) const {
+    const xml::Element element = document_.element(member.element);
+    if (const model::Include* include = member.include) {
+      const Span where = include->name.written ? include->name.span : include->site.name;
+      return {"model", member.name, where, element};
+    }
+    const Span value = element.attribute("name")->value_span();
+    return {element.name(), member.name, value.size() > 0 ? value : element.tag_span(), element};
   }
 
   static bool in_plugin(std::optional<xml::Element> element) {
@@ -78,20 +117,10 @@ class NameCollector {
     return false;
   }
 
-  /// An include stands for the model that it brings, under the name that it gives it.
-  void add_include(xml::Element element) {
-    for (const model::Include& include : root_.includes) {
-      if (!root_.own(include.site) || include.site.element != element.index()) continue;
-      if (!include.loaded || include.merge.value) return;
-      const Span where = include.name.written ? include.name.span : include.site.name;
-      members_.push_back({"model", root_[include.loaded].name.value, where, element});
-    }
-  }
-
   const xml::Document& document_;
   const model::Root& root_;
-  std::vector<Named> members_;           // of the scope that is looked at
-  std::vector<std::string_view> names_;  // theirs, sorted
+  std::vector<Member> all_;
+  std::vector<std::string_view> names_;  // of the scope that is looked at, sorted
   std::vector<NameScope> scopes_;
 };
 

@@ -146,13 +146,13 @@ class Runner::Walk {
     if (document->complete()) check_model();
   }
 
-  template <class CheckType, class Entity>
-  void call(const std::pair<Active, CheckType>& slot, CheckOf<Entity> check, const Entity& entity) {
-    const auto& [rule, category, severity, compat] = slot.first;
-    if (!applies(rule->formats, loaded_.root.format)) return;
+  /// Whether the rule has a say in this file, which its findings are then told of.
+  bool begin(const Active& active) {
+    const auto& [rule, category, severity, compat] = active;
+    if (!applies(rule->formats, loaded_.root.format)) return false;
     context_.begin_rule(rule->name, category, severity);
     if (compat == Compat::kSdformat) context_.judge_by(refusal_in(*rule, loaded_.root.format));
-    check(entity, context_);
+    return true;
   }
 
   template <class Fact>
@@ -160,21 +160,30 @@ class Runner::Walk {
     using Kind = std::decay_t<decltype(fact.kind)>;
     for (const auto& slot : std::get<Slot<FactCheck<Fact, Kind>>>(runner_.slots_)) {
       const auto& kinds = slot.second.kinds;
-      if (std::find(kinds.begin(), kinds.end(), fact.kind) != kinds.end()) {
-        call(slot, slot.second.check, fact);
-      }
+      if (std::find(kinds.begin(), kinds.end(), fact.kind) == kinds.end()) continue;
+      if (begin(slot.first)) slot.second.check(fact, context_);
+    }
+  }
+
+  /// Each check in turn, so that its code is at hand for all that it looks at.
+  template <class Entity>
+  void check_each(const std::vector<const Entity*>& list) {
+    if (list.empty()) return;
+    for (const auto& [active, check] : std::get<Slot<CheckOf<Entity>>>(runner_.slots_)) {
+      if (!begin(active)) continue;
+      for (const Entity* entity : list) check(*entity, context_);
     }
   }
 
   /// The entities that the file itself holds; what it includes is told when that is checked.
   template <class Entity>
   void entities(const std::vector<Entity>& list) {
-    const auto& slots = std::get<Slot<CheckOf<Entity>>>(runner_.slots_);
-    if (slots.empty()) return;
+    std::vector<const Entity*> own;
+    own.reserve(list.size());
     for (const Entity& entity : list) {
-      if (!loaded_.root.own(entity.site)) continue;
-      for (const auto& slot : slots) call(slot, slot.second, entity);
+      if (loaded_.root.own(entity.site)) own.push_back(&entity);
     }
+    check_each(own);
   }
 
   void check_schema(const xml::Document& document) {
@@ -187,9 +196,7 @@ class Runner::Walk {
 
   void check_model() {
     const model::Root& root = loaded_.root;
-    for (const auto& slot : std::get<Slot<CheckOf<model::Root>>>(runner_.slots_)) {
-      call(slot, slot.second, root);
-    }
+    check_each<model::Root>({&root});
     for (const model::FrameProblem& problem : frames_.problems()) {
       if (problem.where.source == root.source && !follows_from_include(problem)) facts(problem);
     }
@@ -215,13 +222,12 @@ class Runner::Walk {
 
   template <class Entity>
   void check_meshes(const std::vector<Entity>& list, MeshRole role) {
-    const auto& slots = std::get<Slot<CheckOf<MeshUse>>>(runner_.slots_);
     for (const Entity& entity : list) {
       const auto* mesh = std::get_if<model::Mesh>(&entity.geometry.shape);
       if (mesh == nullptr || !loaded_.root.own(entity.site)) continue;
       const MeshUse use{*mesh, entity.geometry, context_.subject(entity),
                         role == MeshRole::kCollision};
-      for (const auto& slot : slots) call(slot, slot.second, use);
+      check_each<MeshUse>({&use});
       check_file_of(use);
     }
   }
@@ -239,9 +245,7 @@ class Runner::Walk {
 
   void check_file(const MeshFile& file) {
     context_.begin_mesh(file.facts.path);
-    for (const auto& slot : std::get<Slot<CheckOf<MeshFile>>>(runner_.slots_)) {
-      call(slot, slot.second, file);
-    }
+    check_each<MeshFile>({&file});
     context_.end_mesh();
   }
 

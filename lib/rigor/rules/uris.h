@@ -23,7 +23,7 @@ struct Uri {
 };
 
 /// Of includes, meshes, textures, scripts, heightmaps and actors; not of plugins, which may mean anything.
-inline std::vector<Uri> uris_of(const xml::Document& document) {
+inline std::vector<Uri> uris_of(const std::vector<xml::Element>& elements_about_files) {
   std::vector<Uri> uris;
   const auto add = [&uris](std::string_view text, Span span, bool verbatim) {
     const std::string_view inner = read::trimmed(text);
@@ -40,8 +40,7 @@ inline std::vector<Uri> uris_of(const xml::Document& document) {
     }
     return false;
   };
-  for (std::uint32_t i = 0; i < document.element_count(); ++i) {
-    const xml::Element element = document.element(i);
+  for (const xml::Element element : elements_about_files) {
     const std::string_view name = element.name();
     const bool is_uri = name == "uri" || name == "texture" || !kind_of_asset(element).empty();
     if (is_uri && element.children().empty() && !in_plugin(element)) {

@@ -61,6 +61,7 @@ class Parser {
     if (!read_lines() || !resolve_uses() || !check_blocks()) return std::move(*fault_);
     group_entries();
     find_keys();
+    find_only_types();
     if (!check_names()) return std::move(*fault_);
     reach();
     return std::move(tables_);
@@ -313,6 +314,25 @@ class Parser {
           line.keys |= only(tables_.facets[i].key);
         }
       }
+    }
+  }
+
+  void find_only_types() {
+    const int first = tables_.versions.front().minor;
+    for (Line& line : tables_.lines) {
+      const Facet* type = nullptr;
+      int said = 0;
+      for (const Line* one : {&line, &tables_.lines[line.declaration]}) {
+        for (std::uint32_t i = one->first_facet; i < one->last_facet; ++i) {
+          if (tables_.facets[i].key != Key::kType) continue;
+          type = &tables_.facets[i];
+          ++said;
+        }
+        if (said > 0) break;
+      }
+      if (said == 0) line.only_type = Type::kNone;
+      const bool always = said == 1 && type->from <= first && type->present;
+      if (always) line.only_type = static_cast<Type>(type->number);
     }
   }
 

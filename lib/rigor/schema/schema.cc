@@ -102,6 +102,7 @@ std::string_view Node::doc() const {
 bool Node::is_attribute() const { return tables_->lines[place_].kind == Kind::kAttribute; }
 
 Type Node::type() const {
+  if (const auto& type = tables_->lines[place_].only_type) return *type;
   const Facet* facet = tables_->facet(place_, declaration_, Key::kType, minor_);
   return facet ? static_cast<Type>(facet->number) : Type::kNone;
 }
@@ -129,6 +130,11 @@ std::optional<std::string_view> Node::maximum() const {
 Enumeration Node::enumeration() const {
   const Facet* facet = tables_->facet(place_, declaration_, Key::kEnum, minor_);
   return facet ? Enumeration(facet->value) : Enumeration();
+}
+
+bool Node::may_have_limits() const {
+  constexpr KeySet kLimits = only(Key::kEnum) | only(Key::kMin) | only(Key::kMax);
+  return (tables_->lines[place_].keys & kLimits) != 0;
 }
 
 std::optional<Version> Node::listed_since(std::string_view value) const {

@@ -93,6 +93,8 @@ class Node {
   std::optional<std::string_view> minimum() const;        // inclusive
   std::optional<std::string_view> maximum() const;        // inclusive
   Enumeration enumeration() const;
+  // Whether more than its type may limit a value: an enumeration, a minimum or a maximum in some version.
+  bool may_have_limits() const;
   // The first later version in which a value is listed that this one does not list.
   std::optional<Version> listed_since(std::string_view value) const;
   std::string_view unit() const;  // empty: none, or none that can be named

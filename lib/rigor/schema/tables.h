@@ -65,7 +65,8 @@ struct Line {
   VersionSet reachable = 0;  // and a document of that version can contain it
   VersionSet requires_child = 0;  // some child of it is required
   VersionSet requires_attribute = 0;
-  KeySet keys = 0;  // of its facets and of its declaration's
+  KeySet keys = 0;                // of its facets and of its declaration's
+  std::optional<Type> only_type;  // where it is one for all versions: of nearly every line
   Kind kind = Kind::kBlock;
   bool open = false;
 };

@@ -143,6 +143,28 @@ std::optional<double> read_short_decimal(const char* first, const char* last) {
   return static_cast<double>(digits) / kPowersOfTen[static_cast<std::size_t>(decimals)];
 }
 
+// How many plain decimals of few digits a text holds, and nothing else: finite numbers that need not be
+// computed to be taken. Nothing when there is any other word, which may be a number all the same.
+std::optional<std::size_t> count_short_decimals(std::string_view text) {
+  std::size_t count = 0;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (;; ++count) {
+    while (at != end && is_space(*at)) ++at;
+    if (at == end) return count;
+    if (*at == '-' || *at == '+') ++at;
+    const char* const first = at;
+    while (at != end && is_digit(*at)) ++at;
+    std::ptrdiff_t digits = at - first;
+    if (at != end && *at == '.') {
+      const char* const point = at++;
+      while (at != end && is_digit(*at)) ++at;
+      digits += at - point - 1;
+    }
+    if (digits == 0 || digits > kMostDigits || (at != end && !is_space(*at))) return std::nullopt;
+  }
+}
+
 template <class Real>
 Parsed<Real> read_real(std::string_view text, Token token) {
   const Unsigned number = take_prefix(text, token);
@@ -248,6 +270,20 @@ Parsed<Value> read_one(std::string_view text, Read read) {
   return parsed;
 }
 
+// How many numbers a value has, of a type that takes any that are finite; else 0.
+std::size_t reals_of(Type type, RotationFormat format) {
+  switch (type) {
+    case Type::kDouble:
+    case Type::kFloat:
+    case Type::kAngle: return 1;
+    case Type::kVector2: return 2;
+    case Type::kVector3:
+    case Type::kQuaternion: return 3;
+    case Type::kPose: return format == RotationFormat::kQuatXyzw ? 7 : 6;
+    default: return 0;
+  }
+}
+
 template <class Value>
 std::optional<ValueFault> fault_of(const Parsed<Value>& parsed) {
   const ValueFault* const found = std::get_if<ValueFault>(&parsed);
@@ -338,6 +374,8 @@ Parsed<PoseNumbers> parse_pose(std::string_view text, RotationFormat format) {
 }
 
 std::optional<ValueFault> check(Type type, std::string_view text, RotationFormat format) {
+  const std::size_t reals = reals_of(type, format);
+  if (reals > 0 && count_short_decimals(text) == reals) return std::nullopt;
   switch (type) {
     case Type::kNone:
     case Type::kString: return std::nullopt;

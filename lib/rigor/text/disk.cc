@@ -169,8 +169,9 @@ PathKind MemoryDisk::kind(const std::string& path) const {
   const std::string normal = normalize_path(path);
   if (files_.contains(normal)) return PathKind::kFile;
   if (normal == "." && !files_.empty()) return PathKind::kFolder;
-  const auto inside = files_.lower_bound(normal + "/");
-  const bool folder = inside != files_.end() && inside->first.starts_with(normal + "/");
+  const std::string prefix = normal + '/';
+  const auto inside = files_.lower_bound(prefix);
+  const bool folder = inside != files_.end() && inside->first.starts_with(prefix);
   return folder ? PathKind::kFolder : PathKind::kMissing;
 }
 
@@ -178,12 +179,16 @@ std::vector<std::string> MemoryDisk::list(const std::string& folder) const {
   const std::string normal = normalize_path(folder);
   const std::string prefix = normal == "." ? "" : normal + "/";
   std::vector<std::string> names;
-  for (auto it = files_.lower_bound(prefix); it != files_.end(); ++it) {
-    if (!it->first.starts_with(prefix)) break;
-    const std::string_view rest = std::string_view(it->first).substr(prefix.size());
-    names.emplace_back(rest.substr(0, rest.find('/')));
+  auto it = files_.lower_bound(prefix);
+  while (it != files_.end() && it->first.starts_with(prefix)) {
+    const std::size_t slash = it->first.find('/', prefix.size());
+    names.push_back(it->first.substr(prefix.size(), slash - prefix.size()));
+    if (slash == std::string::npos) {
+      ++it;
+    } else {  // past all that the folder holds
+      it = files_.lower_bound(it->first.substr(0, slash) + static_cast<char>('/' + 1));
+    }
   }
-  names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
 }
 

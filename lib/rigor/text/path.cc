@@ -10,11 +10,14 @@ namespace rigor {
 
 namespace {
 
-/// Whether nothing in a path is to be removed; most paths are like that.
+/// Whether nothing in a path is to be removed; most paths are like that: no part is empty or begins with
+/// a dot.
 bool is_normal(std::string_view path) {
-  if (path.empty() || path.ends_with('/') || path.starts_with("./") || path == ".") return false;
-  return path.find("//") == std::string_view::npos && path.find("/.") == std::string_view::npos &&
-         path.find("..") == std::string_view::npos;
+  if (path.empty() || path.front() == '.' || path.back() == '/') return false;
+  for (std::size_t at = path.find('/'); at != std::string_view::npos; at = path.find('/', at + 1)) {
+    if (path[at + 1] == '/' || path[at + 1] == '.') return false;
+  }
+  return true;
 }
 
 }  // namespace

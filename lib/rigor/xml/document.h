@@ -173,6 +173,9 @@ class Document {
   };
 
   std::string_view decoded(const TextRecord& text) const;
+  std::string_view between(std::uint32_t begin, std::uint32_t end) const {
+    return {bytes_.data() + begin, end - begin};
+  }
   Span span(std::uint32_t begin, std::uint32_t end) const { return {source_, begin, end}; }
 
   SourceId source_ = kNoSource;
@@ -201,7 +204,7 @@ inline Range<Attribute>::Iterator& Range<Attribute>::Iterator::operator++() {
 
 inline std::string_view Document::decoded(const TextRecord& text) const {
   if (text.decoded != kNone) return decoded_[text.decoded];
-  return bytes_.substr(text.begin, text.end - text.begin);
+  return between(text.begin, text.end);
 }
 
 inline std::optional<Element> Document::root() const {
@@ -211,7 +214,7 @@ inline std::optional<Element> Document::root() const {
 
 inline std::string_view Attribute::name() const {
   const auto& record = document_->attributes_[index_];
-  return document_->bytes_.substr(record.name_begin, record.name_end - record.name_begin);
+  return document_->between(record.name_begin, record.name_end);
 }
 
 inline std::string_view Attribute::value() const {
@@ -239,7 +242,7 @@ inline bool Attribute::verbatim() const {
 
 inline std::string_view Element::name() const {
   const auto& record = document_->elements_[index_];
-  return document_->bytes_.substr(record.begin + 1, record.name_end - record.begin - 1);
+  return document_->between(record.begin + 1, record.name_end);
 }
 
 inline Span Element::name_span() const {
@@ -310,5 +313,8 @@ inline bool Element::cut() const { return document_->elements_[index_].cut; }
 
 /// Reads `bytes`, which must outlive the document. Never fails: what is wrong stands in `faults()`.
 Document parse(std::string_view bytes, SourceId source);
+
+/// The same for what rigor wrote itself: tinyxml2 is not asked whether it is well-formed.
+Document parse_own(std::string_view bytes, SourceId source);
 
 }  // namespace rigor::xml

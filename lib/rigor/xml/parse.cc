@@ -67,7 +67,22 @@ class Builder {
     document_.tokens_.reserve(bytes.size() / 24 + 8);
   }
 
+  Document build_judged() {
+    walk();
+    if (document_.complete_) ask_the_judge();
+    return std::move(document_);
+  }
+
   Document build() {
+    walk();
+    return std::move(document_);
+  }
+
+ private:
+  using Record = Document::ElementRecord;
+  static constexpr std::uint32_t kNone = Document::kNone;
+
+  void walk() {
     has_codes_ = needs_decoding(bytes_);
     if (is_wide_encoding(bytes_)) {
       fail({FaultKind::kUtf16, span(0, std::min<std::size_t>(bytes_.size(), 2)), {}, {}});
@@ -80,13 +95,7 @@ class Builder {
       finish();
     }
     if (at_ < bytes_.size()) token(TokenKind::kUnread, static_cast<std::uint32_t>(bytes_.size()));
-    if (document_.complete_) ask_the_judge();
-    return std::move(document_);
   }
-
- private:
-  using Record = Document::ElementRecord;
-  static constexpr std::uint32_t kNone = Document::kNone;
 
   Span span(std::size_t begin, std::size_t end) const {
     return {document_.source_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
@@ -472,6 +481,12 @@ class Builder {
   std::vector<std::string_view> known_prefixes_{"xml", "xmlns"};
 };
 
-Document parse(std::string_view bytes, SourceId source) { return Builder(bytes, source).build(); }
+Document parse(std::string_view bytes, SourceId source) {
+  return Builder(bytes, source).build_judged();
+}
+
+Document parse_own(std::string_view bytes, SourceId source) {
+  return Builder(bytes, source).build();
+}
 
 }  // namespace rigor::xml

@@ -109,7 +109,7 @@ std::string_view self_close(const Document& document, Element near) {
 }
 
 std::string in_style(const Document& document, Element near, std::string_view xml) {
-  const Document snippet = parse(xml, document.source());
+  const Document snippet = parse_own(xml, document.source());
   std::vector<Edit> edits;
   const auto replace = [&](std::uint32_t begin, std::uint32_t end, std::string text) {
     edits.push_back({{document.source(), begin, end}, std::move(text)});

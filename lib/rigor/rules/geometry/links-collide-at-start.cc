@@ -7,18 +7,11 @@
 namespace rigor::rules::links_collide_at_start {
 namespace {
 
-/// Nearly no file says it, so that the others need not be measured.
-bool somebody_self_collides(const model::Root& root, const SelfColliding& self_colliding,
-                            const Context& context) {
-  if (context.is_urdf()) return self_colliding.any();
-  return context.document().bytes().find("<self_collide") != std::string_view::npos &&
-         root.links.size() > 1;
-}
-
 void check(const model::Root& root, Context& context) {
   if (root.links.size() < 2 || root.collisions.size() < 2) return;
   const SelfColliding self_colliding(root, context);
-  if (!somebody_self_collides(root, self_colliding, context)) return;
+  // Nearly no file says it, so that the others need not be measured.
+  if (!self_colliding.any()) return;
   for (const auto& [top, pairs] : lasting_overlaps(root, context.frames())) {
     if (!root.own(root[top].site)) continue;
     std::vector<LinkOverlap> pushed;

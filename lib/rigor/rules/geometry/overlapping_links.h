@@ -113,7 +113,12 @@ class SelfColliding {
     }
   }
 
-  bool any() const { return all_ || !blocks_.empty(); }
+  bool any() const {
+    for (std::uint32_t i = 0; i < root_.links.size(); ++i) {
+      if ((*this)(model::Id<model::Link>{i})) return true;
+    }
+    return false;
+  }
 
   bool operator()(model::Id<model::Link> id) const {
     const model::Link& link = root_[id];

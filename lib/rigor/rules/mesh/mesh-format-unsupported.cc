@@ -1,13 +1,15 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <string_view>
 
 #include <rigor/rules/mesh/file_fault.h>
 #include <rigor/rules/rule.h>
-#include <rigor/schema/suggest.h>
+#include <rigor/text/path.h>
 
 namespace rigor::rules::mesh_format_unsupported {
 namespace {
@@ -26,10 +28,8 @@ void check(const MeshUse& use, Context& context) {
   if (uri.empty()) return;
   const bool none = dot == std::string::npos || (slash != std::string::npos && dot < slash);
   const std::string extension = none ? "" : uri.substr(dot);
-  for (const std::string_view format : kFormats) {
-    if (extension.size() == format.size() && schema::edit_distance(extension, format, 0) == 0)
-      return;
-  }
+  const std::string format = rigor::extension(uri);
+  if (std::find(std::begin(kFormats), std::end(kFormats), format) != std::end(kFormats)) return;
   context.report({.where = use.mesh.uri.span,
                   .message = none ? "the mesh has no file extension: nobody knows its format"
                                   : read_by_none(extension),

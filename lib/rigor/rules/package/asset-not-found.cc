@@ -58,9 +58,7 @@ struct Missing {
 /// What the file names and nobody has, by URI; of the first place that names it.
 std::map<std::string, Missing> missing_assets(Context& context) {
   std::map<std::string, Missing> missing;
-  const xml::Document& document = context.document();
-  for (std::uint32_t i = 0; i < document.element_count(); ++i) {
-    const xml::Element element = document.element(i);
+  for (const xml::Element element : context.elements_about_files()) {
     const std::string_view kind = kind_of_asset(element);
     if (kind.empty()) continue;
     const auto written = asset_uri(element);

@@ -5,8 +5,10 @@
 
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include <rigor/read/values.h>
 #include <rigor/xml/document.h>
@@ -51,6 +53,33 @@ inline std::string_view kind_of_asset(xml::Element element) {
       return stands_in("image") ? "image" : "";
   }
   return "";
+}
+
+/// Whether an element names a file, or is one of `uri`, `mesh`, `texture` and `script`, which stand around such
+/// a name or hold it.
+inline bool is_about_files(xml::Element element) {
+  const std::string_view name = element.name();
+  switch (name.empty() ? '\0' : name.front()) {
+    case 'm':
+      if (name == "mesh") return true;
+      break;
+    case 's':
+      if (name == "script") return true;
+      break;
+    case 't': return name == "texture";
+    case 'u': return name == "uri";
+  }
+  return !kind_of_asset(element).empty();
+}
+
+/// Those of a file, found in one walk: every element has to be asked, and nearly none is.
+inline std::vector<xml::Element> elements_about_files(const xml::Document& document) {
+  std::vector<xml::Element> found;
+  for (std::uint32_t i = 0; i < document.element_count(); ++i) {
+    const xml::Element element = document.element(i);
+    if (is_about_files(element)) found.push_back(element);
+  }
+  return found;
 }
 
 /// The text of such an element; of URDF's <texture> the filename.

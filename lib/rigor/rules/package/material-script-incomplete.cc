@@ -22,9 +22,7 @@ bool has(xml::Element script, std::string_view name) {
 void check(const model::Root& root, Context& context) {
   constexpr int kFirstVersionWithUri = 2;
   if (root.version < kFirstVersionWithUri) return;
-  const xml::Document& document = context.document();
-  for (std::uint32_t i = 0; i < document.element_count(); ++i) {
-    const xml::Element script = document.element(i);
+  for (const xml::Element script : context.elements_about_files()) {
     const auto parent = script.parent();
     if (script.name() != "script" || !parent || parent->name() != "material") continue;
     const bool uri = has(script, "uri");

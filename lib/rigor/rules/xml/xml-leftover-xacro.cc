@@ -41,13 +41,23 @@ bool is_number(xml::Element element, xml::Attribute attribute) {
   return element.name() != "joint" && name != "link" && name != "joint";
 }
 
+bool has_prefix(std::string_view bytes) {
+  constexpr std::string_view kPrefix = "xacro";
+  std::size_t colon = bytes.find(':');
+  while (colon != std::string_view::npos && !bytes.substr(0, colon).ends_with(kPrefix)) {
+    colon = bytes.find(':', colon + 1);
+  }
+  return colon != std::string_view::npos;
+}
+
 Leftovers find(const xml::Document& document) {
   Leftovers found;
-  // Without these signs no value has it: true of nearly every file.
+  // Without these signs no value has it, and without the prefix no element: true of nearly every file.
   const auto has = [bytes = document.bytes()](char sign) {
     return bytes.find(sign) != std::string_view::npos;
   };
   const bool in_values = has('$') || has('&');
+  if (!in_values && !has_prefix(document.bytes())) return found;
   for (std::uint32_t i = 0; i < document.element_count(); ++i) {
     const xml::Element element = document.element(i);
     if (element.name().starts_with("xacro:")) {
