@@ -15,7 +15,8 @@ TEST(ForEachIndex, CallsWithEachOnceForAnyNumberOfThreads) {
   for (const unsigned threads : {0U, 1U, 3U, 64U}) {
     for (const std::size_t count : {0U, 1U, 7U, 100U}) {
       std::vector<int> calls(count, 0);
-      for_each_index(count, threads, 2, [&](std::size_t i) { ++calls[i]; });
+      Turns turns(threads);
+      for_each_index(count, turns, 2, [&](std::size_t i) { ++calls[i]; });
       EXPECT_EQ(calls, std::vector<int>(count, 1)) << threads;
     }
   }
@@ -27,7 +28,8 @@ TEST(ForEachIndex, TheOthersAreDoneWhenOneThrows) {
     ++calls[i];
     if (i == 7) throw std::runtime_error("seven");
   };
-  EXPECT_THROW(for_each_index(calls.size(), 4, 1, work), std::runtime_error);
+  Turns turns(4);
+  EXPECT_THROW(for_each_index(calls.size(), turns, 1, work), std::runtime_error);
   EXPECT_EQ(calls, std::vector<int>(50, 1));
 }
 

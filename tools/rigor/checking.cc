@@ -43,7 +43,8 @@ Checking::Checking(const CheckArguments& a, const Disk& disk)
       settings_(a.selection, a.search.config(), environment_.registry),
       changed_(a.changed_since.changed(a.paths.empty() ? std::vector<std::string>{"."} : a.paths)),
       cache_(a.cache.cache()),
-      reads_(disk),
+      turns_(a.jobs),
+      reads_(disk, turns_),
       surveys_(disk, {cache_ ? &*cache_ : nullptr, &reads_}),
       mesh_files_(disk, mass::MeshDepth::kFile, {cache_ ? &*cache_ : nullptr, &reads_}) {
   choose_files(disk);
@@ -52,10 +53,9 @@ Checking::Checking(const CheckArguments& a, const Disk& disk)
     selection.compat = compat;
     return selection;
   };
-  options_.threads = a.jobs;
   options_.shard = a.shard.shard();
   options_.meshes = a.no_mesh ? rules::MeshPolicy::kDoNotOpen : rules::MeshPolicy::kOpen;
-  options_.known = {&surveys_, &mesh_files_};
+  options_.known = {&surveys_, &mesh_files_, &turns_};
   if (!a.no_mesh && checks_many(disk)) reads_.expect_many();
 }
 

@@ -62,6 +62,8 @@ class Checking {
   /// What is known of meshes, for whoever asks for more than rules do.
   mass::MeshReads& reads() { return reads_; }
   mass::MeshSurveys& surveys() { return surveys_; }
+  /// Of all threads that ask for them.
+  Turns& turns() { return turns_; }
 
   /// Before anything else asks the configurations: a UsageError that tells of all that is wrong in one.
   void refuse_bad_settings() const;
@@ -83,6 +85,7 @@ class Checking {
   RuleSettings settings_;
   std::optional<ChangedFiles> changed_;
   std::optional<mass::MeshCache> cache_;
+  Turns turns_;
   mass::MeshReads reads_;
   mass::MeshSurveys surveys_;
   mass::MeshFiles mesh_files_;

@@ -174,7 +174,7 @@ class Report final : public Command {
     for (std::size_t begin = 0; begin < files.size(); begin += kModelsAtATime) {
       const std::size_t count = std::min(kModelsAtATime, files.size() - begin);
       std::vector<GatheredModel> models(count);
-      for_each_index(count, a_.jobs, 1, [&](std::size_t i) {
+      for_each_index(count, gatherer.turns(), 1, [&](std::size_t i) {
         const std::size_t file = files[begin + i];
         models[i] = gatherer.gather(result.files[file].path, drawn);
         models[i].told.file = file;

@@ -44,6 +44,8 @@ class ModelGatherer {
   GatheredModel gather(const std::string& path, Pictures pictures);
 
   read::Workspace& workspace() { return workspace_; }
+  /// Of the threads that gather.
+  Turns& turns() { return checking_.turns(); }
 
  private:
   void draw(GatheredModel& model, const model::Frames& frames, const view::Files& files) const;

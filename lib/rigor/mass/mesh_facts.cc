@@ -92,6 +92,8 @@ MeshFacts mesh_facts(const Disk& disk, const std::string& path, const mesh::Load
   return facts;
 }
 
+Turns* MeshMemory::turns() const { return reads ? reads->turns() : nullptr; }
+
 const MeshFacts& MeshFiles::find(const std::string& path, MeshDepth depth) {
   depth = std::max(depth, least_);
   return known_.find({path, depth}, [&] {

@@ -75,6 +75,8 @@ class MeshReads;
 struct MeshMemory {
   const MeshCache* cache = nullptr;  ///< what earlier runs found
   MeshReads* reads = nullptr;        ///< what is in memory
+
+  Turns* turns() const;  ///< of those who ask; null when there are none
 };
 
 /// Facts found once, however many links use a mesh. Safe across threads.
@@ -82,7 +84,7 @@ class MeshFiles {
  public:
   /// Each mesh is looked at as deep as is asked, and at least as deep as `least`.
   explicit MeshFiles(const Disk& disk, MeshDepth least = MeshDepth::kFile, MeshMemory memory = {})
-      : disk_(disk), least_(least), memory_(memory) {}
+      : disk_(disk), least_(least), memory_(memory), known_(memory.turns()) {}
 
   const MeshFacts& find(const std::string& path, MeshDepth depth);
 

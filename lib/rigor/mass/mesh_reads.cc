@@ -30,7 +30,8 @@ std::uint64_t bytes_of(const mesh::LoadedMesh& loaded) {
 
 std::shared_ptr<const mesh::LoadedMesh> MeshReads::find(const std::string& path) {
   const std::shared_ptr<Entry> entry = entry_of(path);
-  const std::lock_guard reading(entry->reading);
+  const std::unique_lock reading =
+      turns_ ? turns_->lock(entry->reading) : std::unique_lock(entry->reading);
   if (!entry->mesh) {
     auto mesh = std::make_shared<const mesh::LoadedMesh>(mesh::read_mesh(disk_, path, importer_));
     const std::lock_guard lock(mutex_);

@@ -22,6 +22,7 @@
 #include <rigor/mesh/read.h>
 #include <rigor/mesh/scene.h>
 #include <rigor/text/disk.h>
+#include <rigor/text/turns.h>
 
 namespace rigor::mass {
 
@@ -32,6 +33,10 @@ class MeshReads {
 
   explicit MeshReads(const Disk& disk, std::uint64_t max_bytes = kMaxBytes)
       : disk_(disk), max_bytes_(max_bytes) {}
+  /// For the workers of these turns: one who waits for a mesh lets others work.
+  MeshReads(const Disk& disk, Turns& turns) : MeshReads(disk) { turns_ = &turns; }
+
+  Turns* turns() const { return turns_; }
 
   /// Says that many scenes may come. Best said before there are threads.
   void expect_many() const { importer_.expect_many(); }
@@ -54,6 +59,7 @@ class MeshReads {
   const Disk& disk_;
   mesh::SceneImporter importer_;
   std::uint64_t max_bytes_;
+  Turns* turns_ = nullptr;
   std::mutex mutex_;
   Used used_;
   std::map<std::string, Used::iterator> known_;

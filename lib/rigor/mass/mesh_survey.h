@@ -62,7 +62,8 @@ MeshSurvey survey_mesh(const Disk& disk, const MeshChoice& choice, MeshReads& re
 /// Surveys made once, however many links use a mesh. Safe across threads.
 class MeshSurveys {
  public:
-  explicit MeshSurveys(const Disk& disk, MeshMemory memory = {}) : disk_(disk), memory_(memory) {}
+  explicit MeshSurveys(const Disk& disk, MeshMemory memory = {})
+      : disk_(disk), memory_(memory), known_(memory.turns()) {}
 
   const MeshSurvey& find(const MeshChoice& choice);
 

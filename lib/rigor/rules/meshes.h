@@ -7,12 +7,14 @@
 
 #include <rigor/mass/mesh_facts.h>
 #include <rigor/mass/mesh_survey.h>
+#include <rigor/text/turns.h>
 
 namespace rigor::rules {
 
 struct Meshes {
   mass::MeshSurveys* surveys = nullptr;  ///< as solids
   mass::MeshFiles* files = nullptr;      ///< as files
+  Turns* turns = nullptr;                ///< of those who ask for them from several threads
 };
 
 }  // namespace rigor::rules

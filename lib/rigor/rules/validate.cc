@@ -70,7 +70,8 @@ class Run {
         workspace_(environment.disk, sources),
         templates_(environment, sources, workspace_, options),
         runners_(environment.registry, options),
-        reads_(environment.disk),
+        turns_(options.threads),
+        reads_(environment.disk, turns_),
         surveys_(environment.disk, {nullptr, &reads_}),
         mesh_files_(environment.disk, mass::MeshDepth::kFile, {nullptr, &reads_}) {
     if (options.meshes == MeshPolicy::kDoNotOpen) return;
@@ -149,7 +150,8 @@ class Run {
       if (options_.shard.has(path)) add(path);
     }
     while (!generation.empty()) {
-      for_each_index(generation.size(), options_.threads, kFilesPerThread,
+      for_each_index(generation.size(), options_.known.turns ? *options_.known.turns : turns_,
+                     kFilesPerThread,
                      [&](std::size_t i) { check(generation[i].first, *generation[i].second); });
       for (const auto& [path, checked] : std::exchange(generation, {})) {
         for (const Included& included : checked->includes) add(included.path);
@@ -303,6 +305,7 @@ class Run {
   read::Workspace workspace_;
   ExpandedTemplates templates_;
   Runners runners_;
+  Turns turns_;
   mass::MeshReads reads_;
   mass::MeshSurveys surveys_;
   mass::MeshFiles mesh_files_;

@@ -60,7 +60,8 @@ struct ValidateOptions {
   /// once a file, from one thread.
   std::function<Selection(const std::string& path)> selection_for;
   MeshPolicy meshes = MeshPolicy::kOpen;
-  /// What an earlier run over the same files knows of their meshes, and this one adds to.
+  /// What an earlier run over the same files knows of their meshes, and this one adds to; with turns, they say
+  /// how many threads there are.
   Meshes known;
   unsigned threads = 1;  ///< 0: as many as there are cores; the result is the same for any number
   /// Only its part of the files is checked. What a file says of others is as if all were.

@@ -4,7 +4,8 @@
 // The same work for many things, by several threads. Results go where each index has a place of its own, so
 // that they do not depend on who did what.
 //
-//   for_each_index(files.size(), threads, 4, [&](std::size_t i) { facts[i] = read(files[i]); });
+//   Turns turns(threads);
+//   for_each_index(files.size(), turns, 4, [&](std::size_t i) { facts[i] = read(files[i]); });
 
 #pragma once
 
@@ -16,22 +17,26 @@
 #include <thread>
 #include <vector>
 
+#include <rigor/text/turns.h>
+
 namespace rigor {
 
-/// Calls `work` with each index below `count`, from so many threads at most (0: as many as cores), and from one
-/// for each `per_thread` things: fewer are not worth a thread. Each thread begins in a part of its own, then
-/// helps in the others: neighbours use the same meshes, and two threads at one mesh would wait for each other.
-/// Throws what a `work` threw, when all have ended.
+/// Calls `work` with each index below `count`, in as many threads at the same time as there are turns at
+/// most, and one for each `per_thread` things: fewer are not worth a thread. As many again stand ready for
+/// turns that are given back. Each thread begins in a part of its own, then helps in the others: neighbours
+/// use the same meshes, and two threads at one mesh would wait for each other. Throws what a `work` threw,
+/// when all have ended.
 template <class Work>
-void for_each_index(std::size_t count, unsigned threads, std::size_t per_thread, const Work& work) {
-  if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
-  const std::size_t parts = std::clamp<std::size_t>(count / per_thread, 1, threads);
+void for_each_index(std::size_t count, Turns& turns, std::size_t per_thread, const Work& work) {
+  const std::size_t working = std::clamp<std::size_t>(count / per_thread, 1, turns.count());
+  const std::size_t parts = working == 1 ? 1 : 2 * working;
   const auto begin_of = [&](std::size_t part) { return count * part / parts; };
   std::vector<std::atomic<std::size_t>> next(parts);
   for (std::size_t part = 0; part < parts; ++part) next[part] = begin_of(part);
   std::exception_ptr failure;
   std::mutex mutex;
   const auto run = [&](std::size_t own) {
+    turns.take();
     for (std::size_t k = 0; k < parts; ++k) {
       const std::size_t part = (own + k) % parts;
       for (std::size_t i = next[part]++; i < begin_of(part + 1); i = next[part]++) {
@@ -43,6 +48,7 @@ void for_each_index(std::size_t count, unsigned threads, std::size_t per_thread,
         }
       }
     }
+    turns.give_back();
   };
   std::vector<std::thread> others;
   for (std::size_t part = 1; part < parts; ++part) others.emplace_back(run, part);

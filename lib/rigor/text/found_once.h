@@ -14,17 +14,23 @@
 #include <mutex>
 #include <optional>
 
+#include <rigor/text/turns.h>
+
 namespace rigor {
 
 template <class Key, class Value>
 class FoundOnce {
  public:
+  /// With turns, those who ask are their workers: one who waits lets others work.
+  explicit FoundOnce(Turns* turns = nullptr) : turns_(turns) {}
+
   /// The reference stays valid as long as this. Safe across threads; `make` may ask for other keys. When it
   /// throws, the next who asks makes it.
   template <class Make>
   const Value& find(const Key& key, const Make& make) {
     Entry& entry = entry_of(key);
-    const std::lock_guard lock(entry.mutex);
+    const std::unique_lock lock =
+        turns_ ? turns_->lock(entry.mutex) : std::unique_lock(entry.mutex);
     if (!entry.value) entry.value.emplace(make());
     return *entry.value;
   }
@@ -42,6 +48,7 @@ class FoundOnce {
     return *entry;
   }
 
+  Turns* turns_;
   std::mutex mutex_;
   std::map<Key, std::unique_ptr<Entry>> entries_;
 };
