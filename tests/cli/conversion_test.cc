@@ -70,7 +70,7 @@ TEST_F(ConversionCli, MeshesAreFoundFromWhereverTheResultStands) {
   const auto mesh = [this](const std::string& out, const std::string& how = "") {
     const Ran ran = folder.rigor("sdf2urdf models/arm -o " + out + " " + how);
     EXPECT_EQ(ran.exit, 0) << ran.err;
-    const Ran found = folder.rigor("validate --select asset-not-found " + out);
+    const Ran found = folder.rigor("validate --select mesh-not-found " + out);
     EXPECT_EQ(found.exit, 0) << found.out;
     const std::string text = folder.get(out);
     const std::size_t at = text.find("<mesh filename=\"") + 16;

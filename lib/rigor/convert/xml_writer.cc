@@ -127,8 +127,7 @@ void XmlWriter::end_remarked(const Remarks& remarks) {
   std::map<std::size_t, std::string> added;
   for (const Remark& remark : remarks) {
     const Place place = place_of(remark);
-    const std::size_t inside = remark.places.empty() || place.name != kAtEnd ? 0 : 1;
-    added[place.at] += comment_line(remark.text, place.depth + inside);
+    added[place.at] += comment_line(remark.text, place.depth + (place.name == kAtEnd ? 1 : 0));
   }
   for (auto one = added.rbegin(); one != added.rend(); ++one) out_.insert(one->first, one->second);
 }
