@@ -57,6 +57,33 @@ TEST_F(ConversionCli, RefusesAReportWhereTheModelGoes) {
   EXPECT_TRUE(exists("report.json"));
 }
 
+TEST_F(ConversionCli, MeshesAreFoundFromWhereverTheResultStands) {
+  folder.put("models/arm/model.config",
+             "<model><name>arm</name><sdf version='1.9'>model.sdf</sdf></model>");
+  folder.put("models/arm/meshes/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  folder.put("models/arm/model.sdf",
+             arm("revolute",
+                 "<link name='hull'><inertial><mass>1</mass></inertial><visual "
+                 "name='v'><geometry><mesh><uri>meshes/a.obj</uri></mesh></geometry>"
+                 "</visual></link><joint name='w' type='fixed'><parent>tip</parent>"
+                 "<child>hull</child></joint>"));
+  const auto mesh = [this](const std::string& out, const std::string& how = "") {
+    const Ran ran = folder.rigor("sdf2urdf models/arm -o " + out + " " + how);
+    EXPECT_EQ(ran.exit, 0) << ran.err;
+    const Ran found = folder.rigor("validate --select mesh-not-found " + out);
+    EXPECT_EQ(found.exit, 0) << found.out;
+    const std::string text = folder.get(out);
+    const std::size_t at = text.find("<mesh filename=\"") + 16;
+    return text.substr(at, text.find('"', at) - at);
+  };
+  folder.put("elsewhere/deep/keep", "");
+  EXPECT_EQ(mesh("models/arm/arm.urdf"), "package://arm/meshes/a.obj");
+  EXPECT_EQ(mesh("elsewhere/deep/arm.urdf"), "../../models/arm/meshes/a.obj");
+  EXPECT_EQ(
+      mesh("elsewhere/deep/file.urdf", "--mesh-uri file"),
+      "file://" + std::filesystem::canonical(folder.path("models/arm/meshes/a.obj")).string());
+}
+
 TEST_F(ConversionCli, AccountsForEveryElementAndAttribute) {
   EXPECT_EQ(folder.rigor("sdf2urdf arm.sdf -o arm.urdf --format json >all.json").exit, 0);
   const auto report =

@@ -152,7 +152,8 @@ TEST(SdfToUrdf, SaysWhichJointsWereCutInAComment) {
       kTwoLinks + sdf_joint("i", "fixed", "a", "b") + sdf_joint("j", "revolute", "a", "b"), "1.9",
       options);
   ASSERT_EQ(robot.result.robot->links[1].comments.size(), 1U);
-  EXPECT_NE(robot.result.robot->links[1].comments[0].find("revolute joint j"), std::string::npos);
+  EXPECT_NE(robot.result.robot->links[1].comments[0].text.find("revolute joint j"),
+            std::string::npos);
 }
 
 TEST(SdfToUrdf, OpensACircleOfJoints) {
@@ -351,14 +352,33 @@ TEST(SdfToUrdf, TheCorpusConverts) {
   EXPECT_GE(static_cast<double>(converted), 0.9 * static_cast<double>(converted + refused));
 }
 
+TEST(SdfToUrdf, ARootWithoutMassIsAddedWhenAsked) {
+  UrdfOptions options;
+  options.root = "base_footprint";
+  const Converted converted(
+      sdf_link("base", "0 0 0.1 0 0 0") + sdf_link("arm") + sdf_joint("j", "fixed", "base", "arm"),
+      "1.9", options);
+  const UrdfRobot& robot = converted.result.robot.value();
+  EXPECT_EQ(converted.link_names(), (std::vector<std::string>{"base_footprint", "base", "arm"}));
+  EXPECT_FALSE(robot.links[0].inertial);
+  const UrdfJoint& up = converted.joint("base_footprint_to_base");
+  EXPECT_EQ(up.type, "fixed");
+  EXPECT_EQ(digits_of(up.origin.xyz), "0 0 0.1");
+  // Where the world is the root already, there is none with a mass.
+  const Converted fixed(sdf_link("base") + sdf_joint("j", "fixed", "world", "base"), "1.9",
+                        options);
+  EXPECT_EQ(fixed.link_names(), (std::vector<std::string>{"world", "base"}));
+}
+
 TEST(SdfToUrdf, CommentsGoWithWhatTheyStandBefore) {
   const Converted converted("\n  <!-- the base -->\n" + sdf_link("base") +
                             "\n<!--1-->\n<!--2-->\n" + sdf_joint("j", "fixed", "base", "arm") +
                             " <!-- of the joint -->\n" + sdf_link("arm"));
   const UrdfRobot& robot = converted.result.robot.value();
-  EXPECT_EQ(robot.links[0].comments, std::vector<std::string>{" the base "});
+  EXPECT_EQ(robot.links[0].comments, Remarks{Remark{" the base "}});
   EXPECT_TRUE(robot.links[1].comments.empty());
-  EXPECT_EQ(converted.joint("j").comments, (std::vector<std::string>{"1", "2"}));
+  EXPECT_EQ(converted.joint("j").comments,
+            (Remarks{Remark{"1"}, Remark{"2"}, Remark{" of the joint "}}));
 }
 
 }  // namespace

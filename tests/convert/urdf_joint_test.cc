@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include <rigor/model/frames.h>
 
 #include "convert/converted.h"
+#include "convert/robots.h"
 
 namespace rigor::convert {
 namespace {
@@ -228,6 +230,75 @@ TEST(UrdfJoint, UniversalAndRevolute2AreTwoRevolutes) {
   }
 }
 
+double mass_of(const UrdfRobot& robot, const std::string& name) {
+  for (const UrdfLink& link : robot.links) {
+    if (link.name == name) return link.inertial ? link.inertial->mass.value : 0;
+  }
+  return -1;
+}
+
+/// A body with its centre off its origin.
+std::string heavy_link(const std::string& name, const std::string& mass) {
+  return "<link name='" + name + "'><pose>0.3 -0.2 0.5 0.3 0.2 0.1</pose><inertial>" +
+         "<pose>0.1 -0.2 0.3 0.5 0 0.4</pose><mass>" + mass +
+         "</mass><inertia><ixx>0.03</ixx><ixy>0.001</ixy><iyy>0.04</iyy><izz>0.05</izz>"
+         "</inertia></inertial></link>";
+}
+
+TEST(UrdfJoint, LinksBetweenHaveAMassThatWhatTheyCarryHasLess) {
+  for (const std::string type : {"ball", "universal", "screw"}) {
+    const std::string model = sdf_link("a") + heavy_link("b", "0.7") +
+                              sdf_joint("j", type, "a", "b", kOffset + kBothAxes);
+    const Converted converted(model);
+    const UrdfRobot& robot = *converted.result.robot;
+    // libsdformat takes 1e-6 for nothing, MuJoCo 1e-15.
+    const std::size_t count = type == "ball" ? 2 : 1;
+    std::size_t between = 0;
+    for (const UrdfLink& link : robot.links) {
+      if (!link.name.starts_with("j_")) continue;
+      ++between;
+      EXPECT_GT(link.inertial->mass.value, 1.5e-6);
+      for (const std::size_t i : {0, 3, 5}) EXPECT_GT(link.inertial->inertia[i].value, 2e-15);
+    }
+    EXPECT_EQ(between, count) << type;
+    EXPECT_NEAR(mass_of(robot, "b"), 0.7 - 2e-6 * static_cast<double>(count), 1e-15);
+    ASSERT_EQ(converted.notes(NoteKind::kLinkBetween).size(), 1U);
+    EXPECT_EQ(converted.notes(NoteKind::kLinkBetween)[0].count, count);
+    EXPECT_EQ(converted.notes(NoteKind::kLinkBetween)[0].outcome, Outcome::kSubstituted);
+
+    // All bodies together, at joint positions drawn at random, far within what a comparison lets pass.
+    const Robot before =
+        test::robot_from("<sdf version='1.9'><model name='m'>" + model + "</model></sdf>");
+    const Robot after = test::robot_from(urdf_text(robot));
+    std::mt19937 random(7);
+    for (int round = 0; round < 10; ++round) {
+      std::map<std::string, double> drawn;
+      const auto draw = [&] { return static_cast<double>(random()) / 2147483648.0 - 1; };
+      for (const std::string name : {"j", "j_axis2", "j_axis3"}) drawn[name] = draw();
+      RobotPositions q{{}}, p;
+      for (std::size_t k = 0; k < before.joints[0].axes.size(); ++k) {
+        q[0].push_back(drawn[k == 0 ? "j" : "j_axis" + std::to_string(k + 1)]);
+      }
+      for (const RobotJoint& joint : after.joints) p.push_back({drawn[joint.name]});
+      const Moments x = moments(before, body_poses(before, q));
+      const Moments y = moments(after, body_poses(after, followed(after, p)));
+      EXPECT_NEAR(x.mass, y.mass, 1e-14);
+      EXPECT_NEAR(length(x.first - y.first), 0, 1e-14);
+      EXPECT_NEAR(x.second.ixx, y.second.ixx, 1e-13);
+      EXPECT_NEAR(x.second.iyz, y.second.iyz, 1e-13);
+      EXPECT_NEAR(x.second.izz, y.second.izz, 1e-13);
+    }
+  }
+}
+
+TEST(UrdfJoint, WhatWeighsNextToNothingItselfGivesNothing) {
+  const Converted robot(sdf_link("a") + heavy_link("b", "0.0001") +
+                        sdf_joint("j", "universal", "a", "b", kBothAxes));
+  EXPECT_EQ(mass_of(*robot.result.robot, "b"), 0.0001);
+  EXPECT_EQ(mass_of(*robot.result.robot, "j_axis2_link"), 0);
+  EXPECT_TRUE(robot.notes(NoteKind::kLinkBetween).empty());
+}
+
 TEST(UrdfJoint, ABallIsThreeTurnsThatReachEveryRotation) {
   const Converted robot(two_links("ball", kOffset));
   EXPECT_EQ(digits_of(*robot.joint("j").axis), "0 0 1");
@@ -286,6 +357,70 @@ TEST(UrdfJoint, AMimicWithoutALeaderIsLost) {
       "1.11");
   EXPECT_TRUE(circle.joint("j").mimic);
   EXPECT_FALSE(circle.joint("k").mimic);
+  ASSERT_EQ(circle.notes(NoteKind::kMimicLost).size(), 1U);
+  EXPECT_EQ(circle.notes(NoteKind::kMimicLost)[0].instead,
+            "they would follow each other in a circle");
+}
+
+TEST(UrdfJoint, WhoFollowsAFollowerFollowsItsLeader) {
+  const auto mimic = [](const std::string& rest) { return axis("0 0 1", rest); };
+  const Converted robot(
+      sdf_link("a") + sdf_link("b") + sdf_link("c") + sdf_link("d") +
+          // In the file before those that it follows.
+          sdf_joint("l", "revolute", "a", "d",
+                    mimic("<mimic joint='k'><multiplier>-2</multiplier><offset>0.1</offset>"
+                          "<reference>1</reference></mimic>")) +
+          sdf_joint("k", "revolute", "a", "c",
+                    mimic("<mimic joint='j'><multiplier>0.5</multiplier><offset>0.25</offset>"
+                          "</mimic>")) +
+          sdf_joint("j", "revolute", "a", "b", mimic("")),
+      "1.11");
+  EXPECT_EQ(robot.joint("k").mimic->joint, "j");
+  EXPECT_EQ(to_text(robot.joint("k").mimic->multiplier), "0.5");
+  // l = -2 (k - 1) + 0.1 = -2 (0.5 j + 0.25) + 2.1 = -j + 1.6
+  EXPECT_EQ(robot.joint("l").mimic->joint, "j");
+  EXPECT_EQ(to_text(robot.joint("l").mimic->multiplier), "-1");
+  EXPECT_DOUBLE_EQ(robot.joint("l").mimic->offset.value, 1.6);
+  ASSERT_EQ(robot.notes(NoteKind::kMimicChain).size(), 1U);
+  const Note note = robot.notes(NoteKind::kMimicChain)[0];
+  EXPECT_EQ(note.outcome, Outcome::kRewritten);
+  EXPECT_EQ(robot.text_at(note), "k");
+  EXPECT_EQ(note.instead, "j");
+}
+
+TEST(UrdfJoint, AScrewThatFollowsTakesItsSlideAlong) {
+  const Converted robot(
+      sdf_link("a") + sdf_link("b") + sdf_link("c") +
+          sdf_joint("j", "revolute", "a", "b", axis("0 0 1")) +
+          sdf_joint("k", "screw", "a", "c",
+                    axis("0 0 1", "<mimic joint='j'><multiplier>3</multiplier></mimic>") +
+                        "<thread_pitch>-20</thread_pitch>"),
+      "1.11");
+  EXPECT_EQ(robot.joint("k").mimic->joint, "j");
+  EXPECT_EQ(robot.joint("k_slide").mimic->joint, "j");
+  EXPECT_EQ(to_text(robot.joint("k_slide").mimic->multiplier), "0.15");  // 3 / 20
+}
+
+std::string gearbox(const std::string& name, const std::string& parent, const std::string& child,
+                    const std::string& ratio) {
+  return sdf_joint(name, "gearbox", parent, child,
+                   axis("0 0 1") + "<axis2><xyz>0 0 1</xyz></axis2><gearbox_ratio>" + ratio +
+                       "</gearbox_ratio><gearbox_reference_body>frame</gearbox_reference_body>");
+}
+
+TEST(UrdfJoint, AGearboxOnAJointThatIsTurnedRound) {
+  // The frame hangs on the base, so that joint i, which leads from wheel a to it, is turned: its angle q
+  // is that of the frame in a, and a stands at θ_a = -q in the frame. θ_b = -3 θ_a = 3 q.
+  const Converted robot(sdf_link("base") + sdf_link("frame") + sdf_link("a") +
+                        sdf_link("b", "0 1 0 0 0 0") + sdf_joint("weld", "fixed", "base", "frame") +
+                        sdf_joint("i", "revolute", "a", "frame", axis("0 0 1")) +
+                        sdf_joint("j", "revolute", "frame", "b", axis("0 0 1")) +
+                        gearbox("g", "a", "b", "3"));
+  EXPECT_EQ(robot.joint("i").parent, "frame");
+  EXPECT_EQ(digits_of(*robot.joint("i").axis), "0 0 -1");
+  ASSERT_TRUE(robot.joint("j").mimic);
+  EXPECT_EQ(robot.joint("j").mimic->joint, "i");
+  EXPECT_EQ(robot.joint("j").mimic->multiplier.value, 3);
 }
 
 TEST(UrdfJoint, AGearboxIsAMimic) {
@@ -293,14 +428,20 @@ TEST(UrdfJoint, AGearboxIsAMimic) {
     return sdf_link("frame") + sdf_link("a") + sdf_link("b", "0 1 0 0 0 0") +
            sdf_joint("i", "revolute", "frame", "a", axis("0 0 1")) +
            sdf_joint("j", "revolute", "frame", "b", axis(second_axis)) +
-           sdf_joint("g", "gearbox", "a", "b",
-                     axis("0 0 1") +
-                         "<axis2><xyz>0 0 1</xyz></axis2><gearbox_ratio>3</gearbox_ratio>"
-                         "<gearbox_reference_body>frame</gearbox_reference_body>");
+           gearbox("g", "a", "b", "3");
   };
   // θ_b = -3 θ_a about the gearbox's axes; a joint about the opposite one counts backwards.
   EXPECT_EQ(Converted(gears("0 0 1")).joint("j").mimic->multiplier.value, -3);
   EXPECT_EQ(Converted(gears("0 0 -1")).joint("j").mimic->multiplier.value, 3);
+  // In a train the last wheel follows the first: θ_c = -2 θ_b = 6 θ_a.
+  const Converted train(sdf_link("frame") + sdf_link("a") + sdf_link("b", "0 1 0 0 0 0") +
+                        sdf_link("c", "0 2 0 0 0 0") +
+                        sdf_joint("i", "revolute", "frame", "a", axis("0 0 1")) +
+                        sdf_joint("j", "revolute", "frame", "b", axis("0 0 1")) +
+                        sdf_joint("k", "revolute", "frame", "c", axis("0 0 1")) +
+                        gearbox("g", "a", "b", "3") + gearbox("h", "b", "c", "2"));
+  EXPECT_EQ(train.joint("k").mimic->joint, "i");
+  EXPECT_EQ(train.joint("k").mimic->multiplier.value, 6);
   const Converted skew(gears("1 0 0"));
   EXPECT_FALSE(skew.joint("j").mimic);
   EXPECT_EQ(skew.notes(NoteKind::kJointTypeLost).size(), 1U);

@@ -27,7 +27,7 @@ struct UrdfPart {
   /// `model` is what stands in the model.
   explicit UrdfPart(const std::string& model, const std::string& version = "1.9",
                     convert::UrdfOptions the_options = {}, const model::Pose& X_JL = {},
-                    std::map<std::string, std::string> files = {})
+                    std::map<std::string, std::string> files = {}, const std::string& out = {})
       : disk(std::move(files)),
         environment(disk, {}),
         workspace(disk, sources),
@@ -38,8 +38,13 @@ struct UrdfPart {
                                                                      model + "</model></sdf>"))),
         frames(loaded.root),
         documents(workspace),
-        source{loaded.root,          frames,          documents,
-               environment.resolver, environment.sdf, "/robots/arm/model.sdf"},
+        source{loaded.root,
+               frames,
+               documents,
+               environment.resolver,
+               environment.sdf,
+               "/robots/arm/model.sdf",
+               out},
         ledger(documents),
         draft{.source = source, .options = options, .ledger = ledger} {
     ledger.open(loaded.root.models[0].site, "arm");

@@ -24,7 +24,7 @@ UrdfRobot full_robot() {
   robot.materials[0].rgba = {Number{1}, Number{0}, Number{0}, Number{0.5, "0.50"}};
   robot.materials[1].texture = "package://m/wood.png";
   UrdfLink arm{.name = "arm"};
-  arm.comments = {" the upper\n  one "};
+  arm.comments = {Remark{" the upper\n  one "}};
   arm.visuals = {
       {"v", origin_at(0.1, 0, 0), UrdfMesh{"package://m/a.dae", numbers({1, -1, 2})}, "red"},
       {"", origin_at(0, 0, 0), UrdfSphere{{0.25}}, ""}};

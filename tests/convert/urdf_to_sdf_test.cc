@@ -229,6 +229,28 @@ TEST(UrdfToSdf, AMovingLinkWithoutMassWeighsNextToNothing) {
   EXPECT_EQ(count, 2);
 }
 
+TEST(UrdfToSdf, AnInertiaWithoutMassIsKept) {
+  const std::string bare =
+      "<inertial><origin xyz='0 0 1'/><mass value='0'/><inertia ixx='0.25' ixy='0' ixz='0' "
+      "iyy='0.5' iyz='0' izz='0.5'/></inertial>";
+  const std::string shape = std::string("<collision>") + kBallXml + "</collision>";
+  const auto first_link = [](const LoadedRobot& robot) { return robot.root().links[0].inertial; };
+  // A frame's adds to that of its link, wherever it is.
+  const LoadedRobot frame(
+      sdf_text_of(robot_xml(link_xml("a") + link_xml("b", bare) + joint_xml("fixed", "a", "b"))),
+      "a.sdf");
+  EXPECT_EQ(first_link(frame).mass.value, 1);
+  EXPECT_EQ(first_link(frame).ixx.value, 1.25);
+  EXPECT_EQ(first_link(frame).izz.value, 1.5);
+  EXPECT_EQ(first_link(frame).pose.pose.value.translation.z, 0);
+  // A link's stays, with next to no mass.
+  const LoadedRobot link(sdf_text_of(robot_xml(link_xml("a") + link_xml("b", bare + shape) +
+                                               joint_xml("fixed", "a", "b"))),
+                         "a.sdf");
+  EXPECT_LT(link.root().links[1].inertial.mass.value, 1e-9);
+  EXPECT_EQ(link.root().links[1].inertial.ixx.value, 0.25);
+}
+
 TEST(UrdfToSdf, ShapesOfAMasslessLinkStayOrAreHeldByItsParent) {
   const std::string urdf =
       robot_xml(link_xml("a") + link_xml("logo", "<visual>" + std::string(kBallXml) + "</visual>") +
@@ -346,6 +368,19 @@ TEST(UrdfToSdf, MimicTakesTheFirstVersionThatHasIt) {
   options.version = 9;
   const SdfConversion old = to_sdf(urdf, options);
   EXPECT_EQ(note_kinds_of(old), std::vector{NoteKind::kMimicLost});
+}
+
+TEST(UrdfToSdf, ACircleOfFollowersIsCutAtTheLast) {
+  const auto follower = [](const std::string& child, const std::string& leader) {
+    return joint_xml("revolute", "a", child,
+                     std::string(kLimitXml) + "<mimic joint='" + leader + "'/>");
+  };
+  const std::string links = link_xml("a") + link_xml("b") + link_xml("c") + link_xml("d");
+  const SdfConversion result =
+      to_sdf(robot_xml(links + follower("b", "a_c") + follower("c", "a_b") + follower("d", "a_c")));
+  ASSERT_EQ(note_kinds_of(result), std::vector{NoteKind::kMimicLost});
+  EXPECT_EQ(result.account.notes[0].subject, "r/joint a_c");
+  EXPECT_EQ(result.account.notes[0].instead, "they would follow each other in a circle");
 }
 
 TEST(UrdfToSdf, TellsWhatItLoses) {

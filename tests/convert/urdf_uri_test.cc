@@ -27,15 +27,17 @@ struct Rewritten {
 };
 
 Rewritten rewritten(const std::string& uri, const MeshUri& policy = {},
-                    const std::map<std::string, std::string>& files = kModelFolder) {
+                    const std::map<std::string, std::string>& files = kModelFolder,
+                    const std::string& out = {}) {
   UrdfOptions options;
   options.mesh_uri = policy;
   UrdfPart part("<link name='base'><visual name='v'><geometry><mesh><uri>" + uri +
                     "</uri></mesh></geometry></visual></link>",
-                "1.9", options, {}, files);
+                "1.9", options, {}, files, out);
   Rewritten result{std::get<UrdfMesh>(part.link.visuals.at(0).geometry).filename, {}};
   for (const Note& note : part.account().notes) {
-    if (note.kind == NoteKind::kUri || note.kind == NoteKind::kUriNotFound) {
+    if (note.kind == NoteKind::kUri || note.kind == NoteKind::kUriNotFound ||
+        note.kind == NoteKind::kUriElsewhere) {
       result.notes.push_back(note);
     }
   }
@@ -108,6 +110,41 @@ TEST(UrdfUri, KeptOnRequest) {
   const Rewritten result = rewritten("model://arm/meshes/a.stl", {.kind = MeshUri::Kind::kKeep});
   EXPECT_EQ(result.uri, "model://arm/meshes/a.stl");
   EXPECT_TRUE(result.notes.empty());
+}
+
+TEST(UrdfUri, IsFoundFromWhereTheResultStands) {
+  const auto from = [](const std::string& out, const std::string& uri) {
+    return rewritten(uri, {}, kModelFolder, out);
+  };
+  // In the model's folder its name leads there.
+  EXPECT_EQ(from("/robots/arm/arm.urdf", "meshes/a.stl").uri, "package://arm/meshes/a.stl");
+  EXPECT_EQ(from("/robots/arm.urdf", "meshes/a.stl").uri, "arm/meshes/a.stl");
+  EXPECT_EQ(from("/robots/arm/arm.urdf", "../loose.stl").uri, "../loose.stl");
+  // Elsewhere nothing says where a folder with no more than a model.config is.
+  for (const std::string uri : {"meshes/a.stl", "model://arm/meshes/a.stl"}) {
+    const Rewritten result = from("/home/me/x/arm.urdf", uri);
+    EXPECT_EQ(result.uri, "../../../robots/arm/meshes/a.stl");
+    ASSERT_EQ(result.notes.size(), 1U) << uri;
+    EXPECT_EQ(result.notes[0].kind, NoteKind::kUri);
+  }
+  EXPECT_EQ(from("/home/arm.urdf", "../loose.stl").uri, "../robots/loose.stl");
+  // From a relative place a whole path is all that leads there.
+  EXPECT_EQ(from("out/arm.urdf", "meshes/a.stl").uri, "file:///robots/arm/meshes/a.stl");
+}
+
+TEST(UrdfUri, TheNameOfARosPackageIsKeptAndTold) {
+  const std::map<std::string, std::string> package{
+      {"/robots/arm/package.xml", "<package><name>arm</name></package>"},
+      {"/robots/arm/meshes/a.stl", "solid"}};
+  const Rewritten away = rewritten("meshes/a.stl", {}, package, "/home/me/x/arm.urdf");
+  EXPECT_EQ(away.uri, "package://arm/meshes/a.stl");
+  ASSERT_EQ(away.notes.size(), 2U);
+  EXPECT_EQ(away.notes[1].kind, NoteKind::kUriElsewhere);
+  EXPECT_EQ(rewritten("meshes/a.stl", {}, package, "/robots/arm/urdf/arm.urdf").notes.size(), 1U);
+  // As is what the user has asked for.
+  const Rewritten asked = rewritten("meshes/a.stl", {.package = "p"}, kModelFolder, "/x/arm.urdf");
+  EXPECT_EQ(asked.uri, "package://p/meshes/a.stl");
+  EXPECT_EQ(asked.notes.back().kind, NoteKind::kUriElsewhere);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include "conversion.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include <rigor/convert/compare.h>
 #include <rigor/read/load.h>
@@ -88,6 +90,8 @@ int ConversionCommand::run(const Convert& convert) const {
   options.proof = no_verify_ || !check_.empty() ? author::Proof::kNone : author::Proof::kVerify;
   options.losses = allow_loss_ ? author::Losses::kAllowed : author::Losses::kRefused;
   options.out = !out_.empty() ? out_ : file.path + ending_;
+  std::error_code error;
+  options.working_folder = std::filesystem::current_path(error).string();
   const author::Conversion result = convert(environment, sources, workspace, loaded, options);
   if (!check_.empty()) return check(environment, sources, workspace, loaded, result);
   tell(result, sources);

@@ -24,6 +24,9 @@ class SdfToUrdf final : public Command {
         ->type_name("HOW");
     app->add_option("--urdf-version", urdf_version_, "1.0 (the default) or 1.1, which has capsules")
         ->type_name("VERSION");
+    app->add_option("--root", how_.root,
+                    "Add a root link without mass, such as base_footprint: ROS wants none with one")
+        ->type_name("NAME");
     const std::string group = "Where URDF leaves a choice (the first is the default)";
     app->add_option("--loop", loop_, "A joint that closes a loop: cut, comment")->group(group);
     app->add_option("--shapes", shapes_, "Shapes that URDF lacks: lose, mesh")->group(group);

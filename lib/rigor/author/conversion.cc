@@ -82,6 +82,7 @@ class Told {
     const Span where = whole(difference.span_a);
     return std::any_of(notes_.begin(), notes_.end(), [&](const Note& note) {
       if (reroutes(note, difference) || couples(note, difference)) return true;
+      if (names_elsewhere(note, difference)) return true;
       if (note.outcome != Outcome::kLost && note.outcome != Outcome::kSubstituted) return false;
       if (where.nowhere()) return follows(note, difference.kind);
       return !note.where.nowhere() && (holds(where, note.where) || holds(note.where, where));
@@ -110,6 +111,12 @@ class Told {
   static bool reroutes(const Note& note, const Difference& difference) {
     return note.kind == NoteKind::kMassless && difference.kind == DifferenceKind::kJointParent &&
            note.subject.ends_with("/link " + difference.from.text);
+  }
+
+  /// A mesh that is not found from where the result will stand has the name that was chosen for it.
+  static bool names_elsewhere(const Note& note, const Difference& difference) {
+    return note.kind == NoteKind::kUriElsewhere && difference.kind == DifferenceKind::kMesh &&
+           note.instead == difference.to.text;
   }
 
   /// The joints that a gearbox couples have no mimic in the source.
@@ -143,20 +150,21 @@ Note note_of(const Difference& difference) {
 class Prover {
  public:
   Prover(const Environment& environment, Sources& sources, read::Workspace& workspace,
-         const Conversion& result)
+         const ConversionOptions& options, const Conversion& result)
       : environment_(environment),
         sources_(sources),
         workspace_(workspace),
         surveys_(environment.disk),
+        options_(options),
         result_(result),
         names_{.links = result.links, .joints = result.joints} {}
 
   /// What is not the same though no note has told so.
-  Notes prove(const read::Loaded& source, model::Id<model::Model> model, const std::string& out) {
+  Notes prove(const read::Loaded& source, model::Id<model::Model> model) {
     const model::Frames frames(source.root);
     const convert::Robot before =
         convert::robot_of(source.root, frames, model, lookups(source.root));
-    const read::File& file = workspace_.put(out, *result_.text);
+    const read::File& file = workspace_.put(options_.out, *result_.text);
     const read::Loaded written =
         read::load({workspace_, environment_.resolver, environment_.sdf, environment_.urdf}, file);
     const model::Frames written_frames(written.root);
@@ -176,7 +184,31 @@ class Prover {
   convert::RobotLookups lookups(const model::Root& root) {
     convert::RobotLookups lookups = convert::lookups_in(root, workspace_, environment_.resolver);
     lookups.find_mesh = rules::mesh_finder(environment_.resolver, sources_, surveys_);
+    lookups.find_file = [this, find = lookups.find_file](const std::string& uri, SourceId from) {
+      return whole_path(find(uri, from));
+    };
     return lookups;
+  }
+
+  /// From two places one file has two names.
+  std::string whole_path(const std::string& path) const {
+    return path.empty() ? path : join_path(options_.working_folder, path);
+  }
+
+  /// A robot that urdfdom has read names files and looks none up.
+  void look_up_files(convert::Robot& robot) {
+    const auto look_up = [this](std::vector<convert::RobotPart>& parts) {
+      for (convert::RobotPart& part : parts) {
+        if (part.shape.uri.empty()) continue;
+        const auto path =
+            workspace_.resolve(environment_.resolver, part.shape.uri, options_.out).path;
+        part.shape.path = whole_path(path.value_or(""));
+      }
+    };
+    for (convert::RobotBody& body : robot.bodies) {
+      look_up(body.collisions);
+      look_up(body.visuals);
+    }
   }
 
   Notes differences(const convert::Robot& before, const convert::Robot& after,
@@ -192,8 +224,8 @@ class Prover {
 
   /// The parser that everything in ROS reads URDF with.
   void ask_urdfdom(const read::Loaded& source, const convert::Robot& before, const Told& told,
-                   Notes& notes) const {
-    const convert::UrdfdomVerdict verdict = convert::judge_by_urdfdom(*result_.text);
+                   Notes& notes) {
+    convert::UrdfdomVerdict verdict = convert::judge_by_urdfdom(*result_.text);
     if (!verdict.robot) {
       notes.push_back({.kind = NoteKind::kRefused,
                        .where = source.root.site.tag,
@@ -201,6 +233,7 @@ class Prover {
       return;
     }
     if (!notes.empty()) return;  // it would say the same once more
+    look_up_files(*verdict.robot);
     notes = differences(before, *verdict.robot, told);
   }
 
@@ -208,6 +241,7 @@ class Prover {
   Sources& sources_;
   read::Workspace& workspace_;
   mass::MeshSurveys surveys_;
+  const ConversionOptions& options_;
   const Conversion& result_;
   convert::Correspondence names_;
 };
@@ -232,8 +266,8 @@ class Conclusion {
       result.diagnostics = rules::Suppressions(*document).uncovered(std::move(result.diagnostics));
     }
     if (result.text && options_.proof == Proof::kVerify) {
-      Prover prover(environment_, sources_, workspace_, result);
-      const Notes found = prover.prove(loaded_, result.model, options_.out);
+      Prover prover(environment_, sources_, workspace_, options_, result);
+      const Notes found = prover.prove(loaded_, result.model);
       // A proof that fails is no property of the source, and no comment there speaks of it.
       result.diagnostics.take(runner.run(environment_, sources_, loaded_, found));
       result.diagnostics.sort();
@@ -263,9 +297,10 @@ Conversion to_urdf(const Environment& environment, Sources& sources, read::Works
                    const ConversionOptions& options) {
   const model::Frames frames(loaded.root);
   const convert::Documents documents(workspace);
-  convert::UrdfConversion converted = convert::sdf_to_urdf(
-      {loaded.root, frames, documents, environment.resolver, environment.sdf, loaded.file->path},
-      how);
+  convert::UrdfConversion converted =
+      convert::sdf_to_urdf({loaded.root, frames, documents, environment.resolver, environment.sdf,
+                            loaded.file->path, options.out, options.working_folder},
+                           how);
   Conversion result;
   result.model = converted.model;
   if (converted.robot) {
@@ -284,9 +319,10 @@ Conversion to_sdf(const Environment& environment, Sources& sources, read::Worksp
                   const ConversionOptions& options) {
   const model::Frames frames(loaded.root);
   const convert::Documents documents(workspace);
-  convert::SdfConversion converted = convert::urdf_to_sdf(
-      {loaded.root, frames, documents, environment.resolver, environment.urdf, loaded.file->path},
-      how);
+  convert::SdfConversion converted =
+      convert::urdf_to_sdf({loaded.root, frames, documents, environment.resolver, environment.urdf,
+                            loaded.file->path, options.out, options.working_folder},
+                           how);
   Conversion result;
   result.model = {0};  // a URDF file holds one
   if (converted.robot) {

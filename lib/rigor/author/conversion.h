@@ -40,6 +40,7 @@ struct ConversionOptions {
   Proof proof = Proof::kVerify;
   Losses losses = Losses::kRefused;  ///< kAllowed: they are warnings
   std::string out;  ///< where the result will stand: what its URIs are looked up from
+  std::string working_folder = {};  ///< that relative paths are seen from; empty: not known
 };
 
 struct Conversion {

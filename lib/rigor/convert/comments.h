@@ -1,22 +1,29 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What an author wrote in front of an element. Private to the room.
+// What an author remarked on an element. Private to the room.
 //
-//   link.comments = comments_before(document, element);
+//   visual.comments = remarks_on(documents, visual_site, CommentsFor::kUrdf);
 
 #pragma once
 
-#include <string>
-#include <vector>
+#include <cstdint>
 
-#include <rigor/xml/document.h>
+#include <rigor/convert/documents.h>
+#include <rigor/convert/remark.h>
+#include <rigor/model/site.h>
 
 namespace rigor::convert {
 
-/// What stands between `<!--` and `-->` of the comments that have nothing but white space between them
-/// and the element, in the order of the file. One that ends a line with other markup before it belongs
-/// to that.
-std::vector<std::string> comments_before(const xml::Document& document, xml::Element element);
+enum class CommentsFor : std::uint8_t { kUrdf, kSdf };
+
+/// The comments before an element, in it, and on the line of its end, in the order of the file. A comment
+/// on a line of its own speaks of what follows, another one of what stands before it. Those on the
+/// inertial, the visuals and the collisions in it are theirs, and those inside sensors and plugins go
+/// where these go. None for a site that stands nowhere.
+Remarks remarks_on(const Documents& documents, const model::Site& site, CommentsFor target);
+
+/// Those before the file's root, but for the head of an earlier conversion.
+Remarks remarks_on_file(const xml::Document& document);
 
 }  // namespace rigor::convert

@@ -4,7 +4,9 @@
 #include <rigor/convert/compare.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include <rigor/convert/compare_parts.h>
 
@@ -57,12 +59,36 @@ std::vector<RobotPositions> configurations(const Robot& robot, std::size_t count
   return all;
 }
 
+namespace {
+
+/// With the mass of links between joints that stand for one in what these carry: the source has no such
+/// links. Nothing when they have none.
+std::optional<Robot> with_rows_weighed(const Robot& robot, const RobotMatch::Side& side) {
+  std::optional<Robot> result;
+  for (const std::uint32_t i : robot.order) {
+    if (!side.silent_body[i] || robot.bodies[i].mass.mass == 0) continue;
+    const auto next = std::find_if(robot.joints.begin(), robot.joints.end(),
+                                   [i](const RobotJoint& joint) { return joint.parent == i; });
+    if (next == robot.joints.end()) continue;
+    if (!result) result = robot;
+    mass::MassProperties& between = result->bodies[i].mass;
+    mass::MassProperties& carried = result->bodies[next->child].mass;
+    carried = mass::add(carried, mass::transformed(inverse(next->X_PJ), between));
+    between = {};
+  }
+  return result;
+}
+
+}  // namespace
+
 std::vector<Difference> compare(const Robot& a, const Robot& b,
                                 const Correspondence& correspondence, const Tolerance& tolerance) {
   const RobotMatch matched = match(a, b, correspondence, tolerance);
-  const TwinPoses poses(a, b, matched, tolerance.configurations);
-  const std::vector<BodyShift> shifted = shifts(a, b, matched, poses, tolerance);
-  Comparison comparison{a, b, correspondence, tolerance, matched, poses, shifted};
+  const std::optional<Robot> weighed = with_rows_weighed(b, matched.b);
+  const Robot& whole = weighed ? *weighed : b;
+  const TwinPoses poses(a, whole, matched, tolerance.configurations);
+  const std::vector<BodyShift> shifted = shifts(a, whole, matched, poses, tolerance);
+  Comparison comparison{a, whole, b, correspondence, tolerance, matched, poses, shifted};
   comparison.explained.resize(a.bodies.size());
   compare_links(comparison);
   compare_joints(comparison);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <rigor/convert/compare_parts.h>
@@ -34,6 +36,9 @@ constexpr AxisNumber kSpringNumbers[] = {
     {DifferenceKind::kSpringReference, &RobotAxis::spring_reference, "rad", "m"},
     {DifferenceKind::kSpringStiffness, &RobotAxis::spring_stiffness, "N·m/rad", "N/m"},
 };
+
+/// Joints that follow each other in a row before nobody asks any more.
+constexpr int kMostFollowed = 100;
 
 class JointComparer {
  public:
@@ -72,8 +77,8 @@ class JointComparer {
   void pair(std::uint32_t i) {
     const RobotJoint& x = c_.a.joints[i];
     const std::vector<std::uint32_t>& several = c_.match.substitutes[i];
-    const RobotJoint& last = c_.b.joints[c_.match.a.joint[i]];
-    const RobotJoint& first = several.empty() ? last : c_.b.joints[several.front()];
+    const RobotJoint& last = c_.b.joints[end_of_row(several, c_.match.a.joint[i], End::kLast)];
+    const RobotJoint& first = c_.b.joints[end_of_row(several, c_.match.a.joint[i], End::kFirst)];
     const std::size_t before = c_.found.size();
     const auto add = [&](DifferenceKind kind) -> Difference& {
       return c_.add(kind, subject("joint", x.name), subject("joint", last.name), x.span, last.span);
@@ -108,6 +113,22 @@ class JointComparer {
         told_since(before, {DifferenceKind::kJointMoved, DifferenceKind::kJointMotion})) {
       c_.explained[x.child] = true;
     }
+  }
+
+  enum class End : std::uint8_t { kFirst, kLast };
+
+  /// Of B's joints in a row that stand for one, in the order of its axes, the one at that end of the row:
+  /// a screw's slides before it turns.
+  std::uint32_t end_of_row(const std::vector<std::uint32_t>& row, std::uint32_t only,
+                           End end) const {
+    for (const std::uint32_t one : row) {
+      const bool inner = std::any_of(row.begin(), row.end(), [&](std::uint32_t other) {
+        return end == End::kFirst ? c_.b.joints[other].child == c_.b.joints[one].parent
+                                  : c_.b.joints[other].parent == c_.b.joints[one].child;
+      });
+      if (!inner) return one;
+    }
+    return only;
   }
 
   /// Whether one of the kinds is told from there on.
@@ -248,7 +269,26 @@ class JointComparer {
     say(y.follow, d.to);
   }
 
-  bool same_follow(const RobotFollow& x, const RobotFollow& y) const {
+  /// Whom it follows in the end, and how: a follower of a follower may as well name the leader of both.
+  static RobotFollow in_the_end(const Robot& robot, RobotFollow follow) {
+    const RobotFollow written = follow;
+    for (int steps = 0; steps < kMostFollowed; ++steps) {
+      const auto leader =
+          std::find_if(robot.joints.begin(), robot.joints.end(),
+                       [&follow](const RobotJoint& joint) { return joint.name == follow.joint; });
+      if (leader == robot.joints.end() || follow.axis >= leader->axes.size()) return follow;
+      const std::optional<RobotFollow>& next = leader->axes[follow.axis].follow;
+      if (!next) return follow;
+      follow = {.joint = next->joint,
+                .axis = next->axis,
+                .multiplier = follow.multiplier * next->multiplier,
+                .offset = follow.multiplier * next->offset + follow.offset};
+    }
+    return written;  // a circle has no end
+  }
+
+  bool same_follow(const RobotFollow& written_x, const RobotFollow& written_y) const {
+    const RobotFollow x = in_the_end(c_.a, written_x), y = in_the_end(c_.b, written_y);
     // A folded reference comes with the rounding of its product.
     const double scale = std::max({1.0, std::abs(x.offset), std::abs(x.multiplier)});
     const bool offset =

@@ -21,6 +21,7 @@ inline constexpr double kNothing = 1e-9;
 struct Comparison {
   const Robot& a;
   const Robot& b;
+  const Robot& b_as_read;  ///< where links between joints in a row have masses of their own
   const Correspondence& names;
   const Tolerance& tolerance;
   const RobotMatch& match;

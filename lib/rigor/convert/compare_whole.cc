@@ -139,7 +139,8 @@ class WholeComparer {
   void compare_moments() {
     Difference first, second;
     for (std::size_t k = 0; k < c_.poses.count(); ++k) {
-      const Moments x = moments(c_.a, c_.poses.all_a(k)), y = moments(c_.b, c_.poses.all_b(k));
+      const Moments x = moments(c_.a, c_.poses.all_a(k)),
+                    y = moments(c_.b_as_read, c_.poses.all_b(k));
       const SumScale scale = scale_of(c_.a, c_.poses.all_a(k));
       keep_worst(first, k, {x.first.x, x.first.y, x.first.z}, {y.first.x, y.first.y, y.first.z},
                  scale.first);

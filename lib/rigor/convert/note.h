@@ -100,8 +100,12 @@ enum class NoteKind : std::uint8_t {
   kNotTheSame,  ///< read again, it is another robot; `written` is how
   kRefused,     ///< the official parser does not take it; `written` is what it says
   // What is the same robot all the same.
-  kIdle,    ///< no reader of the source takes it
-  kTurned,  ///< a joint whose parent became its child, since the child has another parent
+  kIdle,          ///< no reader of the source takes it
+  kTurned,        ///< a joint whose parent became its child, since the child has another parent
+  kMimicChain,    ///< `written`, that it followed, follows `instead`
+  kUriElsewhere,  ///< found from the source, but not from where the result will stand
+  // What was added.
+  kLinkBetween,  ///< `count` links between joints in a row, of `instead` each
 };
 
 struct Note {

@@ -1,9 +1,11 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
+#include <rigor/convert/comments.h>
 #include <rigor/convert/sdf_draft.h>
 #include <rigor/convert/written_number.h>
 #include <rigor/mass/mass_properties.h>
@@ -42,6 +44,13 @@ void take_inertial(const SdfDraft& draft, const model::Inertial& inertial, Outco
   for (const auto* entry : tensor_of(inertial)) ledger.take(*entry, outcome);
 }
 
+/// An inertia without a mass, which adds to that of what it is fixed to.
+bool has_bare_tensor(const Link& link) {
+  const auto tensor = tensor_of(link.inertial);
+  return link.inertial.tensor_written &&
+         std::any_of(tensor.begin(), tensor.end(), [](const auto* e) { return e->value != 0; });
+}
+
 /// The pose of a link that became a frame, in the link that holds it.
 Pose pose_in_holder(const SdfDraft& draft, Id<Link> id) {
   Pose X;
@@ -56,6 +65,7 @@ Pose pose_in_holder(const SdfDraft& draft, Id<Link> id) {
 UrdfInertial as_written(const SdfDraft& draft, const model::Inertial& inertial) {
   const Documents& documents = draft.source.documents;
   UrdfInertial result;
+  result.comments = remarks_on(documents, inertial.site, CommentsFor::kSdf);
   result.origin = urdf_written_origin(documents, inertial.pose);
   result.mass = written_number(documents, inertial.mass);
   const auto entries = tensor_of(inertial);
@@ -82,10 +92,10 @@ UrdfInertial next_to_nothing(const SdfDraft& draft) {
 
 std::optional<UrdfInertial> sdf_inertial(SdfDraft& draft, Id<Link> id) {
   const model::Root& root = draft.source.root;
-  std::vector<Id<Link>> held;  // with a mass
+  std::vector<Id<Link>> held;  // with a mass or an inertia
   for (const Id<Link> link : draft.tree.order) {
-    if (draft.node(link).holder != id || is_massless(root[link])) continue;
-    held.push_back(link);
+    if (draft.node(link).holder != id) continue;
+    if (!is_massless(root[link]) || has_bare_tensor(root[link])) held.push_back(link);
   }
   if (held.empty()) return std::nullopt;
   if (held.size() == 1 && held[0] == id) {

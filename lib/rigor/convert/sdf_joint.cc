@@ -237,10 +237,13 @@ class SdfJointConverter {
   void add_mimic(SdfAxis& result, const model::Mimic& mimic) {
     const Id<Joint> leader =
         draft_.source.frames.names().find_joint(joint_.model, mimic.joint.value);
-    if (draft_.robot.version < kMimicVersion || !leader) {
+    const char* why_not = !leader                                ? "there is no such joint"
+                          : draft_.robot.version < kMimicVersion ? "SDF has mimic from 1.11 on"
+                          : closes_circle() ? "they would follow each other in a circle"
+                                            : nullptr;
+    if (why_not != nullptr) {
       ledger_.take_all(mimic.site, Outcome::kLost);
-      note(NoteKind::kMimicLost, Outcome::kLost, mimic.site.name, mimic.joint.value,
-           leader ? "SDF has mimic from 1.11 on" : "there is no such joint");
+      note(NoteKind::kMimicLost, Outcome::kLost, mimic.site.name, mimic.joint.value, why_not);
       return;
     }
     ledger_.take_all(mimic.site);
@@ -248,6 +251,21 @@ class SdfJointConverter {
     result.mimic = UrdfMimic{draft_.tree.joint_names[leader.value],
                              written_number(documents, mimic.multiplier),
                              written_number(documents, mimic.offset)};
+  }
+
+  /// Of joints that follow each other in a circle, the last in the file.
+  bool closes_circle() const {
+    const Id<Joint> own = draft_.source.frames.names().find_joint(joint_.model, joint_.name.value);
+    Id<Joint> at = own;
+    for (std::size_t steps = 0; steps < root_.joints.size(); ++steps) {
+      const Joint& follower = root_[at];
+      if (follower.axes.empty() || !follower.axes[0].mimic) return false;
+      at = draft_.source.frames.names().find_joint(joint_.model,
+                                                   follower.axes[0].mimic->joint.value);
+      if (!at || at.value > own.value) return false;
+      if (at == own) return true;
+    }
+    return false;
   }
 
   SdfDraft& draft_;

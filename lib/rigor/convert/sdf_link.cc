@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include <rigor/convert/comments.h>
 #include <rigor/convert/number_text.h>
 #include <rigor/convert/sdf_draft.h>
 #include <rigor/convert/written_number.h>
@@ -81,14 +82,18 @@ class SdfLinkConverter {
   SdfLink convert() {
     link_.name = draft_.node(holder_).name;
     link_.inertial = sdf_inertial(draft_, holder_);
-    if (!link_.inertial) {
-      link_.inertial = next_to_nothing(draft_);
+    if (!link_.inertial || link_.inertial->mass.value == 0) {
+      const UrdfInertial nothing = next_to_nothing(draft_);
+      if (!link_.inertial) link_.inertial = nothing;
+      link_.inertial->mass = nothing.mass;
       note_massless(holder_, Outcome::kSubstituted,
                     "a link of " + to_text(link_.inertial->mass) + " kg");
     }
     for (const Id<Link> id : draft_.tree.order) {
       if (draft_.node(id).holder != holder_) continue;
       take_head(id);
+      // Those on a link that is a frame are the frame's.
+      if (id == holder_) link_.comments = comments_on(root_[id].site);
       for (const auto visual : root_[id].visuals) add_visual(id, root_[visual]);
       for (const auto collision : root_[id].collisions) add_collision(id, root_[collision]);
     }
@@ -105,6 +110,10 @@ class SdfLinkConverter {
                   .subject = model::subject(root_, link),
                   .written = link.name.value,
                   .instead = std::move(instead)});
+  }
+
+  Remarks comments_on(const model::Site& site) const {
+    return remarks_on(draft_.source.documents, site, CommentsFor::kSdf);
   }
 
   void take_head(Id<Link> id) {
@@ -130,6 +139,7 @@ class SdfLinkConverter {
     ledger_.take(part.name);
     ledger_.take_all(part.pose.site);
     SdfShape shape;
+    shape.comments = comments_on(part.site);
     shape.name = names.add(part.name.value, root_[id].name.value + '_' + kind);
     shape.pose.origin = urdf_written_origin(draft_.source.documents, part.pose);
     if (id != holder_) shape.pose.relative_to = draft_.node(id).name;

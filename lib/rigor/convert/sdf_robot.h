@@ -44,6 +44,7 @@ struct SdfShape {
   SdfPose pose;
   UrdfGeometry geometry;  ///< a mesh's `filename` is its URI
   std::vector<SdfElement> rest = {};
+  Remarks comments = {};
 };
 
 struct SdfLink {
@@ -54,6 +55,7 @@ struct SdfLink {
   std::vector<SdfShape> visuals = {};
   std::vector<SdfShape> collisions = {};
   std::vector<std::string> raw = {};  ///< elements as they are, laid out from level zero
+  Remarks comments = {};
 };
 
 struct SdfAxis {
@@ -70,12 +72,14 @@ struct SdfJoint {
   std::optional<SdfAxis> axis = {};
   std::vector<SdfElement> rest = {};  ///< physics
   std::vector<std::string> raw = {};
+  Remarks comments = {};
 };
 
 struct SdfFrame {
   std::string name;
   std::string attached_to;
   SdfPose pose;
+  Remarks comments = {};
 };
 
 using SdfPart = std::variant<SdfLink, SdfJoint, SdfFrame>;
@@ -84,6 +88,7 @@ struct SdfRobot {
   std::string name;
   int version = 9;                   ///< SDF 1.`version`
   std::vector<std::string> head;     ///< lines of the comment at the head
+  Remarks comments;                  ///< at the head of the source
   std::vector<SdfElement> settings;  ///< static
   std::vector<SdfPart> parts;    ///< the first link is the one that the model's frame moves with
   std::vector<std::string> raw;  ///< plugins and the like, laid out from level zero

@@ -22,6 +22,7 @@ class SdfWriter {
     std::string lines;
     for (const std::string& line : robot.head) lines += line + '\n';
     if (!lines.empty()) out_.comment(lines);
+    for (const Remark& remark : robot.comments) out_.comment(remark.text);
     out_.open("sdf", {{"version", "1." + std::to_string(robot.version)}});
     out_.open("model", {{"name", robot.name}});
     for (const SdfElement& element : robot.settings) write_element(element);
@@ -70,7 +71,20 @@ class SdfWriter {
     }
   }
 
+  /// Something with what its author remarked on it and in it.
+  template <class Write>
+  void remarked(const Remarks& comments, const Write& write) {
+    if (comments.empty()) return write();
+    out_.begin_remarked();
+    write();
+    out_.end_remarked(comments);
+  }
+
   void write_inertial(const UrdfInertial& inertial) {
+    remarked(inertial.comments, [&] { write_inertial_itself(inertial); });
+  }
+
+  void write_inertial_itself(const UrdfInertial& inertial) {
     static constexpr std::array<std::string_view, 6> kNames{"ixx", "ixy", "ixz",
                                                             "iyy", "iyz", "izz"};
     out_.open("inertial");
@@ -113,16 +127,21 @@ class SdfWriter {
   };
 
   void write_shape(std::string_view element, const SdfShape& shape) {
-    out_.open(element, {{"name", shape.name}});
-    write_pose(shape.pose);
-    out_.open("geometry");
-    std::visit(GeometryWriter{out_}, shape.geometry);
-    out_.close();
-    write_elements(shape.rest);
-    out_.close();
+    remarked(shape.comments, [&] {
+      out_.open(element, {{"name", shape.name}});
+      write_pose(shape.pose);
+      out_.open("geometry");
+      std::visit(GeometryWriter{out_}, shape.geometry);
+      out_.close();
+      write_elements(shape.rest);
+      out_.close();
+    });
   }
 
   void write_part(const SdfLink& link) {
+    for (const Remark& remark : link.comments) {
+      if (!is_at_end(remark)) out_.comment(remark.text);
+    }
     out_.open("link", {{"name", link.name}});
     write_pose(link.pose);
     write_elements(link.settings);
@@ -130,10 +149,17 @@ class SdfWriter {
     for (const SdfShape& visual : link.visuals) write_shape("visual", visual);
     for (const SdfShape& collision : link.collisions) write_shape("collision", collision);
     for (const std::string& raw : link.raw) out_.raw(raw);
+    for (const Remark& remark : link.comments) {
+      if (is_at_end(remark)) out_.comment(remark.text);
+    }
     out_.close();
   }
 
   void write_part(const SdfJoint& joint) {
+    remarked(joint.comments, [&] { write_joint(joint); });
+  }
+
+  void write_joint(const SdfJoint& joint) {
     out_.open("joint", {{"name", joint.name}, {"type", joint.type}});
     write_pose(joint.pose);
     out_.text("parent", joint.parent);
@@ -159,6 +185,7 @@ class SdfWriter {
   }
 
   void write_part(const SdfFrame& frame) {
+    for (const Remark& remark : frame.comments) out_.comment(remark.text);
     out_.open("frame", {{"name", frame.name}, {"attached_to", frame.attached_to}});
     write_pose(frame.pose);
     out_.close();

@@ -58,6 +58,9 @@ struct UrdfOptions {
   ModelPosePolicy model_pose = ModelPosePolicy::kDrop;
   StaticPolicy static_model = StaticPolicy::kBlock;
   RootPolicy roots = RootPolicy::kRefuse;
+  /// Name of a root without mass that is added where the model's own one would be the root: KDL and
+  /// robot_state_publisher want none with an inertia. It stands at the model's frame. Empty: none.
+  std::string root;
   LinkFramePolicy link_frames = LinkFramePolicy::kJointFrame;
   double unlimited = 1e16;  ///< stands for an infinite limit, effort or velocity
   int urdf_version = 0;     ///< URDF 1.`urdf_version`: from 1 on there are capsules
@@ -71,6 +74,9 @@ struct Source {
   const read::Resolver& resolver;
   const schema::Schema& schema;  ///< of the source's format
   std::string path;              ///< of the file
+  std::string out = {};          ///< where the result will stand; empty: not known
+  /// What relative paths are seen from; empty: not known.
+  std::string working_folder = {};
 };
 
 /// A mesh file that stands for a shape: to be written beside the output.

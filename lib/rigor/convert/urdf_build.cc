@@ -13,6 +13,7 @@
 #include <rigor/convert/comments.h>
 #include <rigor/convert/digits.h>
 #include <rigor/convert/number_text.h>
+#include <rigor/convert/urdf_between.h>
 #include <rigor/convert/urdf_draft.h>
 #include <rigor/convert/urdf_joint.h>
 #include <rigor/convert/urdf_mimic.h>
@@ -58,6 +59,7 @@ class UrdfBuilder {
 
   void build() && {
     draft_.robot.name = root_[top_].name.value.empty() ? "robot" : root_[top_].name.value;
+    draft_.robot.comments = remarks_on_file(source_.documents.of(root_.site.span.source));
     draft_.link_names = naming_.links;
     for (const auto& [id, names] : naming_.joints) {
       draft_.joint_names.emplace(id, names.joints.front());
@@ -67,10 +69,12 @@ class UrdfBuilder {
     add_root_link();
     for (const Id<model::Link> id : tree_.links) add_link(id);
     for (const UrdfTree::Edge& edge : tree_.edges) add_edge(edge);
+    weigh_links_between(draft_, top_);
     for (const Id<model::Frame> id : tree_.frames) add_frame(id);
     for (const UrdfTree::LeftOut& left_out : tree_.left_out) leave_out(left_out);
     add_mimics(draft_, tree_, naming_.joints);
     add_gearboxes(draft_, tree_, naming_.joints);
+    flatten_mimics(draft_, tree_, naming_.joints);
     hand_over();
   }
 
@@ -134,7 +138,8 @@ class UrdfBuilder {
   void add_root_link() {
     if (roots_.kind == UrdfRoots::Kind::kWorld) root_link_ = "world";
     if (roots_.kind == UrdfRoots::Kind::kAdded) {
-      root_link_ = naming_.link_names.add(draft_.robot.name + "_root");
+      const std::string& name = options_.root;
+      root_link_ = naming_.link_names.add(name.empty() ? draft_.robot.name + "_root" : name);
     }
     if (!root_link_.empty()) draft_.robot.links.push_back({.name = root_link_});
     if (roots_.is_static) {
@@ -168,10 +173,11 @@ class UrdfBuilder {
     }
     const std::string& name = naming_.links.at(id);
     draft_.robot.links.push_back(urdf_link(draft_, id, X_JL));
-    draft_.robot.links.back().comments = comments_on(root_[id].site);
+    draft_.robot.links.back().comments =
+        remarks_on(source_.documents, root_[id].site, CommentsFor::kUrdf);
     const auto [first, last] = cut_.equal_range(id);
     for (auto cut = first; cut != last; ++cut) {
-      draft_.robot.links.back().comments.push_back(cut->second);
+      draft_.robot.links.back().comments.push_back({cut->second});
     }
     if (!carrier) {
       add_root(id, name);
@@ -238,6 +244,7 @@ class UrdfBuilder {
     const UrdfJointPlace place{
         .parent = edge.parent ? naming_.links.at(edge.parent) : root_link_,
         .child = naming_.links.at(edge.child),
+        .carried = edge.child,
         .origin = origin_like(source_.documents, X_PJ, {&joint.pose, &root_[edge.child].pose}),
         .turned = edge.turned};
     take_pose(source_, ledger_, joint.pose);
@@ -250,15 +257,9 @@ class UrdfBuilder {
     if (edge.turned) tell_turned(joint, place);
     const std::size_t first = draft_.robot.joints.size();
     add_joint(draft_, edge.joint, names, place);
-    draft_.robot.joints[first].comments = comments_on(joint.site);
+    draft_.robot.joints[first].comments =
+        remarks_on(source_.documents, joint.site, CommentsFor::kUrdf);
     add_joint_blocks(draft_, edge.joint, names.joints.front());
-  }
-
-  /// What stands before an element goes along with it.
-  std::vector<std::string> comments_on(const model::Site& site) const {
-    if (site.span.nowhere()) return {};
-    const xml::Element element = source_.documents.element(site);
-    return comments_before(source_.documents.of(site.span.source), element);
   }
 
   void tell_turned(const model::Joint& joint, const UrdfJointPlace& place) {
@@ -296,7 +297,9 @@ class UrdfBuilder {
     const Pose X_MP = X_M_frame(carrier);
     const Pose X_MF = places_.X_M(id);
     const Pose X_PF = X_MP == Pose{} ? X_MF : compose(inverse(X_MP), X_MF);
-    draft_.robot.links.push_back({.name = name->second});
+    draft_.robot.links.push_back(
+        {.name = name->second,
+         .comments = remarks_on(source_.documents, frame.site, CommentsFor::kUrdf)});
     add_fixed(name->second + "_joint", parent->second, name->second,
               origin_like(source_.documents, X_PF, {&frame.pose}));
     ledger_.take(frame.site, Outcome::kRewritten);

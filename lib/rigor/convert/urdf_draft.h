@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -26,6 +27,12 @@ struct UrdfDraft {
   std::vector<SideFile> files;
   std::map<model::Id<model::Link>, std::string> link_names;  ///< of all links that are converted
   std::map<model::Id<model::Joint>, std::string> joint_names;
+  /// Joints in a row that stand for one.
+  struct Row {
+    std::vector<std::size_t> links;  ///< between them, of `robot.links`
+    model::Id<model::Link> carried;  ///< by the last one
+  };
+  std::vector<Row> rows;
 
   // What was met so far, so that equals are told once.
   std::map<std::array<double, 4>, std::string> material_names;  ///< by red, green, blue and opacity

@@ -66,8 +66,11 @@ class UrdfJointWriter {
 
   /// The i-th in the row, between its links; the first one stands where the joint does.
   UrdfJoint in_row(std::size_t i, std::string type) const {
+    return in_row(i, std::move(type), names_.joints[i]);
+  }
+  UrdfJoint in_row(std::size_t i, std::string type, const std::string& name) const {
     UrdfJoint joint;
-    joint.name = names_.joints[i];
+    joint.name = name;
     joint.type = std::move(type);
     joint.parent = i == 0 ? place_.parent : names_.links[i - 1];
     joint.child = i + 1 == names_.joints.size() ? place_.child : names_.links[i];
@@ -78,7 +81,12 @@ class UrdfJointWriter {
   void add(UrdfJoint joint) { draft_.robot.joints.push_back(std::move(joint)); }
 
   void add_links_between() {
-    for (const std::string& name : names_.links) draft_.robot.links.push_back({.name = name});
+    UrdfDraft::Row row{{}, place_.carried};
+    for (const std::string& name : names_.links) {
+      row.links.push_back(draft_.robot.links.size());
+      draft_.robot.links.push_back({.name = name});
+    }
+    draft_.rows.push_back(std::move(row));
   }
 
   void note(NoteKind kind, Outcome outcome, std::string instead) {
@@ -131,7 +139,7 @@ class UrdfJointWriter {
   }
 
   void write_two() {
-    note(NoteKind::kJointType, Outcome::kRewritten, "two revolute joints with a massless link");
+    note(NoteKind::kJointType, Outcome::kRewritten, "two revolute joints with a link between");
     add_links_between();
     for (std::size_t k = 0; k < 2; ++k) {
       UrdfJoint joint = in_row(k, "revolute");
@@ -142,7 +150,7 @@ class UrdfJointWriter {
 
   void write_ball() {
     note(NoteKind::kJointType, Outcome::kSubstituted,
-         "three continuous joints with two massless links");
+         "three continuous joints with two links between");
     take_idle_axes();
     add_links_between();
     const model::Vector3 axes[] = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
@@ -153,14 +161,15 @@ class UrdfJointWriter {
     }
   }
 
+  /// It slides first: so the link between, which slides along, stays where what turns has its origin.
   void write_screw() {
     note(NoteKind::kJointType, Outcome::kSubstituted,
          "a revolute joint and a prismatic one that mimics it");
     add_links_between();
-    UrdfJoint turn = in_row(0, "revolute");
+    UrdfJoint turn = in_row(1, "revolute", names_.joints[0]);
     set_first_axis(turn);
     lose_second_axis();
-    UrdfJoint slide = in_row(1, "prismatic");
+    UrdfJoint slide = in_row(0, "prismatic", names_.joints[1]);
     slide.axis = turn.axis;
     slide.limit = no_limit(draft_.options);
     const double metres_per_radian = screw_slide();
@@ -175,8 +184,8 @@ class UrdfJointWriter {
       slide.limit->upper = Number{std::max(a, b), {}};
     }
     slide.mimic = UrdfMimic{turn.name, {metres_per_radian, {}}, {0, {}}};
-    add(std::move(turn));
     add(std::move(slide));
+    add(std::move(turn));
   }
 
   /// `<screw_thread_pitch>` is metres per turn of a right-handed thread; `<thread_pitch>`, as Gazebo

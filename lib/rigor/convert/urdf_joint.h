@@ -1,7 +1,8 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// An SDF joint as URDF says it. What URDF lacks is several joints in a row, through massless links:
+// An SDF joint as URDF says it. What URDF lacks is several joints in a row, through links
+// of next to no mass (urdf_between.h):
 //
 //   universal, revolute2   two revolute joints: the same motion
 //   ball                   continuous joints about z, y and x: the same but for its singularities
@@ -26,9 +27,10 @@ std::size_t urdf_joint_count(model::JointType type);
 
 /// Where a joint goes in the target.
 struct UrdfJointPlace {
-  std::string parent, child;  ///< links
-  UrdfOrigin origin;          ///< of the joint in the parent's frame
-  bool turned = false;        ///< the parent is the file's child
+  std::string parent, child;       ///< links
+  model::Id<model::Link> carried;  ///< the child
+  UrdfOrigin origin;               ///< of the joint in the parent's frame
+  bool turned = false;             ///< the parent is the file's child
 };
 
 /// Adds the joints and the links between them to the draft, and takes what the joint says of itself but

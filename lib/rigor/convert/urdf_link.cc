@@ -1,12 +1,14 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include <rigor/convert/comments.h>
 #include <rigor/convert/subtree.h>
 #include <rigor/convert/urdf_draft.h>
 #include <rigor/convert/urdf_material.h>
@@ -35,6 +37,7 @@ class LinkConverter {
     draft_.ledger.take(link.name);
     result_.name = draft_.link_names.at(id_);
     result_.inertial = urdf_inertial(draft_, id_, X_JL_);
+    if (result_.inertial) result_.inertial->comments = comments_on(link.inertial.site);
     PartKeys keys{.script = common_script(draft_.source, link), .surface = {}};
     for (const Id<model::Visual> id : link.visuals) add_visual(id, keys.script);
     for (const Id<model::Collision> id : link.collisions) add_collision(id);
@@ -52,12 +55,14 @@ class LinkConverter {
     const auto shapes = urdf_shapes(draft_, visual.geometry, whose);
     if (shapes.empty()) return lose(visual.site, visual.geometry, whose);
     visuals_.push_back(id);
+    const std::size_t first = result_.visuals.size();
     const std::string material = urdf_material(draft_, visual, script);
     for (const auto& [name, origin, shape] :
          placed(visual, shapes, draft_.source.frames.pose(id))) {
       result_.visuals.push_back(
           {.name = name, .origin = origin, .geometry = shape->geometry, .material = material});
     }
+    result_.visuals[first].comments = comments_on(visual.site);
     tell_extras(visual, whose, material);
   }
 
@@ -67,10 +72,16 @@ class LinkConverter {
     const auto shapes = urdf_shapes(draft_, collision.geometry, whose);
     if (shapes.empty()) return lose(collision.site, collision.geometry, whose);
     collisions_.push_back(id);
+    const std::size_t first = result_.collisions.size();
     for (const auto& [name, origin, shape] :
          placed(collision, shapes, draft_.source.frames.pose(id))) {
       result_.collisions.push_back({.name = name, .origin = origin, .geometry = shape->geometry});
     }
+    result_.collisions[first].comments = comments_on(collision.site);
+  }
+
+  Remarks comments_on(const model::Site& site) const {
+    return remarks_on(draft_.source.documents, site, CommentsFor::kUrdf);
   }
 
   struct Placed {

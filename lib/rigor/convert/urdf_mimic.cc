@@ -11,6 +11,7 @@
 #include <rigor/convert/written_number.h>
 #include <rigor/model/subject.h>
 #include <rigor/read/values.h>
+#include <rigor/write/numbers.h>
 
 namespace rigor::convert {
 namespace {
@@ -31,6 +32,17 @@ JointsByName joints_by_name(UrdfRobot& robot) {
   JointsByName found;
   for (UrdfJoint& joint : robot.joints) found.emplace(joint.name, &joint);
   return found;
+}
+
+/// Whether `joint` is `leader` or follows it, over others or not. What follows has one leader, so no
+/// circle is walked twice.
+bool leads(const JointsByName& joints, const UrdfJoint* leader, const UrdfJoint* joint) {
+  for (int steps = 0; joint != nullptr && steps <= kMostLeaders; ++steps) {
+    if (joint == leader) return true;
+    const auto found = joint->mimic ? joints.find(joint->mimic->joint) : joints.end();
+    joint = found == joints.end() ? nullptr : found->second;
+  }
+  return joint != nullptr;
 }
 
 class MimicAdder {
@@ -85,14 +97,7 @@ class MimicAdder {
     if (!moves(*leader)) return "it does not move";
     if (follower == nullptr || !moves(*follower)) return "this joint does not move";
     if (follower->mimic) return "it follows another one";
-    // Whoever follows has one leader, so that a circle is one way back.
-    const UrdfJoint* at_joint = leader;
-    for (int steps = 0; at_joint != nullptr; ++steps) {
-      if (steps == kMostLeaders) return "too many joints follow each other";
-      if (at_joint == follower) return "they would follow each other";
-      at_joint = at_joint->mimic ? at(at_joint->mimic->joint) : nullptr;
-    }
-    return {};
+    return leads(joints_, follower, leader) ? "they would follow each other in a circle" : "";
   }
 
   void take(const model::Mimic& mimic) {
@@ -143,7 +148,7 @@ class GearboxAdder {
     const model::Frames::Ends& ends = draft_.source.frames.ends(id);
     const auto first = between(reference, ends.parent, id, 0);
     const auto second = between(reference, ends.child, id, 1);
-    if (!first || !second || second->joint->mimic || first->joint->mimic) {
+    if (!first || !second || second->joint->mimic || leads(joints_, second->joint, first->joint)) {
       note.instead = "it couples no two revolute joints of one reference body";
       return draft_.ledger.lose(joint.site, std::move(note));
     }
@@ -208,7 +213,73 @@ class GearboxAdder {
   JointsByName joints_;
 };
 
+/// Lets each joint follow the one that follows nobody: consumers of URDF look at one leader only.
+class MimicFlattener {
+ public:
+  MimicFlattener(UrdfDraft& draft, const JointNames& names)
+      : draft_(draft), names_(names), joints_(joints_by_name(draft.robot)) {}
+
+  void flatten(Id<model::Joint> id) {
+    const auto& row = names_.at(id).joints;
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      const auto found = joints_.find(row[k]);
+      if (found == joints_.end() || !found->second->mimic) continue;
+      const std::string written = found->second->mimic->joint;
+      if (follow_last(*found->second)) tell(id, k, written, *found->second->mimic);
+    }
+  }
+
+ private:
+  /// c = m₂ b + o₂ and b = m₁ a + o₁: c = m₂ m₁ a + (m₂ o₁ + o₂). False when it does already.
+  bool follow_last(UrdfJoint& joint) const {
+    UrdfMimic& mimic = *joint.mimic;
+    bool changed = false;
+    for (int steps = 0; steps < kMostLeaders; ++steps) {
+      const auto leader = joints_.find(mimic.joint);
+      if (leader == joints_.end() || !leader->second->mimic) break;
+      const UrdfMimic& next = *leader->second->mimic;
+      mimic.offset = {product(mimic.multiplier, next.offset) + mimic.offset.value, {}};
+      mimic.multiplier = {product(mimic.multiplier, next.multiplier), {}};
+      mimic.joint = next.joint;
+      changed = true;
+    }
+    return changed;
+  }
+
+  /// 0.1 · 3 is 0.3 for who reads it.
+  static double product(const Number& a, const Number& b) {
+    const double value = a.value * b.value;
+    return write::settled(value, 0, std::abs(value));
+  }
+
+  void tell(Id<model::Joint> id, std::size_t k, const std::string& written,
+            const UrdfMimic& mimic) const {
+    const model::Joint& joint = draft_.source.root[id];
+    Note note{.kind = NoteKind::kMimicChain,
+              .outcome = Outcome::kRewritten,
+              .where = joint.site.name,
+              .subject = model::subject(draft_.source.root, joint),
+              .written = written,
+              .instead = mimic.joint};
+    if (k < joint.axes.size() && joint.axes[k].mimic) {
+      const model::Mimic& own = *joint.axes[k].mimic;
+      draft_.ledger.take(own.joint, Outcome::kRewritten);
+      if (own.joint.written) note.where = own.joint.span;
+    }
+    draft_.ledger.note(std::move(note));
+  }
+
+  UrdfDraft& draft_;
+  const JointNames& names_;
+  JointsByName joints_;
+};
+
 }  // namespace
+
+void flatten_mimics(UrdfDraft& draft, const UrdfTree& tree, const JointNames& names) {
+  MimicFlattener flattener(draft, names);
+  for (const UrdfTree::Edge& edge : tree.edges) flattener.flatten(edge.joint);
+}
 
 void add_mimics(UrdfDraft& draft, const UrdfTree& tree, const JointNames& names) {
   MimicAdder adder(draft, names);

@@ -18,7 +18,7 @@ namespace rigor::convert {
 /// What an SDF joint is in URDF, from its parent to its child: one joint, or several in a row.
 struct UrdfJointNames {
   std::vector<std::string> joints;
-  std::vector<std::string> links;  ///< massless ones between the joints: one fewer
+  std::vector<std::string> links;  ///< between the joints: one fewer
 };
 using JointNames = std::map<model::Id<model::Joint>, UrdfJointNames>;
 
@@ -27,5 +27,8 @@ void add_mimics(UrdfDraft& draft, const UrdfTree& tree, const JointNames& names)
 
 /// Turns a gearbox into a mimic of one of the two joints that it couples; a note where there are none.
 void add_gearboxes(UrdfDraft& draft, const UrdfTree& tree, const JointNames& names);
+
+/// Lets a joint that follows a follower follow the leader of both, and tells it.
+void flatten_mimics(UrdfDraft& draft, const UrdfTree& tree, const JointNames& names);
 
 }  // namespace rigor::convert

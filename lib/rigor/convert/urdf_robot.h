@@ -18,6 +18,7 @@
 #include <variant>
 #include <vector>
 
+#include <rigor/convert/remark.h>
 #include <rigor/model/pose.h>
 
 namespace rigor::convert {
@@ -48,6 +49,7 @@ struct UrdfInertial {
   UrdfOrigin origin;              ///< of the centre of mass frame
   Number mass;                    ///< kg
   std::array<Number, 6> inertia;  ///< ixx ixy ixz iyy iyz izz, kg·m²
+  Remarks comments = {};
 };
 
 struct UrdfBox {
@@ -79,14 +81,14 @@ struct UrdfVisual {
   UrdfOrigin origin;
   UrdfGeometry geometry;
   std::string material;  ///< name of one of the robot's; empty for none
-  std::vector<std::string> comments = {};
+  Remarks comments = {};
 };
 
 struct UrdfCollision {
   std::string name;
   UrdfOrigin origin;
   UrdfGeometry geometry;
-  std::vector<std::string> comments = {};
+  Remarks comments = {};
 };
 
 struct UrdfLink {
@@ -94,7 +96,7 @@ struct UrdfLink {
   std::optional<UrdfInertial> inertial;
   std::vector<UrdfVisual> visuals;
   std::vector<UrdfCollision> collisions;
-  std::vector<std::string> comments = {};  ///< that stood before it in the source
+  Remarks comments = {};
 };
 
 struct UrdfLimit {
@@ -117,7 +119,7 @@ struct UrdfJoint {
   std::optional<Number> damping, friction;
   std::optional<UrdfMimic> mimic;
   std::optional<std::array<Number, 4>> safety;  ///< soft lower, soft upper, k_position, k_velocity
-  std::vector<std::string> comments = {};
+  Remarks comments = {};
 };
 
 /// `<gazebo reference="…">`, or of the whole robot; `xml` is what stands in it, laid out with two
@@ -131,6 +133,7 @@ struct UrdfRobot {
   std::string name;
   std::string version;            ///< empty: 1.0, which is not written
   std::vector<std::string> head;  ///< lines of the comment at the head
+  Remarks comments;               ///< at the head of the source
   std::vector<UrdfMaterial> materials;
   std::vector<UrdfLink> links;
   std::vector<UrdfJoint> joints;

@@ -37,9 +37,9 @@ UrdfRoots urdf_roots(const Source& source, const UrdfOptions& options, const Urd
     roots.kind = UrdfRoots::Kind::kWorld;
   } else if (roots.is_static || roots.has_model_pose) {
     roots.kind = UrdfRoots::Kind::kWorld;
-  } else if (!several) {
+  } else if (!several && options.root.empty()) {
     roots.kind = UrdfRoots::Kind::kLink;
-  } else if (options.roots == RootPolicy::kAddRoot) {
+  } else if (!several || options.roots == RootPolicy::kAddRoot) {
     roots.kind = tree.on_world ? UrdfRoots::Kind::kWorld : UrdfRoots::Kind::kAdded;
   }
   return roots;

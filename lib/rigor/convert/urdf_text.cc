@@ -96,16 +96,25 @@ class UrdfWriter {
     std::string lines;
     for (const std::string& line : robot.head) lines += line + '\n';
     if (!lines.empty()) out_.comment(lines);
+    for (const Remark& remark : robot.comments) out_.comment(remark.text);
     XmlAttributes attributes{{"name", robot.name}};
     if (!robot.version.empty()) attributes.push_back({"version", robot.version});
     out_.open("robot", attributes);
   }
 
-  /// Begins one of the robot's parts, with what stood before it.
-  void part(const std::vector<std::string>& comments = {}) {
+  /// Begins one of the robot's parts.
+  void part() {
     if (!first_) out_.blank_line();
     first_ = false;
-    for (const std::string& comment : comments) out_.comment(comment);
+  }
+
+  /// Something with what its author remarked on it and in it.
+  template <class Write>
+  void remarked(const Remarks& comments, const Write& write) {
+    if (comments.empty()) return write();
+    out_.begin_remarked();
+    write();
+    out_.end_remarked(comments);
   }
 
   void write_material(const UrdfMaterial& material) {
@@ -126,15 +135,17 @@ class UrdfWriter {
   void write_inertial(const UrdfInertial& inertial) {
     static constexpr std::array<std::string_view, 6> kNames{"ixx", "ixy", "ixz",
                                                             "iyy", "iyz", "izz"};
-    out_.open("inertial");
-    write_origin(inertial.origin);
-    out_.empty("mass", {{"value", to_text(inertial.mass)}});
-    XmlAttributes entries;
-    for (std::size_t i = 0; i < kNames.size(); ++i) {
-      entries.push_back({kNames[i], to_text(inertial.inertia[i])});
-    }
-    out_.empty("inertia", entries);
-    out_.close();
+    remarked(inertial.comments, [&] {
+      out_.open("inertial");
+      write_origin(inertial.origin);
+      out_.empty("mass", {{"value", to_text(inertial.mass)}});
+      XmlAttributes entries;
+      for (std::size_t i = 0; i < kNames.size(); ++i) {
+        entries.push_back({kNames[i], to_text(inertial.inertia[i])});
+      }
+      out_.empty("inertia", entries);
+      out_.close();
+    });
   }
 
   struct ShapeWriter {
@@ -161,7 +172,6 @@ class UrdfWriter {
   /// Of a visual or a collision, up to its geometry; it stays open.
   template <class Part>
   void open_shape(std::string_view element, const Part& part) {
-    for (const std::string& comment : part.comments) out_.comment(comment);
     XmlAttributes attributes;
     if (!part.name.empty()) attributes.push_back({"name", part.name});
     out_.open(element, attributes);
@@ -172,23 +182,37 @@ class UrdfWriter {
   }
 
   void write_link(const UrdfLink& link) {
-    part(link.comments);
+    part();
+    for (const Remark& remark : link.comments) {
+      if (!is_at_end(remark)) out_.comment(remark.text);
+    }
     out_.open("link", {{"name", link.name}});
     if (link.inertial) write_inertial(*link.inertial);
     for (const UrdfVisual& visual : link.visuals) {
-      open_shape("visual", visual);
-      if (!visual.material.empty()) out_.empty("material", {{"name", visual.material}});
-      out_.close();
+      remarked(visual.comments, [&] {
+        open_shape("visual", visual);
+        if (!visual.material.empty()) out_.empty("material", {{"name", visual.material}});
+        out_.close();
+      });
     }
     for (const UrdfCollision& collision : link.collisions) {
-      open_shape("collision", collision);
-      out_.close();
+      remarked(collision.comments, [&] {
+        open_shape("collision", collision);
+        out_.close();
+      });
+    }
+    for (const Remark& remark : link.comments) {
+      if (is_at_end(remark)) out_.comment(remark.text);
     }
     out_.close();
   }
 
   void write_joint(const UrdfJoint& joint) {
-    part(joint.comments);
+    part();
+    remarked(joint.comments, [&] { write_joint_itself(joint); });
+  }
+
+  void write_joint_itself(const UrdfJoint& joint) {
     out_.open("joint", {{"name", joint.name}, {"type", joint.type}});
     out_.empty("parent", {{"link", joint.parent}});
     out_.empty("child", {{"link", joint.child}});

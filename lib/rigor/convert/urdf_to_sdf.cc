@@ -9,7 +9,10 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
+#include <vector>
 
+#include <rigor/convert/comments.h>
 #include <rigor/convert/sdf_draft.h>
 #include <rigor/model/subject.h>
 #include <rigor/read/values.h>
@@ -85,17 +88,37 @@ class UrdfToSdf {
     ledger_.take(root_.version_text);
     draft.robot.name = robot.name.value.empty() ? "robot" : robot.name.value;
     draft.robot.version = version();
+    draft.robot.comments = remarks_on_file(source_.documents.of(root_.site.span.source));
     find_materials(draft);
     add_sdf_links(draft);
     tell_unused_materials(draft);
     for (std::uint32_t i = 0; i < root_.joints.size(); ++i) {
       draft.joints.push_back(sdf_joint(draft, {i}));
+      add_comments(draft.joints.back(), root_.joints[i].site);
     }
     add_gazebo_blocks(draft);
     tell_parts();
     assemble(draft);
     name_map(draft);
     result_.robot = std::move(draft.robot);
+  }
+
+  Remarks comments_on(const model::Site& site) const {
+    return remarks_on(source_.documents, site, CommentsFor::kSdf);
+  }
+
+  /// On a link and the joint that carries it, which is no joint any more.
+  Remarks comments_without_joint(const SdfNode& node, Id<model::Link> link) const {
+    Remarks comments;
+    if (node.carrier) comments = comments_on(root_[node.carrier].site);
+    Remarks own = comments_on(root_[link].site);
+    std::move(own.begin(), own.end(), std::back_inserter(comments));
+    return comments;
+  }
+
+  void add_comments(std::vector<SdfPart>& joints, const model::Site& site) const {
+    if (joints.empty()) return;
+    if (auto* joint = std::get_if<SdfJoint>(&joints.front())) joint->comments = comments_on(site);
   }
 
   int version() const {
@@ -171,7 +194,7 @@ class UrdfToSdf {
       if (node.role == Role::kWorld) {
         take_world(root_[id]);
       } else if (node.role == Role::kFrame) {
-        draft.robot.parts.emplace_back(frame_of(draft, node));
+        draft.robot.parts.emplace_back(frame_of(draft, node, id));
       } else {
         add_link(draft, id);
       }
@@ -188,12 +211,16 @@ class UrdfToSdf {
                   .instead = "the world"});
   }
 
-  SdfFrame frame_of(const SdfDraft& draft, const SdfNode& node) const {
+  SdfFrame frame_of(const SdfDraft& draft, const SdfNode& node, Id<model::Link> link) const {
     // The root's frame is the model's, whatever link it is a frame of.
-    if (!node.carrier) return {node.name, draft.node(node.holder).name, {"__model__", {}}};
+    Remarks comments = comments_without_joint(node, link);
+    if (!node.carrier) {
+      return {node.name, draft.node(node.holder).name, {"__model__", {}}, std::move(comments)};
+    }
     return {node.name,
             draft.node(node.parent).name,
-            {{}, urdf_written_origin(source_.documents, root_[node.carrier].pose)}};
+            {{}, urdf_written_origin(source_.documents, root_[node.carrier].pose)},
+            std::move(comments)};
   }
 
   void add_link(SdfDraft& draft, Id<model::Link> id) {
@@ -205,6 +232,7 @@ class UrdfToSdf {
       const SdfNode& parent = draft.node(node.parent);
       link.pose = {parent.role == Role::kWorld ? std::string() : parent.name,
                    urdf_written_origin(source_.documents, root_[node.carrier].pose)};
+      link.comments = comments_without_joint(node, id);
     } else if (node.carrier) {
       auto& joint = draft.joints[node.carrier.value];
       link.pose.relative_to = std::get<SdfJoint>(joint.back()).name;

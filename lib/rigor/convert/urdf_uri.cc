@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string_view>
+#include <utility>
 
 #include <rigor/read/values.h>
 #include <rigor/text/disk.h>
@@ -86,8 +87,7 @@ std::string with_policy(const UrdfDraft& draft, const std::string& uri,
   const std::string_view scheme = scheme_of(uri);
   switch (policy.kind) {
     case MeshUri::Kind::kKeep: return uri;
-    case MeshUri::Kind::kFile:
-      return file && is_absolute(*file) ? "file://" + normalize_path(*file) : uri;
+    case MeshUri::Kind::kFile: return file ? file_uri(draft.source, *file).value_or(uri) : uri;
     case MeshUri::Kind::kPackage: break;
   }
   if (scheme == "model") return with_package(uri, policy.package);
@@ -96,7 +96,51 @@ std::string with_policy(const UrdfDraft& draft, const std::string& uri,
   return package_uri(draft.source.resolver.disk(), policy.package, *file).value_or(uri);
 }
 
+/// Whether it leads to the file from where the result will stand.
+bool leads_there(const Source& source, const std::string& uri, const std::string& file) {
+  const auto path = source.resolver.resolve(uri, source.out).path;
+  return path && whole_path(source, *path) == whole_path(source, file);
+}
+
+/// Whether it has the name of the ROS package that the file is in.
+bool names_ros_package(const Disk& disk, std::string_view uri, const std::string& file) {
+  const std::string_view scheme = scheme_of(uri);
+  if (scheme != "package" && scheme != "model") return false;
+  std::string_view name = uri.substr(scheme.size() + 3);
+  name = name.substr(0, name.find('/'));
+  std::string folder(parent_path(normalize_path(file)));
+  for (int i = 0; i < kMostFoldersAbove; ++i) {
+    const std::string manifest = join_path(folder, "package.xml");
+    if (disk.kind(manifest) == PathKind::kFile) return manifest_name(disk, manifest) == name;
+    const std::string above(parent_path(folder));
+    if (above == folder || file_name(folder) == "..") break;
+    folder = above;
+  }
+  return false;
+}
+
 }  // namespace
+
+PlacedUri placed_uri(const Source& source, std::string uri, const std::string& file,
+                     UriChoice choice) {
+  if (source.out.empty() || leads_there(source, uri, file)) return {std::move(uri)};
+  if (choice == UriChoice::kOurs && !names_ros_package(source.resolver.disk(), uri, file)) {
+    std::string from_out =
+        relative_path(parent_path(whole_path(source, source.out)), whole_path(source, file));
+    if (is_absolute(from_out)) from_out = "file://" + from_out;
+    if (leads_there(source, from_out, file)) return {std::move(from_out)};
+  }
+  return {std::move(uri), false};
+}
+
+std::string whole_path(const Source& source, const std::string& path) {
+  return join_path(source.working_folder, path);
+}
+
+std::optional<std::string> file_uri(const Source& source, const std::string& file) {
+  const std::string whole = whole_path(source, file);
+  return is_absolute(whole) ? std::optional("file://" + whole) : std::nullopt;
+}
 
 std::string path_of(const Source& source, SourceId id) {
   for (const model::Include& include : source.root.includes) {
@@ -116,7 +160,14 @@ std::string urdf_uri(UrdfDraft& draft, const model::Field<std::string>& uri,
   const std::string_view scheme = scheme_of(uri.value);
   const bool remote = scheme == "http" || scheme == "https";
   const auto file = file_of(draft.source, uri);
-  const std::string result = with_policy(draft, uri.value, file);
+  const MeshUri& policy = draft.options.mesh_uri;
+  PlacedUri placed{with_policy(draft, uri.value, file)};
+  if (file) {
+    const bool chosen = policy.kind == MeshUri::Kind::kKeep || !policy.package.empty();
+    placed = placed_uri(draft.source, std::move(placed.uri), *file,
+                        chosen ? UriChoice::kUsers : UriChoice::kOurs);
+  }
+  const std::string& result = placed.uri;
   const auto tell = [&](NoteKind kind, Outcome outcome) {
     draft.ledger.take(uri, outcome);
     draft.ledger.note({.kind = kind,
@@ -128,11 +179,12 @@ std::string urdf_uri(UrdfDraft& draft, const model::Field<std::string>& uri,
   };
   if (result != uri.value) {
     tell(NoteKind::kUri, Outcome::kRewritten);
-  } else if (draft.options.mesh_uri.kind != MeshUri::Kind::kKeep &&
+  } else if (policy.kind != MeshUri::Kind::kKeep &&
              (remote || !names_place(result) || scheme == "model")) {
     tell(NoteKind::kUri, Outcome::kCarried);
   }
   if (!file && !remote) tell(NoteKind::kUriNotFound, Outcome::kConverted);
+  if (!placed.found) tell(NoteKind::kUriElsewhere, Outcome::kConverted);
   draft.ledger.take(uri);
   return result;
 }

@@ -3,6 +3,9 @@
 
 #include <rigor/convert/xml_writer.h>
 
+#include <algorithm>
+#include <map>
+
 #include <rigor/read/values.h>
 #include <rigor/xml/edit.h>
 
@@ -31,6 +34,20 @@ void each_xml_line(std::string_view text, const F& f) {
   }
 }
 
+std::string comment_line(std::string_view text, std::size_t depth) {
+  const std::string indent(2 * depth, ' ');
+  std::string result = indent + "<!--";
+  bool first = true;
+  each_xml_line(read::trimmed(with_spaced_dashes(text)), [&](std::string_view line) {
+    line = read::trimmed(line);
+    if (!first) result += '\n';
+    if (!first && !line.empty()) (result += indent) += "    ";
+    if (!line.empty()) (result += ' ') += line;
+    first = false;
+  });
+  return result + " -->\n";
+}
+
 }  // namespace
 
 void XmlWriter::settle() {
@@ -42,6 +59,7 @@ void XmlWriter::settle() {
 
 void XmlWriter::tag(std::string_view name, const XmlAttributes& attributes) {
   settle();
+  if (remarked_) places_.push_back({std::string(name), out_.size(), open_.size()});
   indent();
   (out_ += '<') += name;
   for (const XmlAttribute& attribute : attributes) {
@@ -65,6 +83,7 @@ void XmlWriter::close() {
     pending_ = false;
     return;
   }
+  if (remarked_) places_.push_back({std::string(kAtEnd), out_.size(), open_.size()});
   indent();
   ((out_ += "</") += name) += ">\n";
 }
@@ -83,17 +102,34 @@ void XmlWriter::text(std::string_view name, std::string_view text,
 
 void XmlWriter::comment(std::string_view text) {
   settle();
-  indent();
-  out_ += "<!--";
-  bool first = true;
-  each_xml_line(read::trimmed(with_spaced_dashes(text)), [&](std::string_view line) {
-    line = read::trimmed(line);
-    if (!first) out_ += '\n';
-    if (!first && !line.empty()) indent(), out_ += "    ";
-    if (!line.empty()) (out_ += ' ') += line;
-    first = false;
-  });
-  out_ += " -->\n";
+  out_ += comment_line(text, open_.size());
+}
+
+void XmlWriter::begin_remarked() {
+  settle();
+  remarked_ = true;
+  places_.clear();
+}
+
+void XmlWriter::end_remarked(const Remarks& remarks) {
+  remarked_ = false;
+  if (places_.empty()) return;
+  const std::size_t depth = places_.front().depth;
+  const auto place_of = [&](const Remark& remark) {
+    for (const std::string& name : remark.places) {
+      const auto found = std::find_if(places_.begin(), places_.end(), [&](const Place& place) {
+        return place.name == name && (name != kAtEnd || place.depth == depth);
+      });
+      if (found != places_.end()) return *found;
+    }
+    return places_.front();
+  };
+  std::map<std::size_t, std::string> added;
+  for (const Remark& remark : remarks) {
+    const Place place = place_of(remark);
+    added[place.at] += comment_line(remark.text, place.depth + (place.name == kAtEnd ? 1 : 0));
+  }
+  for (auto one = added.rbegin(); one != added.rend(); ++one) out_.insert(one->first, one->second);
 }
 
 void XmlWriter::raw(std::string_view xml) {

@@ -12,9 +12,12 @@
 
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <rigor/convert/remark.h>
 
 namespace rigor::convert {
 
@@ -36,6 +39,10 @@ class XmlWriter {
   /// What stands between `<!--` and `-->`. Lines are indented anew, dashes that would end it spaced.
   void comment(std::string_view text);
 
+  /// Comments on the element that is written between these two, each put where it belongs.
+  void begin_remarked();
+  void end_remarked(const Remarks& remarks);
+
   /// Elements as they are, their lines indented by the present level.
   void raw(std::string_view xml);
 
@@ -45,6 +52,12 @@ class XmlWriter {
   std::string take() && { return std::move(out_); }
 
  private:
+  struct Place {
+    std::string name;
+    std::size_t at;     ///< where its line begins
+    std::size_t depth;  ///< how many elements are around it
+  };
+
   void tag(std::string_view name, const XmlAttributes& attributes);
   void settle();
   void indent() { out_.append(2 * open_.size(), ' '); }
@@ -53,6 +66,8 @@ class XmlWriter {
   std::vector<std::string> open_;
   bool pending_ = false;  // a start tag without its '>'
   bool blank_ = false;
+  bool remarked_ = false;
+  std::vector<Place> places_;  // of the element that is remarked on, and of all in it
 };
 
 }  // namespace rigor::convert

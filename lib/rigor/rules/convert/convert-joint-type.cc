@@ -24,7 +24,8 @@ Rule rule() {
       .why =
           "URDF knows fixed, revolute, continuous and prismatic joints (and floating and planar "
           "ones, which most consumers leave out). A universal joint is exactly two revolute ones "
-          "with a massless link between; other substitutes come near. Consumers see other joints "
+          "with a link of next to no mass between; other substitutes come near. Consumers see "
+          "other joints "
           "by other names.",
       .what_to_do = "Look at what stands for it, then accept it with `--allow-loss`.",
       .bad = {{.text = R"(<sdf version='1.9'>
