@@ -20,7 +20,7 @@ std::uint64_t count(const std::vector<BadEdge>& edges, Defect defect) {
 }  // namespace
 
 OldFlaws::OldFlaws(const TriangleMesh& mesh, const Weld& welded, const std::vector<BadEdge>& now)
-    : mesh_(mesh), welded_(welded), kinds_at_(welded.places()) {
+    : mesh_(mesh), welded_(welded), at_(welded.places()) {
   std::vector<std::uint32_t> places;
   bool open = false;
   for (const BadEdge& edge : now) {
@@ -28,10 +28,7 @@ OldFlaws::OldFlaws(const TriangleMesh& mesh, const Weld& welded, const std::vect
     open = open || edge.defect != Defect::kNonmanifoldEdge;
   }
   edges_ = bad_edges_at(mesh, welded, places, open);
-  for (const BadEdge& edge : edges_) {
-    kinds_at_[edge.low] |= bit(edge.defect);
-    kinds_at_[edge.high] |= bit(edge.defect);
-  }
+  for (const BadEdge& edge : edges_) at_[edge.low] = at_[edge.high] = true;
 }
 
 std::uint64_t OldFlaws::holes() const { return boundary_of(mesh_, welded_, edges_).loops; }

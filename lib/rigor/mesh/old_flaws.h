@@ -23,10 +23,8 @@ class OldFlaws {
   /// `now` are all bad edges that there are now, between the mesh's places. The mesh must outlive this.
   OldFlaws(const TriangleMesh& mesh, const Weld& welded, const std::vector<BadEdge>& now);
 
-  /// Whether one of its ends was at no edge of its kind. Only for edges between ends of those given.
-  bool is_new(const BadEdge& edge) const {
-    return (kinds_at_[edge.low] & kinds_at_[edge.high] & bit(edge.defect)) == 0;
-  }
+  /// Whether one of its ends was at no bad edge. Only for edges between ends of those given.
+  bool is_new(const BadEdge& edge) const { return !at_[edge.low] || !at_[edge.high]; }
 
   /// How many more there are now than there were: of non-manifold edges, at the same places.
   std::uint64_t added(const std::vector<BadEdge>& now, Defect defect) const;
@@ -38,14 +36,10 @@ class OldFlaws {
   bool sound() const;
 
  private:
-  static std::uint8_t bit(Defect defect) {
-    return static_cast<std::uint8_t>(1U << static_cast<unsigned>(defect));
-  }
-
   const TriangleMesh& mesh_;
   const Weld& welded_;
   std::vector<BadEdge> edges_;
-  std::vector<std::uint8_t> kinds_at_;  // of each place, a bit for each defect
+  std::vector<bool> at_;  // places that one of these ends at
 };
 
 }  // namespace rigor::mesh
