@@ -4,7 +4,6 @@
 #include <rigor/mesh/old_flaws.h>
 
 #include <algorithm>
-#include <utility>
 
 #include <rigor/mesh/bad_edges.h>
 #include <rigor/mesh/boundary.h>
