@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // `tools/dev bench reduce`: bringing a mesh to a tenth of its triangles, as a ratio to the library's
-// own call on the same mesh, which is given to it welded. The mesh is a file or, without one, a bumpy
-// ball of a million triangles and then, where RIGOR_CORPUS names a folder, its ten largest.
+// own call on the same mesh, which is given to it welded; and as one to its call with the vertices told
+// apart that keep parts and textures in their place. The mesh is a file or, without one, a bumpy ball
+// of a million triangles and then, where RIGOR_CORPUS names a folder, its ten largest.
 //
 //   rigor_reduce_bench [MESH]
 
@@ -27,6 +28,7 @@
 #include <rigor/mesh/read.h>
 #include <rigor/mesh/reduce.h>
 #include <rigor/mesh/topology.h>
+#include <rigor/mesh/vertices.h>
 #include <rigor/mesh/weld.h>
 #include <rigor/text/disk.h>
 
@@ -86,14 +88,12 @@ struct Bare {
   std::vector<std::uint32_t> index;
   std::vector<std::array<float, 3>> points;
 
-  explicit Bare(const TriangleMesh& mesh) {
-    const rigor::mesh::Weld welded = rigor::mesh::weld(mesh.positions);
-    for (const std::uint32_t first : welded.first) {
-      const rigor::mesh::Vector3& p = mesh.positions[first];
+  Bare(const TriangleMesh& mesh, std::vector<std::uint32_t> corners,
+       const std::vector<std::uint32_t>& positions)
+      : index(std::move(corners)) {
+    for (const std::uint32_t position : positions) {
+      const rigor::mesh::Vector3& p = mesh.positions[position];
       points.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
-    }
-    for (const rigor::mesh::Triangle& t : mesh.triangles) {
-      for (const std::uint32_t corner : t) index.push_back(welded.place[corner]);
     }
   }
 
@@ -104,14 +104,35 @@ struct Bare {
   }
 };
 
+Bare welded_of(const TriangleMesh& mesh) {
+  const rigor::mesh::Weld welded = rigor::mesh::weld(mesh.positions);
+  std::vector<std::uint32_t> corners;
+  for (const rigor::mesh::Triangle& t : mesh.triangles) {
+    for (const std::uint32_t corner : t) corners.push_back(welded.place[corner]);
+  }
+  return {mesh, std::move(corners), welded.first};
+}
+
+/// As the library must be given it if borders of parts and seams are to stay.
+Bare with_seams_of(const TriangleMesh& mesh) {
+  const rigor::mesh::Weld welded = rigor::mesh::weld(mesh.positions);
+  rigor::mesh::Vertices vertices =
+      rigor::mesh::vertices_of(mesh, welded, rigor::mesh::Seams::kKeep);
+  std::vector<std::uint32_t> positions;
+  for (const std::uint32_t place : vertices.place) positions.push_back(welded.first[place]);
+  return {mesh, std::move(vertices.index), positions};
+}
+
 /// Prints what it costs. Returns the ratio.
 double measure(const std::string& name, const TriangleMesh& mesh) {
   const std::size_t target = mesh.triangles.size() / 10;
-  const Bare bare(mesh);
+  const Bare bare = welded_of(mesh);
+  const Bare with_seams = with_seams_of(mesh);
   rigor::mesh::Reduced reduced;
   std::vector<double> library;
   std::vector<double> whole;
   std::vector<double> ratio;
+  std::vector<double> ratio_with_seams;
   const auto begin = std::chrono::steady_clock::now();
   const auto enough = [&] {
     return library.size() >= kRounds &&
@@ -121,13 +142,15 @@ double measure(const std::string& name, const TriangleMesh& mesh) {
     library.push_back(seconds([&] { bare.run(target); }));
     whole.push_back(seconds([&] { reduced = rigor::mesh::reduce(mesh, {.triangles = target}); }));
     ratio.push_back(whole.back() / library.back());
+    ratio_with_seams.push_back(whole.back() / seconds([&] { with_seams.run(target); }));
   }
   const rigor::mesh::Topology topology = rigor::mesh::topology_of(reduced.mesh);
-  fmt::print("{:<28} {:>8} to {:>6}: {:>6}  {:>7.1f} ms {:>7.1f} ms  ratio {:.2f}  {} runs\n", name,
-             mesh.triangles.size(), target, reduced.mesh.triangles.size(), 1e3 * median(library),
-             1e3 * median(whole), median(ratio), reduced.runs);
-  fmt::print("    open edges {}, of more than two triangles {}, error {:.3g}\n",
-             topology.boundary_edges, topology.nonmanifold_edges, reduced.error);
+  fmt::print(
+      "{:<20} {:>8} to {:>6}: {:>6}  {:>7.1f} ms {:>7.1f} ms  ratio {:.2f}, with seams {:.2f}\n",
+      name, mesh.triangles.size(), target, reduced.mesh.triangles.size(), 1e3 * median(library),
+      1e3 * median(whole), median(ratio), median(ratio_with_seams));
+  fmt::print("    runs {}, open edges {}, of more than two triangles {}, error {:.3g}\n",
+             reduced.runs, topology.boundary_edges, topology.nonmanifold_edges, reduced.error);
   return median(ratio);
 }
 
