@@ -5,6 +5,8 @@
 
 #include <rigor/mesh/bad_edges.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <random>
 #include <tuple>
@@ -29,6 +31,47 @@ void expect_bad_edges_of_rings(const TriangleMesh& mesh) {
   }
 }
 
+/// Triangles that run from the lower place to the higher, less those that run back.
+int balance(const TriangleMesh& mesh, const Weld& welded, const BadEdge& edge) {
+  int sum = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Triangle p = places_of(welded, t);
+    if (degenerate(p)) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (p[i] == edge.low && p[(i + 1) % 3] == edge.high) ++sum;
+      if (p[i] == edge.high && p[(i + 1) % 3] == edge.low) --sum;
+    }
+  }
+  return sum;
+}
+
+using Told = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, Defect>;
+
+std::vector<Told> told(const std::vector<BadEdge>& edges) {
+  std::vector<Told> all;
+  for (const BadEdge& e : edges) all.emplace_back(e.low, e.high, e.face, e.defect);
+  return all;
+}
+
+void expect_bad_edges_at(const TriangleMesh& mesh, const std::vector<std::uint32_t>& places) {
+  const Weld welded = weld(mesh.positions);
+  const std::vector<BadEdge> all = bad_edges_of(mesh, welded);
+  std::vector<BadEdge> asked;
+  std::vector<BadEdge> or_open;
+  for (const BadEdge& edge : all) {
+    const auto ends = [&](std::uint32_t at) { return at == edge.low || at == edge.high; };
+    const bool at = std::any_of(places.begin(), places.end(), ends);
+    if (at) asked.push_back(edge);
+    if (at || balance(mesh, welded, edge) != 0) or_open.push_back(edge);
+  }
+  EXPECT_EQ(told(bad_edges_at(mesh, welded, places, false)), told(asked));
+  const std::vector<Told> found = told(bad_edges_at(mesh, welded, places, true));
+  const std::vector<Told> least = told(or_open);
+  const std::vector<Told> most = told(all);
+  EXPECT_TRUE(std::includes(found.begin(), found.end(), least.begin(), least.end()));
+  EXPECT_TRUE(std::includes(most.begin(), most.end(), found.begin(), found.end()));
+}
+
 TEST(BadEdges, OfRandomTriangles) {
   std::mt19937 random(7);
   for (std::uint32_t places = 4; places < 40; ++places) {
@@ -43,6 +86,8 @@ TEST(BadEdges, OfRandomTriangles) {
                                   static_cast<std::uint32_t>(random() % places)});
       }
       expect_bad_edges_of_rings(mesh);
+      expect_bad_edges_at(mesh, {});
+      expect_bad_edges_at(mesh, {0, 1});
     }
   }
 }
@@ -56,6 +101,7 @@ TEST(BadEdges, OfASurfaceWithFlaws) {
   // Three edges turned the wrong way, three of three triangles, three of one.
   EXPECT_EQ(bad_edges_of(mesh, weld(mesh.positions)).size(), 9U);
   expect_bad_edges_of_rings(mesh);
+  expect_bad_edges_at(mesh, {mesh.triangles[100][0]});
 }
 
 TEST(BadEdges, RoundAPlaceOfManyTriangles) {

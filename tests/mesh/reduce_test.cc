@@ -357,6 +357,30 @@ TEST(Reduce, TheSameMeshGivesTheSameResult) {
   EXPECT_EQ(a.mesh.triangles, b.mesh.triangles);
 }
 
+// So many vertices in one place that not all are compared.
+TEST(Reduce, AFanOfManyColorsKeepsThem) {
+  constexpr std::uint32_t kAround = 300;
+  TriangleMesh mesh;
+  mesh.positions.push_back({0, 0, 1});
+  for (std::uint32_t i = 0; i < kAround; ++i) {
+    const double angle = 2 * 3.141592653589793 * i / kAround;
+    mesh.positions.push_back({std::cos(angle), std::sin(angle), 0});
+  }
+  for (std::uint32_t i = 0; i < kAround; ++i) {
+    mesh.triangles.push_back({0, 1 + i, 1 + (i + 1) % kAround});
+    const Corners::Color color{static_cast<float>(i) / kAround, 0, 0, 1};
+    mesh.corners.colors.push_back({color, color, color});
+  }
+  const Reduced reduced = reduce(mesh, {.triangles = 30});
+  EXPECT_FALSE(reduced.flaws.any());
+  expect_vertices_of(mesh, reduced.mesh);
+  ASSERT_EQ(reduced.mesh.corners.colors.size(), reduced.mesh.triangles.size());
+  for (const auto& colors : reduced.mesh.corners.colors) {
+    EXPECT_EQ(colors[0], colors[1]);
+    EXPECT_EQ(colors[0], colors[2]);
+  }
+}
+
 TEST(Reduce, LargeRealMeshesKeepTheirShape) {
   RIGOR_NEEDS_CORPUS();
   std::vector<std::pair<std::size_t, std::string>> large;
@@ -384,6 +408,8 @@ TEST(Reduce, LargeRealMeshesKeepTheirShape) {
     const Topology after = topology_of(reduced.mesh);
     EXPECT_LE(after.boundary.loops, before.boundary.loops);
     EXPECT_EQ(reduced.flaws.holes, 0U);
+    EXPECT_EQ(reduced.runs, 1U);
+    EXPECT_TRUE(!before.closed() || after.closed());
     EXPECT_TRUE(after.boundary_edges == 0 || before.boundary_edges > 0);
     relative.push_back(hausdorff(mesh, reduced.mesh) / diagonal(bounds_of(mesh.positions)));
     RecordProperty(std::filesystem::path(path).filename().string(),

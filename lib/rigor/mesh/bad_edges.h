@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <rigor/mesh/rings.h>
@@ -17,5 +18,10 @@ namespace rigor::mesh {
 
 /// Those of `look_round`, in the same order.
 std::vector<BadEdge> bad_edges_of(const TriangleMesh& mesh, const Weld& welded);
+
+/// Of those, the ones that end at one of these places; and, where asked for, at least all that have more
+/// triangles one way than the other: so all boundary and all inconsistent edges. Faster for few.
+std::vector<BadEdge> bad_edges_at(const TriangleMesh& mesh, const Weld& welded,
+                                  const std::vector<std::uint32_t>& places, bool and_open);
 
 }  // namespace rigor::mesh

@@ -6,15 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include <meshoptimizer.h>
 
-#include <rigor/mesh/bad_edges.h>
-#include <rigor/mesh/boundary.h>
+#include <rigor/mesh/old_flaws.h>
 #include <rigor/mesh/pinch.h>
 #include <rigor/mesh/rings.h>
 #include <rigor/mesh/vertices.h>
@@ -44,9 +42,14 @@ constexpr double kMoreError = 1.5;
 class Points {
  public:
   explicit Points(const std::vector<Vector3>& places) {
-    const Bounds bounds = bounds_of(places);
-    const Vector3 middle = 0.5 * bounds.min + 0.5 * bounds.max;  // halved first: no overflow
-    const Vector3 half = 0.5 * bounds.max - 0.5 * bounds.min;
+    const auto x = ends_of(places, [](const Vector3& p) { return p.x; });
+    const auto y = ends_of(places, [](const Vector3& p) { return p.y; });
+    const auto z = ends_of(places, [](const Vector3& p) { return p.z; });
+    ends_ = {x[0], x[1], y[0], y[1], z[0], z[1]};
+    const Vector3 min{places[x[0]].x, places[y[0]].y, places[z[0]].z};
+    const Vector3 max{places[x[1]].x, places[y[1]].y, places[z[1]].z};
+    const Vector3 middle = 0.5 * min + 0.5 * max;  // halved first: no overflow
+    const Vector3 half = 0.5 * max - 0.5 * min;
     half_side_ = std::max({half.x, half.y, half.z});
     list_.reserve(places.size());
     const auto scaled = [this](double from_middle) {
@@ -59,16 +62,8 @@ class Points {
 
   const std::array<float, 3>& operator[](std::uint32_t place) const { return list_[place]; }
 
-  /// Marks a place at each of the six ends of what they span.
-  void mark_ends(std::vector<bool>& marks) const {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto [low, high] =
-          std::minmax_element(list_.begin(), list_.end(),
-                              [axis](const auto& a, const auto& b) { return a[axis] < b[axis]; });
-      marks[static_cast<std::size_t>(low - list_.begin())] = true;
-      marks[static_cast<std::size_t>(high - list_.begin())] = true;
-    }
-  }
+  /// A place at each of the six ends of what they span.
+  const std::array<std::size_t, 6>& ends() const { return ends_; }
 
   double to_length(float relative_error) const { return 2 * half_side_ * relative_error; }
   float to_relative(double length) const {
@@ -76,7 +71,19 @@ class Points {
   }
 
  private:
+  template <class Coordinate>
+  static std::array<std::size_t, 2> ends_of(const std::vector<Vector3>& places,
+                                            const Coordinate& coordinate) {
+    std::array<std::size_t, 2> ends{};
+    for (std::size_t i = 1; i < places.size(); ++i) {
+      if (coordinate(places[i]) < coordinate(places[ends[0]])) ends[0] = i;
+      if (coordinate(places[i]) > coordinate(places[ends[1]])) ends[1] = i;
+    }
+    return ends;
+  }
+
   std::vector<std::array<float, 3>> list_;
+  std::array<std::size_t, 6> ends_{};
   double half_side_ = 0;
 };
 
@@ -86,31 +93,6 @@ std::vector<Vector3> positions_of(const TriangleMesh& mesh, const Weld& welded) 
   for (const std::uint32_t first : welded.first) positions.push_back(mesh.positions[first]);
   return positions;
 }
-
-std::uint64_t more(std::uint64_t now, std::uint64_t before) {
-  return now > before ? now - before : 0;
-}
-
-std::uint64_t count(const std::vector<BadEdge>& edges, Defect defect) {
-  return static_cast<std::uint64_t>(std::count_if(
-      edges.begin(), edges.end(), [defect](const BadEdge& e) { return e.defect == defect; }));
-}
-
-/// What was wrong with the mesh before: looked for only when the result has something wrong.
-struct Before {
-  std::vector<BadEdge> edges;
-  std::uint64_t holes = 0;
-  std::vector<bool> at;  ///< places that such an edge ends at
-
-  Before(const TriangleMesh& mesh, const Weld& welded)
-      : edges(bad_edges_of(mesh, welded)),
-        holes(boundary_of(mesh, welded, edges).loops),
-        at(welded.places()) {
-    for (const BadEdge& edge : edges) at[edge.low] = at[edge.high] = true;
-  }
-
-  bool is_new(const BadEdge& edge) const { return !at[edge.low] || !at[edge.high]; }
-};
 
 class Reducer {
  public:
@@ -128,12 +110,7 @@ class Reducer {
     if (vertices_.faces.empty()) return {};
     Reduced best = attempt();
     max_error_ = std::min(max_error_, kMoreError * best.error);
-    if (harm(best.flaws) > 0 && first_is_sound()) {
-      keeps_first_ = true;
-      improve(best);
-      keeps_first_ = false;
-    }
-    if (harm(best.flaws) > 0) improve(best);
+    improve(best);
     return best;
   }
 
@@ -141,10 +118,9 @@ class Reducer {
   /// Tries again with places held.
   void improve(Reduced& best) {
     const double most = kMoreTriangles * static_cast<double>(best.mesh.triangles.size());
-    held_.assign(held_.size(), false);
     for (const int rings : kHeldRings) {
       if (harm(best.flaws) == 0) break;
-      hold(rings, keeps_first_ ? first_.index : vertices_.index);
+      hold(rings);
       Reduced next = attempt();
       best.runs += next.runs;
       if (static_cast<double>(next.mesh.triangles.size()) > most) break;
@@ -154,24 +130,11 @@ class Reducer {
     }
   }
 
-  /// Whether what is wrong comes from the second run alone: what the first one left can be mended,
-  /// and is mended then. To try the second again costs a fifth of both.
-  bool first_is_sound() {
-    surface_.take(faces_of(first_.index));
-    const std::vector<BadEdge> edges = mended(surface_.bad_edges());
-    if (harm(flaws(edges)) > 0) return false;
-    first_.index.clear();
-    for (const Triangle& t : surface_.faces()) {
-      first_.index.insert(first_.index.end(), t.begin(), t.end());
-    }
-    return true;
-  }
-
   Reduced attempt() {
     Reduced reduced{.error = simplify(), .runs = 1};
     std::vector<BadEdge> edges = surface_.bad_edges();
     if (!edges.empty()) {
-      if (!before_) before_.emplace(mesh_, welded_);
+      old_.emplace(mesh_, welded_, edges);
       edges = mended(std::move(edges));
       reduced.flaws = flaws(edges);
     }
@@ -181,29 +144,30 @@ class Reducer {
   }
 
   std::vector<BadEdge> mended(std::vector<BadEdge> edges) {
-    return surface_.mend(std::move(edges),
-                         [this](const BadEdge& edge) { return before_->is_new(edge); });
+    const auto is_new = [this](const BadEdge& edge) { return old_->is_new(edge); };
+    return surface_.part(surface_.mend(std::move(edges), is_new), is_new, vertices_.index,
+                         std::max<std::size_t>(to_.triangles, surface_.faces().size()));
   }
 
-  Flaws flaws(const std::vector<BadEdge>& edges) const {
-    const auto added = [&](Defect defect) {
-      return more(count(edges, defect), count(before_->edges, defect));
-    };
-    return {.holes = more(surface_.holes(edges), before_->holes),
-            .nonmanifold_edges = added(Defect::kNonmanifoldEdge),
-            .inconsistent_edges = added(Defect::kInconsistentEdge)};
+  Flaws flaws(const std::vector<BadEdge>& edges) {
+    Flaws flaws{.nonmanifold_edges = old_->added(edges, Defect::kNonmanifoldEdge),
+                .inconsistent_edges = old_->added(edges, Defect::kInconsistentEdge)};
+    const std::uint64_t holes = surface_.holes(edges);
+    if (holes > 0) flaws.holes = holes - std::min(holes, old_->holes());
+    return flaws;
   }
 
   /// A sound mesh must stay sound. Of another, edges that touch are no loss; only holes are.
-  std::uint64_t harm(const Flaws& flaws) const {
-    return before_ && before_->edges.empty() ? flaws.total() : flaws.holes;
+  std::uint64_t harm(const Flaws& flaws) {
+    return flaws.any() && old_->sound() ? flaws.total() : flaws.holes;
   }
 
-  /// Marks the places within so many edges, of these triangles, of what is left to mend.
-  void hold(int rings, const std::vector<std::uint32_t>& index) {
+  /// Marks the places within so many edges of what is left to mend.
+  void hold(int rings) {
     for (const BadEdge& edge : left_) {
-      if (before_->is_new(edge)) held_[edge.low] = held_[edge.high] = true;
+      if (old_->is_new(edge)) held_[edge.low] = held_[edge.high] = true;
     }
+    const std::vector<std::uint32_t>& index = vertices_.index;
     for (int ring = 0; ring < rings; ++ring) {
       const std::vector<bool> inner = held_;
       for (std::size_t i = 0; i < index.size(); i += 3) {
@@ -217,14 +181,15 @@ class Reducer {
 
   /// Leaves the result in the surface. Returns the error in the mesh's unit.
   double simplify() {
-    if (!keeps_first_) {
-      const double wanted_first = kFirstTarget * static_cast<double>(to_.triangles);
-      first_ = simplify(vertices_.index, wanted(wanted_first), max_error_);
+    const std::size_t wanted_first = wanted(kFirstTarget * static_cast<double>(to_.triangles));
+    Run run = simplify(vertices_.index, wanted_first, max_error_);
+    if (run.index.size() <= wanted_first) {  // or it got stuck
+      Run second = simplify_used(run.index, wanted(static_cast<double>(to_.triangles)),
+                                 std::max(0.0, max_error_ - run.error));
+      run = {std::move(second.index), run.error + second.error};
     }
-    const Run second = simplify_used(first_.index, wanted(static_cast<double>(to_.triangles)),
-                                     std::max(0.0, max_error_ - first_.error));
-    surface_.take(faces_of(second.index));
-    return first_.error + second.error;
+    surface_.take(faces_of(run.index));
+    return run.error;
   }
 
   static std::vector<Triangle> faces_of(const std::vector<std::uint32_t>& index) {
@@ -267,7 +232,7 @@ class Reducer {
                     double max_error) const {
     std::vector<bool> used(held_.size());
     for (const std::uint32_t vertex : index) used[vertices_.place[vertex]] = true;
-    points_.mark_ends(used);
+    for (const std::size_t end : points_.ends()) used[end] = true;
     std::vector<std::uint32_t> number(vertices_.place.size());
     std::vector<std::uint32_t> shown;
     std::vector<std::array<float, 3>> points;
@@ -313,10 +278,8 @@ class Reducer {
   Points points_;
   std::vector<bool> held_;  // places
   double max_error_;
-  Run first_;
-  bool keeps_first_ = false;   // attempts begin with what the first run left
   std::vector<BadEdge> left_;  // of the last attempt
-  std::optional<Before> before_;
+  std::optional<OldFlaws> old_;
 };
 
 }  // namespace

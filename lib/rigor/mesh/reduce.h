@@ -8,7 +8,7 @@
 // What the library knows nothing of is done here. A vertex is a place together with what must not
 // blur across it, so borders of parts and seams of textures keep their course. Collapses that fold the
 // surface onto itself, or pinch it at an edge, are undone (pinch.h); where that fails, the places
-// around are held, and the last part of the reduction, or all of it, is done again.
+// around are held, and the reduction is done again.
 //
 //   Reduced reduced = reduce(mesh, {.triangles = mesh.triangles.size() / 10});
 //   if (reduced.flaws.any()) say("not all of the surface could be kept together");
@@ -42,7 +42,7 @@ struct Reduction {
   Seams seams = Seams::kKeep;
 };
 
-/// What the result has more of than the mesh.
+/// What the result has more of than the mesh; of non-manifold edges, than the mesh at the same places.
 struct Flaws {
   std::uint64_t holes = 0;  ///< loops of edges of one triangle
   std::uint64_t nonmanifold_edges = 0;

@@ -5,21 +5,22 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstring>
 #include <limits>
 #include <numeric>
-#include <span>
 #include <utility>
-
-#include <meshoptimizer.h>
 
 #include <rigor/mesh/rings.h>
 
 namespace rigor::mesh {
 namespace {
 
-// No more corners of a vertex are compared, so that a file with one vertex in all of its triangles
-// does not decide how long that takes.
-constexpr std::uint32_t kMaxAlike = 64;
+// No more corners of a vertex, or vertices in a place, are compared, so that a file with one of them in
+// all of its triangles does not decide how long that takes.
+constexpr int kMaxAlike = 64;
+
+constexpr std::uint32_t kNone = 0xffffffffU;
 
 bool plain(const TriangleMesh& mesh) {
   const Corners& c = mesh.corners;
@@ -36,92 +37,95 @@ std::vector<std::uint32_t> part_numbers(const TriangleMesh& mesh) {
   return numbers;
 }
 
-template <class Entry>
-std::vector<Entry> listed(const std::vector<std::array<Entry, 3>>& list,
-                          const std::vector<std::uint32_t>& faces) {
-  std::vector<Entry> entries;
-  entries.reserve(3 * faces.size());
-  for (const std::uint32_t face : faces) {
-    entries.insert(entries.end(), list[face].begin(), list[face].end());
-  }
-  return entries;
-}
-
-/// Gives each corner, which has the number of its place, that of its vertex instead.
-void tell_apart(const TriangleMesh& mesh, Seams seams, Vertices& vertices) {
-  std::vector<meshopt_Stream> streams;
-  const auto add = [&streams](const auto& list) {
-    streams.push_back({list.data(), sizeof(list[0]), sizeof(list[0])});
-  };
-  const std::vector<std::uint32_t> numbers = part_numbers(mesh);
-  std::vector<std::uint32_t> parts;
-  parts.reserve(vertices.index.size());
-  for (const std::uint32_t face : vertices.faces) parts.insert(parts.end(), 3, numbers[face]);
-  add(vertices.index);
-  add(parts);
-  std::vector<Corners::Texture> texture;
-  std::vector<Corners::Color> colors;
-  if (seams == Seams::kKeep && !mesh.corners.texture.empty()) {
-    texture = listed(mesh.corners.texture, vertices.faces);
-    add(texture);
-  }
-  if (seams == Seams::kKeep && !mesh.corners.colors.empty()) {
-    colors = listed(mesh.corners.colors, vertices.faces);
-    add(colors);
-  }
-  const std::size_t corners = vertices.index.size();
-  std::vector<std::uint32_t> vertex(corners);
-  vertices.place.resize(meshopt_generateVertexRemapMulti(vertex.data(), nullptr, corners, corners,
-                                                         streams.data(), streams.size()));
-  for (std::size_t i = 0; i < corners; ++i) vertices.place[vertex[i]] = vertices.index[i];
-  vertices.index = std::move(vertex);
-}
-
-/// Some corners of the vertices that these triangles use, as numbers into `Vertices::index`.
-class CornersOf {
- public:
-  CornersOf(const Vertices& vertices, const std::vector<Triangle>& used)
-      : begin_(vertices.place.size() + 1) {
-    std::vector<bool> wanted(vertices.place.size());
-    for (const Triangle& t : used) wanted[t[0]] = wanted[t[1]] = wanted[t[2]] = true;
-    for (const std::uint32_t vertex : vertices.index) {
-      if (wanted[vertex] && begin_[vertex] < kMaxAlike) ++begin_[vertex];
-    }
-    std::vector<std::uint32_t> room = begin_;
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    list_.resize(begin_.back());
-    for (std::uint32_t corner = 0; corner < vertices.index.size(); ++corner) {
-      const std::uint32_t vertex = vertices.index[corner];
-      if (room[vertex] == 0) continue;
-      --room[vertex];
-      list_[--begin_[vertex]] = corner;
-    }
-  }
-
-  /// Not none.
-  std::span<const std::uint32_t> operator[](std::uint32_t vertex) const {
-    return std::span(list_).subspan(begin_[vertex], begin_[vertex + 1] - begin_[vertex]);
-  }
-
- private:
-  std::vector<std::uint32_t> begin_;
-  std::vector<std::uint32_t> list_;
-};
-
-/// Where a corner of the result gets what it carries: a triangle of the mesh and which of its corners.
+/// A triangle of the mesh and which of its corners.
 struct Source {
   std::uint32_t face;
   std::uint32_t corner;
 };
 
+Source source_of(const Vertices& vertices, std::uint32_t corner) {
+  return {vertices.faces[corner / 3], corner % 3};
+}
+
+/// Gives each corner, which has the number of its place, that of its vertex instead: one that was seen
+/// in that place before and carries the same, or a new one. (Where more are in one place than are
+/// compared, some are the same. The library leaves such a place alone.)
+class Teller {
+ public:
+  Teller(const TriangleMesh& mesh, Seams seams, std::size_t places, Vertices& vertices)
+      : mesh_(mesh),
+        keeps_seams_(seams == Seams::kKeep),
+        part_(part_numbers(mesh)),
+        latest_(places, kNone),
+        vertices_(vertices) {}
+
+  void run() {
+    for (std::uint32_t i = 0; i < vertices_.index.size(); ++i) {
+      vertices_.index[i] = vertex(vertices_.index[i], source_of(vertices_, i));
+    }
+  }
+
+ private:
+  std::uint32_t vertex(std::uint32_t place, const Source& from) {
+    std::uint32_t seen = latest_[place];
+    for (int i = 0; i < kMaxAlike && seen != kNone; ++i) {
+      if (carries_same(seen, from)) return seen;
+      seen = earlier_[seen];
+    }
+    const auto added = static_cast<std::uint32_t>(source_.size());
+    source_.push_back(from);
+    earlier_.push_back(std::exchange(latest_[place], added));
+    vertices_.place.push_back(place);
+    vertices_.part.push_back(part_[from.face]);
+    return added;
+  }
+
+  bool carries_same(std::uint32_t vertex, const Source& at) const {
+    const auto same = [&, first = source_[vertex]](const auto& list) {
+      // Compared by their bytes: a NaN is itself.
+      return list.empty() || std::memcmp(&list[first.face][first.corner], &list[at.face][at.corner],
+                                         sizeof(list[at.face][at.corner])) == 0;
+    };
+    if (vertices_.part[vertex] != part_[at.face]) return false;
+    return !keeps_seams_ || (same(mesh_.corners.texture) && same(mesh_.corners.colors));
+  }
+
+  const TriangleMesh& mesh_;
+  bool keeps_seams_;
+  std::vector<std::uint32_t> part_;     // of each triangle of the mesh
+  std::vector<std::uint32_t> latest_;   // of each place, the newest vertex there
+  std::vector<std::uint32_t> earlier_;  // of each vertex, the one before it in its place
+  std::vector<Source> source_;          // of each vertex, its first corner
+  Vertices& vertices_;
+};
+
+/// The corners of the vertices that these triangles use.
+class CornersOf {
+ public:
+  CornersOf(const Vertices& vertices, const std::vector<Triangle>& used)
+      : last_(vertices.place.size(), kNone), before_(vertices.index.size()) {
+    std::vector<std::uint8_t> wanted(vertices.place.size());
+    for (const Triangle& t : used) wanted[t[0]] = wanted[t[1]] = wanted[t[2]] = 1;
+    for (std::uint32_t corner = 0; corner < vertices.index.size(); ++corner) {
+      const std::uint32_t vertex = vertices.index[corner];
+      if (wanted[vertex] != 0) before_[corner] = std::exchange(last_[vertex], corner);
+    }
+  }
+
+  /// As a number into `Vertices::index`. Each vertex has one.
+  std::uint32_t last(std::uint32_t vertex) const { return last_[vertex]; }
+  /// The one before it of the same vertex, or none.
+  std::uint32_t before(std::uint32_t corner) const { return before_[corner]; }
+
+ private:
+  std::vector<std::uint32_t> last_;
+  std::vector<std::uint32_t> before_;
+};
+
 class Dresser {
  public:
   Dresser(const TriangleMesh& mesh, const Vertices& vertices, const std::vector<Triangle>& faces)
-      : mesh_(mesh), vertices_(vertices), corners_(vertices, faces), part_(part_numbers(mesh)) {}
-
-  std::uint32_t part_of(const Triangle& vertices) const {
-    return part_[source(corners_[vertices[0]].front()).face];
-  }
+      : mesh_(mesh), vertices_(vertices), corners_(vertices, faces) {}
 
   /// Adds a triangle and what its corners carry. `at` are its corners as positions of `to`.
   void add(const Triangle& vertices, const Triangle& at, TriangleMesh& to) const {
@@ -140,17 +144,18 @@ class Dresser {
   }
 
  private:
-  Source source(std::uint32_t corner) const { return {vertices_.faces[corner / 3], corner % 3}; }
-
   Source most_alike(std::uint32_t vertex, const Vector3& direction) const {
-    Source best{};
+    std::uint32_t corner = corners_.last(vertex);
+    Source best = source_of(vertices_, corner);
     double most = -std::numeric_limits<double>::infinity();
-    for (const std::uint32_t corner : corners_[vertex]) {
-      const Source here = source(corner);
+    for (int i = 0; i < kMaxAlike && corner != kNone; ++i) {
+      const Source here = source_of(vertices_, corner);
       const double along = model::dot(normal(here), direction);
-      if (along <= most) continue;
-      most = along;
-      best = here;
+      if (along > most) {
+        most = along;
+        best = here;
+      }
+      corner = corners_.before(corner);
     }
     return best;
   }
@@ -169,7 +174,6 @@ class Dresser {
   const TriangleMesh& mesh_;
   const Vertices& vertices_;
   CornersOf corners_;
-  std::vector<std::uint32_t> part_;  // of each triangle of the mesh
 };
 
 /// Gives the places of a surface that are used their positions in a mesh.
@@ -188,8 +192,6 @@ class Positions {
   }
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffffU;
-
   const PinchedSurface& surface_;
   TriangleMesh& to_;
   std::vector<std::uint32_t> number_;
@@ -198,12 +200,16 @@ class Positions {
 void dress(const TriangleMesh& mesh, const Vertices& vertices, std::vector<Triangle> faces,
            Positions& positions, TriangleMesh& result) {
   const Dresser dresser(mesh, vertices, faces);
-  std::stable_sort(faces.begin(), faces.end(), [&](const Triangle& a, const Triangle& b) {
-    return dresser.part_of(a) < dresser.part_of(b);
-  });
+  const auto part_of = [&vertices](const Triangle& t) { return vertices.part[t[0]]; };
+  const auto by_part = [&](const Triangle& a, const Triangle& b) {
+    return part_of(a) < part_of(b);
+  };
+  if (!std::is_sorted(faces.begin(), faces.end(), by_part)) {
+    std::stable_sort(faces.begin(), faces.end(), by_part);
+  }
   std::size_t last = mesh.parts.size();
   for (const Triangle& t : faces) {
-    const std::size_t part = dresser.part_of(t);
+    const std::size_t part = part_of(t);
     if (!mesh.parts.empty() && part != last) {
       result.parts.push_back(mesh.parts[part]);
       result.parts.back().first = result.triangles.size();
@@ -228,7 +234,7 @@ Vertices vertices_of(const TriangleMesh& mesh, const Weld& welded, Seams seams) 
     vertices.index.insert(vertices.index.end(), places.begin(), places.end());
   }
   if (!plain(mesh)) {
-    tell_apart(mesh, seams, vertices);
+    Teller(mesh, seams, welded.places(), vertices).run();
     return vertices;
   }
   vertices.place.resize(welded.places());

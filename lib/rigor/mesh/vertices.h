@@ -24,6 +24,8 @@ struct Vertices {
   std::vector<std::uint32_t> faces;  ///< the triangles of the mesh that are not degenerate
   std::vector<std::uint32_t> index;  ///< of each of their corners, its vertex
   std::vector<std::uint32_t> place;  ///< of each vertex
+  std::vector<std::uint32_t>
+      part;  ///< of each vertex, where corners carry anything or parts are more
 };
 
 Vertices vertices_of(const TriangleMesh& mesh, const Weld& welded, Seams seams);
