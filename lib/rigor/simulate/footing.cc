@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include <rigor/simulate/model_groups.h>
 #include <rigor/simulate/reach.h>

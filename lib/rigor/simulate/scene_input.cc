@@ -3,6 +3,8 @@
 
 #include <rigor/simulate/scene_input.h>
 
+#include <utility>
+
 namespace rigor::simulate {
 
 SceneFiles::SceneFiles(const read::Loaded& loaded, read::Workspace& workspace,

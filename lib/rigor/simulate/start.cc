@@ -4,7 +4,9 @@
 #include <rigor/simulate/start.h>
 
 #include <algorithm>
-#include <string>
+#include <array>
+#include <cstdint>
+#include <utility>
 
 namespace rigor::simulate {
 namespace {
