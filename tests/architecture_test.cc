@@ -71,7 +71,7 @@ const std::map<std::string, Names>& third_parties() {
       {"console_bridge/", {"convert"}},
       {"ode/", {"simulate", "tools"}},
       {"embree3/", {"view"}},
-      {"png.h", {"view"}},
+      {"png.h", {"view", "mesh"}},
       {"turbojpeg.h", {"view"}},
       {"zlib.h", {"report"}}};
   return kParties;

@@ -25,7 +25,7 @@ Format format(const std::string& bytes, const std::string& path) {
   return format_of(std::string_view(bytes).substr(0, 512), bytes.size(), path);
 }
 
-LoadedMesh read(const std::string& path, const std::string& bytes) {
+LoadedMesh read_named(const std::string& path, const std::string& bytes) {
   MemoryDisk disk;
   disk.put(path, bytes);
   return read_mesh(disk, path);
@@ -59,26 +59,26 @@ TEST(MeshFormat, TheEndingDecidesWhenTheBytesSayNothing) {
 }
 
 TEST(ReadMesh, StlAndObj) {
-  const LoadedMesh binary = read("a/m.stl", binary_stl(box_mesh({1, 1, 1})));
+  const LoadedMesh binary = read_named("a/m.stl", binary_stl(box_mesh({1, 1, 1})));
   EXPECT_TRUE(binary.faults.empty());
   EXPECT_EQ(binary.mesh.triangles.size(), 12U);
-  EXPECT_EQ(read("a/m.stl", kAscii).mesh.triangles.size(), 1U);
-  EXPECT_EQ(read("a/m.obj", kObj).mesh.triangles.size(), 1U);
+  EXPECT_EQ(read_named("a/m.stl", kAscii).mesh.triangles.size(), 1U);
+  EXPECT_EQ(read_named("a/m.obj", kObj).mesh.triangles.size(), 1U);
 }
 
 TEST(ReadMesh, AnEndingThatLies) {
-  const LoadedMesh loaded = read("m.dae", kObj);
+  const LoadedMesh loaded = read_named("m.dae", kObj);
   EXPECT_TRUE(loaded.usable());
   EXPECT_EQ(loaded.format, Format::kObj);
   EXPECT_EQ(only_fault(loaded).kind, FaultKind::kExtensionMismatch);
   EXPECT_EQ(only_fault(loaded).detail, "obj");
-  EXPECT_TRUE(read("m", kObj).faults.empty());
-  EXPECT_TRUE(read("m.STL", kAscii).faults.empty());
+  EXPECT_TRUE(read_named("m", kObj).faults.empty());
+  EXPECT_TRUE(read_named("m.STL", kAscii).faults.empty());
 }
 
 TEST(ReadMesh, WhatIsNoMesh) {
   const auto fault_of = [](const std::string& path, const std::string& bytes) {
-    const LoadedMesh loaded = read(path, bytes);
+    const LoadedMesh loaded = read_named(path, bytes);
     expect_no_mesh(loaded);
     return only_fault(loaded);
   };

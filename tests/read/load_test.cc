@@ -47,6 +47,41 @@ std::string joint(const std::string& version, const std::string& axis) {
          axis + "</axis></joint></model></sdf>";
 }
 
+/// Up to SDF 1.5 gravity stands in <physics>, up to 1.3 the step in <ode>.
+TEST(Load, GravityAndStepAreWhereTheVersionHasThem) {
+  const auto world = [](const std::string& version, const std::string& inside) {
+    return Case(one("<sdf version='" + version + "'><world name='w'>" + inside + "</world></sdf>"));
+  };
+  const std::string in_physics =
+      "<physics type='ode'><gravity>0 0 -1.6</gravity><max_step_size>0.004</max_step_size>"
+      "<ode><solver><dt>0.002</dt></solver></ode></physics>";
+  const std::string in_world = "<gravity>0 0 -3.7</gravity>";
+  for (const char* old : {"1.2", "1.3", "1.4", "1.5"}) {
+    const Case c = world(old, in_physics);
+    EXPECT_EQ(c.root().worlds[0].gravity.value.z, -1.6) << old;
+    EXPECT_TRUE(c.root().worlds[0].gravity.written) << old;
+    const bool has_dt = std::string(old) < "1.4";
+    EXPECT_EQ(c.root().physics[0].max_step_size.value, has_dt ? 0.002 : 0.004) << old;
+  }
+  const Case now = world("1.6", in_world + in_physics);
+  EXPECT_EQ(now.root().worlds[0].gravity.value.z, -3.7);
+  EXPECT_EQ(now.root().physics[0].max_step_size.value, 0.004);
+  // Of two, the one marked as default.
+  const std::string second = "<physics type='ode' default='1'><gravity>0 0 -2</gravity></physics>";
+  EXPECT_EQ(world("1.5", in_physics + second).root().worlds[0].gravity.value.z, -2);
+  const Case none = world("1.5", "");
+  EXPECT_EQ(none.root().worlds[0].gravity.value.z, -9.8);
+  EXPECT_FALSE(none.root().worlds[0].gravity.written);
+  // SDF 1.0 has attributes.
+  const Case first(
+      one("<gazebo version='1.0'><world name='w'><physics type='ode'><gravity "
+          "xyz='0 0 -5'/><ode><solver type='quick' dt='0.003' iters='10' sor='1.3'/>"
+          "</ode></physics></world></gazebo>"));
+  ASSERT_EQ(first.root().worlds.size(), 1U);
+  EXPECT_EQ(first.root().worlds[0].gravity.value.z, -5);
+  EXPECT_EQ(first.root().physics[0].max_step_size.value, 0.003);
+}
+
 TEST(Load, AnAxisIsInTheFrameThatItsVersionSays) {
   const auto axis = [](const std::string& version, const std::string& text) {
     const Case one_case(one(joint(version, text)));

@@ -121,6 +121,19 @@ TEST(Advice, AWheelWithoutFrictionOrSmallerThanTheOther) {
             FactKind::kCauseWheelFriction);
 }
 
+/// Why a wheel falls through the ground.
+TEST(Advice, AShapeWhoseMaxContactsAreZeroTouchesNothing) {
+  Scene scene = tutorial_robot();
+  const auto wheel = std::find_if(scene.shapes.begin(), scene.shapes.end(),
+                                  [](const SceneShape& shape) { return shape.body == 1; });
+  wheel->surface.max_contacts = 0;
+  const Facts causes = causes_of(scene);
+  const std::vector<Fact> flags = of_kind(causes, FactKind::kCauseFlag);
+  ASSERT_EQ(flags.size(), 1U);
+  EXPECT_EQ(flags[0].name, "max_contacts");
+  EXPECT_EQ(explain({.kind = FactKind::kFalls}, causes)[0].kind, FactKind::kCauseFlag);
+}
+
 TEST(Advice, ALinkThatIsKinematicOrWithoutGravity) {
   Scene scene = tutorial_robot();
   scene.bodies[0].kinematic = true;

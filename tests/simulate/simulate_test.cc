@@ -51,6 +51,65 @@ TEST(Simulate, AFailureThatMostRunsShowIsTheModels) {
   EXPECT_EQ(run.metrics[0].fact->kind, FactKind::kSinks);
 }
 
+/// Five runs have a vote each, and three that agree are enough, whatever the others show.
+TEST(Simulate, RunsAreMadeUntilThreeOfFiveAgree) {
+  const simulate::Run run = failed_run();
+  struct Case {
+    std::vector<bool> shown;
+    std::size_t next;
+  };
+  for (const Case& c : std::vector<Case>{{{}, 2},
+                                         {{true}, 1},
+                                         {{true, true}, 0},
+                                         {{true, false}, 1},
+                                         {{false, false}, 1},
+                                         {{false, true, true}, 0},
+                                         {{false, true, false}, 1},
+                                         {{false, false, false}, 0},
+                                         {{false, false, true}, 1},
+                                         {{false, true, false, true}, 0}}) {
+    std::vector<Again> agains;
+    for (const bool shown : c.shown) {
+      agains.push_back({});
+      agains.back().metrics = {make_metric("ground.sink", shown ? 1 : 0, {})};
+    }
+    EXPECT_EQ(next_of(agains, run), c.next) << c.shown.size();
+  }
+}
+
+TEST(Simulate, WhatTookTooLongHasNoVote) {
+  simulate::Run run = failed_run();
+  std::vector<Again> agains = agains_that_fail(0, 4);
+  agains[1].record.end = Record::End::kOutOfTime;
+  agains[1].stopped = true;
+  confirm(agains, run);  // one of four
+  EXPECT_EQ(run.metrics[0].verdict, Verdict::kSolver);
+  EXPECT_FALSE(run.confirmations[1].in_time);
+  EXPECT_TRUE(run.confirmations[1].lacking.empty());
+  EXPECT_EQ(run.confirmations[2].lacking, std::vector<std::string_view>{"ground.sink"});
+  // Nor does it end the search: with one against one the seeds are asked.
+  EXPECT_EQ(next_of({agains[1], agains[0]}, failed_run()), 1U);
+}
+
+/// A box that begins in the ground is shown by half the step and the other solver: no seed is needed.
+TEST(Simulate, AFaultOfTheModelsNeedsNoSeeds) {
+  Scene scene = hand::scene();
+  hand::add_body(scene, hand::box_mass(6, {0.2, 0.2, 0.2}), {0, 0, 0.05});
+  scene.shapes.push_back(
+      {.name = "b::c", .body = 0, .kind = mesh::Box{{0.2, 0.2, 0.2}}, .extent = 0.2});
+  const DriveTrain wheels;
+  const Facts causes;
+  const Task task{
+      scene, causes, {*make_test("settle", scene, wheels).scenario}, wheels, scene.solver};
+  const std::vector<Simulation> result = simulate::simulate({task}, {});
+  const simulate::Run& run = result[0].runs[0];
+  EXPECT_EQ(run.verdict, Verdict::kFail);
+  ASSERT_EQ(run.confirmations.size(), 2U);
+  EXPECT_EQ(run.confirmations[0].what, "half the step");
+  EXPECT_EQ(run.confirmations[1].what, "dantzig");
+  for (const Confirmation& each : run.confirmations) EXPECT_TRUE(each.agrees) << each.what;
+}
+
 TEST(Simulate, AnExplosionElsewhereIsNoContradiction) {
   simulate::Run run = failed_run();
   std::vector<Again> agains = agains_that_fail(0, 4);

@@ -291,7 +291,7 @@ struct Physics {
   Field<std::string> name;
   Field<std::string> type;
   Field<bool> is_default;
-  Field<double> max_step_size;  ///< s
+  Field<double> max_step_size;  ///< s; up to SDF 1.3 the `dt` of ODE's solver
   Field<double> real_time_factor;
   Id<World> world;
 };
@@ -299,7 +299,7 @@ struct Physics {
 struct World {
   Site site;
   Field<std::string> name;
-  Field<Vector3> gravity;  ///< m/s²
+  Field<Vector3> gravity;  ///< m/s²; up to SDF 1.5 that of the `<physics>` that counts
   std::vector<Id<Model>> models;
   std::vector<Id<Joint>> joints;
   std::vector<Id<Frame>> frames;

@@ -116,12 +116,40 @@ Id<model::Model> SdfReader::read_included(xml::Element sdf, Scope scope) {
   return {};
 }
 
+/// Up to SDF 1.5 it stands in `<physics>`, of which the one marked as default counts, else the first. In
+/// 1.0 it is an attribute.
+model::Field<model::Vector3> SdfReader::gravity_of(xml::Element world) const {
+  constexpr model::Vector3 kStandard{0, 0, -9.8};
+  std::optional<xml::Element> holder = world;
+  if (version_ <= 5) {
+    holder.reset();
+    for (const xml::Element child : world.children()) {
+      if (child.name() != "physics") continue;
+      const bool is_default = bool_field(attribute_text(child, "default"), false).value;
+      if (!holder || is_default) holder = child;
+      if (is_default) break;
+    }
+  }
+  if (!holder) return {kStandard, {}, false};
+  const auto element = holder->child("gravity");
+  const auto attribute = element ? attribute_text(*element, "xyz") : std::nullopt;
+  return vector_field(attribute ? attribute : child_text(*holder, "gravity"), kStandard);
+}
+
+/// Up to SDF 1.3 each engine has a step of its own; only ODE's counts here.
+std::optional<Text> SdfReader::step_text(xml::Element physics) const {
+  if (version_ > 3) return child_text(physics, "max_step_size");
+  const auto ode = physics.child("ode");
+  const auto solver = ode ? ode->child("solver") : std::nullopt;
+  return solver ? child_text(*solver, "dt") : std::nullopt;
+}
+
 void SdfReader::read_world(xml::Element element) {
   const Id<model::World> id = next_id(root_.worlds);
   model::World world;
   world.site = site_of(element);
   world.name = string_field(attribute_text(element, "name"));
-  world.gravity = vector_field(child_text(element, "gravity"), {0, 0, -9.8});
+  world.gravity = gravity_of(element);
   root_.worlds.push_back(std::move(world));
   const Scope scope{{}, id};
   for (const xml::Element child : element.children()) {
@@ -316,7 +344,7 @@ void SdfReader::read_physics(xml::Element element, Scope scope) {
   physics.name = string_field(attribute_text(element, "name"));
   physics.type = string_field(attribute_text(element, "type"), "ode");
   physics.is_default = bool_field(attribute_text(element, "default"), false);
-  physics.max_step_size = number_field(child_text(element, "max_step_size"), 0.001);
+  physics.max_step_size = number_field(step_text(element), 0.001);
   physics.real_time_factor = number_field(child_text(element, "real_time_factor"), 1);
   physics.world = scope.world;
   root_.physics.push_back(std::move(physics));

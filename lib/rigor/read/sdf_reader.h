@@ -64,6 +64,8 @@ class SdfReader {
   void read_frame(xml::Element element, Scope scope);
   void read_actor(xml::Element element, Scope scope);
   void read_physics(xml::Element element, Scope scope);
+  model::Field<model::Vector3> gravity_of(xml::Element world) const;
+  std::optional<Text> step_text(xml::Element physics) const;
   void read_light(xml::Element element, model::Id<model::Link> link);
   void read_plugin(xml::Element element, model::Plugin plugin);
 

@@ -71,8 +71,11 @@ Json run_of(const simulate::Run& run, const simulate::Scene& scene) {
   }
   Json confirmations = Json::array();
   for (const simulate::Confirmation& each : run.confirmations) {
-    confirmations.push_back(
-        {{"what", each.what}, {"verdict", to_string(each.verdict)}, {"agrees", each.agrees}});
+    confirmations.push_back({{"what", each.what},
+                             {"verdict", to_string(each.verdict)},
+                             {"agrees", each.agrees},
+                             {"in_time", each.in_time},
+                             {"lacking", each.lacking}});
   }
   return {{"test", run.test},
           {"seed", run.seed},

@@ -51,11 +51,23 @@ std::string metric_line(const simulate::Metric& metric, Color color) {
   return line + '\n';
 }
 
+/// "the same", "the same but rest.creep", "pass".
+std::string confirmation_words(const simulate::Confirmation& each) {
+  if (!each.in_time) return "took too long to say";
+  if (!each.agrees) return std::string(to_string(each.verdict));
+  std::string words = "the same";
+  const char* joint = " but ";
+  for (const std::string_view id : each.lacking) {
+    words.append(joint).append(id);
+    joint = " and ";
+  }
+  return words;
+}
+
 std::string confirmations_line(const simulate::Run& run) {
   std::string line;
   for (const simulate::Confirmation& each : run.confirmations) {
-    line += fmt::format("{}{}: {}", line.empty() ? "" : ", ", each.what,
-                        each.agrees ? "the same" : to_string(each.verdict));
+    line += fmt::format("{}{}: {}", line.empty() ? "" : ", ", each.what, confirmation_words(each));
   }
   return line.empty() ? line : fmt::format("             run again with {}\n", line);
 }

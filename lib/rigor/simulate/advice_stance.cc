@@ -76,7 +76,7 @@ void add_soft_contacts(Causes& causes, std::uint32_t m) {
 /// What `rest.weight_balance` warns of: what weighs less is not missed.
 constexpr double kMissedShare = 0.005;
 
-/// A link that moves as it is told, or that gravity forgets, is often meant: it goes along with what a
+/// A link that moves as it is told or that gravity forgets, a shape that may touch nothing, is often meant: it goes along with what a
 /// run shows, and is no fault by itself.
 void add_flags(Causes& causes, std::uint32_t m) {
   const Scene& scene = causes.scene;
@@ -99,6 +99,14 @@ void add_flags(Causes& causes, std::uint32_t m) {
       continue;
     }
     causes.add(FactKind::kCauseFlag, std::move(about), body.mass.mass, 0, 1, kInfinity);
+  }
+  for (std::uint32_t s = 0; s < scene.shapes.size(); ++s) {
+    const SceneShape& shape = scene.shapes[s];
+    if (shape.body >= scene.bodies.size() || scene.bodies[shape.body].model != m) continue;
+    if (shape.surface.max_contacts > 0) continue;
+    Fact about = about_shape(scene, s);
+    about.name = "max_contacts";
+    causes.add(FactKind::kCauseFlag, std::move(about), 0, 0, 1, kInfinity);
   }
 }
 

@@ -16,10 +16,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <rigor/convert/documents.h>
 #include <rigor/mass/link_body.h>
+#include <rigor/mesh/height_picture.h>
 #include <rigor/mesh/read.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
@@ -31,13 +34,23 @@ namespace rigor::simulate {
 /// The triangles of the mesh that a shape names; null when there are none. In the file's unit.
 using LoadMesh = std::function<const mesh::LoadedMesh*(const model::Mesh&)>;
 
+/// The picture of a heightmap, or why there is none.
+struct LoadedHeights {
+  std::optional<mesh::HeightPicture> picture;
+  std::string why;  ///< "valley.tif is not a PNG"
+};
+using LoadHeights = std::function<const LoadedHeights&(const model::Heightmap&)>;
+
 struct SceneInput {
   const model::Root& root;
   const model::Frames& frames;  ///< at the joint positions that the run begins with
   const convert::Documents& documents;
-  mass::FindMesh find_mesh;              ///< for masses
-  LoadMesh load_mesh;                    ///< for shapes
+  mass::FindMesh find_mesh;  ///< for masses
+  LoadMesh load_mesh;        ///< for shapes
+  LoadHeights load_heights;
   model::JointPositions positions = {};  ///< those of `frames`
+  /// Joints that begin at a limit, since zero is beyond it.
+  std::vector<model::Id<model::Joint>> moved = {};
 };
 
 /// What is made of a mesh that collides.

@@ -57,7 +57,9 @@ class BodyBuilder {
     for (std::uint32_t i = 0; i < root_.links.size(); ++i) {
       if (draft_.takes(root_.links[i].model)) add_link({i});
     }
-    for (SceneBody& body : scene_.bodies) judge_body(body);
+    if (!say_if_only_drawn()) {
+      for (SceneBody& body : scene_.bodies) judge_body(body);
+    }
     for (SceneModel& model : scene_.models) {
       const Id<model::Link> base = draft_.input.frames.canonical_link(model.id);
       if (base && draft_.link_of[base.value] != kWorld) {
@@ -243,6 +245,19 @@ class BodyBuilder {
   void set_decay(double& out, xml::Element e, const model::Link& link) {
     const double value = draft_.number(read::Text{e.text(), e.text_span()}, 0, e.name(), link);
     out = std::max(out, std::clamp(value, 0.0, 1.0));
+  }
+
+  /// A URDF in which no link has mass is a drawing: that is said once, of the model.
+  bool say_if_only_drawn() {
+    const bool drawn =
+        root_.format == model::Format::kUrdf && !scene_.bodies.empty() &&
+        std::all_of(root_.links.begin(), root_.links.end(), [](const model::Link& link) {
+          return !(link.inertial.mass.value > 0) && !(link.inertial.mass.value < 0);
+        });
+    if (!drawn) return false;
+    const model::Model& model = root_[scene_.models.front().id];
+    draft_.say(FactKind::kNoMass, model.name.span, model, "all");
+    return true;
   }
 
   void judge_body(SceneBody& body) {

@@ -148,6 +148,10 @@ class JointBuilder {
     if (start != draft_.input.positions.end() && k < start->second.size()) {
       axis.start = start->second[k];
     }
+    const auto& moved = draft_.input.moved;
+    if (std::find(moved.begin(), moved.end(), id) != moved.end()) {
+      say(FactKind::kStartMoved, or_name(written.limit_site.name, joint), joint, {}, axis.start);
+    }
     axis.where = written.site.name;
     axis.limit_where = written.limit_site.name;
     if (joint.type != JointType::kContinuous) add_limits(axis, written, joint);

@@ -113,16 +113,14 @@ const model::Physics* physics_of(const model::Root& root, model::Id<model::World
 
 void add_gravity(SceneDraft& draft, const model::World& world, const model::Physics* physics) {
   draft.scene.gravity = world.gravity.value;
-  const auto look = [&](xml::Element holder) {  // up to SDF 1.5 it stands in <physics>
+  if (world.gravity.written) return;
+  const auto look = [&](xml::Element holder) {  // for what is no vector
     auto text = read::child_text(holder, "gravity");
     if (const auto element = holder.child("gravity")) {
       if (const auto old = read::attribute_text(*element, "xyz")) text = old;
     }
-    if (!text) return;
-    const auto field = read::vector_field(text, {});
-    if (field.written) {
-      draft.scene.gravity = field.value;
-    } else if (!read::trimmed(text->text).empty()) {
+    if (!text || read::trimmed(text->text).empty()) return;
+    if (!read::vector_field(text, {}).written) {
       draft.say(FactKind::kNotFinite, text->span, world, "gravity");
     }
   };

@@ -4,6 +4,7 @@
 // Collisions as shapes that an engine has. What is only nearly what the file says becomes a fact.
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -11,6 +12,7 @@
 #include <variant>
 
 #include <rigor/mass/polyline.h>
+#include <rigor/mesh/height_picture.h>
 #include <rigor/mesh/hull.h>
 #include <rigor/mesh/primitive_mesh.h>
 #include <rigor/mesh/select.h>
@@ -141,22 +143,32 @@ class ShapeBuilder {
       say(FactKind::kAxisZero, or_shape(plane.normal.span), "normal");
       return false;
     }
-    if (shape_.body != kWorld) {
-      say(FactKind::kShapeIgnored, shape_.where, "a plane that moves");
-      return false;
-    }
+    if (shape_.body != kWorld) return left_out("a plane that moves");
     shape_.kind = HalfSpace{1 / size * plane.normal.value};
     shape_.extent = kInfinity;
     return true;
   }
-  bool make(const model::Heightmap&) {
-    say(FactKind::kShapeIgnored, shape_.where, "heightmap");
-    return false;
+  bool make(const model::Heightmap& map) {
+    const Vector3& s = map.size.value;
+    // A z of zero is flat ground.
+    if (!sized(map.size.span, "size", std::min(s.x, s.y))) return false;
+    if (s.z < 0) return sized(map.size.span, "size", s.z);
+    if (shape_.body != kWorld) return left_out("a heightmap that moves");
+    const LoadedHeights& loaded = draft_.input.load_heights(map);
+    if (!loaded.picture) return left_out("the heightmap's picture " + loaded.why);
+    const mesh::HeightPicture& picture = *loaded.picture;
+    if (picture.width != picture.height || !std::has_single_bit(picture.width - 1)) {
+      return left_out("a heightmap of " + std::to_string(picture.width) + " by " +
+                      std::to_string(picture.height) +
+                      " pixels: Gazebo takes a square of 2^n + 1, as 129 by 129");
+    }
+    shape_.kind = grid_of(picture, s);
+    shape_.extent = std::max(s.x, s.y);
+    const auto offset = read::child_text(draft_.element(collision_->geometry.site), "pos");
+    shape_.X_BS = compose(shape_.X_BS, {read::vector_field(offset, {}).value, {}});
+    return true;
   }
-  bool make(const model::Image&) {
-    say(FactKind::kShapeIgnored, shape_.where, "image");
-    return false;
-  }
+  bool make(const model::Image&) { return left_out("image"); }
   bool make(const model::Mesh& mesh) {
     const Vector3& s = mesh.scale.value;
     if (s.x == 0 || s.y == 0 || s.z == 0) {
@@ -169,6 +181,26 @@ class ShapeBuilder {
       return false;
     }
     return take_mesh(*found);
+  }
+
+  /// As Gazebo has it: the picture as seen from above, y upward on it; its brightest pixel is as high
+  /// as `size.z`, black is zero. (Its `<sampling>` only puts more points between the pixels.)
+  static HeightGrid grid_of(const mesh::HeightPicture& picture, const Vector3& size) {
+    const double brightest = *std::max_element(picture.levels.begin(), picture.levels.end());
+    const double scale = brightest > 0 ? size.z / brightest : 0;
+    HeightGrid grid{picture.width, picture.height, size.x, size.y, {}};
+    grid.heights.reserve(picture.levels.size());
+    for (std::uint32_t row = picture.height; row-- > 0;) {
+      for (std::uint32_t column = 0; column < picture.width; ++column) {
+        grid.heights.push_back(scale * picture.at(column, row));
+      }
+    }
+    return grid;
+  }
+
+  bool left_out(std::string why) {
+    say(FactKind::kShapeIgnored, shape_.where, std::move(why));
+    return false;
   }
 
   template <class Round>

@@ -22,9 +22,37 @@ bool shows(const Again& again, const Metric& failure) {
          again.record.end == Record::End::kNotFinite || again.record.end == Record::End::kFarAway;
 }
 
-/// Most of all runs, the first among them.
-bool most_lack_it(std::ptrdiff_t showing, std::size_t confirmations) {
-  return static_cast<std::ptrdiff_t>(confirmations) - showing > showing + 1;
+/// The exact solver's time grows with the cube of the contacts: what it did not get to, it did not see.
+bool has_a_say(const Again& again, const Run& run) {
+  return again.record.end != Record::End::kOutOfTime || was_stopped(run.record);
+}
+
+/// What the runs of a failure say, the first among those that show it.
+struct Votes {
+  std::size_t showing = 1;
+  std::size_t lacking = 0;
+
+  /// Most lack it, even if all of `left` showed it.
+  bool deny(std::size_t left) const { return lacking > showing + left; }
+  /// As many show it, even if all of `left` lacked it.
+  bool believe(std::size_t left) const { return lacking + left <= showing; }
+};
+
+template <class Shows>
+Votes votes_of(const std::vector<Again>& agains, const Run& run, const Shows& shows_it) {
+  Votes votes;
+  for (const Again& again : agains) {
+    if (has_a_say(again, run)) ++(shows_it(again) ? votes.showing : votes.lacking);
+  }
+  return votes;
+}
+
+Votes votes_for(const std::vector<Again>& agains, const Run& run, const Metric& failure) {
+  return votes_of(agains, run, [&](const Again& again) { return shows(again, failure); });
+}
+
+Votes votes_for_stop(const std::vector<Again>& agains, const Run& run) {
+  return votes_of(agains, run, [](const Again& again) { return again.stopped; });
 }
 
 void blame_solver(Metric& metric) {
@@ -58,32 +86,47 @@ bool was_stopped(const Record& record) {
          record.end == Record::End::kOutOfTime;
 }
 
+std::size_t next_of(const std::vector<Again>& agains, const Run& run) {
+  if (agains.size() <= kOtherSolver) return kOtherSolver + 1 - agains.size();
+  if (agains.size() >= kVariants) return 0;
+  const std::size_t left = kVariants - agains.size();
+  const auto open = [&](const Votes& votes) { return !votes.deny(left) && !votes.believe(left); };
+  const bool any_open =
+      (was_stopped(run.record) && open(votes_for_stop(agains, run))) ||
+      std::any_of(run.metrics.begin(), run.metrics.end(), [&](const Metric& metric) {
+        return metric.verdict == Verdict::kFail && open(votes_for(agains, run, metric));
+      });
+  return any_open ? 1 : 0;
+}
+
 void confirm(const std::vector<Again>& agains, Run& run) {
   const bool stopped = was_stopped(run.record);
   run.confirmations.clear();
   for (const Again& again : agains) {
-    Confirmation confirmation{again.variant.what, Verdict::kPass, stopped && again.stopped};
+    Confirmation confirmation{.what = again.variant.what,
+                              .agrees = stopped && again.stopped,
+                              .in_time = has_a_say(again, run)};
     for (const Metric& metric : again.metrics) {
       confirmation.verdict = worse(confirmation.verdict, metric.verdict);
     }
     if (again.stopped) confirmation.verdict = Verdict::kInvalid;
     for (const Metric& metric : run.metrics) {
-      const bool same = metric.verdict == Verdict::kFail && shows(again, metric);
-      confirmation.agrees = confirmation.agrees || same;
+      if (metric.verdict != Verdict::kFail || !confirmation.in_time) continue;
+      if (shows(again, metric)) {
+        confirmation.agrees = true;
+      } else {
+        confirmation.lacking.push_back(metric.id);
+      }
     }
     run.confirmations.push_back(std::move(confirmation));
   }
   for (Metric& metric : run.metrics) {
-    if (metric.verdict != Verdict::kFail) continue;
-    const auto showing = std::count_if(agains.begin(), agains.end(),
-                                       [&](const Again& again) { return shows(again, metric); });
-    if (most_lack_it(showing, agains.size())) blame_solver(metric);
+    if (metric.verdict == Verdict::kFail && votes_for(agains, run, metric).deny(0)) {
+      blame_solver(metric);
+    }
   }
   if (!stopped) return;
-  const auto also =
-      std::count_if(agains.begin(), agains.end(), [](const Again& again) { return again.stopped; });
-  const bool by_solver = most_lack_it(also, agains.size());
-  run.verdict = by_solver ? Verdict::kSolver : Verdict::kInvalid;
+  run.verdict = votes_for_stop(agains, run).deny(0) ? Verdict::kSolver : Verdict::kInvalid;
 }
 
 double difference_of(const Scene& scene, const Record& a, const Record& b) {

@@ -20,7 +20,7 @@ namespace rigor::simulate {
 enum class FactKind : std::uint8_t {
   // What an engine cannot take: nothing is run, the verdict is `invalid`.
   kUnreadable,         ///< no model, no pose, an include that leads nowhere; `name` says what
-  kNoMass,             ///< of a body that moves
+  kNoMass,             ///< of a body that moves; `name`: "all" of a model that is only drawn
   kNotFinite,          ///< a number; `name` says which
   kInertiaImpossible,  ///< no rigid body has it
   kShapeSize,          ///< not positive
@@ -42,13 +42,14 @@ enum class FactKind : std::uint8_t {
   kJointIgnored,
   kElementIgnored,  ///< `name`: the element's; the model relies on what this engine lacks
   kDampingAsNone,
+  kStartMoved,  ///< zero is outside the joint's limits: it begins at `value`
   // What a run shows. Each is a metric beyond its limit; `value` and `limit` in the metric's unit, `name`
   // its id (of two shapes, the other one).
   kExplodes,  ///< not finite, or far away
   kTooFast,
   kEnergyGained,
   kSpawnedInGround,
-  kSpawnedAbove,
+  kSpawnedAbove,  ///< `value`: infinite where nothing is below
   kSelfOverlap,
   kNeverSettles,
   kRestless,  ///< residual speed at rest
@@ -89,8 +90,9 @@ enum class FactKind : std::uint8_t {
   kCauseMeshWheel,
   kCauseStartOutsideLimits,
   kCauseNoCollision,
-  kCauseEffort,         ///< too little for the load
-  kCauseFlag,           ///< `name`: "kinematic", or "gravity" that acts on others of the model
+  kCauseEffort,  ///< too little for the load
+  /// `name`: "kinematic", "gravity" that acts on others of the model, "max_contacts" of 0.
+  kCauseFlag,
   kCauseWheelFriction,  ///< of a wheel that drives; `value`: the larger of mu and mu2
   kCauseWheelRadii,     ///< of two on one axle; `value`: m, `limit`: the other's, `name`: the other
   kCauseSoftContact,    ///< `value`: m that it sinks where an engine honours kp

@@ -9,6 +9,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <variant>
+
+#include <rigor/simulate/footing.h>
 
 namespace rigor::simulate {
 
@@ -44,6 +47,17 @@ double reach_from_centre(const SceneBody& body, const SceneShape& shape, double 
   return reach < most ? reach : most;
 }
 
+/// A ball has no upright: it rolls.
+bool is_ball(const Scene& scene, std::uint32_t model) {
+  std::size_t balls = 0, shapes = 0;
+  for (const SceneShape& shape : scene.shapes) {
+    if (shape.body >= scene.bodies.size() || scene.bodies[shape.body].model != model) continue;
+    ++shapes;
+    balls += std::holds_alternative<mesh::Sphere>(shape.kind) ? 1 : 0;
+  }
+  return shapes == 1 && balls == 1;
+}
+
 void merge_peak(Peak& into, const Peak& from) { into.see(from.value, from.of, from.at); }
 
 void begin_phase(PhaseMeasures& phase, const std::vector<BodyState>& bodies,
@@ -65,8 +79,16 @@ Watch::Watch(const Scene& scene, const Scenario& scenario, const SolverSettings&
       step_(settings.step),
       filter_(jitter_filter(settings.step)),
       gravity_(scenario.gravity ? scene.gravity : Vector3{}) {
-  for (const SceneBody& body : scene.bodies) {
-    bodies_.push_back({body.mass, body.gravity ? body.mass.mass : 0, !body.kinematic, 0});
+  const std::vector<bool> free = moving_freely(scene, scenario);
+  const std::vector<Footing> footings = footings_of(scene);
+  const auto kind_of = [&](std::uint32_t model) {
+    return model < footings.size() ? footings[model].kind : Footing::Kind::kStands;
+  };
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const SceneBody& body = scene.bodies[i];
+    const bool falls = kind_of(body.model) == Footing::Kind::kInTheAir;
+    bodies_.push_back(
+        {body.mass, body.gravity ? body.mass.mass : 0, !body.kinematic, falls, !free[i], 0});
     conserves_ = conserves_ && !body.kinematic;
   }
   for (const SceneJoint& joint : scene.joints) {
@@ -84,13 +106,15 @@ Watch::Watch(const Scene& scene, const Scenario& scenario, const SolverSettings&
     shapes_.push_back(
         {of_world ? kWorld : shape.body, of_world ? kWorld : scene.bodies[shape.body].model});
   }
-  for (const SceneModel& model : scene.models) {
+  for (std::uint32_t m = 0; m < scene.models.size(); ++m) {
+    const SceneModel& model = scene.models[m];
     if (model.is_static || model.base >= scene.bodies.size()) {
       bases_.push_back({});
       continue;
     }
     const Quaternion R_BW = model::conjugate(scene.bodies[model.base].X_WB.rotation);
-    bases_.push_back({model.base, model::rotate(R_BW, {0, 0, 1})});
+    bases_.push_back({model.base, model::rotate(R_BW, {0, 0, 1}),
+                      kind_of(m) == Footing::Kind::kStands && !is_ball(scene, m)});
   }
   measures_.phases.resize(scenario.phases.size());
 }
@@ -163,11 +187,13 @@ void Watch::see_bodies(const State& state, StepPeaks& peaks) {
     const double w_square = dot(body.w_WB, body.w_WB);
     const Vector3 change = body.v_WBcm - before_[i].v_WBcm;
     const double change_square = dot(change, change);
-    slow =
-        slow && v_square < kSettledSpeed * kSettledSpeed && w_square < kSettledTurn * kSettledTurn;
-    peaks.residual.see(std::sqrt(v_square) + bodies_[i].radius * std::sqrt(w_square), i,
-                       state.time);
-    if (v_square > fastest) {
+    if (bodies_[i].rests) {
+      slow = slow && v_square < kSettledSpeed * kSettledSpeed &&
+             w_square < kSettledTurn * kSettledTurn;
+      peaks.residual.see(std::sqrt(v_square) + bodies_[i].radius * std::sqrt(w_square), i,
+                         state.time);
+    }
+    if (v_square > fastest && !bodies_[i].falls) {
       fastest = v_square;
       peaks.speed = {0, i, state.time};
     }
@@ -179,7 +205,7 @@ void Watch::see_bodies(const State& state, StepPeaks& peaks) {
   peaks.speed.value = std::sqrt(fastest);
   peaks.acceleration.value = std::sqrt(hardest) / step_;
   for (std::uint32_t m = 0; m < bases_.size(); ++m) {
-    if (bases_[m].body == kWorld) continue;
+    if (!bases_[m].stands) continue;
     const Vector3 up = model::rotate(state.bodies[bases_[m].body].R_WB, bases_[m].up_B);
     peaks.tilt.see(tilt_of(up), m, state.time);
   }

@@ -37,12 +37,12 @@ struct Peak {
 /// Of one phase of a scenario: of the states after its begin, up to its end. Phases may overlap.
 struct PhaseMeasures {
   std::uint64_t steps = 0;
-  Peak speed;            ///< m/s, of bodies' centres
-  Peak residual;         ///< m/s: of a body's farthest point, at most: |v| + |w| · radius
-  Peak acceleration;     ///< m/s², of bodies' centres, save in steps that a new contact begins in
-  Peak energy;           ///< J above that at the start and what motors put in
-  Peak tilt;             ///< rad, of a model's base against its start; `of` a model
-  Peak anchor_error;     ///< m; `of` a joint
+  Peak speed;         ///< m/s, of bodies' centres, but of what begins in the air
+  Peak residual;      ///< m/s: of the farthest point of a body that is to rest: |v| + |w| · radius
+  Peak acceleration;  ///< m/s², of bodies' centres, save in steps that a new contact begins in
+  Peak energy;        ///< J above that at the start and what motors put in
+  Peak tilt;          ///< rad, of the base of a model that stands, against its start; `of` a model
+  Peak anchor_error;  ///< m; `of` a joint
   Peak limit_violation;  ///< rad or m; `of` an axis
   Peak penetration;      ///< m, into the world; `of` a shape
   Peak sunk;             ///< as `penetration`, at the last step only
@@ -112,9 +112,11 @@ class Watch {
 
   struct WatchedBody {
     mass::MassProperties mass;
-    double weight = 0;  // kg that gravity acts on
-    bool moves = true;  // by forces
-    double radius = 0;  // m: how far its shapes reach from its centre of mass
+    double weight = 0;   // kg that gravity acts on
+    bool moves = true;   // by forces
+    bool falls = false;  // begins in the air
+    bool rests = true;   // is to come to rest: neither in the air, nor free to swing
+    double radius = 0;   // m: how far its shapes reach from its centre of mass
   };
   struct WatchedAxis {
     double lower, upper, effort, spring_stiffness, spring_reference;
@@ -128,6 +130,7 @@ class Watch {
   struct WatchedBase {
     std::uint32_t body = kWorld;
     Vector3 up_B;  // W's z in the body at the start
+    bool stands = false;
   };
 
   void start(const State& state);

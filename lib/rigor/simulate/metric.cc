@@ -118,7 +118,7 @@ double MetricSheet::seconds(const PhaseMeasures& phase) const {
 
 std::vector<Metric> metrics_of(const Scene& scene, const Scenario& scenario, const Record& record,
                                const DriveTrain& wheels) {
-  MetricSheet sheet{scene, scenario, record, wheels, {}};
+  MetricSheet sheet{scene, scenario, record, wheels, {}, footings_of(scene)};
   const bool finite = record.end != Record::End::kNotFinite;
   const bool near = record.end != Record::End::kFarAway;
   sheet.add("state.nonfinite", finite ? 0 : 1, about_body(scene, record.culprit));

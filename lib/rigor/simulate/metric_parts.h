@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include <rigor/simulate/footing.h>
 #include <rigor/simulate/metric.h>
 
 namespace rigor::simulate {
@@ -60,6 +61,12 @@ struct MetricSheet {
   const Record& record;
   const DriveTrain& wheels;
   std::vector<Metric> metrics;
+  std::vector<Footing> footings;  ///< of each model
+
+  /// Whether a model moves and is kept up by the ground alone.
+  bool stands(std::uint32_t model) const {
+    return stands_free(scene, model) && footings[model].kind == Footing::Kind::kStands;
+  }
 
   void add(std::string_view id, double value, Fact about = {}, double scale = 1);
 

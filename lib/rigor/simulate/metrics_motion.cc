@@ -65,6 +65,11 @@ void add_spawn_metrics(MetricSheet& sheet) {
   Fact pair = about_shape(scene, overlap.of);
   pair.name = about_shape(scene, measures.spawn_overlap_with).subject;
   sheet.add("spawn.self_overlap", overlap.value, std::move(pair));
+  for (std::uint32_t m = 0; m < scene.models.size() && sheet.scenario.gravity; ++m) {
+    const Footing& footing = sheet.footings[m];
+    if (footing.kind != Footing::Kind::kInTheAir) continue;
+    sheet.add("spawn.gap", footing.gap, about_model(scene, m));
+  }
   if (!scene.alone || sheet.scenario.spawn == Spawn::kOnGround || !sheet.scenario.ground ||
       sheet.scenario.drop > 0) {
     return;

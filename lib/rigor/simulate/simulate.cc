@@ -87,36 +87,59 @@ void add_comparison(const Scene& scene, std::string_view id, const Record& other
   add_difference(scene, id, difference_of(scene, run.record, other), run);
 }
 
+/// A run that failed, and those that it was held against so far.
+struct Doubted {
+  TaskRun* one = nullptr;
+  std::vector<Variant> variants;
+  std::vector<Again> agains;
+};
+
+void add_comparisons(const Doubted& doubted) {
+  const Scene& scene = doubted.one->task->scene;
+  Run& run = doubted.one->run;
+  const std::vector<Again>& agains = doubted.agains;
+  add_comparison(scene, "dt.sensitivity", agains[kHalfStep].record, run);
+  add_comparison(scene, "solver.agreement", agains[kOtherSolver].record, run);
+  if (agains.size() <= kOtherSolver + 1) return;
+  double spread = 0;
+  for (std::size_t seed = kOtherSolver + 1; seed < agains.size(); ++seed) {
+    spread = std::max(spread, difference_of(scene, run.record, agains[seed].record));
+  }
+  add_difference(scene, "seed.spread", spread, run);
+}
+
 void confirm_failures(RunQueue& queue, std::vector<TaskRun>& runs) {
-  std::vector<RunOrder> orders;
-  std::vector<std::pair<std::size_t, Variant>> whose;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (!to_be_confirmed(runs[i].run)) continue;
-    for (Variant& variant : variants_of(settings_in(runs[i].run.scenario, runs[i].task->solver))) {
-      orders.push_back({runs[i].task, &runs[i].run.scenario, variant.settings});
-      whose.emplace_back(i, std::move(variant));
+  std::vector<Doubted> all;
+  for (TaskRun& one : runs) {
+    if (!to_be_confirmed(one.run)) continue;
+    all.push_back({&one, variants_of(settings_in(one.run.scenario, one.task->solver)), {}});
+  }
+  while (true) {
+    std::vector<RunOrder> orders;
+    std::vector<Doubted*> whose;
+    for (Doubted& doubted : all) {
+      const std::size_t first = doubted.agains.size();
+      const std::size_t count = next_of(doubted.agains, doubted.one->run);
+      for (std::size_t i = first; i < first + count; ++i) {
+        const SolverSettings& settings = doubted.variants[i].settings;
+        orders.push_back({doubted.one->task, &doubted.one->run.scenario, settings});
+        whose.push_back(&doubted);
+      }
+    }
+    if (orders.empty()) break;
+    std::vector<Record> records = queue.run_all(orders);
+    for (std::size_t i = 0; i < whose.size(); ++i) {
+      const Task& task = *orders[i].task;
+      Doubted& doubted = *whose[i];
+      Again again{doubted.variants[doubted.agains.size()], std::move(records[i]), {}, false};
+      again.metrics = metrics_of(task.scene, *orders[i].scenario, again.record, task.wheels);
+      again.stopped = was_stopped(again.record);
+      doubted.agains.push_back(std::move(again));
     }
   }
-  std::vector<Record> records = queue.run_all(orders);
-  for (std::size_t k = 0; k < whose.size();) {
-    const std::size_t i = whose[k].first;
-    const Task& task = *runs[i].task;
-    Run& run = runs[i].run;
-    std::vector<Again> agains;
-    for (; k < whose.size() && whose[k].first == i; ++k) {
-      Again again{whose[k].second, std::move(records[k]), {}, false};
-      again.metrics = metrics_of(task.scene, run.scenario, again.record, task.wheels);
-      again.stopped = was_stopped(again.record);
-      agains.push_back(std::move(again));
-    }
-    confirm(agains, run);
-    add_comparison(task.scene, "dt.sensitivity", agains[kHalfStep].record, run);
-    add_comparison(task.scene, "solver.agreement", agains[kOtherSolver].record, run);
-    double spread = 0;
-    for (std::size_t seed = kOtherSolver + 1; seed < agains.size(); ++seed) {
-      spread = std::max(spread, difference_of(task.scene, run.record, agains[seed].record));
-    }
-    add_difference(task.scene, "seed.spread", spread, run);
+  for (const Doubted& doubted : all) {
+    confirm(doubted.agains, doubted.one->run);
+    add_comparisons(doubted);
   }
 }
 

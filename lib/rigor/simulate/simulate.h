@@ -6,10 +6,11 @@
 //   std::vector<Simulation> results = simulate({{scene, causes, {settle, drive}, wheels, scene.solver}}, {});
 //   if (results.front().verdict == Verdict::kFail) say(results.front().runs.front().facts);
 //
-// A failure is confirmed before it is believed: the same test with half the step, with the other solver
-// and with other seeds. What most of these runs do not show is called the solver's. Each run is a child
-// process; this function uses no threads and forks at most `jobs` at a time, whichever task they are of:
-// first all that was asked for, then all that failures are confirmed by.
+// A failure is confirmed before it is believed: the same test with half the step and with the other
+// solver, and with two other seeds where these do not settle it. What most of the runs do not show is
+// called the solver's. Each run is a child process; this function uses no threads and forks at most
+// `jobs` at a time, whichever task they are of: first all that was asked for, then all that failures are
+// confirmed by.
 
 #pragma once
 
@@ -49,7 +50,9 @@ struct SimulateOptions {
 struct Confirmation {
   std::string what;  ///< "half the step", "dantzig", "seed 1"
   Verdict verdict = Verdict::kPass;
-  bool agrees = false;  ///< shows the same failure
+  bool agrees = false;                    ///< shows a failure of the run
+  bool in_time = true;                    ///< else it says nothing about the run
+  std::vector<std::string_view> lacking;  ///< metrics that failed in the run and not in this
 };
 
 struct Run {

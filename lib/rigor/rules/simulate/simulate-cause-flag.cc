@@ -9,8 +9,9 @@ namespace rigor::rules::simulate_cause_flag {
 
 void check(const simulate::Fact& fact, Context& context) {
   context.report(stated(fact,
-                        fact.name == "kinematic"
-                            ? "is kinematic: no force moves it"
+                        fact.name == "kinematic" ? "is kinematic: no force moves it"
+                        : fact.name == "max_contacts"
+                            ? "has a max_contacts of 0: it touches nothing"
                             : "gravity does not act on it, as it does on other links of the model",
                         "take the flag out"));
 }

@@ -10,6 +10,10 @@
 namespace rigor::rules::simulate_no_mass {
 
 void check(const simulate::Fact& fact, Context& context) {
+  if (fact.name == "all") {
+    context.report(shown(fact, "no link has mass: there is nothing to simulate"));
+    return;
+  }
   context.report(shown(
       fact,
       fmt::format("the mass of a link that moves is {:.6g} kg, and must be above 0", fact.value)));

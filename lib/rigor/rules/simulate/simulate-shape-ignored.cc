@@ -18,9 +18,12 @@ Rule rule() {
       .severity = Severity::kWarning,
       .summary = "a collision shape is not simulated",
       .why =
-          "The engine has no such shape, a plane is on a link that moves, or one collision has "
-          "two shapes: what it should touch goes through it.",
-      .what_to_do = "Use a box, sphere, cylinder, capsule, mesh or plane.",
+          "The engine has no such shape, a plane or heightmap is on a link that moves, a "
+          "heightmap's picture cannot be used, or one collision has two shapes: what it should "
+          "touch goes through it.",
+      .what_to_do =
+          "Use a box, sphere, cylinder, capsule, mesh or plane; for a heightmap a square PNG of "
+          "2^n + 1 pixels along a side.",
       .bad = {{.text = R"(<sdf version='1.9'>
   <model name='crate'>
     <link name='body'>
