@@ -176,21 +176,9 @@ class UpgradeProof {
 
   // --- Worlds ---
 
-  /// Up to 1.5 the first physics has it.
-  Field<model::Vector3> gravity(const UpgradeSide& side, const model::World& world) const {
-    constexpr int kLastInPhysics = 5;
-    if (world.gravity.written || side.root.version > kLastInPhysics) return world.gravity;
-    const auto physics = side.element(world.site).child("physics");
-    const auto element = physics ? physics->child("gravity") : std::nullopt;
-    if (!element) return world.gravity;
-    auto text = read::attribute_text(*element, "xyz");  // 1.0
-    if (!text) text = read::child_text(*physics, "gravity");
-    return read::vector_field(text, world.gravity.value);
-  }
-
   void world(std::uint32_t, const model::World& a, const model::World& b) {
     same("name", a.name, b.name);
-    same("gravity", gravity(a_, a), gravity(b_, b));
+    same("gravity", a.gravity, b.gravity);
   }
 
   /// Up to 1.3 each engine has its own.

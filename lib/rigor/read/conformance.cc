@@ -44,7 +44,7 @@ class SchemaWalk {
       : tell_(tell), urdf_(root == "robot") {}
 
   void element(xml::Element element, const Node& node) {
-    attributes(element, node);
+    if (!element.attributes().empty() || node.requires_attributes()) attributes(element, node);
     if (node.open()) return;
     children(element, node);
     value(element, node);
@@ -62,6 +62,10 @@ class SchemaWalk {
         unknown_attribute(element, attribute, node);
       }
     }
+    if (node.requires_attributes()) missing_attributes(element, node);
+  }
+
+  void missing_attributes(xml::Element element, const Node& node) {
     for (const Node required : node.required_attributes()) {
       if (!element.attribute(required.name())) {
         add({.kind = Kind::kMissingAttribute,
@@ -127,17 +131,19 @@ class SchemaWalk {
         unknown_element(child, node);
       }
     }
-    if (!element.cut()) {
-      for (const Node required : node.required_children()) {
-        if (first_of(others, required) != seen_.end()) continue;
-        add({.kind = Kind::kMissingElement,
-             .where = element.tag_span(),
-             .element = element,
-             .node = required,
-             .parent = node});
-      }
-    }
+    if (node.requires_children() && !element.cut()) missing_children(others, element, node);
     seen_.erase(seen_.begin() + static_cast<std::ptrdiff_t>(others), seen_.end());
+  }
+
+  void missing_children(std::size_t others, xml::Element element, const Node& node) {
+    for (const Node required : node.required_children()) {
+      if (first_of(others, required) != seen_.end()) continue;
+      add({.kind = Kind::kMissingElement,
+           .where = element.tag_span(),
+           .element = element,
+           .node = required,
+           .parent = node});
+    }
   }
 
   /// Only the first of its name can be read where one is allowed; told once, at the second.

@@ -116,12 +116,12 @@ Id<model::Model> SdfReader::read_included(xml::Element sdf, Scope scope) {
   return {};
 }
 
-/// Up to SDF 1.5 it stands in `<physics>`, of which the one marked as default counts, else the first. In
-/// 1.0 it is an attribute.
+/// Up to SDF 1.5 it stands in `<physics>`, of which the one marked as default counts, else the first; one that
+/// the world has all the same comes before it. In 1.0 it is an attribute.
 model::Field<model::Vector3> SdfReader::gravity_of(xml::Element world) const {
   constexpr model::Vector3 kStandard{0, 0, -9.8};
   std::optional<xml::Element> holder = world;
-  if (version_ <= 5) {
+  if (version_ <= 5 && !world.child("gravity")) {
     holder.reset();
     for (const xml::Element child : world.children()) {
       if (child.name() != "physics") continue;

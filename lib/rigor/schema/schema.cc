@@ -214,18 +214,22 @@ NodeRange Node::attributes() const {
   return {tables_, line.first_attribute, line.last_attribute, minor_, NodeRange::Filter::kAll};
 }
 
+bool Node::requires_children() const {
+  return (tables_->lines[declaration_].requires_child & only(minor_)) != 0;
+}
+
+bool Node::requires_attributes() const {
+  return (tables_->lines[declaration_].requires_attribute & only(minor_)) != 0;
+}
+
 NodeRange Node::required_children() const {
   const Line& line = tables_->lines[declaration_];
-  const bool any = (line.requires_child & only(minor_)) != 0;
-  return {tables_, any ? line.first_child : line.last_child, line.last_child, minor_,
-          NodeRange::Filter::kRequired};
+  return {tables_, line.first_child, line.last_child, minor_, NodeRange::Filter::kRequired};
 }
 
 NodeRange Node::required_attributes() const {
   const Line& line = tables_->lines[declaration_];
-  const bool any = (line.requires_attribute & only(minor_)) != 0;
-  return {tables_, any ? line.first_attribute : line.last_attribute, line.last_attribute, minor_,
-          NodeRange::Filter::kRequired};
+  return {tables_, line.first_attribute, line.last_attribute, minor_, NodeRange::Filter::kRequired};
 }
 
 void NodeRange::Iterator::skip() {

@@ -119,6 +119,8 @@ class Node {
   NodeRange attributes() const;
   NodeRange required_children() const;
   NodeRange required_attributes() const;
+  bool requires_children() const;  // whether there are any: of most elements none
+  bool requires_attributes() const;
 
   // The same number for every place where the same block is used: a model in a world and a model in
   // a model. What is inside is the same, so a walk that must end need not enter a number twice.

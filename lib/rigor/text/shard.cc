@@ -10,6 +10,7 @@
 namespace rigor {
 
 bool Shard::has(std::string_view name) const {
+  if (of == 1) return true;
   const Digest digest = digest_of(name);
   std::uint64_t hash = 0;
   for (std::size_t i = 0; i < sizeof hash; ++i) hash = hash << 8U | digest[i];

@@ -11,21 +11,28 @@
 namespace rigor::rules::mesh_not_found {
 namespace {
 
+std::vector<std::string> places_of(const read::Resolution& found) {
+  std::vector<std::string> places;
+  places.reserve(found.tried.size());
+  for (const read::Tried& tried : found.tried) {
+    std::string& place = places.emplace_back();
+    place.reserve(tried.path.size() + tried.origin.size() + 3);
+    place.append(tried.path).append(" (").append(tried.origin).append(")");
+  }
+  return places;
+}
+
 void check(const MeshUse& use, Context& context) {
   const auto& uri = use.mesh.uri;
   if (uri.value.empty()) return;
   const read::Resolution& found = context.resolve(uri.value);
   if (found.path || found.remote || !found.other_case.empty()) return;
-  std::vector<std::string> tried;
-  for (const read::Tried& place : found.tried) {
-    tried.push_back(place.path + " (" + place.origin + ")");
-  }
   const std::string package = package_without_file(uri.value, found, context);
   context.report({.where = uri.span,
                   .message = "the mesh '" + uri.value + "' is not found",
                   .subject = use.subject,
                   .help = package.empty()
-                              ? tried_places(tried, uri.value)
+                              ? tried_places(places_of(found), uri.value)
                               : "the package lies in '" + package + "', and has no such file"});
 }
 

@@ -18,45 +18,32 @@ namespace rigor::rules {
 /// "texture", "height map", …; empty when the element names no such file.
 inline std::string_view kind_of_asset(xml::Element element) {
   const std::string_view name = element.name();
-  if (name.empty()) return "";
   const auto stands_in = [element](std::string_view parent) {
     const auto above = element.parent();
     return above && above->name() == parent;
   };
-  // Every element of a file is asked: one look tells of nearly all that they name none.
-  if (name.back() == 'p' && name.ends_with("_map")) {
-    return stands_in("metal") || stands_in("specular") ? "texture" : "";
+  if (name == "uri") {
+    if (stands_in("script")) {
+      const auto above = element.parent()->parent();
+      return above && above->name() == "material" ? "material file or folder" : "";
+    }
+    if (stands_in("heightmap")) return "height map";
+    return stands_in("image") ? "image" : "";
   }
-  switch (name.front()) {
-    case 'c':
-      if (name == "cubemap_uri") return stands_in("sky") ? "texture" : "";
-      if (name == "color_range_image") return stands_in("particle_emitter") ? "image" : "";
-      break;
-    case 'd':
-    case 'n':
-      if (name == "diffuse" || name == "normal") return stands_in("texture") ? "texture" : "";
-      break;
-    case 'f':
-      if (name != "filename") break;
-      if (stands_in("skin")) return "skin";
-      return stands_in("animation") ? "animation" : "";
-    case 't':
-      if (name != "texture") break;
-      return stands_in("material") || stands_in("projector") ? "texture" : "";
-    case 'u':
-      if (name != "uri") break;
-      if (stands_in("script")) {
-        const auto above = element.parent()->parent();
-        return above && above->name() == "material" ? "material file or folder" : "";
-      }
-      if (stands_in("heightmap")) return "height map";
-      return stands_in("image") ? "image" : "";
+  if (name == "filename") {
+    if (stands_in("skin")) return "skin";
+    return stands_in("animation") ? "animation" : "";
   }
-  return "";
+  if (name == "color_range_image") return stands_in("particle_emitter") ? "image" : "";
+  const bool texture = (name == "texture" && (stands_in("material") || stands_in("projector"))) ||
+                       (name == "cubemap_uri" && stands_in("sky")) ||
+                       ((name == "diffuse" || name == "normal") && stands_in("texture")) ||
+                       (name.ends_with("_map") && (stands_in("metal") || stands_in("specular")));
+  return texture ? "texture" : "";
 }
 
 /// Whether an element names a file, or is one of `uri`, `mesh`, `texture` and `script`, which stand around such
-/// a name or hold it.
+/// a name or hold it. Its first letter tells of nearly all that they are not.
 inline bool is_about_files(xml::Element element) {
   const std::string_view name = element.name();
   switch (name.empty() ? '\0' : name.front()) {
@@ -68,8 +55,12 @@ inline bool is_about_files(xml::Element element) {
       break;
     case 't': return name == "texture";
     case 'u': return name == "uri";
+    case 'c':
+    case 'd':
+    case 'f':
+    case 'n': return !kind_of_asset(element).empty();
   }
-  return !kind_of_asset(element).empty();
+  return name.ends_with("_map") && !kind_of_asset(element).empty();
 }
 
 /// Those of a file, found in one walk: every element has to be asked, and nearly none is.
