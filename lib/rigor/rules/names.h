@@ -41,10 +41,17 @@ class NameCollector {
   /// thing, that is its place.
   std::vector<NameScope> collect() {
     all_.reserve(document_.element_count() / 8);
-    for (std::uint32_t i = 1; i < document_.element_count(); ++i) look_at(document_.element(i));
+    for (std::uint32_t i = 1; i < document_.element_count(); ++i) {
+      const xml::Element element = document_.element(i);
+      if (!element.attributes().empty()) add(element);
+    }
+    for (const model::Include& include : root_.includes) {
+      if (root_.own(include.site)) add(include);
+    }
     // One scope after the other, each in the order of the file.
-    std::stable_sort(all_.begin(), all_.end(),
-                     [](const Member& a, const Member& b) { return a.scope < b.scope; });
+    std::sort(all_.begin(), all_.end(), [](const Member& a, const Member& b) {
+      return a.scope != b.scope ? a.scope < b.scope : a.element < b.element;
+    });
     for (auto scope = all_.begin(); scope != all_.end();) {
       const auto end = std::find_if(
           scope, all_.end(), [&](const Member& member) { return member.scope != scope->scope; });
@@ -63,26 +70,22 @@ class NameCollector {
   };
   using Members = std::vector<Member>::const_iterator;
 
-  void look_at(xml::Element element) {
-    const std::string_view kind = element.name();
-    if (element.attributes().empty() && kind != "include") return;
+  void add(xml::Element element) {
+    const auto name = element.attribute("name");
     const auto parent = element.parent();
+    if (!name || !parent) return;
     // What a plugin holds is its own business, and so is its name.
-    if (!parent || kind == "plugin" || kind.find(':') != std::string_view::npos) return;
-    if (const auto name = element.attribute("name")) {
-      all_.push_back({name->value(), parent->index(), element.index()});
-    } else if (kind == "include") {
-      add_include(element, parent->index());
-    }
+    const std::string_view kind = element.name();
+    if (kind == "plugin" || kind.find(':') != std::string_view::npos) return;
+    all_.push_back({name->value(), parent->index(), element.index()});
   }
 
   /// An include stands for the model that it brings, under the name that it gives it.
-  void add_include(xml::Element element, std::uint32_t scope) {
-    for (const model::Include& include : root_.includes) {
-      if (!root_.own(include.site) || include.site.element != element.index()) continue;
-      if (!include.loaded || include.merge.value) return;
-      all_.push_back({root_[include.loaded].name.value, scope, element.index(), &include});
-    }
+  void add(const model::Include& include) {
+    const xml::Element element = document_.element(include.site.element);
+    const auto parent = element.parent();
+    if (!include.loaded || include.merge.value || !parent || element.attribute("name")) return;
+    all_.push_back({root_[include.loaded].name.value, parent->index(), element.index(), &include});
   }
 
   bool some_repeat(Members begin, Members end) {

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -14,7 +15,7 @@ namespace rigor::rules {
 /// Half of the last decimal place: 0.0005 for "0.012", 5e-7 for "1.2e-5". Zero for a whole number, which
 /// is as it was meant, and for what is no number.
 inline double half_of_last_digit(std::string_view text) {
-  const std::size_t exponent_at = text.find_first_of("eE");
+  const std::size_t exponent_at = std::min(text.find('e'), text.find('E'));
   int exponent = 0;
   if (exponent_at != std::string_view::npos) {
     std::string_view digits = text.substr(exponent_at + 1);
