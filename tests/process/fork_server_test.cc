@@ -175,6 +175,7 @@ TEST_F(ProcessForkServer, AChildThatWaitsKeepsNoOtherWaiting) {
 TEST_F(ProcessForkServer, ServesManyThreads) {
   const ForkServer server([] {}, [](const std::string& request,
                                     const Ask& ask) { return request + ask("?").value_or(""); });
+  server.start();  // before there are threads, as is said where it is declared
   std::atomic<int> good{0};
   std::vector<std::thread> threads;
   for (int t = 0; t < 8; ++t) {
