@@ -44,9 +44,9 @@ bool applies(Formats formats, model::Format format) {
 }
 
 /// What libsdformat does for a rule's findings in a file; nothing of a model.config, which it is not asked.
-Refusal refusal_in(const Rule& rule, model::Format format) {
+Refusal refusal_in(const Refusals& refused, model::Format format) {
   if (format == model::Format::kModelConfig) return Refusal::kNever;
-  return format == model::Format::kUrdf ? rule.refused.urdf : rule.refused.sdf;
+  return format == model::Format::kUrdf ? refused.urdf : refused.sdf;
 }
 
 const schema::Schema* schema_of(const Environment& environment, model::Format format) {
@@ -86,7 +86,8 @@ void Runner::add(const Rule& rule, Severity severity, Compat compat) {
     std::visit(
         [&](const auto& one) {
           std::get<Slot<std::decay_t<decltype(one)>>>(slots_).push_back(
-              {{&rule, to_string(rule.category), severity, compat}, one});
+              {{rule.name, to_string(rule.category), severity, compat, rule.formats, rule.refused},
+               one});
         },
         check);
   }
@@ -148,10 +149,10 @@ class Runner::Walk {
 
   /// Whether the rule has a say in this file, which its findings are then told of.
   bool begin(const Active& active) {
-    const auto& [rule, category, severity, compat] = active;
-    if (!applies(rule->formats, loaded_.root.format)) return false;
-    context_.begin_rule(rule->name, category, severity);
-    if (compat == Compat::kSdformat) context_.judge_by(refusal_in(*rule, loaded_.root.format));
+    const model::Format format = loaded_.root.format;
+    if (!applies(active.formats, format)) return false;
+    context_.begin_rule(active.rule, active.category, active.severity);
+    if (active.compat == Compat::kSdformat) context_.judge_by(refusal_in(active.refused, format));
     return true;
   }
 

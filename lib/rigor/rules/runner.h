@@ -58,11 +58,15 @@ class Runner {
                   const read::Loaded& loaded, const simulate::Facts& shown) const;
 
  private:
+  /// What a check needs of its rule, beside the check: a file walks over hundreds of them, and the rules
+  /// themselves lie far apart.
   struct Active {
-    const Rule* rule;
+    std::string_view rule;
     std::string_view category;
     Severity severity;
     Compat compat;
+    Formats formats;
+    Refusals refused;
   };
   template <class CheckType>
   using Slot = std::vector<std::pair<Active, CheckType>>;
