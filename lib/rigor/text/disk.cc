@@ -147,7 +147,13 @@ MemoryDisk::MemoryDisk(std::map<std::string, std::string> files) {
 }
 
 void MemoryDisk::put(const std::string& path, std::string bytes) {
-  files_[normalize_path(path)] = std::move(bytes);
+  std::string below = normalize_path(path);
+  files_[below] = std::move(bytes);
+  for (bool added = true; added && below != "." && below != "/";) {
+    std::string folder(parent_path(below));
+    added = folders_[folder].emplace(file_name(below)).second;
+    below = std::move(folder);
+  }
 }
 
 std::unique_ptr<OpenFile> MemoryDisk::open(const std::string& path) const {
@@ -168,28 +174,13 @@ ReadResult MemoryDisk::read(const std::string& path, std::uint64_t max_bytes) co
 PathKind MemoryDisk::kind(const std::string& path) const {
   const std::string normal = normalize_path(path);
   if (files_.contains(normal)) return PathKind::kFile;
-  if (normal == "." && !files_.empty()) return PathKind::kFolder;
-  const std::string prefix = normal + '/';
-  const auto inside = files_.lower_bound(prefix);
-  const bool folder = inside != files_.end() && inside->first.starts_with(prefix);
-  return folder ? PathKind::kFolder : PathKind::kMissing;
+  return folders_.contains(normal) ? PathKind::kFolder : PathKind::kMissing;
 }
 
 std::vector<std::string> MemoryDisk::list(const std::string& folder) const {
-  const std::string normal = normalize_path(folder);
-  const std::string prefix = normal == "." ? "" : normal + "/";
-  std::vector<std::string> names;
-  auto it = files_.lower_bound(prefix);
-  while (it != files_.end() && it->first.starts_with(prefix)) {
-    const std::size_t slash = it->first.find('/', prefix.size());
-    names.push_back(it->first.substr(prefix.size(), slash - prefix.size()));
-    if (slash == std::string::npos) {
-      ++it;
-    } else {  // past all that the folder holds
-      it = files_.lower_bound(it->first.substr(0, slash) + static_cast<char>('/' + 1));
-    }
-  }
-  return names;
+  const auto found = folders_.find(normalize_path(folder));
+  if (found == folders_.end()) return {};
+  return {found->second.begin(), found->second.end()};
 }
 
 std::string other_case(const Disk& disk, const std::string& path) {

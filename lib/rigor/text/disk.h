@@ -15,8 +15,10 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace rigor {
@@ -69,7 +71,7 @@ class RealDisk final : public Disk {
   std::string obstacle(const std::string& path) const override;
 };
 
-/// Files from a map of path to bytes; a folder is any proper prefix of a file's path.
+/// Files from a map of path to bytes; their paths say which folders there are.
 class MemoryDisk final : public Disk {
  public:
   MemoryDisk() = default;
@@ -82,7 +84,8 @@ class MemoryDisk final : public Disk {
   std::vector<std::string> list(const std::string& folder) const override;
 
  private:
-  std::map<std::string, std::string> files_;
+  std::unordered_map<std::string, std::string> files_;
+  std::unordered_map<std::string, std::set<std::string>> folders_;  // the names that each holds
 };
 
 /// A name in the same folder that differs from `path`'s last part only by letter case; empty when
