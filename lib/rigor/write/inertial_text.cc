@@ -111,16 +111,23 @@ std::string mjcf(const InertialNumbers& numbers) {
 
 }  // namespace
 
-InertialNumbers inertial_numbers(const MassProperties& body) {
+MassProperties rounded(const MassProperties& body) {
   const double size = size_of(body);
   const auto coordinate = [size](double value) {
-    return schema::to_shortest(rounded_to_digits(without_noise(value, size), kDigits));
+    return rounded_to_digits(without_noise(value, size), kDigits);
   };
-  const Inertia i = rounded_to_digits(without_noise(body.about_com));
-  return {schema::to_shortest(rounded_to_digits(body.mass, kDigits)),
+  return {rounded_to_digits(body.mass, kDigits),
           {coordinate(body.com.x), coordinate(body.com.y), coordinate(body.com.z)},
-          {schema::to_shortest(i.ixx), schema::to_shortest(i.ixy), schema::to_shortest(i.ixz),
-           schema::to_shortest(i.iyy), schema::to_shortest(i.iyz), schema::to_shortest(i.izz)}};
+          rounded_to_digits(without_noise(body.about_com))};
+}
+
+InertialNumbers inertial_numbers(const MassProperties& body) {
+  using schema::to_shortest;
+  const auto& [mass, com, i] = rounded(body);
+  return {to_shortest(mass),
+          {to_shortest(com.x), to_shortest(com.y), to_shortest(com.z)},
+          {to_shortest(i.ixx), to_shortest(i.ixy), to_shortest(i.ixz), to_shortest(i.iyy),
+           to_shortest(i.iyz), to_shortest(i.izz)}};
 }
 
 std::string inertial_text(const MassProperties& body, BlockFormat format,

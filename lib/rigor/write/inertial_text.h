@@ -29,6 +29,9 @@ inline constexpr int kDigits = 9;
 /// some 1e-16 of what they add up.
 inline constexpr double kNoise = 1e-15;
 
+/// What the written numbers are: few digits, no noise, no -0, and of a body still those of one.
+mass::MassProperties rounded(const mass::MassProperties& body);
+
 /// The written numbers: mass; centre of mass x, y, z; ixx, ixy, ixz, iyy, iyz, izz. Never "-0", no
 /// exponent where a plain number is as short, no trailing zeros.
 struct InertialNumbers {

@@ -4,6 +4,7 @@
 #include <rigor/write/write_inertial.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -26,22 +27,21 @@ using xml::Element;
 
 /// A number to write, and how exact it is known: a text that reads as either of them is left alone.
 struct Number {
-  std::string text;
+  double rounded = 0;
   double exact = 0;
 
+  std::string text() const { return schema::to_shortest(rounded); }
   bool reads_so(std::string_view other) const {
     const auto value = number_in(other);
-    return value && (*value == exact || value == number_in(text));
+    return value && (*value == exact || *value == rounded);
   }
 };
 
-Number whole(int value) { return {std::to_string(value), static_cast<double>(value)}; }
+using Numbers = std::vector<Number>;
 
-using NumberTexts = std::vector<Number>;
-
-std::string joined_numbers(const NumberTexts& numbers) {
+std::string joined_numbers(const Numbers& numbers) {
   std::string text;
-  for (const Number& number : numbers) text += (text.empty() ? "" : " ") + number.text;
+  for (const Number& number : numbers) text += (text.empty() ? "" : " ") + number.text();
   return text;
 }
 
@@ -69,16 +69,17 @@ class Writer {
  public:
   Writer(const xml::Document& document, const MassProperties& body, BlockFormat format)
       : document_(document), form_(form_of(document, format)), body_(body) {
-    const InertialNumbers numbers = inertial_numbers(body);
-    const auto& [x, y, z] = body.com;
-    const auto& i = body.about_com;
-    com_is_zero_ = numbers.com_is_zero();
-    com_ = {{numbers.com[0], x}, {numbers.com[1], y}, {numbers.com[2], z}};
-    mass_ = {numbers.mass, body.mass};
-    const double exact[] = {i.ixx, i.ixy, i.ixz, i.iyy, i.iyz, i.izz};
-    for (std::size_t k = 0; k < kEntries.size(); ++k) {
-      inertia_.push_back({numbers.inertia[k], exact[k]});
-    }
+    const MassProperties written = rounded(body);
+    const auto& [x, y, z] = written.com;
+    com_is_zero_ = x == 0 && y == 0 && z == 0;
+    com_ = {{x, body.com.x}, {y, body.com.y}, {z, body.com.z}};
+    mass_ = {written.mass, body.mass};
+    const auto entries = [](const mass::Inertia& i) {
+      return std::array<double, kEntries.size()>{i.ixx, i.ixy, i.ixz, i.iyy, i.iyz, i.izz};
+    };
+    const auto few_digits = entries(written.about_com);
+    const auto exact = entries(body.about_com);
+    for (std::size_t k = 0; k < kEntries.size(); ++k) inertia_[k] = {few_digits[k], exact[k]};
   }
 
   std::vector<Edit> write(Element link) {
@@ -111,7 +112,7 @@ class Writer {
     if (form_ != Form::kOldSdf) {
       return inertial_text(body_, form_ == Form::kSdf ? BlockFormat::kSdf : BlockFormat::kUrdf);
     }
-    std::string text = "<inertial mass=\"" + mass_.text + "\">\n";
+    std::string text = "<inertial mass=\"" + mass_.text() + "\">\n";
     if (!com_is_zero_) text += "  " + pose_text() + '\n';
     return text + "  " + tensor_text() + "\n</inertial>";
   }
@@ -131,12 +132,12 @@ class Writer {
     if (form_ == Form::kSdf) {
       text += '>';
       for (std::size_t i = 0; i < kEntries.size(); ++i) {
-        text += "\n  " + element_text(kEntries[i], inertia_[i].text);
+        text += "\n  " + element_text(kEntries[i], inertia_[i].text());
       }
       return text + "\n</inertia>";
     }
     for (std::size_t i = 0; i < kEntries.size(); ++i) {
-      text += ' ' + std::string(kEntries[i]) + "=\"" + inertia_[i].text + '"';
+      text += ' ' + std::string(kEntries[i]) + "=\"" + inertia_[i].text() + '"';
     }
     return text + "/>";
   }
@@ -159,8 +160,8 @@ class Writer {
   Part pose(Element inertial) {
     const auto pose = inertial.child(form_ == Form::kSdf ? "pose" : "origin");
     if (!pose) return {std::nullopt, com_is_zero_ ? "" : pose_text()};
-    const NumberTexts no_turn{whole(0), whole(0), whole(0)};
-    const NumberTexts no_turn_quaternion{whole(0), whole(0), whole(0), whole(1)};
+    const Numbers no_turn(3);
+    const Numbers no_turn_quaternion{{}, {}, {}, {1, 1}};
     if (form_ == Form::kUrdf) {
       if (!com_is_zero_ || pose->attribute("xyz")) set_attribute(*pose, "xyz", com_);
       if (pose->attribute("rpy")) set_attribute(*pose, "rpy", no_turn);
@@ -168,7 +169,7 @@ class Writer {
       return {pose, {}};
     }
     const auto format = pose->attribute("rotation_format");
-    NumberTexts numbers = com_;
+    Numbers numbers = com_;
     for (const Number& number :
          format&& read::trimmed(format->value()) == "quat_xyzw" ? no_turn_quaternion : no_turn) {
       numbers.push_back(number);
@@ -189,14 +190,14 @@ class Writer {
   Part mass(Element inertial) {
     const auto mass = inertial.child("mass");
     if (form_ == Form::kUrdf) {
-      if (!mass) return {std::nullopt, "<mass value=\"" + mass_.text + "\"/>"};
+      if (!mass) return {std::nullopt, "<mass value=\"" + mass_.text() + "\"/>"};
       set_attribute(*mass, "value", {mass_});
     } else if (mass) {
       set_text(*mass, {mass_});
     } else if (form_ == Form::kOldSdf) {
       set_attribute(inertial, "mass", {mass_});
     } else {
-      return {std::nullopt, element_text("mass", mass_.text)};
+      return {std::nullopt, element_text("mass", mass_.text())};
     }
     return {mass, {}};
   }
@@ -209,17 +210,17 @@ class Writer {
     std::vector<Part> parts;
     std::vector<xml::NamedValue> attributes;
     for (std::size_t i = 0; i < kEntries.size(); ++i) {
-      const Number number{inertia_[i].text, *number_in(inertia_[i].text)};
+      const Number number{inertia_[i].rounded, inertia_[i].rounded};
       const auto child = tensor->child(kEntries[i]);
       parts.push_back({child, {}});
       if (child) {
         set_text(*child, {number});
       } else if (form_ == Form::kSdf) {
-        if (!may_miss(i)) parts.back().missing = element_text(kEntries[i], number.text);
+        if (!may_miss(i)) parts.back().missing = element_text(kEntries[i], number.text());
       } else if (const auto attribute = tensor->attribute(kEntries[i])) {
         set_attribute(*tensor, kEntries[i], {number});
       } else {
-        attributes.push_back({kEntries[i], number.text});
+        attributes.push_back({kEntries[i], number.text()});
       }
     }
     add(xml::set_attributes(document_, *tensor, attributes));
@@ -230,7 +231,7 @@ class Writer {
   /// Whether an entry is what SDF has where nothing is written: products are zero.
   bool may_miss(std::size_t i) const {
     const bool product = kEntries[i][1] != kEntries[i][2];
-    return form_ == Form::kSdf && product && inertia_[i].text == "0";
+    return form_ == Form::kSdf && product && inertia_[i].rounded == 0;
   }
 
   bool reads_exactly(Element tensor) const {
@@ -242,7 +243,7 @@ class Writer {
         return false;
       }
       const auto value = number_in(child ? child->text() : attribute->value());
-      const bool noise = value == 0.0 && inertia_[i].text == "0";
+      const bool noise = value == 0.0 && inertia_[i].rounded == 0;
       if (value != inertia_[i].exact && !noise) return false;
     }
     return true;
@@ -270,44 +271,45 @@ class Writer {
     flush();
   }
 
-  void set_text(Element element, const NumberTexts& numbers) {
+  void set_text(Element element, const Numbers& numbers) {
     if (set_in_place(element.text_span(), numbers)) return;
     add(xml::set_text(document_, element, joined_numbers(numbers)));
   }
 
-  void set_attribute(Element element, std::string_view name, const NumberTexts& numbers) {
+  void set_attribute(Element element, std::string_view name, const Numbers& numbers) {
     const auto attribute = element.attribute(name);
     if (attribute && set_in_place(attribute->value_span(), numbers)) return;
     add(xml::set_attribute(document_, element, name, joined_numbers(numbers)));
   }
 
   /// Replaces those numbers of a text that read otherwise; false when it is not that many.
-  bool set_in_place(Span span, const NumberTexts& numbers) {
+  bool set_in_place(Span span, const Numbers& numbers) {
     const std::string_view bytes = document_.bytes().substr(0, span.end);
-    std::vector<Edit> edits;
+    const std::size_t before = edits_.size();
     std::size_t count = 0;
-    for (std::size_t at = bytes.find_first_not_of(kSpace, span.begin); at < bytes.size(); ++count) {
+    std::size_t at = bytes.find_first_not_of(kSpace, span.begin);
+    for (; at < bytes.size(); ++count) {
       const std::size_t end = std::min(bytes.find_first_of(kSpace, at), bytes.size());
-      if (count == numbers.size()) return false;
+      if (count == numbers.size()) break;
       if (!numbers[count].reads_so(bytes.substr(at, end - at))) {
-        edits.push_back(
+        edits_.push_back(
             {{document_.source(), static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(end)},
-             numbers[count].text});
+             numbers[count].text()});
       }
       at = bytes.find_first_not_of(kSpace, end);
     }
-    if (count != numbers.size()) return false;
-    add(std::move(edits));
-    return true;
+    if (count == numbers.size() && at >= bytes.size()) return true;
+    edits_.resize(before);
+    return false;
   }
 
   const xml::Document& document_;
   Form form_;
   MassProperties body_;
   bool com_is_zero_ = false;
-  NumberTexts com_;
+  Numbers com_;
   Number mass_;
-  NumberTexts inertia_;
+  std::array<Number, kEntries.size()> inertia_;
   std::vector<Edit> edits_;
 };
 

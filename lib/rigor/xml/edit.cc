@@ -96,9 +96,10 @@ void for_each_line(std::string_view snippet, Put put) {
 std::string in_lines(const Document& document, Element near, std::string_view xml,
                      std::string_view indent, std::string_view end) {
   std::string result;
+  const std::string unit = indent_unit(document, near);
   for_each_line(in_style(document, near, xml), [&](std::size_t depth, std::string_view line) {
     if (!result.empty()) result.append(end).append(indent);
-    for (std::size_t level = 0; level < depth; ++level) result += indent_unit(document, near);
+    for (std::size_t level = 0; level < depth; ++level) result += unit;
     result += line;
   });
   return result;
