@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include <rigor/read/workspace.h>
+#include <rigor/text/path.h>
 
 #include "command.h"
 #include "xacro.h"
@@ -56,7 +57,7 @@ Checking::Checking(const CheckArguments& a, const Disk& disk)
   options_.shard = a.shard.shard();
   options_.meshes = a.no_mesh ? rules::MeshPolicy::kDoNotOpen : rules::MeshPolicy::kOpen;
   options_.known = {&surveys_, &mesh_files_, &turns_};
-  if (!a.no_mesh && checks_many(disk)) reads_.expect_many();
+  if (!a.no_mesh && may_meet_many_meshes(disk)) reads_.expect_many();
 }
 
 void Checking::refuse_bad_settings() const {
@@ -76,9 +77,13 @@ std::optional<std::string> Checking::nothing_changed() const {
   return changed_ ? changed_->nothing() : std::nullopt;
 }
 
-bool Checking::checks_many(const Disk& disk) const {
+bool Checking::may_meet_many_meshes(const Disk& disk) const {
   const auto& paths = options_.paths;
-  return paths.size() > 1 || (paths.size() == 1 && disk.kind(paths[0]) == PathKind::kFolder);
+  if (paths.size() != 1) return paths.size() > 1;
+  const auto kind_of = [&](std::string_view name) { return disk.kind(join_path(paths[0], name)); };
+  const bool model_without_meshes =
+      kind_of("model.config") == PathKind::kFile && kind_of("meshes") == PathKind::kMissing;
+  return disk.kind(paths[0]) == PathKind::kFolder && !model_without_meshes;
 }
 
 void Checking::choose_files(const Disk& disk) {

@@ -77,7 +77,7 @@ class Checking {
   std::optional<std::string> nothing_changed() const;
 
  private:
-  bool checks_many(const Disk& disk) const;
+  bool may_meet_many_meshes(const Disk& disk) const;
   void choose_files(const Disk& disk);
 
   const CheckArguments& arguments_;

@@ -56,30 +56,34 @@ int usage_error(std::string_view message) {
   return kUsage;
 }
 
-std::vector<std::unique_ptr<Command>> all_commands() {
+struct CommandEntry {
+  std::string_view name;
+  std::unique_ptr<Command> (*make)();
+  bool tells_of_all = false;  // commands, with their options
+};
+
+constexpr CommandEntry kCommands[] = {
+    {"validate", validate_command}, {"inspect", inspect_command},
+    {"inertia", inertia_command},   {"mesh-check", mesh_check_command},
+    {"sdf2urdf", sdf2urdf_command}, {"urdf2sdf", urdf2sdf_command},
+    {"diff", diff_command},         {"simulate", simulate_command},
+    {"render", render_command},     {"view", view_command},
+    {"report", report_command},     {"new", new_command},
+    {"merge", merge_command},       {"upgrade", upgrade_command},
+    {"init", init_command},         {"rules", rules_command},
+    {"explain", explain_command},   {"schema", schema_command},
+    {"resolve", resolve_command},   {"completion", completion_command, true},
+    {"man", manual_command, true},  {"version", version_command},
+};
+
+/// The one that is asked for, as declaring the options of all takes longer than many a run; or all.
+std::vector<std::unique_ptr<Command>> commands_for(std::string_view word) {
   std::vector<std::unique_ptr<Command>> commands;
-  commands.push_back(validate_command());
-  commands.push_back(inspect_command());
-  commands.push_back(inertia_command());
-  commands.push_back(mesh_check_command());
-  commands.push_back(sdf2urdf_command());
-  commands.push_back(urdf2sdf_command());
-  commands.push_back(diff_command());
-  commands.push_back(simulate_command());
-  commands.push_back(render_command());
-  commands.push_back(view_command());
-  commands.push_back(report_command());
-  commands.push_back(new_command());
-  commands.push_back(merge_command());
-  commands.push_back(upgrade_command());
-  commands.push_back(init_command());
-  commands.push_back(rules_command());
-  commands.push_back(explain_command());
-  commands.push_back(schema_command());
-  commands.push_back(resolve_command());
-  commands.push_back(completion_command());
-  commands.push_back(manual_command());
-  commands.push_back(version_command());
+  for (const CommandEntry& entry : kCommands) {
+    if (entry.name == word && !entry.tells_of_all) commands.push_back(entry.make());
+  }
+  if (!commands.empty()) return commands;
+  for (const CommandEntry& entry : kCommands) commands.push_back(entry.make());
   return commands;
 }
 
@@ -93,7 +97,7 @@ int run(std::vector<std::string> arguments) {
   CLI::App program("Checks robot models (SDFormat, URDF) before a simulator loads them", "rigor");
   program.require_subcommand(0, 1);
   examples_first(program, {"rigor validate my_robot"});
-  const std::vector<std::unique_ptr<Command>> commands = all_commands();
+  const std::vector<std::unique_ptr<Command>> commands = commands_for(arguments.front());
   std::vector<CLI::App*> apps;
   for (const auto& command : commands) apps.push_back(command->declare(program));
 
