@@ -74,11 +74,21 @@ TEST(MemoryDisk, HasTheFoldersThatItsFilesNeed) {
   EXPECT_EQ(disk.kind("m/meshes/"), PathKind::kFolder);
   EXPECT_EQ(disk.kind("m/mesh"), PathKind::kMissing);
   EXPECT_EQ(disk.list("m"), (std::vector<std::string>{"a.sdf", "meshes"}));
+  EXPECT_EQ(disk.list("."), (std::vector<std::string>{"m"}));
+  EXPECT_TRUE(disk.list("m/a.sdf").empty());
   EXPECT_EQ(disk.read("m/./a.sdf", 10).bytes, "1");
   EXPECT_EQ(disk.read("m", 10).problem, "is a folder");
   EXPECT_FALSE(disk.read("m/a.sdf", 0).bytes);
   EXPECT_EQ(other_case(disk, "m/meshes/b.stl"), "b.STL");
   EXPECT_EQ(other_case(disk, "m/meshes/b.STL"), "");
+}
+
+TEST(MemoryDisk, HasARootWhereAPathBeginsThere) {
+  MemoryDisk disk;
+  disk.put("/w/a.sdf", "1");
+  EXPECT_EQ(disk.kind("/"), PathKind::kFolder);
+  EXPECT_EQ(disk.list("/"), (std::vector<std::string>{"w"}));
+  EXPECT_EQ(disk.kind("."), PathKind::kMissing);
 }
 
 TEST(RealDisk, RefusesWhatIsNoFile) {
