@@ -8,6 +8,7 @@
 #include <fstream>
 #include <string>
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -114,7 +115,8 @@ TEST(MeshCheckCli, AHullAndAPrimitive) {
 
 TEST(MeshCheckCli, WhatCannotBeReadWritesNothing) {
   const Folder folder;
-  folder.put("cut.stl", std::string(80, ' ') + std::string("\x05\0\0\0", 4) + std::string(70, '\0'));
+  folder.put("cut.stl",
+             std::string(80, ' ') + std::string("\x05\0\0\0", 4) + std::string(70, '\0'));
   const Ran ran = folder.rigor("mesh-check cut.stl -o out.stl");
   EXPECT_EQ(ran.exit, 1) << ran.err;
   EXPECT_FALSE(std::filesystem::exists(folder.path("out.stl")));
@@ -237,6 +239,38 @@ TEST(MeshCheckCli, ATestWorldThatIsValid) {
   const Ran valid = folder.rigor("validate test.sdf --format json");
   EXPECT_EQ(json::parse(valid.out)["summary"]["errors"], 0) << valid.out;
   EXPECT_NE(folder.get("test.sdf").find("meshes/box.obj"), std::string::npos);
+}
+
+TEST(MeshCheckCli, ReducingTellsWhatBecameOfSeams) {
+  // A flat square of 10 by 10, each half of each with its own piece of the picture.
+  std::string obj;
+  for (int y = 0; y <= 10; ++y) {
+    for (int x = 0; x <= 10; ++x) obj += fmt::format("v {} {} 0\n", x, y);
+  }
+  std::string faces;
+  int texture = 0;
+  const auto face = [&](int a, int b, int c) {
+    obj += fmt::format("vt 0.{0:03} 0\nvt 0.{0:03} 0.5\nvt 0.{0:03} 1\n", texture);
+    faces += fmt::format("f {}/{} {}/{} {}/{}\n", a, texture + 1, b, texture + 2, c, texture + 3);
+    texture += 3;
+  };
+  for (int y = 0; y < 10; ++y) {
+    for (int x = 0; x < 10; ++x) {
+      const int low = 11 * y + x + 1;
+      face(low, low + 1, low + 12);
+      face(low, low + 12, low + 11);
+    }
+  }
+  const Folder folder;
+  folder.put("square.obj", obj + faces);
+  const Ran moved = folder.rigor("mesh-check square.obj --reduce 2 -o two.obj");
+  EXPECT_NE(moved.out.find("reduce: 2 triangles"), std::string::npos) << moved.out;
+  EXPECT_NE(moved.out.find("seams"), std::string::npos) << moved.out;
+  EXPECT_NE(folder.get("two.obj").find("\nvt "), std::string::npos);
+  const Ran kept = folder.rigor("mesh-check square.obj --reduce 2 --keep-seams -o all.obj");
+  EXPECT_NE(kept.out.find("reduce: 200 triangles"), std::string::npos) << kept.out;
+  EXPECT_NE(kept.out.find("2 were asked for"), std::string::npos) << kept.out;
+  EXPECT_EQ(folder.rigor("mesh-check square.obj --keep-seams -o all.obj").exit, 2);
 }
 
 TEST(MeshCheckCli, TheSameBytesTwice) {

@@ -303,17 +303,62 @@ TEST(Reduce, TexturePointsAreThoseOfTheirPlaces) {
   }
 }
 
-TEST(Reduce, SeamsCanBeIgnored) {
-  // Each triangle has its own piece of the picture: every edge is a seam.
-  TriangleMesh mesh = plane(20);
+/// Each triangle has its own piece of the picture: every edge is a seam.
+TriangleMesh unwrapped(TriangleMesh mesh) {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto u = static_cast<float>(i);
     mesh.corners.texture.push_back({{{u, 0}, {u, 1}, {u, 2}}});
   }
+  return mesh;
+}
+
+TEST(Reduce, SeamsCanBeIgnored) {
+  const TriangleMesh mesh = unwrapped(plane(20));
   EXPECT_GT(reduce(mesh, {.triangles = 2}).mesh.triangles.size(), 400U);
   const Reduced ignored = reduce(mesh, {.triangles = 2, .seams = Seams::kIgnore});
   EXPECT_EQ(ignored.mesh.triangles.size(), 2U);
   EXPECT_EQ(ignored.mesh.corners.texture.size(), 2U);
+}
+
+TEST(Reduce, SeamsGoOnlyWhereTheyAreInTheWay) {
+  const TriangleMesh mesh = unwrapped(plane(20));
+  const Reduced reached = reduce(mesh, {.triangles = 2, .seams = Seams::kPrefer});
+  EXPECT_EQ(reached.mesh.triangles.size(), 2U);
+  EXPECT_FALSE(reached.seams_kept);
+  // A tenth more than wanted is not worth them.
+  const std::size_t nearly = mesh.triangles.size() * 10 / 11 + 1;
+  EXPECT_TRUE(reduce(mesh, {.triangles = nearly, .seams = Seams::kPrefer}).seams_kept);
+  // Borders hold this one with or without.
+  const Reduced held =
+      reduce(mesh, {.triangles = 2, .border = Border::kHold, .seams = Seams::kPrefer});
+  EXPECT_GT(held.mesh.triangles.size(), 2U);
+  EXPECT_TRUE(held.seams_kept);
+}
+
+TEST(Reduce, SeamsDoNotCostWhatLiesBetweenThemItsShape) {
+  // The lower half of a ball is all seams, and alone has nearly as many triangles as are wanted.
+  const TriangleMesh ball = ball_mesh(1, 64, 32);
+  TriangleMesh mesh = ball;
+  std::size_t lower = 0;
+  for (std::size_t i = 0; i < ball.triangles.size(); ++i) {
+    const bool own = middle(facet(ball, ball.triangles[i])).z < 0;
+    lower += own ? 1 : 0;
+    const float u = own ? static_cast<float>(i) : -1;
+    mesh.corners.texture.push_back({{{u, 0}, {u, own ? 1.F : 0.F}, {u, own ? 2.F : 0.F}}});
+  }
+  const auto least_radius = [](const TriangleMesh& of) {
+    double least = 1;
+    for (const Triangle& t : of.triangles) {
+      least = std::min(least, model::length(middle(facet(of, t))));
+    }
+    return least;
+  };
+  const Reduced kept = reduce(mesh, {.triangles = lower + 10});
+  EXPECT_LT(least_radius(kept.mesh), 0.8);
+  const Reduced preferred = reduce(mesh, {.triangles = lower + 10, .seams = Seams::kPrefer});
+  EXPECT_FALSE(preferred.seams_kept);
+  EXPECT_LE(preferred.mesh.triangles.size(), lower + 10);
+  EXPECT_GT(least_radius(preferred.mesh), 0.98);
 }
 
 TEST(Reduce, NormalsOfAnEdgeStayOnTheirSides) {

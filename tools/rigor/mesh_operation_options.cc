@@ -18,9 +18,9 @@ using author::MeshOperations;
 using author::MeshProduct;
 
 constexpr std::pair<std::string_view, double> kUnits[] = {
-    {"m", 1},         {"mm", 0.001},   {"cm", 0.01},      {"dm", 0.1},   {"km", 1000},
-    {"inch", 0.0254}, {"in", 0.0254},  {"ft", 0.3048},    {"foot", 0.3048},
-    {"um", 1e-6},     {"mil", 2.54e-5}};
+    {"m", 1},         {"mm", 0.001},    {"cm", 0.01},    {"dm", 0.1},
+    {"km", 1000},     {"inch", 0.0254}, {"in", 0.0254},  {"ft", 0.3048},
+    {"foot", 0.3048}, {"um", 1e-6},     {"mil", 2.54e-5}};
 
 double metres_of(const std::string& unit) {
   std::vector<std::string_view> names;
@@ -81,6 +81,9 @@ void MeshOperationOptions::declare(CLI::App& app) {
        "DEGREES");
   word("--reduce", reduce_, "To so many triangles, or that share of them", "N|RATIO");
   word("--max-error", max_error_, "Stop reducing there, m", "E");
+  app.add_flag("--keep-seams", keep_seams_,
+               "Reduce no further than seams of texture and colour allow")
+      ->group(group);
   app.add_flag("--convex-hull", convex_hull_, "The convex hull")->group(group);
   word("--convex-pieces", convex_pieces_, "At most so many convex pieces", "N");
   word("--fit", fit_, "The box, sphere, cylinder or capsule around it, or the best", "SHAPE");
@@ -97,6 +100,7 @@ std::string MeshOperationOptions::given() const {
                                               {!normals_.empty(), "--normals"},
                                               {!reduce_.empty(), "--reduce"},
                                               {!max_error_.empty(), "--max-error"},
+                                              {keep_seams_, "--keep-seams"},
                                               {convex_hull_, "--convex-hull"},
                                               {!convex_pieces_.empty(), "--convex-pieces"},
                                               {!fit_.empty(), "--fit"},
@@ -131,6 +135,8 @@ MeshOperations MeshOperationOptions::operations() const {
     if (reduce_.empty()) throw UsageError("--max-error belongs to --reduce");
     operations.max_error = positive_number("--max-error", max_error_, "m");
   }
+  if (keep_seams_ && reduce_.empty()) throw UsageError("--keep-seams belongs to --reduce");
+  operations.keep_seams = keep_seams_;
   set_product(operations);
   return operations;
 }

@@ -38,6 +38,7 @@ class MeshOperationOptions {
   std::string normals_;
   std::string reduce_;
   std::string max_error_;
+  bool keep_seams_ = false;
   bool convex_hull_ = false;
   std::string convex_pieces_;
   std::string split_;

@@ -133,12 +133,20 @@ class Operation {
           static_cast<std::uint64_t>(std::llround(*asked_.share * static_cast<double>(before)));
     }
     if (target >= before) return mesh;
-    mesh::Reduction to{.triangles = target};
+    using mesh::Seams;
+    mesh::Reduction to{.triangles = target,
+                       .seams = asked_.keep_seams ? Seams::kKeep : Seams::kPrefer};
     if (asked_.max_error) to.max_error = *asked_.max_error;
     mesh::Reduced result = mesh::reduce(mesh, to);
     done_.hausdorff = mesh::deviation(mesh, result.mesh, kSamples).hausdorff();
     std::string what = triangles_text(before, result.mesh.triangles.size());
     what += fmt::format(", {:.3g} off at most where it was measured", *done_.hausdorff);
+    if (!result.seams_kept) what += "; seams of texture or colour were in the way, and moved";
+    if (result.mesh.triangles.size() > target && !asked_.max_error) {
+      what += fmt::format(
+          "; {} were asked for: borders, seams or edges of more than two triangles are in the way",
+          target);
+    }
     if (result.flaws.any()) what += ", and new flaws, as it could not be kept together";
     step("reduce", std::move(what));
     return std::move(result.mesh);

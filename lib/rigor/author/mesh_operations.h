@@ -45,16 +45,17 @@ enum class MeshProduct : std::uint8_t {
 struct MeshOperations {
   bool weld = false;
   bool repair = false;
-  double unit = 1;                 ///< metres that a unit of the file is
+  double unit = 1;  ///< metres that a unit of the file is
   model::Vector3 scale{1, 1, 1};
   mesh::UpAxis up = mesh::UpAxis::kZ;
   MeshCenter center = MeshCenter::kNone;
-  std::optional<double> crease;    ///< rad; normals anew, smooth across edges of less
+  std::optional<double> crease;            ///< rad; normals anew, smooth across edges of less
   std::optional<std::uint64_t> triangles;  ///< to be left
   std::optional<double> share;             ///< of the triangles, to be left
   std::optional<double> max_error;         ///< m; reducing stops there
+  bool keep_seams = false;                 ///< of texture and colour, whatever they cost
   MeshProduct product = MeshProduct::kMesh;
-  std::uint64_t pieces = 16;                  ///< at most, of `kConvexPieces`
+  std::uint64_t pieces = 16;                       ///< at most, of `kConvexPieces`
   mesh::FitKind primitive = mesh::FitKind::kBest;  ///< of `kPrimitive`
 };
 
@@ -72,11 +73,11 @@ struct NamedMesh {
 struct OperatedMesh {
   std::vector<NamedMesh> meshes;
   std::vector<MeshStep> steps;
-  mesh::Transform transform;        ///< what was done to the coordinates, the centring aside
-  model::Vector3 translation;       ///< of the centring
-  std::optional<double> hausdorff;  ///< between the meshes before and after reducing, m
+  mesh::Transform transform;           ///< what was done to the coordinates, the centring aside
+  model::Vector3 translation;          ///< of the centring
+  std::optional<double> hausdorff;     ///< between the meshes before and after reducing, m
   std::optional<mesh::Fit> primitive;  ///< what the mesh was replaced with
-  std::string problem;              ///< why there are no meshes
+  std::string problem;                 ///< why there are no meshes
 };
 
 OperatedMesh operate(mesh::TriangleMesh mesh, const MeshOperations& operations);

@@ -37,6 +37,12 @@ constexpr std::array<int, 3> kHeldRings = {1, 2, 4};
 constexpr double kMoreTriangles = 1.5;
 constexpr double kMoreError = 1.5;
 
+// Seams are worth a tenth of triangles too many, and an error of up to this share of the diagonal, or
+// up to twice the one without them.
+constexpr double kNearlyReached = 1.1;
+constexpr double kSmallError = 0.02;
+constexpr double kErrorOfSeams = 2;
+
 /// The places of a mesh as the library wants them. Centred in double first, so that what float cuts
 /// off is small beside the mesh, wherever it stands.
 class Points {
@@ -282,11 +288,28 @@ class Reducer {
   std::optional<OldFlaws> old_;
 };
 
+Reduced without_costly_seams(const TriangleMesh& mesh, const Reduction& to, Reduced kept) {
+  const auto reached = [&to](const Reduced& reduced) {
+    return static_cast<double>(reduced.mesh.triangles.size()) <=
+           kNearlyReached * static_cast<double>(to.triangles);
+  };
+  const double small = kSmallError * diagonal(bounds_of(mesh.positions));
+  if (reached(kept) && kept.error <= small) return kept;
+  Reduction without = to;
+  without.seams = Seams::kIgnore;
+  Reduced ignored = Reducer(mesh, without).run();
+  ignored.seams_kept = false;
+  const bool better = !reached(kept) || kept.error > kErrorOfSeams * ignored.error;
+  return better && reached(ignored) ? ignored : kept;
+}
+
 }  // namespace
 
 Reduced reduce(const TriangleMesh& mesh, const Reduction& to) {
   if (mesh.triangles.size() <= to.triangles) return {.mesh = mesh};
-  return Reducer(mesh, to).run();
+  Reduced reduced = Reducer(mesh, to).run();
+  reduced.seams_kept = to.seams != Seams::kIgnore;
+  return to.seams == Seams::kPrefer ? without_costly_seams(mesh, to, std::move(reduced)) : reduced;
 }
 
 }  // namespace rigor::mesh

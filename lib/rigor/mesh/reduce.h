@@ -30,8 +30,9 @@ enum class Border : std::uint8_t {
 
 /// Where texture or colour jump between triangles that share an edge. Borders of parts always stay.
 enum class Seams : std::uint8_t {
-  kKeep,
-  kIgnore  ///< corners get texture and colour of the mesh's most alike corner there
+  kKeep,    ///< though it may cost what lies between them its shape, and not reach what is wanted
+  kPrefer,  ///< kept, unless they are in the way of what is wanted, or cost much of the shape
+  kIgnore   ///< corners get texture and colour of the mesh's most alike corner there
 };
 
 struct Reduction {
@@ -59,6 +60,7 @@ struct Reduced {
   double error = 0;
   Flaws flaws;
   std::uint64_t runs = 0;  ///< of the library; more than one when places had to be held
+  bool seams_kept = true;
 };
 
 /// A mesh of no more triangles than wanted is given back as it is. Degenerate triangles are left out

@@ -54,7 +54,7 @@ class Teller {
  public:
   Teller(const TriangleMesh& mesh, Seams seams, std::size_t places, Vertices& vertices)
       : mesh_(mesh),
-        keeps_seams_(seams == Seams::kKeep),
+        keeps_seams_(seams != Seams::kIgnore),
         part_(part_numbers(mesh)),
         latest_(places, kNone),
         vertices_(vertices) {}
