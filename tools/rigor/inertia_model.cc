@@ -149,19 +149,33 @@ class Totals {
   std::map<std::uint32_t, mass::MassProperties> computed_;
 };
 
-int write_file(const std::string& path, std::string_view bytes, const ModelInertia& table) {
+/// Says why links stay as they are that ask for an inertial, or for which a mass is given. Whether a
+/// given mass was of no use.
+bool tell_left(const model::Root& root, const ModelInertia& table, const InertiaOptions& options) {
+  bool unused = false;
+  for (const author::LinkInertia& link : table.links) {
+    const bool given =
+        options.masses.contains(link.name) || options.masses.contains(root[link.link].name.value);
+    if (link.chosen || link.reason.empty() || !(given || !link.findings.empty())) continue;
+    unused = unused || given;
+    say("rigor: link " + report::printable(link.name) +
+        " stays as it is: " + report::printable(link.reason));
+  }
+  return unused;
+}
+
+void write_file(const std::string& path, std::string_view bytes, const ModelInertia& table) {
   std::size_t links = 0;
   for (const author::LinkInertia& link : table.links) links += link.chosen ? 1 : 0;
   if (table.edits.empty()) {
     say("rigor: " + report::printable(path) + " is unchanged: " +
         (links > 0 ? "its inertials are what its shapes say" : "no link asks for it"));
-    return kClean;
+    return;
   }
   const auto text = apply_edits(bytes, table.edits);
   if (!text) throw std::logic_error("the edits of " + path + " overlap");
   replace_file(path, *text);
   say("rigor: " + report::counted(links, "inertial") + " written to " + report::printable(path));
-  return kClean;
 }
 
 }  // namespace
@@ -205,7 +219,11 @@ int run_model_inertia(const InertiaArguments& a) {
   mass::MeshSurveys surveys(disk);
   const ModelInertia table = model_inertia(environment, sources, loaded, surveys, options);
   const std::string_view bytes = sources.bytes(loaded.root.source);
-  if (a.write) return write_file(path, bytes, table);
+  const bool unused = (a.write || a.diff) && tell_left(loaded.root, table, options);
+  if (a.write) {
+    write_file(path, bytes, table);
+    return unused ? kFindings : kClean;
+  }
   if (a.diff) {
     write({0, {}}, unified_diff(path, bytes, table.edits));
     return table.edits.empty() ? kClean : kFindings;

@@ -85,6 +85,9 @@ std::vector<report::WrittenFile> write_meshes(const author::OperatedMesh& done,
 /// Operations on one mesh, written to a file, put into a model, or set into a world.
 int work_on_mesh(const MeshCheckArguments& arguments);
 
+/// A UsageError when `--attach` names no shape that can get a mesh.
+void require_attachable(const MeshCheckArguments& arguments, const MeshChecking& checking);
+
 /// Puts the mesh at `path` in the place of the shape that `--attach` names.
 void attach(const MeshCheckArguments& arguments, const MeshChecking& checking,
             const std::string& path);

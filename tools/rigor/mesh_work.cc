@@ -4,6 +4,7 @@
 // `rigor mesh-check FILE -o OUT`: one mesh changed, and written to one file or several.
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -13,6 +14,7 @@
 #include <rigor/mesh/picture_names.h>
 #include <rigor/mesh/read.h>
 #include <rigor/mesh/write.h>
+#include <rigor/mesh/write_losses.h>
 #include <rigor/report/printable.h>
 #include <rigor/text/path.h>
 
@@ -45,6 +47,20 @@ std::vector<mesh::FileReference> pictures_of(const mass::MeshFacts& facts) {
   std::vector<mesh::FileReference> pictures = facts.asset.textures;
   for (mesh::FileReference& picture : pictures) picture.path = real_place(picture.path);
   return pictures;
+}
+
+void tell_losses(const mass::MeshFacts& facts, const std::string& out, author::OperatedMesh& done) {
+  constexpr std::size_t kShown = 8;
+  std::set<std::string> lost;
+  std::string what;
+  for (const author::NamedMesh& each : done.meshes) {
+    for (const std::string& one : mesh::losses(each.mesh, out, facts.asset.textures)) {
+      if (!lost.insert(one).second || lost.size() > kShown) continue;
+      what += (what.empty() ? "" : ", ") + one;
+    }
+  }
+  if (lost.size() > kShown) what += " and others";
+  if (!what.empty()) done.steps.push_back({"left out", report::printable(what)});
 }
 
 /// All bytes before any file: one that cannot be written costs nothing.
@@ -85,7 +101,8 @@ author::MeshOperations operations_of(const MeshCheckArguments& a, const mass::Me
 
 int work_on_mesh(const MeshCheckArguments& a) {
   if (a.paths.size() != 1 || rules::names_model(a.paths.front())) {
-    throw UsageError("what changes a mesh needs one mesh file; for those of a model there is --apply");
+    throw UsageError(
+        "what changes a mesh needs one mesh file; for those of a model there is --apply");
   }
   if (a.test_world && !a.operations.given().empty()) {
     throw UsageError("--test-world shows the mesh as it is: write it with -o OUT first");
@@ -93,6 +110,7 @@ int work_on_mesh(const MeshCheckArguments& a) {
   const MeshChecking checking(a);
   if (!checking.whole()) return checking.conclude();
   if (a.test_world) return write_test_world(a, checking);
+  if (!a.attach.empty()) require_attachable(a, checking);
 
   MeshWork work;
   std::string mesh_path = a.paths.front();
@@ -106,9 +124,10 @@ int work_on_mesh(const MeshCheckArguments& a) {
       return kFindings;
     }
     if (!a.out.empty()) {
+      tell_losses(facts, a.out, done);
       for (author::NamedMesh& each : done.meshes) {
-        each.mesh.materials =
-            mesh::materials_at(real_place(a.out), std::move(each.mesh.materials), pictures_of(facts));
+        each.mesh.materials = mesh::materials_at(real_place(a.out), std::move(each.mesh.materials),
+                                                 pictures_of(facts));
       }
       work.written = write_meshes(done, a.out);
       mesh_path = a.out;

@@ -52,6 +52,28 @@ std::string changed_text(const mesh::StepDone& step) {
   return fmt::format("{} {}", step.changed, noun);
 }
 
+/// What a repaired mesh is, and why it is not sound.
+std::string outcome(const mesh::RepairReport& report) {
+  const mesh::Topology& now = report.after;
+  const auto some = [](std::uint64_t count, std::string_view noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+  };
+  std::string what = now.closed() ? "closed" : "";
+  const auto add = [&what](const std::string& flaw) { what += (what.empty() ? "" : ", ") + flaw; };
+  if (now.boundary_edges > 0) add("open at " + some(now.boundary_edges, "edge"));
+  if (now.nonmanifold_edges > 0) {
+    add(some(now.nonmanifold_edges, "edge") + " of more than two triangles");
+  }
+  if (now.inconsistent_edges > 0) {
+    add(some(now.inconsistent_edges, "edge") + " between triangles that face opposite ways");
+  }
+  if (report.holes.too_large > 0) {
+    add(some(report.holes.too_large, "hole") + " too large to fill without guessing");
+  }
+  if (report.holes.left > 0) add(some(report.holes.left, "hole") + " that cannot be filled");
+  return what;
+}
+
 class Operation {
  public:
   explicit Operation(const MeshOperations& asked) : asked_(asked) {}
@@ -64,7 +86,11 @@ class Operation {
       step("normals", *asked_.crease > 0 ? "smooth, computed anew" : "flat");
     }
     mesh = reduced(std::move(mesh));
-    make_product(std::move(mesh));
+    if (mesh.triangles.empty()) {
+      done_.problem = "no triangle is left of it";
+    } else {
+      make_product(std::move(mesh));
+    }
     return std::move(done_);
   }
 
@@ -81,6 +107,7 @@ class Operation {
         step(std::string(mesh::to_string(one.step)),
              one.undone ? "undone, as something would get worse" : changed_text(one));
       }
+      step("repaired", outcome(repaired.report));
       return std::move(repaired.mesh);
     }
     if (asked_.weld) {
@@ -105,7 +132,7 @@ class Operation {
     const auto vector = [](const model::Vector3& v) {
       return fmt::format("{:.9g} {:.9g} {:.9g}", v.x, v.y, v.z);
     };
-    if (by.unit != 1) step("unit", fmt::format("{:.9g} m", by.unit));
+    if (by.unit != 1) step("unit", fmt::format("coordinates by {:.9g}", by.unit));
     if (by.scale != model::Vector3{1, 1, 1}) step("scale", vector(by.scale));
     if (by.up != mesh::UpAxis::kZ) step("up axis", "y turned to z");
     if (by.center != mesh::Center::kNone) step("center", "moved by " + vector(result.translation));

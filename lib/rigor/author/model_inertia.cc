@@ -29,7 +29,7 @@ std::string_view reason(NoSolid why) {
     case NoSolid::kSize: return "a size is not above zero";
     case NoSolid::kUnbounded: return "its shape has no volume";
     case NoSolid::kNoMesh: return "its mesh is not found";
-    case NoSolid::kMesh: return "its mesh cannot be read";
+    case NoSolid::kMesh: return "its mesh, or the part of it that is named, cannot be read";
     case NoSolid::kOutline: return "its outline encloses nothing, or crosses itself";
     case NoSolid::kFrame: return "its pose cannot be resolved";
   }

@@ -68,12 +68,13 @@ Mended mend_once(TriangleMesh mesh, const std::vector<bool>& keep, Care care,
   if (care == Care::kNothing) work.take(Care::kAllButWinding);
   take(RepairStep::kDropLines, [&] { return drop_lines(work); });
   take(RepairStep::kDropFins, [&] { return drop_fins(work, options.fin_share); });
+  std::uint64_t turned = 0;
   take(RepairStep::kCloseSeams, [&] {
-    turn_consistent(work);  // borders are walked along one side
+    turned = turn_consistent(work);  // borders are walked along one side
     return close_seams(work);
   });
   work.take(Care::kAll);
-  take(RepairStep::kTurnConsistent, [&] { return turn_consistent(work); });
+  take(RepairStep::kTurnConsistent, [&] { return turned + turn_consistent(work); });
   take(RepairStep::kFillHoles, [&] {
     done.holes = fill_holes(work, options.holes);
     drop_lines(work);  // at what was a border

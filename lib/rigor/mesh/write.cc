@@ -7,9 +7,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <utility>
 
+#include <rigor/mesh/held_pictures.h>
 #include <rigor/mesh/obj_materials.h>
 #include <rigor/mesh/read.h>
 #include <rigor/mesh/write_parts.h>
@@ -28,18 +30,42 @@ struct FormatWriter {
   WrittenMesh (*write)(const TriangleMesh& mesh, std::string_view path);
 };
 
+/// A file that only names pictures, with those beside it that the mesh holds.
+template <class Write>
+WrittenMesh with_pictures(const TriangleMesh& mesh, std::string_view path, const Write& write) {
+  const bool holds = std::any_of(mesh.materials.begin(), mesh.materials.end(),
+                                 [](const Material& material) { return material.held_picture; });
+  if (!holds) return write(mesh, path);
+  const std::string_view name = file_name(path);
+  NamedPictures named =
+      named_pictures(mesh.materials, clean(std::string(name.substr(0, name.rfind('.')))));
+  TriangleMesh naming = mesh;
+  naming.materials = std::move(named.materials);
+  WrittenMesh written = write(naming, path);
+  std::move(named.files.begin(), named.files.end(), std::back_inserter(written.side_files));
+  return written;
+}
+
 template <std::string (*kWrite)(const TriangleMesh& mesh)>
 WrittenMesh one_file(const TriangleMesh& mesh, std::string_view /*path*/) {
   return {kWrite(mesh), {}};
 }
 
+WrittenMesh collada_files(const TriangleMesh& mesh, std::string_view path) {
+  return with_pictures(mesh, path, one_file<write_collada>);
+}
+
 /// The .mtl, named as the file but for its ending, if there is anything to be said in it.
-WrittenMesh obj_files(const TriangleMesh& mesh, std::string_view path) {
+WrittenMesh obj_and_library(const TriangleMesh& mesh, std::string_view path) {
   std::string materials = write_obj_materials(mesh);
   if (materials.empty()) return {write_obj(mesh), {}};
   const std::string_view name = file_name(path);
   const std::string library = clean(std::string(name.substr(0, name.rfind('.'))) + ".mtl");
   return {write_obj(mesh, library), {}, {{library, std::move(materials)}}};
+}
+
+WrittenMesh obj_files(const TriangleMesh& mesh, std::string_view path) {
+  return with_pictures(mesh, path, obj_and_library);
 }
 
 WrittenMesh glb_file(const TriangleMesh& mesh, std::string_view /*path*/) {
@@ -48,7 +74,7 @@ WrittenMesh glb_file(const TriangleMesh& mesh, std::string_view /*path*/) {
   return {std::move(bytes), {}};
 }
 
-constexpr std::array<FormatWriter, 5> kWriters{{{".dae", kMaxDouble, one_file<write_collada>},
+constexpr std::array<FormatWriter, 5> kWriters{{{".dae", kMaxDouble, collada_files},
                                                 {".glb", kMaxFloat, glb_file},
                                                 {".obj", kMaxDouble, obj_files},
                                                 {".ply", kMaxDouble, one_file<write_ply>},

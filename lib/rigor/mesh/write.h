@@ -27,7 +27,8 @@
 // Triangles keep their order and their first corner. All but STL weld corners that are equal in all
 // they carry (in .dae and .glb within a part) and leave out positions that no triangle uses. -0 is
 // written as 0. A part without a name, or a material, gets none; readers then make one up. Pictures
-// are only named, as the mesh names them (picture_names.h gives names that lead to them from elsewhere).
+// are named, as the mesh names them (picture_names.h gives names that lead to them from elsewhere); those
+// whose bytes it holds are part of a .glb and lie beside a .dae or .obj (held_pictures.h).
 //
 // assimp holds 32-bit numbers. Of a .dae it reads those that are such numbers exactly (from a
 // millionth on), others within two units of the last place (among 396 real meshes).
@@ -56,7 +57,7 @@ struct SideFile {
 struct WrittenMesh {
   std::optional<std::string> bytes;
   std::string problem;                    ///< why there are no bytes
-  std::vector<SideFile> side_files = {};  ///< which the bytes name: the .mtl of an .obj
+  std::vector<SideFile> side_files = {};  ///< which the bytes name: an .mtl, pictures
 };
 
 /// By the path's ending; nothing is written to a disk. There are no bytes for another ending, for

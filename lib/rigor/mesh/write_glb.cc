@@ -5,8 +5,10 @@
 // and a chunk of bytes in which each part has what its vertices carry, then its indices.
 
 #include <array>
+#include <map>
 #include <string>
 
+#include <rigor/mesh/held_pictures.h>
 #include <rigor/mesh/write.h>
 #include <rigor/mesh/write_parts.h>
 
@@ -80,7 +82,7 @@ class Glb {
     std::string rest;
     if (look.material) {
       surface += ",\"baseColorFactor\":" + array(look.material->diffuse);
-      if (!look.material->texture.empty()) surface += add_picture(look.material->texture);
+      surface += picture_member(*look.material);
       if (look.material->diffuse.back() != 1) rest = ",\"alphaMode\":\"BLEND\"";
     }
     materials_.push_back("{\"pbrMetallicRoughness\":{" + surface + '}' + rest +
@@ -107,12 +109,33 @@ class Glb {
     into += content;
   }
 
-  /// Returns the member of a surface that names it.
-  std::string add_picture(const std::string& path) {
-    const std::string index = std::to_string(images_.size());
-    images_.push_back("{\"uri\":" + quoted(uri(path)) + '}');
-    textures_.push_back("{\"source\":" + index + '}');
-    return ",\"baseColorTexture\":{\"index\":" + index + '}';
+  /// Of a surface, if it has a picture.
+  std::string picture_member(const Material& material) {
+    const PictureKind kind = kind_of(material.held_picture);
+    std::size_t index = images_.size();
+    if (!material.texture.empty()) {
+      add_image("\"uri\":" + quoted(uri(material.texture)));
+    } else if (kind == PictureKind::kPng || kind == PictureKind::kJpeg) {
+      const auto [known, is_new] = held_.try_emplace(material.held_picture, index);
+      index = known->second;
+      if (is_new) add_held(*material.held_picture, kind);
+    } else {
+      return {};
+    }
+    return ",\"baseColorTexture\":{\"index\":" + std::to_string(index) + '}';
+  }
+
+  void add_held(const std::string& bytes, PictureKind kind) {
+    const std::size_t begin = binary_.size();
+    binary_ += bytes;
+    add_image("\"bufferView\":" + std::to_string(add_view(begin, "")) + ",\"mimeType\":\"image/" +
+              (kind == PictureKind::kPng ? "png" : "jpeg") + '"');
+    binary_.append((kAlignment - binary_.size() % kAlignment) % kAlignment, '\0');
+  }
+
+  void add_image(const std::string& members) {
+    textures_.push_back("{\"source\":" + std::to_string(images_.size()) + '}');
+    images_.push_back('{' + members + '}');
   }
 
   /// With v down from the picture's upper edge, as the format has it.
@@ -156,11 +179,15 @@ class Glb {
 
   /// Of what has been appended since `begin`, which gets a view of its own.
   std::size_t add_accessor(std::size_t begin, const std::string& target, const std::string& rest) {
-    const std::size_t index = accessors_.size();
-    views_.push_back("{\"buffer\":0,\"byteOffset\":" + std::to_string(begin) + ",\"byteLength\":" +
-                     std::to_string(binary_.size() - begin) + ",\"target\":" + target + '}');
-    accessors_.push_back("{\"bufferView\":" + std::to_string(index) + ',' + rest + '}');
-    return index;
+    const std::size_t view = add_view(begin, ",\"target\":" + target);
+    accessors_.push_back("{\"bufferView\":" + std::to_string(view) + ',' + rest + '}');
+    return accessors_.size() - 1;
+  }
+
+  std::size_t add_view(std::size_t begin, const std::string& rest) {
+    views_.push_back("{\"buffer\":0,\"byteOffset\":" + std::to_string(begin) +
+                     ",\"byteLength\":" + std::to_string(binary_.size() - begin) + rest + '}');
+    return views_.size() - 1;
   }
 
   /// The format has no empty lists.
@@ -189,6 +216,7 @@ class Glb {
   std::vector<std::string> images_;
   std::vector<std::string> accessors_;
   std::vector<std::string> views_;
+  std::map<std::shared_ptr<const std::string>, std::size_t> held_;  // images
   std::string binary_;
 };
 

@@ -19,8 +19,9 @@ namespace rigor::report {
 
 struct WrittenFile {
   std::string path;
-  std::uint64_t triangles = 0;
-  std::optional<double> hausdorff;  ///< from the mesh before it was reduced, in its unit
+  std::optional<std::uint64_t> triangles = std::nullopt;  ///< of a mesh
+  std::optional<double> hausdorff =
+      std::nullopt;  ///< from the mesh before it was reduced, in its unit
 };
 
 struct MeshCheckReport {

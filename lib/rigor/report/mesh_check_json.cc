@@ -85,7 +85,7 @@ Json fit_of(const mesh::Fit& fit) {
 
 Json written_of(const WrittenFile& file) {
   return {{"path", file.path},
-          {"triangles", file.triangles},
+          {"triangles", file.triangles ? Json(*file.triangles) : Json(nullptr)},
           {"hausdorff", file.hausdorff ? finite(*file.hausdorff) : Json(nullptr)}};
 }
 

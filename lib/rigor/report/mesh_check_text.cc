@@ -159,8 +159,8 @@ std::string mesh_check_text(const MeshCheckReport& report, Color color) {
   }
   if (report.fit) text += fit_text(*report.fit);
   for (const WrittenFile& file : report.written) {
-    text += paint(printable(file.path), Paint::kStrong, color) + ": written, " +
-            counted(file.triangles, "triangle");
+    text += paint(printable(file.path), Paint::kStrong, color) + ": written";
+    if (file.triangles) text += ", " + counted(*file.triangles, "triangle");
     if (file.hausdorff) {
       text += fmt::format(", at most {} off (sampled)", number(*file.hausdorff, kMeshDigits));
     }
