@@ -242,6 +242,18 @@ TEST_F(InertiaOfModel, AGivenMassIsWritten) {
   expect_refused(folder_, "my_robot/model.sdf --radius 1", 2, "belongs to a shape");
 }
 
+TEST_F(InertiaOfModel, SaysWhyALinkStaysAsItIs) {
+  const std::string text =
+      "<sdf version='1.9'><model name='m'><link name='a'><collision name='c'><geometry><mesh>"
+      "<uri>gone.stl</uri></mesh></geometry></collision></link></model></sdf>";
+  folder_.put("m.sdf", text);
+  const Ran left = folder_.rigor("inertia m.sdf --write");
+  EXPECT_EQ(left.exit, 0);
+  EXPECT_NE(left.err.find("link m::a stays as it is"), std::string::npos) << left.err;
+  EXPECT_EQ(folder_.rigor("inertia m.sdf --mass a=2 --write").exit, 1) << "a mass of no use";
+  EXPECT_EQ(folder_.get("m.sdf"), text);
+}
+
 TEST_F(InertiaOfModel, ShapesThatCannotBeTheBodyProposeNothing) {
   // A ball of 1 mm stands for a screen of 0.44 kg.
   const std::string robot = R"(<robot name="r">

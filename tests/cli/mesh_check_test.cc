@@ -230,11 +230,49 @@ TEST(MeshCheckCli, Attached) {
   EXPECT_EQ(model.folder.rigor("validate arm").exit, 0);
 }
 
+TEST(MeshCheckCli, AttachingReplacesNoOtherFile) {
+  const MeshModel model;
+  model.folder.put("new.obj", "mtllib new.mtl\nusemtl red\n" + box_obj());
+  model.folder.put("new.mtl", "newmtl red\nmap_Kd skin.png\n");
+  model.folder.put("skin.png", "picture");
+  model.folder.put("arm/meshes/skin.png", "another");
+  const std::string before = model.folder.get("arm/model.sdf");
+  const Ran refused = model.folder.rigor("mesh-check new.obj --attach arm::base::hull");
+  EXPECT_EQ(refused.exit, 2);
+  EXPECT_NE(refused.err.find("skin.png is there already"), std::string::npos) << refused.err;
+  EXPECT_EQ(model.folder.get("arm/model.sdf"), before);
+  EXPECT_EQ(model.folder.get("arm/meshes/new.obj"), "");
+  // The mesh takes along what it names.
+  model.folder.put("arm/meshes/skin.png", "picture");
+  EXPECT_EQ(model.folder.rigor("mesh-check new.obj --attach arm::base::hull").exit, 0);
+  EXPECT_EQ(model.folder.get("arm/meshes/new.mtl"), model.folder.get("new.mtl"));
+  // A name that is wrong costs nothing.
+  EXPECT_EQ(model.folder.rigor("mesh-check new.obj -o made.stl --attach arm::base::hul").exit, 2);
+  EXPECT_EQ(model.folder.get("made.stl"), "");
+}
+
+TEST(MeshCheckCli, SaysWhatIsLeftAfterARepairAndALoss) {
+  const Folder folder;
+  folder.put("box.obj", box_obj(true));
+  const Ran open = folder.rigor("mesh-check box.obj --repair -o same.obj");
+  EXPECT_NE(open.out.find("repaired: open at 4 edges, 1 hole too large"), std::string::npos)
+      << open.out;
+  folder.put("red.obj", "mtllib red.mtl\nusemtl red\n" + box_obj());
+  folder.put("red.mtl", "newmtl red\nKd 1 0 0\n");
+  const Ran lost = folder.rigor("mesh-check red.obj -o red.stl");
+  EXPECT_NE(lost.out.find("left out: materials"), std::string::npos) << lost.out;
+  const Ran nothing = folder.rigor("mesh-check box.obj --reduce 1 -o none.obj");
+  EXPECT_EQ(nothing.exit, 1);
+  EXPECT_EQ(folder.get("none.obj"), "");
+}
+
 TEST(MeshCheckCli, ATestWorldThatIsValid) {
   const Folder folder;
   folder.put("meshes/box.obj", box_obj());
   const Ran ran = folder.rigor("mesh-check meshes/box.obj --test-world -o worlds/test.sdf");
   EXPECT_EQ(ran.exit, 2) << "there is no folder worlds";
+  EXPECT_EQ(folder.rigor("mesh-check meshes/box.obj --test-world -o meshes/box.obj").exit, 2);
+  EXPECT_EQ(folder.get("meshes/box.obj"), box_obj());
   EXPECT_EQ(folder.rigor("mesh-check meshes/box.obj --test-world -o test.sdf").exit, 0);
   const Ran valid = folder.rigor("validate test.sdf --format json");
   EXPECT_EQ(json::parse(valid.out)["summary"]["errors"], 0) << valid.out;

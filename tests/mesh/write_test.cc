@@ -9,12 +9,15 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <random>
 #include <set>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include <rigor/mesh/write_losses.h>
 
 #include "support/meshes.h"
 #include "writing.h"
@@ -110,6 +113,75 @@ TEST(WriteMesh, ColladaAndGlbKeepNamesAndMaterials) {
       ASSERT_EQ(loaded.mesh.parts.size(), mesh.parts.size()) << ending;
     }
   }
+}
+
+/// Two parts with one held picture, and a third with a picture in a file.
+TriangleMesh pictured(const std::string& bytes) {
+  TriangleMesh mesh = one_triangle();
+  mesh.triangles = {mesh.triangles[0], mesh.triangles[0], mesh.triangles[0]};
+  mesh.parts = {{"a", "held", 0, 1}, {"b", "same", 1, 1}, {"c", "named", 2, 1}};
+  mesh.corners.texture.assign(3, {{{0, 0}, {1, 0}, {0, 1}}});
+  const auto picture = std::make_shared<const std::string>(bytes);
+  mesh.materials = {{.name = "held", .held_picture = picture},
+                    {.name = "same", .held_picture = picture},
+                    {.name = "named", .texture = "skin.png"}};
+  return mesh;
+}
+
+TEST(WriteMesh, PicturesThatAMeshHoldsGoWithIt) {
+  const std::string png = "\x89PNG\r\n\x1A\n and so on, in an odd number of bytes.";
+  const TriangleMesh mesh = pictured(png);
+  const LoadedMesh glb = read_back(written(mesh, ".glb"), ".glb");
+  ASSERT_EQ(glb.mesh.materials.size(), 3U);
+  for (const Material& material : glb.mesh.materials) {
+    const bool held = material.name != "named";
+    EXPECT_EQ(material.texture, held ? "" : "skin.png");
+    ASSERT_EQ(material.held_picture != nullptr, held) << material.name;
+    if (held) {
+      EXPECT_EQ(*material.held_picture, png);
+    }
+  }
+  for (const char* ending : {".dae", ".obj"}) {
+    const WrittenMesh files = write_mesh(mesh, std::string("meshes/arm") + ending);
+    std::set<std::string> pictures;
+    std::string all = *files.bytes;
+    for (const SideFile& file : files.side_files) {
+      all += file.bytes;
+      if (file.name.ends_with(".png")) pictures.insert(file.name);
+      if (file.name == "arm-1.png") {
+        EXPECT_EQ(file.bytes, png);
+      }
+    }
+    EXPECT_EQ(pictures, std::set<std::string>{"arm-1.png"}) << "once, for both";
+    EXPECT_NE(all.find("arm-1.png"), std::string::npos) << ending;
+    EXPECT_NE(all.find("skin.png"), std::string::npos) << ending;
+  }
+}
+
+TEST(WriteMesh, WhatIsNoPictureOfThoseFormatsIsLeftOut) {
+  const TriangleMesh mesh = pictured("KTX 11");
+  EXPECT_EQ(read_back(written(mesh, ".glb"), ".glb").mesh.materials.at(0).held_picture, nullptr);
+  EXPECT_TRUE(write_mesh(mesh, "arm.dae").side_files.empty());
+  EXPECT_EQ(losses(mesh, "arm.dae", {}),
+            std::vector<std::string>{"pictures that are neither PNG nor JPEG"});
+}
+
+TEST(WriteMesh, LossesAreThoseOfTheFormat) {
+  TriangleMesh mesh = pictured("\xFF\xD8\xFF");
+  const std::vector<FileReference> textures{
+      {.written = "skin.png", .state = FileReference::State::kFound},
+      {.written = "bumps.png", .state = FileReference::State::kMissing},
+      {.written = "bumps.png", .state = FileReference::State::kMissing}};
+  const std::vector<std::string> bumps{"the picture bumps.png"};
+  EXPECT_EQ(losses(mesh, "a.glb", textures), bumps);
+  EXPECT_EQ(losses(mesh, "a.dae", textures), bumps);
+  EXPECT_EQ(losses(mesh, "a.ply", textures).size(), 2U) << "parts, materials";
+  EXPECT_EQ(losses(mesh, "a.stl", textures).size(), 3U) << "and texture points";
+  mesh.corners.colors.assign(3, {kWhite, kWhite, kWhite});
+  EXPECT_EQ(losses(mesh, "a.obj", textures), bumps);
+  mesh.corners.colors[1][2][3] = 0.5F;
+  EXPECT_EQ(losses(mesh, "a.obj", textures).size(), 2U) << "opacity";
+  EXPECT_TRUE(losses(one_triangle(), "a.stl", {}).empty());
 }
 
 TEST(WriteMesh, PartsOfEqualNamesStayApart) {

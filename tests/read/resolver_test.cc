@@ -84,6 +84,24 @@ TEST(Resolver, AWorldFindsTheModelsAroundIt) {
   EXPECT_EQ(resolver.resolve("model://m", "/w/worlds/lab.world").path, "/w/models/m");
 }
 
+TEST(Resolver, AWorldFindsTheModelsOfItsPackage) {
+  MemoryDisk disk = disk_with(
+      {"/ws/sim/models/deep/model.config", "/ws/sim/assets/arm/model.config",
+       "/ws/sim/worlds/2023/models/near/model.config", "/ws/models/outside/model.config"});
+  disk.put(
+      "/ws/sim/package.xml",
+      "<package><name>sim</name><export><gazebo_ros gazebo_model_path=\"${prefix}/assets:/other\"/>"
+      "</export></package>");
+  const Resolver resolver(disk, paths());
+  const auto found = [&resolver](const std::string& name) {
+    return resolver.resolve("model://" + name, "/ws/sim/worlds/2023/final.sdf").path;
+  };
+  EXPECT_EQ(found("near"), "/ws/sim/worlds/2023/models/near");
+  EXPECT_EQ(found("deep"), "/ws/sim/models/deep");
+  EXPECT_EQ(found("arm"), "/ws/sim/assets/arm");
+  EXPECT_EQ(found("outside"), std::nullopt);
+}
+
 TEST(Resolver, ARelativePathStandsBesideItsFile) {
   const MemoryDisk disk = disk_with({"m/meshes/a.stl"});
   const Resolver resolver(disk, {});

@@ -32,6 +32,25 @@ std::string package_name(const std::string& bytes) {
   return name;
 }
 
+/// The folders that a package tells Gazebo of, by `<gazebo_ros gazebo_model_path="${prefix}/models"/>` in
+/// its package.xml; found as text, too.
+std::vector<std::string> exported_folders(const std::string& bytes, const std::string& package) {
+  constexpr std::string_view kPrefix = "${prefix}";
+  std::vector<std::string> folders;
+  for (const std::string_view attribute : {"gazebo_model_path=\"", "gazebo_media_path=\""}) {
+    const std::size_t begin = bytes.find(attribute);
+    if (begin == std::string::npos) continue;
+    const std::size_t value = begin + attribute.size();
+    const std::size_t end = bytes.find('"', value);
+    if (end == std::string::npos) continue;
+    for (const SearchPath& path : split(bytes.substr(value, end - value), {})) {
+      if (!path.folder.starts_with(kPrefix)) continue;
+      folders.push_back(normalize_path(package + path.folder.substr(kPrefix.size())));
+    }
+  }
+  return folders;
+}
+
 /// Largest package.xml that is read for its name.
 constexpr std::uint64_t kMaxPackageXml = std::uint64_t{1} << 20U;
 
@@ -44,6 +63,26 @@ constexpr std::string_view kConfiguredOrigin = "rigor.toml";
 std::string above(const std::string& path) {
   if (path == "." || file_name(path) == "..") return normalize_path(path + "/..");
   return std::string(parent_path(path));
+}
+
+/// Where the package that a file belongs to keeps models: what it tells Gazebo of, and `models` beside the
+/// file or above it. Nothing for a file of no package.
+std::vector<std::string> model_folders_of_package(const Disk& disk, std::string_view file) {
+  std::vector<std::string> folders;
+  std::string folder(parent_path(file));
+  for (int i = 0; i < kMaxAncestors; ++i) {
+    folders.push_back(join_path(folder, "models"));
+    const ReadResult manifest = disk.read(join_path(folder, "package.xml"), kMaxPackageXml);
+    if (manifest.bytes) {
+      const std::vector<std::string> exported = exported_folders(*manifest.bytes, folder);
+      folders.insert(folders.begin(), exported.begin(), exported.end());
+      return folders;
+    }
+    std::string parent = above(folder);
+    if (parent == folder || folder == "/") break;
+    folder = std::move(parent);
+  }
+  return {};
 }
 
 }  // namespace
@@ -143,6 +182,15 @@ void Resolver::resolve_model(std::string_view rest, std::string_view file,
   const std::string around = above(beside);
   for (const std::string& place : {beside, around, join_path(around, "models")}) {
     if (try_path(join_path(place, rest), "around the file's folder", result)) return;
+  }
+  if (result.scheme == "model") {
+    if (try_path(join_path(join_path(beside, "models"), rest), "around the file's folder",
+                 result)) {
+      return;
+    }
+    for (const std::string& place : model_folders_of_package(disk_, file)) {
+      if (try_path(join_path(place, rest), "the file's package", result)) return;
+    }
   }
   if (!try_folders(paths_.environment, rest, result)) try_folders(paths_.ros, rest, result);
 }
