@@ -25,7 +25,9 @@ class UrdfToSdf final : public Command {
     const std::string group = "Where SDF leaves a choice (the first is the default)";
     app->add_option("--fixed", fixed_, "Links on fixed joints: keep, lump (into what carries them)")
         ->group(group);
-    app->add_option("--massless", massless_, "Links without mass that are fixed: frame, link")
+    app->add_option("--massless", massless_,
+                    "Links without mass that are fixed: link (a frame when it has no shapes), "
+                    "frame (its shapes go to what carries it)")
         ->group(group);
     return app;
   }
@@ -61,8 +63,8 @@ class UrdfToSdf final : public Command {
     if (!fixed_.empty() && choice("--fixed value", fixed_, {"keep", "lump"}) == 1) {
       how.fixed = convert::FixedPolicy::kLump;
     }
-    if (!massless_.empty() && choice("--massless value", massless_, {"frame", "link"}) == 1) {
-      how.massless = convert::MasslessPolicy::kLink;
+    if (!massless_.empty() && choice("--massless value", massless_, {"link", "frame"}) == 1) {
+      how.massless = convert::MasslessPolicy::kFrame;
     }
     return how;
   }
