@@ -201,5 +201,63 @@ TEST_F(ConversionCli, SaysWhatIsNoInputForIt) {
   EXPECT_EQ(folder.rigor("sdf2urdf arm.sdf --output robot.urdf").exit, 2);
 }
 
+/// What a policy or an allowed loss changes on purpose does not fail the proof.
+TEST_F(ConversionCli, TheProofKnowsWhatWasAskedFor) {
+  const auto urdf_link = [](const std::string& name, const std::string& more = "") {
+    return "<link name='" + name +
+           "'><inertial><mass value='1'/><inertia ixx='1' ixy='0' ixz='0' " +
+           "iyy='1' iyz='0' izz='1'/></inertial>" + more + "</link>";
+  };
+  const auto urdf_joint = [](const std::string& name, const std::string& type,
+                             const std::string& parent, const std::string& child,
+                             const std::string& more = "") {
+    return "<joint name='" + name + "' type='" + type + "'><origin xyz='0 1 0'/><parent link='" +
+           parent + "'/><child link='" + child + "'/><axis xyz='0 0 1'/>" + more + "</joint>";
+  };
+  folder.put("arm.urdf", "<robot name='arm'>" + urdf_link("a") + urdf_link("b") + urdf_link("c") +
+                             urdf_link("d") + urdf_joint("ab", "fixed", "a", "b") +
+                             urdf_joint("bc", "continuous", "b", "c") +
+                             urdf_joint("cd", "continuous", "c", "d",
+                                        "<mimic joint='bc' multiplier='2' offset='0'/>") +
+                             "</robot>");
+  folder.put("cover.urdf", "<robot name='v'>" + urdf_link("a") +
+                               "<link name='cover'><visual><geometry><sphere radius='1'/>"
+                               "</geometry></visual></link>" +
+                               urdf_joint("j", "fixed", "a", "cover") + "</robot>");
+  folder.put(
+      "capsule.sdf",
+      arm("revolute",
+          "<link name='k'><inertial><mass>1</mass><inertia><ixx>1</ixx></inertia></inertial>"
+          "<collision name='b'><geometry><box><size>1 1 1</size></box></geometry></collision>"
+          "<collision name='k'><geometry><capsule><radius>1</radius><length>1</length>"
+          "</capsule></geometry></collision></link><joint name='f' type='fixed'>"
+          "<parent>tip</parent><child>k</child></joint>"));
+  std::string placed = arm("revolute",
+                           "<joint name='w' type='fixed'><parent>world</parent>"
+                           "<child>base</child></joint>");
+  const std::string model = "<model name='arm'>";
+  placed.insert(placed.find(model) + model.size(), "<pose>0 0 2 0 0 0</pose>");
+  folder.put("placed.sdf", placed);
+  folder.put("free.sdf", arm("continuous"));
+  const auto proved = [this](const std::string& arguments) {
+    const Ran ran = folder.rigor(arguments);
+    EXPECT_EQ(ran.exit, 0) << arguments << ran.err;
+    EXPECT_EQ(ran.err.find("convert-not-the-same"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("20 joint positions"), std::string::npos) << ran.err;
+    return ran.out;
+  };
+  EXPECT_EQ(proved("urdf2sdf arm.urdf --fixed lump").find("<link name=\"b\">"), std::string::npos);
+  proved("urdf2sdf arm.urdf --sdf-version 1.9 --allow-loss");
+  EXPECT_NE(proved("urdf2sdf cover.urdf").find("<link name=\"cover\">"), std::string::npos);
+  EXPECT_NE(proved("urdf2sdf cover.urdf --massless link").find("<link name=\"cover\">"),
+            std::string::npos);
+  EXPECT_EQ(proved("urdf2sdf cover.urdf --massless frame").find("<link name=\"cover\">"),
+            std::string::npos);
+  EXPECT_NE(proved("sdf2urdf capsule.sdf --urdf-version 1.1").find("<capsule"), std::string::npos);
+  EXPECT_NE(proved("sdf2urdf placed.sdf --model-pose world-link").find("xyz=\"0 0 2\""),
+            std::string::npos);
+  proved("sdf2urdf free.sdf --unlimited 1000");
+}
+
 }  // namespace
 }  // namespace rigor::test

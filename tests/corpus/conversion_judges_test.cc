@@ -81,8 +81,8 @@ std::set<std::string> with_urdf_shape(const Converted& converted, const Parts& p
     const std::string link = model::scoped_name(root, parts[i].link);
     const std::string prefix = converted.source.name + "::";
     if (!link.starts_with(prefix)) continue;
-    const auto name = converted.result.links.find(link.substr(prefix.size()));
-    if (name != converted.result.links.end())
+    const auto name = converted.result.names.links.find(link.substr(prefix.size()));
+    if (name != converted.result.names.links.end())
       names.insert(name->second + "/" + parts[i].name.value);
   }
   return names;

@@ -178,8 +178,8 @@ struct UrdfCase {
   const author::Conversion& result;
 
   std::string link(const std::string& name) const {
-    const auto found = result.links.find(name);
-    return found == result.links.end() ? name : found->second;
+    const auto found = result.names.links.find(name);
+    return found == result.names.links.end() ? name : found->second;
   }
 
   /// By SDF names.
@@ -221,8 +221,8 @@ void hold_sdformat(const UrdfCase& one, const sdf::Model& model, SdformatCounts&
         continue;
       }
       drawn[name] = static_cast<double>(generator()) / 2147483648.0 - 1;
-      const auto names = one.result.joints.find(name);
-      positions[names == one.result.joints.end() ? name : names->second.at(0)].assign(1,
+      const auto names = one.result.names.joints.find(name);
+      positions[names == one.result.names.joints.end() ? name : names->second.at(0)].assign(1,
                                                                                       drawn[name]);
       moving = true;
     }
@@ -322,7 +322,7 @@ TEST(CorpusConversionSdformat, KeepsWhatHangsOnLinksBetweenJoints) {
   sdf::Console::Instance()->SetQuiet(true);
   int rows = 0, refused = 0;
   for_each_conversion([&](const Converted& converted) {
-    const auto& joints = converted.result.joints;
+    const auto& joints = converted.result.names.joints;
     const bool has_row = std::any_of(joints.begin(), joints.end(),
                                      [](const auto& joint) { return joint.second.size() > 1; });
     if (!has_row) return;

@@ -59,8 +59,8 @@ class Expectation {
       : converted_(converted), robot_(converted.source) {
     carriers_.resize(robot_.links.size());
     for (const SourceJoint& joint : robot_.joints) {
-      const auto names = converted.result.joints.find(joint.name);
-      if (names == converted.result.joints.end()) {
+      const auto names = converted.result.names.joints.find(joint.name);
+      if (names == converted.result.names.joints.end()) {
         left_out_.push_back(&joint);
       } else if (joint.child != kNoLink) {
         EXPECT_EQ(carriers_[joint.child], nullptr) << joint.name;
@@ -88,8 +88,8 @@ class Expectation {
   Positions draw(std::mt19937& generator) const {
     Positions positions;
     for (const SourceJoint& joint : robot_.joints) {
-      const auto names = converted_.result.joints.find(joint.name);
-      if (names == converted_.result.joints.end()) continue;
+      const auto names = converted_.result.names.joints.find(joint.name);
+      if (names == converted_.result.names.joints.end()) continue;
       std::vector<double>& drawn = positions.source[joint.name];
       for (std::size_t i = 0; i < joint.motions.size(); ++i) {
         drawn.push_back(static_cast<double>(generator()) / 2147483648.0 - 1);
@@ -136,8 +136,8 @@ class Expectation {
 
  private:
   std::string urdf_name(std::size_t link) const {
-    const auto found = converted_.result.links.find(robot_.links[link].name);
-    return found == converted_.result.links.end() ? "" : found->second;
+    const auto found = converted_.result.names.links.find(robot_.links[link].name);
+    return found == converted_.result.names.links.end() ? "" : found->second;
   }
 
   /// Its parent hangs on its child.

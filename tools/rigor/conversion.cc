@@ -145,8 +145,7 @@ int ConversionCommand::check(const Environment& environment, Sources& sources,
   const auto a = files.robot(loaded, loaded.root[result.model].name.value);
   const auto b = files.robot(kept, {});
   if (!a || !b) return kFindings;
-  const auto differences =
-      convert::compare(*a, *b, {.links = result.links, .joints = result.joints});
+  const auto differences = convert::compare(*a, *b, result.names);
   const report::RobotDiff diff{
       {loaded.file->path, *a}, {kept.file->path, *b}, differences, sources};
   for (const Target& target : output_.targets()) {

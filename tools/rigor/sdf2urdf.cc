@@ -22,7 +22,8 @@ class SdfToUrdf final : public Command {
     app->add_option("--mesh-uri", mesh_uri_,
                     "What meshes are named by: package://NAME, file or keep")
         ->type_name("HOW");
-    app->add_option("--urdf-version", urdf_version_, "1.0 (the default) or 1.1, which has capsules")
+    app->add_option("--urdf-version", urdf_version_,
+                    "1.0 (the default) or 1.1, which has capsules that an older urdfdom leaves out")
         ->type_name("VERSION");
     app->add_option("--root", how_.root,
                     "Add a root link without mass, such as base_footprint: ROS wants none with one")

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -82,7 +83,7 @@ class Told {
     const Span where = whole(difference.span_a);
     return std::any_of(notes_.begin(), notes_.end(), [&](const Note& note) {
       if (reroutes(note, difference) || couples(note, difference)) return true;
-      if (names_elsewhere(note, difference)) return true;
+      if (names_elsewhere(note, difference) || unfollows(note, difference)) return true;
       if (note.outcome != Outcome::kLost && note.outcome != Outcome::kSubstituted) return false;
       if (where.nowhere()) return follows(note, difference.kind);
       return !note.where.nowhere() && (holds(where, note.where) || holds(note.where, where));
@@ -117,6 +118,12 @@ class Told {
   static bool names_elsewhere(const Note& note, const Difference& difference) {
     return note.kind == NoteKind::kUriElsewhere && difference.kind == DifferenceKind::kMesh &&
            note.instead == difference.to.text;
+  }
+
+  /// A mimic that the target has no word for stands beside the axis in URDF, not in it.
+  static bool unfollows(const Note& note, const Difference& difference) {
+    return note.kind == NoteKind::kMimicLost && difference.kind == DifferenceKind::kMimic &&
+           difference.to.numbers.empty() && note.subject.ends_with("/" + difference.a);
   }
 
   /// The joints that a gearbox couples have no mimic in the source.
@@ -156,8 +163,7 @@ class Prover {
         workspace_(workspace),
         surveys_(environment.disk),
         options_(options),
-        result_(result),
-        names_{.links = result.links, .joints = result.joints} {}
+        result_(result) {}
 
   /// What is not the same though no note has told so.
   Notes prove(const read::Loaded& source, model::Id<model::Model> model) {
@@ -176,7 +182,8 @@ class Prover {
         written.root, written_frames, model::Id<model::Model>{0}, lookups(written.root));
     const Told told(source.root, result_.account.notes);
     Notes notes = differences(before, after, told);
-    if (written.root.format == model::Format::kUrdf) ask_urdfdom(source, before, told, notes);
+    if (written.root.format == model::Format::kUrdf)
+      ask_urdfdom(source, before, after, told, notes);
     return notes;
   }
 
@@ -211,20 +218,47 @@ class Prover {
     }
   }
 
-  Notes differences(const convert::Robot& before, const convert::Robot& after,
-                    const Told& told) const {
+  static bool has_capsule(const std::vector<convert::RobotPart>& parts) {
+    return std::any_of(parts.begin(), parts.end(),
+                       [](const auto& part) { return part.shape.kind == "capsule"; });
+  }
+  static bool has_capsule(const convert::Robot& robot) {
+    return std::any_of(robot.bodies.begin(), robot.bodies.end(), [](const auto& body) {
+      return has_capsule(body.collisions) || has_capsule(body.visuals);
+    });
+  }
+
+  /// The subjects of shapes that a urdfdom leaves out that does not know URDF 1.1's capsules: those, and
+  /// the other collisions, or visuals, of their links.
+  static std::set<std::string> beside_capsules(const convert::Robot& robot) {
+    std::set<std::string> subjects;
+    const auto add = [&](std::string_view kind, const std::string& body, const auto& parts) {
+      if (!has_capsule(parts)) return;
+      for (const auto& part : parts)
+        subjects.insert(fmt::format("{} {}/{}", kind, body, part.name));
+    };
+    for (const convert::RobotBody& body : robot.bodies) {
+      add("collision", body.name, body.collisions);
+      add("visual", body.name, body.visuals);
+    }
+    return subjects;
+  }
+
+  Notes differences(const convert::Robot& before, const convert::Robot& after, const Told& told,
+                    const std::set<std::string>& left_out = {}) const {
     Notes notes;
-    for (const Difference& difference : convert::compare(before, after, names_)) {
+    for (const Difference& difference : convert::compare(before, after, result_.names)) {
       // Readers of one format disagree on colours: two materials of one name, a script and a colour.
       if (difference.kind == DifferenceKind::kColor || told.has(difference)) continue;
+      if (difference.b.empty() && left_out.contains(difference.a)) continue;
       notes.push_back(note_of(difference));
     }
     return notes;
   }
 
   /// The parser that everything in ROS reads URDF with.
-  void ask_urdfdom(const read::Loaded& source, const convert::Robot& before, const Told& told,
-                   Notes& notes) {
+  void ask_urdfdom(const read::Loaded& source, const convert::Robot& before,
+                   const convert::Robot& after, const Told& told, Notes& notes) {
     convert::UrdfdomVerdict verdict = convert::judge_by_urdfdom(*result_.text);
     if (!verdict.robot) {
       notes.push_back({.kind = NoteKind::kRefused,
@@ -234,7 +268,9 @@ class Prover {
     }
     if (!notes.empty()) return;  // it would say the same once more
     look_up_files(*verdict.robot);
-    notes = differences(before, *verdict.robot, told);
+    const bool misses_capsules = has_capsule(after) && !has_capsule(*verdict.robot);
+    notes = differences(before, *verdict.robot, told,
+                        misses_capsules ? beside_capsules(before) : std::set<std::string>());
   }
 
   const Environment& environment_;
@@ -243,7 +279,6 @@ class Prover {
   mass::MeshSurveys surveys_;
   const ConversionOptions& options_;
   const Conversion& result_;
-  convert::Correspondence names_;
 };
 
 /// What both directions do once they have a result, or none.
@@ -309,8 +344,10 @@ Conversion to_urdf(const Environment& environment, Sources& sources, read::Works
   }
   result.files = std::move(converted.files);
   result.account = std::move(converted.account);
-  result.links = std::move(converted.links);
-  result.joints = std::move(converted.joints);
+  result.names.links = std::move(converted.links);
+  result.names.joints = std::move(converted.joints);
+  result.names.unlimited = how.unlimited;
+  result.names.from_world = converted.from_world;
   return Conclusion(environment, sources, workspace, loaded, options).of(std::move(result));
 }
 
@@ -330,8 +367,9 @@ Conversion to_sdf(const Environment& environment, Sources& sources, read::Worksp
     result.text = convert::sdf_text(*converted.robot);
   }
   result.account = std::move(converted.account);
-  result.links = std::move(converted.links);
-  result.joints = std::move(converted.joints);
+  result.names.links = std::move(converted.links);
+  result.names.joints = std::move(converted.joints);
+  result.names.held_by = std::move(converted.held_by);
   return Conclusion(environment, sources, workspace, loaded, options).of(std::move(result));
 }
 

@@ -12,12 +12,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <rigor/convert/compare.h>
 #include <rigor/convert/sdf_to_urdf.h>
 #include <rigor/convert/urdf_to_sdf.h>
 #include <rigor/environment.h>
@@ -49,9 +49,8 @@ struct Conversion {
   std::vector<convert::SideFile> files;
   convert::Account account;
   Diagnostics diagnostics;
-  std::map<std::string, std::string>
-      links;  ///< source name → name in the result, of those that changed
-  std::map<std::string, std::vector<std::string>> joints;
+  /// What of the source is what of the result, by the choices that were made.
+  convert::Correspondence names;
   std::size_t configurations = 0;  ///< joint positions that it was proved at
 };
 

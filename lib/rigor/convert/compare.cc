@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <rigor/convert/compare_parts.h>
+#include <rigor/convert/held.h>
 
 namespace rigor::convert {
 namespace {
@@ -61,6 +64,21 @@ std::vector<RobotPositions> configurations(const Robot& robot, std::size_t count
 
 namespace {
 
+/// A as B should be, by the choices that were made. Nothing where that is A itself.
+std::optional<Robot> as_chosen(const Robot& a, const Robot& b, const Correspondence& names) {
+  std::set<std::string> in_b;
+  for (const RobotBody& body : b.bodies) in_b.insert(plain_name(body.name));
+  std::map<std::string, std::string> held_by;
+  for (const auto& [body, holder] : names.held_by) {
+    const auto given = names.links.find(body);
+    const std::string& name = given == names.links.end() ? body : given->second;
+    if (!in_b.contains(plain_name(name))) held_by.emplace(body, holder);
+  }
+  if (held_by.empty() && !names.from_world) return std::nullopt;
+  Robot chosen = names.from_world ? in_world(a) : a;
+  return held_by.empty() ? chosen : with_held(chosen, held_by);
+}
+
 /// With the mass of links between joints that stand for one in what these carry: the source has no such
 /// links. Nothing when they have none.
 std::optional<Robot> with_rows_weighed(const Robot& robot, const RobotMatch::Side& side) {
@@ -81,8 +99,10 @@ std::optional<Robot> with_rows_weighed(const Robot& robot, const RobotMatch::Sid
 
 }  // namespace
 
-std::vector<Difference> compare(const Robot& a, const Robot& b,
+std::vector<Difference> compare(const Robot& written, const Robot& b,
                                 const Correspondence& correspondence, const Tolerance& tolerance) {
+  const std::optional<Robot> chosen = as_chosen(written, b, correspondence);
+  const Robot& a = chosen ? *chosen : written;
   const RobotMatch matched = match(a, b, correspondence, tolerance);
   const std::optional<Robot> weighed = with_rows_weighed(b, matched.b);
   const Robot& whole = weighed ? *weighed : b;

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 #include <string_view>
@@ -37,6 +38,13 @@ struct Correspondence {
   /// A joint that was written as several: the names for its axes in their order. The joints and bodies
   /// in between that are not in A are its substitute and no differences.
   std::map<std::string, std::vector<std::string>> joints;
+  /// Bodies of A that may be part of another one of A in B, and that one: both are fixed to each other.
+  /// A body that B has is compared as it is.
+  std::map<std::string, std::string> held_by = {};
+  /// Whether B begins at the world, so that A's pose in it is the place of what hangs there.
+  bool from_world = false;
+  /// Stands in B for an effort, velocity or position without a limit.
+  double unlimited = std::numeric_limits<double>::infinity();
   Helpers helpers = Helpers::kIgnored;
   Placement placement = Placement::kIgnored;
 };

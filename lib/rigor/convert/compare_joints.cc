@@ -213,7 +213,7 @@ class JointComparer {
     compare_direction(joint_a, x, joint_b, y, add);
     const auto compare = [&](const AxisNumber& number) {
       const double from = x.*number.number, to = y.*number.number;
-      if (near(from, to, c_.tolerance)) return;
+      if (near(from, to, c_.tolerance) || stands_for_none(from, to)) return;
       Difference& d = add(number.kind);
       d.from.numbers = {from};
       d.to.numbers = {to};
@@ -228,6 +228,10 @@ class JointComparer {
       for (const AxisNumber& number : kSpringNumbers) compare(number);
     }
     compare_follow(x, y, add);
+  }
+
+  bool stands_for_none(double limit, double number) const {
+    return std::isinf(limit) && number == std::copysign(c_.names.unlimited, limit);
   }
 
   /// In the joint frames, or where these differ in what they hang on.

@@ -216,7 +216,7 @@ class RobotMatcher {
       const auto found = free_in_b.find({match_.a.body[joint.parent], match_.a.body[joint.child]});
       if (found == free_in_b.end() || match_.b.joint[found->second] != kNoIndex) continue;
       pair_joints(i, found->second);
-      match_.renamed_joint[i] = true;
+      match_.renamed_joint[i] = !joint.name.empty();
     }
   }
 

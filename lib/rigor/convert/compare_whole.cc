@@ -6,23 +6,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <rigor/convert/compare_parts.h>
 
 namespace rigor::convert {
 namespace {
 
-/// How far sums may be apart: rounding grows with what is summed up, not with
-/// what is left of it.
+/// What sums are made of, without signs: what rounding grows with.
 struct SumScale {
   double first = 0;   ///< kg·m
   double second = 0;  ///< kg·m²
 };
 
-SumScale scale_of(const Robot& robot, const std::vector<model::Pose>& X_RB) {
+/// Of the bodies of at most this mass, kg.
+SumScale scale_of(const Robot& robot, const std::vector<model::Pose>& X_RB,
+                  double most = std::numeric_limits<double>::infinity()) {
   SumScale scale;
   for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
     const mass::MassProperties& body = robot.bodies[i].mass;
+    if (!(std::abs(body.mass) <= most)) continue;
     const double reach = length(X_RB[i].translation) + length(body.com);
     scale.first += std::abs(body.mass) * reach;
     scale.second += std::abs(body.mass) * reach * reach + std::abs(mass::trace(body.about_com));
@@ -141,19 +144,23 @@ class WholeComparer {
     for (std::size_t k = 0; k < c_.poses.count(); ++k) {
       const Moments x = moments(c_.a, c_.poses.all_a(k)),
                     y = moments(c_.b_as_read, c_.poses.all_b(k));
-      const SumScale scale = scale_of(c_.a, c_.poses.all_a(k));
+      // What weighs next to nothing in B may weigh nothing in A.
+      const SumScale all = scale_of(c_.a, c_.poses.all_a(k));
+      const SumScale nothing = scale_of(c_.b_as_read, c_.poses.all_b(k), kNothing);
+      const double relative = c_.tolerance.relative;
       keep_worst(first, k, {x.first.x, x.first.y, x.first.z}, {y.first.x, y.first.y, y.first.z},
-                 scale.first);
-      keep_worst(second, k, tensor_numbers(x.second), tensor_numbers(y.second), scale.second);
+                 relative * all.first + nothing.first);
+      keep_worst(second, k, tensor_numbers(x.second), tensor_numbers(y.second),
+                 relative * all.second + nothing.second);
     }
     tell(DifferenceKind::kTotalFirst, first, "kg·m");
     tell(DifferenceKind::kTotalSecond, second, "kg·m²");
   }
 
   void keep_worst(Difference& worst, std::size_t k, std::vector<double> from,
-                  std::vector<double> to, double scale) const {
+                  std::vector<double> to, double allowed) const {
     const double off = farthest(from, to);
-    if (!(off > c_.tolerance.relative * scale) || off <= worst.distance) return;
+    if (!(off > allowed) || off <= worst.distance) return;
     worst.from.numbers = std::move(from);
     worst.to.numbers = std::move(to);
     worst.distance = off;

@@ -22,6 +22,7 @@ UrdfConversion sdf_to_urdf(const Source& source, const UrdfOptions& options) {
 
   const UrdfTree tree = urdf_tree(source.root, source.frames, result.model);
   const UrdfRoots roots = urdf_roots(source, options, tree);
+  result.from_world = roots.has_model_pose;
   Notes& refusals = result.account.notes;
   refusals = unresolved_in(source, tree);
   if (roots.kind == UrdfRoots::Kind::kNone) {

@@ -94,6 +94,7 @@ struct UrdfConversion {
   /// SDF name (scoped inside the model) → URDF name; of a joint that was substituted, per axis.
   std::map<std::string, std::string> links;
   std::map<std::string, std::vector<std::string>> joints;
+  bool from_world = false;  ///< the root is the world, and the model's pose is in the joints there
 };
 
 UrdfConversion sdf_to_urdf(const Source& source, const UrdfOptions& options);

@@ -243,7 +243,10 @@ class UrdfToSdf {
 
   void name_map(const SdfDraft& draft) {
     for (std::size_t i = 0; i < root_.links.size(); ++i) {
-      result_.links.try_emplace(root_.links[i].name.value, draft.tree.nodes[i].name);
+      const SdfNode& node = draft.tree.nodes[i];
+      result_.links.try_emplace(root_.links[i].name.value, node.name);
+      if (node.role != Role::kFrame) continue;
+      result_.held_by.try_emplace(root_.links[i].name.value, root_[node.holder].name.value);
     }
     for (std::size_t i = 0; i < root_.joints.size(); ++i) {
       const std::string& name = draft.tree.joint_names[i];

@@ -65,6 +65,8 @@ struct SdfConversion {
   /// URDF name → SDF name; a planar joint has three.
   std::map<std::string, std::string> links;
   std::map<std::string, std::vector<std::string>> joints;
+  /// URDF name of each link that became a frame → that of the link that holds what it held.
+  std::map<std::string, std::string> held_by;
 };
 
 SdfConversion urdf_to_sdf(const Source& source, const SdfOptions& options);

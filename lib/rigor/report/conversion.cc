@@ -31,7 +31,7 @@ std::string conversion_json(const ConversionReport& report) {
                       {"converted", result.text.has_value()},
                       {"account", account_of(result.account)},
                       {"verified_configurations", result.configurations},
-                      {"names", {{"links", result.links}, {"joints", result.joints}}},
+                      {"names", {{"links", result.names.links}, {"joints", result.names.joints}}},
                       {"diagnostics", diagnostics_of(result.diagnostics, report.sources)}};
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
