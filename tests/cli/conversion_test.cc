@@ -201,6 +201,22 @@ TEST_F(ConversionCli, SaysWhatIsNoInputForIt) {
   EXPECT_EQ(folder.rigor("sdf2urdf arm.sdf --output robot.urdf").exit, 2);
 }
 
+/// Infos are for -v, but for those that tell of a loss.
+TEST_F(ConversionCli, WhatIsLostIsTold) {
+  std::string text = arm("revolute");
+  const std::string base = "<link name='base'>";
+  text.insert(text.find(base) + base.size(),
+              "<pose>0 0 0.5 0 0 0</pose><light name='lamp' type='point'/>");
+  folder.put("raised.sdf", text);
+  const Ran ran = folder.rigor("sdf2urdf raised.sdf");
+  EXPECT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_NE(ran.err.find("convert-root-pose"), std::string::npos) << ran.err;
+  EXPECT_EQ(ran.err.find("convert-light"), std::string::npos) << "it is in a block";
+  EXPECT_NE(ran.out.find("<light name='lamp'"), std::string::npos) << ran.out;
+  const Ran all = folder.rigor("sdf2urdf raised.sdf -v");
+  EXPECT_NE(all.err.find("the light is for Gazebo only"), std::string::npos) << all.err;
+}
+
 /// What a policy or an allowed loss changes on purpose does not fail the proof.
 TEST_F(ConversionCli, TheProofKnowsWhatWasAskedFor) {
   const auto urdf_link = [](const std::string& name, const std::string& more = "") {

@@ -50,6 +50,28 @@ TEST(UrdfBlock, CarriesContactParameters) {
             "<kp>1e5</kp>\n<kd>10</kd>\n<maxVel>0.1</maxVel>\n<minDepth>0.001</minDepth>\n");
 }
 
+/// What `ign sdf -p` (libsdformat 12) turns back into the same elements.
+TEST(UrdfBlock, CarriesReflectionAndDamping) {
+  const std::string retro = "<laser_retro>7</laser_retro>";
+  UrdfPart part(
+      "<link name='base'><velocity_decay><linear>0.10</linear><angular>.1</angular>"
+      "</velocity_decay>" +
+      sphere_collision("a", retro) + sphere_collision("b", retro) + "</link>");
+  EXPECT_EQ(part.draft.robot.blocks.at(0).xml,
+            "<laserRetro>7</laserRetro>\n<dampingFactor>0.10</dampingFactor>\n");
+  const Account account = part.account();
+  EXPECT_EQ(of_kind(account.notes, NoteKind::kLinkPhysics).at(0).outcome, Outcome::kCarried);
+  EXPECT_TRUE(of_kind(account.notes, NoteKind::kVisualExtra).empty());
+
+  const UrdfPart differ(
+      "<link name='base'><velocity_decay><linear>0.1</linear><angular>0.2</angular>"
+      "</velocity_decay></link>");
+  EXPECT_EQ(differ.draft.robot.blocks.at(0).xml,
+            "<velocity_decay>\n  <linear>0.1</linear>\n  <angular>0.2</angular>\n"
+            "</velocity_decay>\n");
+  EXPECT_TRUE(UrdfPart("<link name='base'><velocity_decay/></link>").draft.robot.blocks.empty());
+}
+
 TEST(UrdfBlock, LosesWhatCollisionsDifferIn) {
   UrdfPart part("<link name='base'>" + sphere_collision("a", ode_friction("<mu>0.5</mu>")) +
                 sphere_collision("b", ode_friction("<mu>0.7</mu>")) + sphere_collision("c", "") +

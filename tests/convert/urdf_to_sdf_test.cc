@@ -267,6 +267,16 @@ TEST(UrdfToSdf, ShapesOfAMasslessLinkStayOrAreHeldByItsParent) {
   EXPECT_EQ(mass_of_links(held.root()), 1);
 }
 
+TEST(UrdfToSdf, AnAxisIsAUnitVector) {
+  const auto axis = [](const std::string& xyz) {
+    return sdf_text_of(robot_xml(link_xml("a") + link_xml("b") +
+                                 joint_xml("continuous", "a", "b", "<axis xyz='" + xyz + "'/>")));
+  };
+  EXPECT_NE(axis("0 -2 0").find("<xyz>0 -1 0</xyz>"), std::string::npos);
+  EXPECT_NE(axis("3 0 4").find("<xyz>0.6 0 0.8</xyz>"), std::string::npos);
+  EXPECT_NE(axis("0.60 0 0.80").find("<xyz>0.60 0 0.80</xyz>"), std::string::npos) << "its digits";
+}
+
 TEST(UrdfToSdf, LumpsFixedJointsWhenAsked) {
   // 1 kg at 0 and 3 kg at x = 4: together at x = 3, and about that 1·9 + 3·1 = 12 more than 2.
   const std::string urdf =

@@ -24,11 +24,17 @@
 namespace rigor::tool {
 namespace {
 
-/// What a reader of the pretty report needs not be told: what is exact.
-Diagnostics without_infos(const Diagnostics& all) {
+/// Without what a reader of the pretty report needs not be told: infos on what is not lost.
+Diagnostics without_infos(const author::Conversion& result) {
+  const convert::Notes& notes = result.account.notes;
+  const auto tells_loss = [&notes](const Diagnostic& diagnostic) {
+    return std::any_of(notes.begin(), notes.end(), [&](const convert::Note& note) {
+      return note.outcome == convert::Outcome::kLost && note.where == diagnostic.where;
+    });
+  };
   Diagnostics list;
-  for (const Diagnostic& diagnostic : all.list()) {
-    if (diagnostic.severity != Severity::kInfo) list.add(diagnostic);
+  for (const Diagnostic& diagnostic : result.diagnostics.list()) {
+    if (diagnostic.severity != Severity::kInfo || tells_loss(diagnostic)) list.add(diagnostic);
   }
   return list;
 }
@@ -105,7 +111,7 @@ int ConversionCommand::run(const Convert& convert) const {
 }
 
 void ConversionCommand::tell(const author::Conversion& result, const Sources& sources) const {
-  const Diagnostics shown = verbose_ ? result.diagnostics : without_infos(result.diagnostics);
+  const Diagnostics shown = verbose_ ? result.diagnostics : without_infos(result);
   const bool to_stderr = out_.empty() && check_.empty();
   if (to_stderr) {
     std::string text = report::pretty(shown, sources, report::Color::kPlain);

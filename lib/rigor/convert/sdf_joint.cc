@@ -5,10 +5,12 @@
 #include <string>
 #include <utility>
 
+#include <rigor/convert/number_text.h>
 #include <rigor/convert/robot.h>
 #include <rigor/convert/sdf_draft.h>
 #include <rigor/convert/written_number.h>
 #include <rigor/model/subject.h>
+#include <rigor/write/numbers.h>
 
 namespace rigor::convert {
 namespace {
@@ -175,10 +177,13 @@ class SdfJointConverter {
       note(NoteKind::kAxisZero, Outcome::kSubstituted, axis.xyz.span, "0 0 0", "a fixed joint");
       return fixed();
     }
-    const Number3 xyz = written_numbers(draft_.source.documents, axis.xyz);
+    Number3 xyz = written_numbers(draft_.source.documents, axis.xyz);
     if (std::abs(size - 1) > kUnitAxisTolerance) {
+      const std::string written = number_texts(xyz);
+      xyz = numbers((1 / size) * axis.xyz.value);
+      for (Number& number : xyz) number.value = write::settled(number.value, 0, 1);
       ledger_.take(axis.xyz, Outcome::kRewritten);
-      note(NoteKind::kAxisUnit, Outcome::kRewritten, axis.xyz.span, to_text({size, {}}), "1");
+      note(NoteKind::kAxisUnit, Outcome::kRewritten, axis.xyz.span, written, number_texts(xyz));
     }
     ledger_.take(axis.xyz);
     ledger_.take(axis.site);

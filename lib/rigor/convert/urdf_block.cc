@@ -40,19 +40,24 @@ class BlockMaker {
 
   void add_key(std::string_view key, std::string_view value) { lines_ += block_line(key, value); }
 
+  /// How many elements and attributes that are.
+  std::size_t add_as_it_stands(xml::Element element, const std::optional<std::string>& pose = {}) {
+    const SourceId source = element.name_span().source;
+    lines_ += laid_out(draft_.source.documents.of(source), element, pose);
+    return draft_.ledger.take_all(element, Outcome::kCarried);
+  }
+
   /// As it stands; with a pose of its own where one is given.
   void add_element(xml::Element element, NoteKind kind, std::string subject,
                    const std::optional<std::string>& pose = {}) {
-    const Span where = element.name_span();
-    lines_ += laid_out(draft_.source.documents.of(where.source), element, pose);
     const auto name = element.attribute("name");
     draft_.ledger.note({.kind = kind,
                         .outcome = Outcome::kCarried,
-                        .where = where,
+                        .where = element.name_span(),
                         .subject = std::move(subject),
                         .written = name ? std::string(name->value()) : std::string(),
                         .instead = {},
-                        .count = draft_.ledger.take_all(element, Outcome::kCarried)});
+                        .count = add_as_it_stands(element, pose)});
   }
 
   void note(NoteKind kind, Span where, std::string subject, std::string written) {
@@ -177,6 +182,23 @@ void carry_spring(UrdfDraft& draft, const model::Joint& joint, BlockMaker& block
              "stiffness " + stiffness + ", reference " + reference);
 }
 
+/// The block's key sets both; where they differ Gazebo takes the element as it stands.
+void carry_damping(UrdfDraft& draft, const model::Link& link, const std::string& whose,
+                   BlockMaker& block) {
+  const auto decay = draft.source.documents.element(link.site).child("velocity_decay");
+  if (!decay) return;
+  const auto linear = read::number_field(read::child_text(*decay, "linear"), 0);
+  const auto angular = read::number_field(read::child_text(*decay, "angular"), 0);
+  if (linear.value == 0 && angular.value == 0) return;
+  if (linear.value == angular.value) {
+    block.add_key("dampingFactor", to_text(written_number(draft.source.documents, linear)));
+    draft.ledger.take_all(*decay, Outcome::kCarried);
+  } else {
+    block.add_as_it_stands(*decay);
+  }
+  block.note(NoteKind::kLinkPhysics, decay->name_span(), whose, "velocity_decay");
+}
+
 void carry_static(UrdfDraft& draft, const model::Model& model, BlockMaker& block) {
   if (!model.is_static.value || draft.options.static_model != StaticPolicy::kBlock) return;
   const std::string whose = subject(draft.source.root, model);
@@ -233,6 +255,7 @@ void add_link_blocks(UrdfDraft& draft, Id<model::Link> id, const Pose& X_JL, con
         draft.source.documents.element(light.site), NoteKind::kLight, subject(root, light),
         pose_in_link(draft, id, X_JL, light.pose, draft.source.frames.pose(entry->second)));
   }
+  carry_damping(draft, link, whose, block);
   carry_plugins(draft.source.documents.element(link.site), whose, block);
   std::move(block).finish();
 }

@@ -34,7 +34,8 @@ constexpr std::array kSurfaceKeys{SurfaceKey{"mu1", kFrictionOde, "mu"},
                                   SurfaceKey{"kd", kContactOde, "kd"},
                                   SurfaceKey{"maxVel", kContactOde, "max_vel"},
                                   SurfaceKey{"minDepth", kContactOde, "min_depth"},
-                                  SurfaceKey{"maxContacts", {}, "max_contacts"}};
+                                  SurfaceKey{"maxContacts", {}, "max_contacts"},
+                                  SurfaceKey{"laserRetro", {}, "laser_retro"}};
 
 /// How many different values a note lists.
 constexpr std::size_t kMostListedValues = 4;

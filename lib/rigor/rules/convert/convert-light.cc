@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <string>
+#include <fmt/core.h>
 
 #include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
@@ -10,18 +10,21 @@
 namespace rigor::rules::convert_light {
 
 void check(const convert::Note& note, Context& context) {
-  context.report(told(note, std::string("the light is lost: URDF has none")));
+  context.report(told(note, fmt::format("the light {}", whereabouts(note))));
 }
 
 Rule rule() {
   return {
       .name = "convert-light",
       .category = Category::kConvert,
-      .severity = Severity::kWarning,
+      .severity = Severity::kInfo,
       .formats = Formats::kSdf,
-      .summary = "a light on a link is lost",
-      .why = "URDF has no lights, and Gazebo's blocks carry none.",
-      .what_to_do = "Put the light into the world.",
+      .summary = "a light is for Gazebo only",
+      .why =
+          "URDF has no lights. A `<gazebo>` block carries the light of a link as it is, which "
+          "Gazebo "
+          "reads; all else sees none.",
+      .what_to_do = "Nothing for Gazebo; put the light into the world of another simulator.",
       .bad = {{.text = R"(<sdf version='1.9'>
   <model name='arm'>
     <link name='base'>

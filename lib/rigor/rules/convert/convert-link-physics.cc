@@ -10,7 +10,9 @@
 namespace rigor::rules::convert_link_physics {
 
 void check(const convert::Note& note, Context& context) {
-  context.report(told(note, fmt::format("{} is lost: URDF has no word for it", note.written)));
+  const bool lost = note.outcome == convert::Outcome::kLost;
+  context.report(told(note, fmt::format("{} {}{}", note.written, whereabouts(note),
+                                        lost ? ": URDF has no word for it" : "")));
 }
 
 Rule rule() {
@@ -22,7 +24,7 @@ Rule rule() {
       .summary = "what a link says to the engine is not in the robot",
       .why =
           "Damping of a link's velocity, wind, kinematic motion, batteries, added mass: URDF has "
-          "no word for them.",
+          "no word for them. A `<gazebo>` block carries the damping, which Gazebo reads.",
       .what_to_do = "Set them in the simulator where they matter.",
       .bad = {{.text = R"(<sdf version='1.9'>
   <model name='arm'>
