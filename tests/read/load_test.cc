@@ -269,6 +269,33 @@ TEST(Load, SdfOneZeroHasItsValuesInAttributes) {
   EXPECT_EQ(std::get<model::Box>(shape).size.value, (model::Vector3{1, 2, 3}));
 }
 
+/// `ign sdf -p` has the defaults for each of them, and refuses a joint whose ends are attributes.
+TEST(Load, NoLaterVersionHasThemThere) {
+  for (const std::string version : {"1.2", "1.4", "1.6", "1.9"}) {
+    const Case one_case(one(
+        "<sdf version='" + version +
+        "'><world name='w'><gravity xyz='0 0 -5'/><include uri='model://a'/><model name='m'>"
+        "<link name='l'><inertial mass='4'><inertia ixx='5' iyy='5' izz='5'/></inertial>"
+        "<collision name='c'><geometry><box size='1 2 3'/></geometry></collision>"
+        "<visual name='v'><geometry><mesh filename='a.stl'/></geometry></visual></link>"
+        "<joint name='j' type='revolute'><parent link='a'/><child>l</child>"
+        "<axis xyz='1 0 0'><limit lower='-1' upper='1'/></axis></joint></model></world></sdf>"));
+    SCOPED_TRACE(version);
+    const model::Root& root = one_case.root();
+    EXPECT_EQ(root.worlds[0].gravity.value.z, -9.8);
+    EXPECT_EQ(root.includes[0].uri.value, "");
+    EXPECT_TRUE(one_case.loaded.facts.empty());
+    EXPECT_FALSE(root.links[0].inertial.mass.written);
+    EXPECT_EQ(root.links[0].inertial.ixx.value, 1);
+    const auto& shape = root.collisions[0].geometry.shape;
+    EXPECT_EQ(std::get<model::Box>(shape).size.value, (model::Vector3{1, 1, 1}));
+    EXPECT_EQ(std::get<model::Mesh>(root.visuals[0].geometry.shape).uri.value, "");
+    EXPECT_EQ(root.joints[0].parent.value, "");
+    EXPECT_EQ(root.joints[0].axes[0].xyz.value, (model::Vector3{0, 0, 1}));
+    EXPECT_FALSE(root.joints[0].axes[0].lower.written);
+  }
+}
+
 const char* const kArm =
     "<robot name='arm'><link name='base'/><link name='upper'/><link name='hand'/>"
     "<joint name='shoulder' type='revolute'><parent link='base'/><child link='upper'/>"

@@ -78,7 +78,7 @@ Rgba look_of(const schema::ScriptMaterial& script) {
 std::optional<read::Text> color_text(xml::Element material, std::string_view name) {
   const auto element = material.child(name);
   if (!element) return std::nullopt;
-  const auto attribute = read::attribute_text(*element, "rgba");
+  const auto attribute = read::value_attribute(*element, "rgba");
   return attribute ? attribute : read::Text{element->text(), element->text_span()};
 }
 
@@ -161,7 +161,7 @@ class MaterialConverter {
     if (script) {
       note.where = script->name_span();
       note.count = draft_.ledger.take_all(*script, note.outcome);
-    } else if (const auto attribute = read::attribute_text(material, "script")) {
+    } else if (const auto attribute = read::value_attribute(material, "script")) {
       note.where = attribute->span;
       draft_.ledger.take_value(attribute->span, note.outcome);
     }
@@ -211,7 +211,7 @@ std::string script_name(const Source& source, const model::Visual& visual) {
     return visual.material.name.value;
   }
   const auto attribute =
-      read::attribute_text(source.documents.element(visual.material.site), "script");
+      read::value_attribute(source.documents.element(visual.material.site), "script");
   return attribute ? std::string(read::trimmed(attribute->text)) : std::string();
 }
 

@@ -132,7 +132,7 @@ model::Field<model::Vector3> SdfReader::gravity_of(xml::Element world) const {
   }
   if (!holder) return {kStandard, {}, false};
   const auto element = holder->child("gravity");
-  const auto attribute = element ? attribute_text(*element, "xyz") : std::nullopt;
+  const auto attribute = element ? value_attribute(*element, "xyz") : std::nullopt;
   return vector_field(attribute ? attribute : child_text(*holder, "gravity"), kStandard);
 }
 
@@ -221,7 +221,7 @@ void SdfReader::read_model_parts(xml::Element element, Id<model::Model> id) {
 
 model::Field<std::string> include_uri(xml::Element include) {
   if (const auto uri = child_text(include, "uri")) return string_field(uri);
-  return string_field(attribute_text(include, "filename"));  // SDF 1.0
+  return string_field(value_attribute(include, "filename"));  // SDF 1.0
 }
 
 void SdfReader::read_include(xml::Element element, Scope scope) {

@@ -36,7 +36,7 @@ model::Mimic read_mimic(xml::Element element) {
 model::Field<std::string> link_name(xml::Element joint, std::string_view which) {
   const auto element = joint.child(which);
   if (!element) return {};
-  if (const auto link = attribute_text(*element, "link")) return string_field(link);
+  if (const auto link = value_attribute(*element, "link")) return string_field(link);
   return string_field(Text{element->text(), element->text_span()});
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 
 #include <rigor/schema/value.h>
+#include <rigor/schema/version.h>
 
 namespace rigor::read {
 
@@ -19,9 +20,23 @@ std::optional<Text> attribute_text(xml::Element element, std::string_view name) 
   return Text{attribute->value(), attribute->value_span()};
 }
 
+bool values_are_attributes(xml::Element element) {
+  xml::Element root = element;
+  while (const auto above = root.parent()) root = *above;
+  if (root.name() == "robot") return true;
+  const auto written = root.attribute("version");
+  const auto version = written ? schema::parse_version(written->value()) : std::nullopt;
+  return version && version->minor == 0;
+}
+
+std::optional<Text> value_attribute(xml::Element element, std::string_view name) {
+  const auto attribute = attribute_text(element, name);
+  return attribute && values_are_attributes(element) ? attribute : std::nullopt;
+}
+
 std::optional<Text> child_text(xml::Element element, std::string_view name) {
   if (const auto child = element.child(name)) return Text{child->text(), child->text_span()};
-  return attribute_text(element, name);
+  return value_attribute(element, name);
 }
 
 model::Field<std::string> string_field(const std::optional<Text>& text, std::string_view fallback) {

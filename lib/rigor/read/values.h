@@ -37,6 +37,13 @@ model::Site site_of(xml::Element element);
 /// An attribute's value; nothing when there is none.
 std::optional<Text> attribute_text(xml::Element element, std::string_view name);
 
+/// Whether the element's file has most values in attributes: URDF, and SDF 1.0. In a later version of
+/// SDF nobody reads them.
+bool values_are_attributes(xml::Element element);
+
+/// An attribute's value where values are attributes; nothing in a later version of SDF.
+std::optional<Text> value_attribute(xml::Element element, std::string_view name);
+
 /// A child's text; in SDF 1.0, where most values were attributes, that attribute's.
 std::optional<Text> child_text(xml::Element element, std::string_view name);
 

@@ -47,7 +47,8 @@ inline std::vector<Uri> uris_of(const std::vector<xml::Element>& elements_about_
       add(element.text(), element.text_span(), element.text_verbatim());
     }
     if (name != "mesh" && name != "texture") continue;
-    if (const auto file = element.attribute("filename"); file && !in_plugin(element)) {
+    const auto file = element.attribute("filename");
+    if (file && read::values_are_attributes(element) && !in_plugin(element)) {
       add(file->value(), file->value_span(), file->verbatim());
     }
   }

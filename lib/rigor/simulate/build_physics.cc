@@ -117,7 +117,7 @@ void add_gravity(SceneDraft& draft, const model::World& world, const model::Phys
   const auto look = [&](xml::Element holder) {  // for what is no vector
     auto text = read::child_text(holder, "gravity");
     if (const auto element = holder.child("gravity")) {
-      if (const auto old = read::attribute_text(*element, "xyz")) text = old;
+      if (const auto old = read::value_attribute(*element, "xyz")) text = old;
     }
     if (!text || read::trimmed(text->text).empty()) return;
     if (!read::vector_field(text, {}).written) {

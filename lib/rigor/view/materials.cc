@@ -41,8 +41,8 @@ std::optional<Color> parsed_color(std::string_view rest) {
 std::optional<Color> child_color(xml::Element material, std::string_view name) {
   const auto element = material.child(name);
   if (!element) return std::nullopt;
-  const auto attribute = element->attribute("rgba");
-  return parsed_color(attribute ? attribute->value() : element->text());
+  const auto attribute = read::value_attribute(*element, "rgba");
+  return parsed_color(attribute ? attribute->text : element->text());
 }
 
 std::string script_of(xml::Element material) {
@@ -51,8 +51,8 @@ std::string script_of(xml::Element material) {
       return std::string(read::trimmed(name->text));
     return std::string(read::trimmed(script->text()));
   }
-  const auto attribute = material.attribute("script");
-  return attribute ? std::string(read::trimmed(attribute->value())) : std::string();
+  const auto attribute = read::value_attribute(material, "script");
+  return attribute ? std::string(read::trimmed(attribute->text)) : std::string();
 }
 
 std::optional<Color> script_color(std::string_view name) {

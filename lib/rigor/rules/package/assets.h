@@ -75,7 +75,7 @@ inline std::vector<xml::Element> elements_about_files(const xml::Document& docum
 
 /// The text of such an element; of URDF's <texture> the filename.
 inline std::optional<read::Text> asset_uri(xml::Element element) {
-  if (const auto file = read::attribute_text(element, "filename")) return file;
+  if (const auto file = read::value_attribute(element, "filename")) return file;
   if (!element.children().empty()) return std::nullopt;
   return read::Text{element.text(), element.text_span()};
 }

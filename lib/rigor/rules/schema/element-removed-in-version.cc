@@ -1,16 +1,30 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <optional>
 #include <string>
+#include <utility>
 
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/place.h>
+#include <rigor/rules/schema/value_in_attribute.h>
 
 namespace rigor::rules::element_removed_in_version {
 namespace {
 
+bool is_end_of_joint(xml::Element element) {
+  const auto above = element.parent();
+  return above && above->name() == "joint" &&
+         (element.name() == "parent" || element.name() == "child");
+}
+
 void check(const read::SchemaFact& fact, Context& context) {
   if (written_as_attribute(fact)) return;
+  std::optional<Fix> fix;
+  if (fact.attribute && holds_value(*fact.attribute, fact.element, *fact.parent)) {
+    if (is_end_of_joint(fact.element)) return;  // missing-element
+    fix = value_as_text(*fact.attribute, fact.element, context);
+  }
   const std::string format = context.is_urdf() ? "URDF " : "SDF ";
   const auto until = fact.node->until();
   context.report(
@@ -19,7 +33,8 @@ void check(const read::SchemaFact& fact, Context& context) {
                   schema::to_string(fact.parent->version()) +
                   (until ? ": it was last in " + schema::to_string(*until) : ""),
        .subject = subject_of(fact.element),
-       .help = fact.node->instead().empty() ? "" : "write " + std::string(fact.node->instead())});
+       .help = fact.node->instead().empty() ? "" : "write " + std::string(fact.node->instead()),
+       .fix = std::move(fix)});
 }
 
 }  // namespace
@@ -29,6 +44,7 @@ Rule rule() {
       .name = "element-removed-in-version",
       .category = Category::kSchema,
       .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
       .summary = "an element or attribute is no longer in the version of the file",
       .why =
           "libsdformat passes over it without a word: what it says has no effect. Often the "
@@ -42,6 +58,22 @@ Rule rule() {
       <pose «frame»="body">0 0 1 0 0 0</pose>
     </link>
   </model>
+</sdf>
+)"},
+              {R"(<sdf version="1.9">
+  <world name="lab">
+    <light name="lamp" type="point">
+      <diffuse «rgba»="1 0 0 1"/>
+    </light>
+  </world>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <world name="lab">
+    <light name="lamp" type="point">
+      <diffuse>1 0 0 1</diffuse>
+    </light>
+  </world>
 </sdf>
 )"}},
       .good = {{R"(<sdf version="1.9">

@@ -7,6 +7,7 @@
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/place.h>
 #include <rigor/rules/schema/refused_value.h>
+#include <rigor/rules/schema/value_in_attribute.h>
 #include <rigor/rules/xml/xacro.h>
 
 namespace rigor::rules::missing_element {
@@ -36,13 +37,22 @@ void check(const read::SchemaFact& fact, Context& context) {
 void check_ends(const model::Joint& joint, Context& context) {
   for (const std::string name : {"parent", "child"}) {
     const auto end = context.element(joint.site).child(name);
-    // SDF 1.0 names the link in an attribute.
-    if (!context.is_sdf() || !end || end->attribute("link")) continue;
-    if (!read::trimmed(end->text()).empty()) continue;
-    context.report({.where = end->tag_span(),
-                    .message = "the <" + name + "> of the joint is empty",
-                    .subject = context.subject(joint),
-                    .refused = true});
+    if (!context.is_sdf() || !end || !read::trimmed(end->text()).empty()) continue;
+    const auto link = end->attribute("link");
+    if (!link) {
+      context.report({.where = end->tag_span(),
+                      .message = "the <" + name + "> of the joint is empty",
+                      .subject = context.subject(joint),
+                      .refused = true});
+    } else if (!read::values_are_attributes(*end)) {
+      context.report({.where = end->tag_span(),
+                      .message = "the <" + name +
+                                 "> of the joint is empty: after SDF 1.0 no "
+                                 "attribute names the link",
+                      .subject = context.subject(joint),
+                      .fix = value_as_text(*link, *end, context),
+                      .refused = true});
+    }
   }
 }
 
@@ -54,6 +64,7 @@ Rule rule() {
       .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
+      .fix = FixGrade::kUnsafe,
       .summary = "a required element is missing",
       .why =
           "libsdformat refuses a joint that lacks its parent or child, and gives a mesh without "
@@ -65,6 +76,28 @@ Rule rule() {
     <static>true</static>
     <link name="body"/>
     «<joint name="hinge" type="fixed">»
+      <child>body</child>
+    </joint>
+  </model>
+</sdf>
+)"},
+              {R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+    <joint name="hinge" type="fixed">
+      <parent>world</parent>
+      «<child link="body"/>»
+    </joint>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="box">
+    <static>true</static>
+    <link name="body"/>
+    <joint name="hinge" type="fixed">
+      <parent>world</parent>
       <child>body</child>
     </joint>
   </model>
