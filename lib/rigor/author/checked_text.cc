@@ -49,7 +49,9 @@ class Pairing {
   FindingsChange run() {
     for (const By by : {By::kPlaceAndMessage, By::kPlace, By::kMessage}) pair(by);
     for (std::size_t i = 0; i < is_new_.size(); ++i) {
-      if (is_new_[i] && before_.all_listed(after_.findings()[i])) change_.fresh.push_back(i);
+      const Diagnostic& finding = after_.findings()[i];
+      if (!is_new_[i] || finding.severity == Severity::kInfo) continue;
+      if (before_.all_listed(finding)) change_.fresh.push_back(i);
     }
     change_.brings =
         change_.fresh.empty() ? grown() : after_.findings()[change_.fresh.front()].rule;
@@ -90,13 +92,14 @@ class Pairing {
     }
   }
 
-  /// A rule that has more findings than before.
+  /// A rule that has more findings than before, if they are no mere infos.
   std::optional<std::string_view> grown() const {
     std::map<std::pair<std::string_view, Severity>, std::size_t> counts;
     for (const Diagnostic& finding : before_.findings()) {
       counts[{finding.rule, finding.severity}] += finding.count;
     }
     for (const Diagnostic& finding : after_.findings()) {
+      if (finding.severity == Severity::kInfo) continue;
       std::size_t& left = counts[{finding.rule, finding.severity}];
       if (left < finding.count) return finding.rule;
       left -= finding.count;
@@ -123,6 +126,7 @@ CheckedText::CheckedText(const Environment& environment, const rules::ValidateOp
   result_ = rules::validate(environment, check, sources_);
   for (const Diagnostic& finding : findings()) {
     count_ += finding.count;
+    if (finding.severity == Severity::kInfo) infos_ += finding.count;
     if (finding.count > 1) counted_.push_back(finding.rule);
   }
   const xml::Document document = xml::parse(bytes_, kNoSource);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A file's bytes and all that is said of them, to be held against what was said
-// before they were edited: nothing may be found that was not there.
+// before they were edited: no error and no warning may be found that was not
+// there.
 //
 //   const CheckedText before(environment, options, path, bytes);
 //   const CheckedText after(environment, options, path, *apply_edits(bytes,
@@ -15,6 +16,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <rigor/environment.h>
@@ -44,8 +46,9 @@ class CheckedText {
   std::size_t xml_faults() const { return xml_faults_; }
   /// Whether a rule found more than it lists.
   bool all_listed(const Diagnostic& finding) const;
-  /// Findings, those that are counted only among them.
-  std::size_t count() const { return count_; }
+  /// Findings, those that are counted only among them: errors and warnings, and
+  /// all. A text with less of the first is better, whatever the infos say.
+  std::pair<std::size_t, std::size_t> count() const { return {count_ - infos_, count_}; }
 
  private:
   std::string path_;
@@ -56,12 +59,14 @@ class CheckedText {
   std::size_t xml_faults_ = 0;
   std::vector<std::string_view> counted_;  // rules and categories
   std::size_t count_ = 0;
+  std::size_t infos_ = 0;
 };
 
 /// What became of the findings.
 struct FindingsChange {
-  std::vector<bool> gone;          ///< of those before
-  std::vector<std::size_t> fresh;  ///< those after that were not there, of rules that list all
+  std::vector<bool> gone;  ///< of those before
+  /// Errors and warnings after that were not there, of rules that list all.
+  std::vector<std::size_t> fresh;
   /// The rule of the first of them; else one of which there are more than
   /// before.
   std::optional<std::string_view> brings;

@@ -10,6 +10,7 @@
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/place.h>
+#include <rigor/rules/schema/value_in_attribute.h>
 
 namespace rigor::rules::unknown_attribute {
 namespace {
@@ -38,7 +39,9 @@ void check(const read::SchemaFact& fact, Context& context) {
   const auto near = schema::near(name, node_names(fact.parent->attributes()));
   if (context.is_urdf() && near.empty() && is_habit(fact, context.document())) return;
   std::optional<Fix> fix;
-  if (near.size() == 1 && !fact.element.attribute(near.front())) {
+  if (holds_value(*fact.attribute, fact.element, *fact.parent)) {
+    fix = value_as_text(*fact.attribute, fact.element, context);
+  } else if (near.size() == 1 && !fact.element.attribute(near.front())) {
     const std::string meant(near.front());
     fix = Fix{"write '" + meant + "'", Applicability::kUnsafe, {{fact.where, meant}}};
   }
@@ -78,6 +81,26 @@ Rule rule() {
     <static>true</static>
     <frame name="lid" attached_to="body"/>
     <link name="body"/>
+  </model>
+</sdf>
+)"},
+              {R"(<sdf version="1.9">
+  <model name="box">
+    <link name="body">
+      <inertial>
+        <mass «value»="2"/>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.9">
+  <model name="box">
+    <link name="body">
+      <inertial>
+        <mass>2</mass>
+      </inertial>
+    </link>
   </model>
 </sdf>
 )"},

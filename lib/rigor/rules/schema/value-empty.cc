@@ -6,6 +6,7 @@
 
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/value_in_attribute.h>
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_empty {
@@ -13,11 +14,19 @@ namespace {
 
 using FaultKind = schema::ValueFault::Kind;
 
+bool holds_its_value(const read::SchemaFact& fact) {
+  for (const xml::Attribute attribute : fact.element.attributes()) {
+    if (holds_value(attribute, fact.element, *fact.node)) return true;
+  }
+  return false;
+}
+
 void check(const read::SchemaFact& fact, Context& context) {
   if (!has_kind(fact, FaultKind::kEmpty)) return;
   if (fact.node->cardinality() == schema::Cardinality::kOne) return;  // value-malformed
   if (fact.node->type() == schema::Type::kPose)
     return;  // <pose relative_to="a"/> is how it is done
+  if (!fact.attribute && holds_its_value(fact)) return;  // unknown-attribute
   const auto value = fact.node->default_value();
   std::string message = owner_of(fact) + " is empty";
   if (value && !value->empty()) message += ": it is " + std::string(*value);
