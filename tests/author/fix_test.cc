@@ -125,6 +125,42 @@ TEST(Fix, SaysWhatAFixWouldBring) {
   EXPECT_TRUE(files[0].settled);
 }
 
+/// A model that moves, with these parts of a link.
+std::string moving(const std::string& inertial, const std::string& size) {
+  return "<sdf version=\"1.9\"><model name=\"m\"><link name=\"a\">" + inertial +
+         "<collision name=\"c\"><geometry><box><size>" + size +
+         "</size></box></geometry></collision></link></model></sdf>\n";
+}
+
+/// Of which each number is the author's: 2 kg in a cubic metre are little, but no reason not to read them.
+TEST(Fix, WritesTheInertialOfUrdfAsThatOfSdf) {
+  const auto fixed = fix(moving("<inertial><mass value=\"2\"/><inertia ixx=\"0.1\" iyy=\"0.2\" "
+                                "izz=\"0.2\"/></inertial>",
+                                "1 1 1"),
+                         kUnsafe);
+  EXPECT_EQ(fixed.after, moving("<inertial><mass>2</mass><inertia><ixx>0.1</ixx><iyy>0.2</iyy>"
+                                "<izz>0.2</izz></inertia></inertial>",
+                                "1 1 1"));
+}
+
+/// In 1.9 <inertia> has no attributes, so a moment is missing: nobody knows whether the one in the
+/// attribute is older than the others.
+TEST(Fix, WritesNoInertialOverNumbersThatNobodyReads) {
+  const std::string text = moving(
+      "<inertial><mass>2</mass><inertia ixx=\"0.1\"><ixx>9</ixx><iyy>9</iyy></inertia></inertial>",
+      "0.3 0.3 0.3");
+  EXPECT_FALSE(fix(text, kUnsafe).changed());
+}
+
+/// 300 m and 50 m were millimetres: no inertia follows from them.
+TEST(Fix, WritesNoInertialOfShapesThatAreTooLargeOrTooLight) {
+  const std::string inertial =
+      "<inertial><mass>5</mass><inertia><ixx>0.01</ixx><iyy>0.01</iyy><izz>0.01</izz></inertia>"
+      "</inertial>";
+  EXPECT_FALSE(fix(moving(inertial, "300 300 300"), kUnsafe).changed());
+  EXPECT_FALSE(fix(moving(inertial, "50 50 50"), kUnsafe).changed());
+}
+
 TEST(Fix, MendsXmlThatIsCutWhenThatHelps) {
   const std::string fixed = with_link("      <light name=\"lamp\" type=\"point\"/>\n");
   const std::string twice = with_link(

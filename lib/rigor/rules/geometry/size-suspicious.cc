@@ -1,20 +1,15 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
 #include <string>
 
 #include <fmt/core.h>
 
-#include <rigor/mass/convex.h>
-#include <rigor/rules/geometry/placed_shapes.h>
+#include <rigor/rules/geometry/suspicious_size.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::size_suspicious {
 namespace {
-
-// m. In 2,000 real model files one shape that may move is larger, a ball in a test.
-constexpr double kLarge = 100;
 
 // m: what a part of a robot measures, where the size was written in another unit.
 constexpr double kLikelySmall = 0.01;
@@ -37,20 +32,16 @@ std::string meant(double size) {
 
 template <class Part>
 void check(const Part& part, Context& context) {
-  const auto shape = mass::ConvexShape::of(part.geometry.shape, {});
-  if (!shape) return;
-  const mesh::Bounds box = shape->bounds();
-  const model::Vector3 size = box.max - box.min;
-  const double largest = std::max({size.x, size.y, size.z});
-  if (!(largest > kLarge) || !sizes_are_written(part.geometry.shape)) return;
+  const auto largest = suspicious_size(part.geometry.shape);
+  if (!largest) return;
   const model::Root& root = context.root();
   const model::Link& link = root[part.link];
   if (link.kinematic.value || !link.model || is_static(root, link.model)) return;
   context.report({.where = part.geometry.site.name,
                   .message = fmt::format("the {} is {:.4g} m large, and its link moves",
-                                         model::shape_name(part.geometry.shape), largest),
+                                         model::shape_name(part.geometry.shape), *largest),
                   .subject = context.subject(part),
-                  .help = meant(largest)});
+                  .help = meant(*largest)});
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ void check(const model::Link& link, Context& context) {
        .message = fmt::format("{} kg in shapes of {:.3g} m³ are {:.3g} kg/m³: as light as "
                               "{}",
                               mass, volume, mass / volume,
-                              mass < 1.5 * volume ? "air" : "a blown-up balloon"),
+                              mass < kAir * volume ? "air" : "a blown-up balloon"),
        .subject = context.subject(link)});
 }
 

@@ -6,14 +6,19 @@
 
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/core.h>
 
 #include <rigor/mass/proposal.h>
+#include <rigor/read/values.h>
 #include <rigor/rules/context.h>
+#include <rigor/rules/geometry/suspicious_size.h>
+#include <rigor/rules/inertia/solid_body.h>
 #include <rigor/write/write_inertial.h>
 
 namespace rigor::rules {
@@ -36,12 +41,42 @@ inline std::string title_of(const mass::Proposal& proposal, const model::Inertia
       before);
 }
 
-/// Nothing when neither the collisions nor the visuals are all solids that can be the body.
+/// Whether the sizes of the link's shapes are likely to be in another unit than metres.
+inline bool has_suspicious_shape(const model::Link& link, const Context& context) {
+  const auto any = [&context](const auto& parts) {
+    return std::any_of(parts.begin(), parts.end(), [&context](auto id) {
+      return suspicious_size(context.root()[id].geometry.shape).has_value();
+    });
+  };
+  return any(link.collisions) || any(link.visuals);
+}
+
+/// Whether the mass or the moments stand where nobody reads them: in attributes in SDF, in elements in
+/// URDF. Rules about the schema tell of that, and nothing is written over what the author knows.
+inline bool has_unread_values(const model::Link& link, const Context& context) {
+  if (!link.inertial.written) return false;
+  const xml::Element inertial = context.element(link.inertial.site);
+  const bool in_attributes = read::values_are_attributes(inertial);
+  for (const std::string_view name : {"mass", "inertia"}) {
+    const auto part = inertial.child(name);
+    if (!in_attributes && inertial.attribute(name)) return true;
+    if (!part) continue;
+    if (!in_attributes && !part->attributes().empty()) return true;
+    if (in_attributes && (!part->children().empty() || !read::trimmed(part->text()).empty()))
+      return true;
+  }
+  return false;
+}
+
+/// Nothing when neither the collisions nor the visuals are all solids that can be the body, or when
+/// the author's own numbers or sizes are in doubt.
 inline std::optional<Fix> fix_from_shapes(const model::Link& link, Context& context) {
+  if (has_suspicious_shape(link, context) || has_unread_values(link, context)) return std::nullopt;
   for (const mass::From from : {mass::From::kCollisions, mass::From::kVisuals}) {
     const auto proposal = mass::propose(link.inertial, context.body(link, from), {});
     if (!proposal) continue;
     if (proposal->body.mass > kDensestOfParts * proposal->volume) continue;
+    if (proposal->body.mass < kAir * proposal->volume) continue;
     const auto format = context.is_urdf() ? write::BlockFormat::kUrdf : write::BlockFormat::kSdf;
     auto edits = write::write_inertial(context.document(), context.element(link.site),
                                        proposal->body, format);

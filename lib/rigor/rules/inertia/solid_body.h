@@ -18,6 +18,9 @@ namespace rigor::rules {
 // of the body; what is off by less than this can be meant.
 inline constexpr double kPlausible = 10;
 
+// A body that is lighter was given its mass, or its size, in another unit.
+inline constexpr double kAir = 1.5;  // kg/m³
+
 inline bool plausible(double share) { return share < kPlausible && share > 1 / kPlausible; }
 
 /// Of all collisions, or all visuals, at density 1; nothing unless each of them is a solid.
