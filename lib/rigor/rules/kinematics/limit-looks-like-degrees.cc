@@ -23,11 +23,12 @@ bool looks_like_degrees(double angle) {
   return std::fmod(size, 15) == 0 || size == 170 || size == 350;
 }
 
-/// Both limits are of the same unit.
+/// Both limits are of the same unit, but one that is an angle already was turned into radians before.
 Fix in_radians(const model::Axis& axis) {
   Fix fix{"write radians", Applicability::kUnsafe, {}};
   for (const model::Field<double>* limit : {&axis.lower, &axis.upper}) {
     if (!limit->written || !std::isfinite(limit->value)) continue;
+    if (std::abs(limit->value) <= kTurn) continue;
     fix.edits.push_back({limit->span, write::joined({limit->value / 360 * kTurn})});
   }
   return fix;
@@ -98,6 +99,28 @@ Rule rule() {
     </joint>
   </model>
 </sdf>
+)"},
+              {R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <axis xyz="0 0 1"/>
+    <limit lower="-3.14" upper="«180»" effort="1" velocity="1"/>
+  </joint>
+</robot>
+)",
+               R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="tip"/>
+    <axis xyz="0 0 1"/>
+    <limit lower="-3.14" upper="3.141592653589793" effort="1" velocity="1"/>
+  </joint>
+</robot>
 )"}},
       .good = {{R"(<sdf version="1.9">
   <model name="arm">
