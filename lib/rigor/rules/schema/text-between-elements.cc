@@ -1,12 +1,20 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/place.h>
 #include <rigor/rules/xml/xacro.h>
+#include <rigor/schema/schema.h>
+#include <rigor/schema/value.h>
 
 namespace rigor::rules::text_between_elements {
 namespace {
@@ -20,14 +28,62 @@ bool meant_as_attribute(const read::SchemaFact& fact, const Context& context) {
   return false;
 }
 
+/// What may be a value is not thrown away.
+bool begins_with_number(std::string_view text) {
+  const std::size_t at = text.find_first_not_of("+-.");
+  return at < text.size() && text[at] >= '0' && text[at] <= '9';
+}
+
+bool has_several_numbers(schema::Type type) {
+  using schema::Type;
+  return type == Type::kVector2 || type == Type::kVector2i || type == Type::kVector3 ||
+         type == Type::kPose || type == Type::kQuaternion;
+}
+
+/// The child that the numbers were meant for: `<axis>0 1 0</axis>` is its xyz. The only one of several
+/// numbers that takes them, or else the only one that has to be there.
+std::optional<schema::Node> meant_child(const read::SchemaFact& fact, std::string_view numbers) {
+  if (fact.node->type() != schema::Type::kNone) return std::nullopt;
+  std::vector<schema::Node> several;
+  std::vector<schema::Node> required;
+  for (const schema::Node child : fact.node->children()) {
+    const bool one = child.type() == schema::Type::kDouble || child.type() == schema::Type::kFloat;
+    if (!one && !has_several_numbers(child.type())) continue;
+    if (fact.element.child(child.name()) || schema::check(child.type(), numbers)) continue;
+    if (!one) several.push_back(child);
+    if (child.cardinality() == schema::Cardinality::kOne) required.push_back(child);
+  }
+  if (several.size() == 1) return several.front();
+  return required.size() == 1 ? std::optional(required.front()) : std::nullopt;
+}
+
+Span trimmed_span(const read::SchemaFact& fact, const Context& context) {
+  const std::string_view all = context.bytes(fact.where);
+  const std::string_view inner = read::trimmed(all);
+  Span span = fact.where;
+  span.begin += static_cast<std::uint32_t>(inner.data() - all.data());
+  span.end = span.begin + static_cast<std::uint32_t>(inner.size());
+  return span;
+}
+
 void check(const read::SchemaFact& fact, Context& context) {
-  if (meant_as_attribute(fact, context) || has_xacro(context.bytes(fact.where))) return;
+  const std::string_view text = read::trimmed(context.bytes(fact.where));
+  if (meant_as_attribute(fact, context) || has_xacro(text)) return;
   if (fact.element.name() == "script") return;  // material-script-incomplete
-  context.report(
-      {.where = fact.where,
-       .message = "text in <" + std::string(fact.element.name()) + "> that has no effect",
-       .subject = subject_of(fact.element),
-       .fix = Fix{"remove it", Applicability::kUnsafe, {without(context, fact.where)}}});
+  const std::string parent = "<" + std::string(fact.element.name()) + ">";
+  Finding finding{.where = fact.where,
+                  .message = "text in " + parent + " that has no effect",
+                  .subject = subject_of(fact.element)};
+  if (const auto child = meant_child(fact, text)) {
+    const std::string name(child->name());
+    const std::string element = "<" + name + ">" + std::string(text) + "</" + name + ">";
+    finding.message += ": the value of <" + name + "> is meant";
+    finding.fix =
+        Fix{"write " + element, Applicability::kUnsafe, {{trimmed_span(fact, context), element}}};
+  } else if (!begins_with_number(text)) {
+    finding.fix = Fix{"remove it", Applicability::kUnsafe, {without(context, fact.where)}};
+  }
+  context.report(std::move(finding));
 }
 
 }  // namespace
@@ -43,7 +99,9 @@ Rule rule() {
           "libsdformat, urdfdom and Gazebo take the first run of text of an element that has a "
           "value, and no text of one that has none: the rest has no effect. A comment inside a "
           "number splits it, and the first part counts.",
-      .what_to_do = "Remove the characters, or make them a comment.",
+      .what_to_do =
+          "Remove the characters, or make them a comment. Numbers go into the element that is "
+          "meant.",
       .bad = {{R"(<sdf version="1.9">
   <model name="box">
     <static>true</static>
@@ -68,15 +126,28 @@ Rule rule() {
     </link>
   </model>
 </sdf>
+)"},
+              {R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>«0 1 0»</axis>
+    </joint>
+  </model>
+</sdf>
 )",
                R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>5<!-- or --></radius></sphere></geometry>
-      </collision>
-    </link>
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis><xyz>0 1 0</xyz></axis>
+    </joint>
   </model>
 </sdf>
 )"}},
