@@ -289,6 +289,7 @@ Strings told_in_model(std::string_view name, const mass::MeshFacts& facts, Role 
                                .frames = frames,
                                .resolver = environment.resolver,
                                .schema = &environment.sdf,
+                               .sdf = environment.sdf,
                                .meshes = nullptr,
                                .most_listed = 1000};
   Diagnostics found;

@@ -57,8 +57,9 @@ class Context {
     const model::Frames& frames;
     const read::Resolver& resolver;
     const schema::Schema* schema;  ///< of the file's format; null when it has none
-    mass::MeshSurveys* meshes;     ///< null when meshes are not to be opened
-    std::size_t most_listed;       ///< findings of one rule
+    const schema::Schema& sdf;
+    mass::MeshSurveys* meshes;  ///< null when meshes are not to be opened
+    std::size_t most_listed;    ///< findings of one rule
   };
 
   Context(const Inputs& inputs, Diagnostics& diagnostics)
@@ -80,6 +81,8 @@ class Context {
   const model::Root& root() const { return inputs_.root; }
   const model::Frames& frames() const { return inputs_.frames; }
   const schema::Schema* schema() const { return inputs_.schema; }
+  /// Of SDF, whatever the file's format.
+  const schema::Schema& sdf_schema() const { return inputs_.sdf; }
   bool is_urdf() const { return inputs_.root.format == model::Format::kUrdf; }
   bool is_sdf() const { return inputs_.root.format == model::Format::kSdf; }
 

@@ -109,6 +109,7 @@ class Runner::Walk {
                 frames_,
                 environment.resolver,
                 schema_of(environment, loaded.root.format),
+                environment.sdf,
                 meshes.surveys,
                 runner.most_listed_},
         context_(inputs_, diagnostics_) {}

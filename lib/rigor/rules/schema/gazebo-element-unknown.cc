@@ -1,0 +1,188 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <rigor/model/frames.h>
+#include <rigor/rules/edits.h>
+#include <rigor/rules/rule.h>
+#include <rigor/schema/schema.h>
+#include <rigor/schema/suggest.h>
+
+namespace rigor::rules::gazebo_element_unknown {
+namespace {
+
+/// What libsdformat converts; all else it copies into the link, the joint or the model.
+constexpr std::string_view kConverted[] = {"material",
+                                           "collision",
+                                           "visual",
+                                           "static",
+                                           "turnGravityOff",
+                                           "dampingFactor",
+                                           "maxVel",
+                                           "minDepth",
+                                           "mu1",
+                                           "mu2",
+                                           "fdir1",
+                                           "kp",
+                                           "kd",
+                                           "selfCollide",
+                                           "maxContacts",
+                                           "laserRetro",
+                                           "springReference",
+                                           "springStiffness",
+                                           "stopCfm",
+                                           "stopErp",
+                                           "fudgeFactor",
+                                           "provideFeedback",
+                                           "canonicalBody",
+                                           "cfmDamping",
+                                           "implicitSpringDamper",
+                                           "disableFixedJointLumping",
+                                           "preserveFixedJoint"};
+/// Copied to wherever the block says; other rules tell where nobody reads them.
+constexpr std::string_view kToldElsewhere[] = {"plugin", "sensor"};
+
+template <class Names>
+bool is_among(const Names& names, std::string_view name) {
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+/// What the children of the block become children of.
+std::vector<schema::Node> parents_in_sdf(const model::GazeboBlock& block, const Context& context) {
+  const schema::Schema& sdf = context.sdf_schema();
+  const schema::Node model = *sdf.root("sdf", sdf.latest())->child("model");
+  const std::string& name = block.reference.value;
+  if (name.empty()) return {model};
+  std::vector<schema::Node> parents;
+  const model::Names& names = context.frames().names();
+  if (names.find_link({0}, name)) parents.push_back(*model.child("link"));
+  if (names.find_joint({0}, name)) parents.push_back(*model.child("joint"));
+  return parents;  // none: gazebo-reference-missing
+}
+
+bool knows(const schema::Node& parent, std::string_view name) {
+  return parent.child(name) || parent.child_in_other_version(name);
+}
+
+/// Of `mu`, which is too short to be near anything: mu1 and mu2.
+std::vector<std::string_view> meant(std::string_view name,
+                                    const std::vector<schema::Node>& parents) {
+  std::vector<std::string_view> known(std::begin(kConverted), std::end(kConverted));
+  for (const schema::Node& parent : parents) {
+    for (const schema::Node child : parent.children()) known.push_back(child.name());
+  }
+  auto near = schema::near(name, known);
+  if (!near.empty()) return near;
+  for (const std::string_view other : known) {
+    if (other.size() == name.size() + 1 && other.starts_with(name)) near.push_back(other);
+  }
+  return near;
+}
+
+/// Whether the first is nearer than the second: of `mu` no one is.
+bool is_nearest(const std::vector<std::string_view>& near, std::string_view name) {
+  constexpr std::size_t kMost = 2;  // edits of what is near
+  if (near.size() < 2) return !near.empty();
+  return schema::edit_distance(name, near[0], kMost) < schema::edit_distance(name, near[1], kMost);
+}
+
+void check(const model::GazeboBlock& block, Context& context) {
+  const auto parents = parents_in_sdf(block, context);
+  if (parents.empty()) return;
+  const xml::Element element = context.element(block.site);
+  for (const xml::Element child : element.children()) {
+    const std::string_view name = child.name();
+    const bool foreign = name.find(':') != std::string_view::npos;
+    if (foreign || is_among(kConverted, name) || is_among(kToldElsewhere, name)) continue;
+    if (std::any_of(parents.begin(), parents.end(),
+                    [name](const schema::Node& parent) { return knows(parent, name); })) {
+      continue;
+    }
+    Finding finding{.where = child.name_span(),
+                    .message = "<" + std::string(name) + "> in a <gazebo> block of a " +
+                               std::string(parents.front().name()) + " has no effect"};
+    const auto near = meant(name, parents);
+    for (const std::string_view other : near) {
+      finding.help +=
+          (finding.help.empty() ? "did you mean <" : " or <") + std::string(other) + ">";
+    }
+    if (!near.empty()) finding.help += "?";
+    if (is_nearest(near, name) && !element.child(near.front())) {
+      finding.fix = fix_of("write <" + std::string(near.front()) + ">", Applicability::kUnsafe,
+                           xml::rename_element(context.document(), child, near.front()));
+    }
+    context.report(std::move(finding));
+  }
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "gazebo-element-unknown",
+      .category = Category::kSchema,
+      .severity = Severity::kWarning,
+      .formats = Formats::kUrdf,
+      .fix = FixGrade::kUnsafe,
+      .summary = "an element of a <gazebo> block that neither the converter nor SDF knows",
+      .why =
+          "libsdformat turns a list of names into SDF (mu1, kp, selfCollide, turnGravityOff, …) "
+          "and "
+          "copies every other element as it is into the link, the joint or the model. Gazebo "
+          "passes over what SDF does not know there, so a slip in a name is lost without a word.",
+      .what_to_do = "Write the name that was meant; letter case counts.",
+      .bad = {{R"(<robot name="arm">
+  <link name="base"/>
+  <gazebo reference="base">
+    <«selfCollid»>true</selfCollid>
+    <«turngravityoff»>true</turngravityoff>
+  </gazebo>
+  <gazebo>
+    <«statc»>true</statc>
+  </gazebo>
+</robot>
+)",
+               R"(<robot name="arm">
+  <link name="base"/>
+  <gazebo reference="base">
+    <selfCollide>true</selfCollide>
+    <turnGravityOff>true</turnGravityOff>
+  </gazebo>
+  <gazebo>
+    <static>true</static>
+  </gazebo>
+</robot>
+)"},
+              {R"(<robot name="arm">
+  <link name="base"/>
+  <gazebo reference="base">
+    <«mu»>0.3</mu>
+  </gazebo>
+</robot>
+)"}},
+      .good = {{R"(<robot name="arm">
+  <link name="base"/>
+  <gazebo reference="base">
+    <selfCollide>true</selfCollide>
+    <mu1>0.3</mu1>
+    <enable_wind>true</enable_wind>
+    <ours:note>weighed in May</ours:note>
+  </gazebo>
+  <gazebo>
+    <static>true</static>
+    <self_collide>true</self_collide>
+  </gazebo>
+</robot>
+)"}},
+      .checks = {on<model::GazeboBlock>(check)},
+  };
+}
+
+}  // namespace rigor::rules::gazebo_element_unknown
