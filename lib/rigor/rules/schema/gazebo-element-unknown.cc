@@ -46,7 +46,7 @@ constexpr std::string_view kConverted[] = {"material",
                                            "implicitSpringDamper",
                                            "disableFixedJointLumping",
                                            "preserveFixedJoint"};
-/// Copied to wherever the block says; other rules tell where nobody reads them.
+/// Of these other rules speak.
 constexpr std::string_view kToldElsewhere[] = {"plugin", "sensor"};
 
 template <class Names>
