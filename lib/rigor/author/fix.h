@@ -4,7 +4,8 @@
 // Applies the fixes that findings come with, to files in memory: pass after
 // pass, until none is left that helps. A fix is done whole or not at all, and
 // kept only if what it fixes is gone and no error or warning is found that was
-// not there before (an info may be: of a value that nobody read, nothing could be said); else it is undone. A file that ends to be XML somewhere is left
+// not there before; else it is undone. An info may come: of a value that nobody
+// read, nothing could be said. A file that ends to be XML somewhere is left
 // alone, but for fixes of just that.
 //
 //   Sources sources;
