@@ -54,20 +54,20 @@ TEST(Simulate, AFailureThatMostRunsShowIsTheModels) {
 /// Five runs have a vote each, and three that agree are enough, whatever the others show.
 TEST(Simulate, RunsAreMadeUntilThreeOfFiveAgree) {
   const simulate::Run run = failed_run();
-  struct Case {
+  struct Shown {
     std::vector<bool> shown;
     std::size_t next;
   };
-  for (const Case& c : std::vector<Case>{{{}, 2},
-                                         {{true}, 1},
-                                         {{true, true}, 0},
-                                         {{true, false}, 1},
-                                         {{false, false}, 1},
-                                         {{false, true, true}, 0},
-                                         {{false, true, false}, 1},
-                                         {{false, false, false}, 0},
-                                         {{false, false, true}, 1},
-                                         {{false, true, false, true}, 0}}) {
+  for (const Shown& c : std::vector<Shown>{{{}, 2},
+                                           {{true}, 1},
+                                           {{true, true}, 0},
+                                           {{true, false}, 1},
+                                           {{false, false}, 1},
+                                           {{false, true, true}, 0},
+                                           {{false, true, false}, 1},
+                                           {{false, false, false}, 0},
+                                           {{false, false, true}, 1},
+                                           {{false, true, false, true}, 0}}) {
     std::vector<Again> agains;
     for (const bool shown : c.shown) {
       agains.push_back({});

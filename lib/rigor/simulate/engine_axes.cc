@@ -71,9 +71,23 @@ Vector3 speed_of_turning(dBodyID body) {
   return body == nullptr ? Vector3{} : vector_of(dBodyGetAngularVel(body));
 }
 
+/// How fast one side slides along the axis as seen from the other, which may turn: ODE's own rate leaves
+/// the turning out.
+double speed_of_sliding(const Coordinate& c) {
+  const auto speed = [](dBodyID body) {
+    return body == nullptr ? Vector3{} : vector_of(dBodyGetLinearVel(body));
+  };
+  Vector3 apart = speed(c.plus) - speed(c.minus);
+  if (c.plus != nullptr && c.minus != nullptr) {
+    const Vector3 between =
+        vector_of(dBodyGetPosition(c.plus)) - vector_of(dBodyGetPosition(c.minus));
+    apart = apart - cross(speed_of_turning(c.minus), between);
+  }
+  return dot(c.axis_W, apart);
+}
+
 double speed_of(const Coordinate& c) {
-  if (c.kind == Coordinate::Kind::kSlider) return dJointGetSliderPositionRate(c.joint);
-  if (c.kind == Coordinate::Kind::kScrewSlide) return dJointGetPistonPositionRate(c.joint);
+  if (!is_angle(c.kind)) return speed_of_sliding(c);
   return dot(c.axis_W, speed_of_turning(c.plus) - speed_of_turning(c.minus));
 }
 
@@ -177,10 +191,12 @@ void EngineJoints::use_slot(Coordinate& c) const {
   const SceneAxis& axis = c.written;
   const AtStop stop = stop_of(c);
   c.damps = false;
+  c.drives = false;
   if (c.command == Coordinate::Command::kMotor) {
     const bool locked = axis.upper - axis.lower <= 2 * kStopSlack;  // it is at the other stop too
     const bool presses =
         stop.side != 0 && (locked || c.told * stop.side > 0 || stop.beyond > kStopSlack);
+    c.drives = !presses;
     set_ode_motor(c, c.told, presses ? 0 : c.most, cfm_);
     if (has_stops(axis)) set_ode_stops(c, presses ? 0 : stop.side);
   } else if (axis.friction > 0) {
@@ -260,18 +276,19 @@ void EngineJoints::read(Coordinate& c) const {
 }
 
 /// What a command put in during the last step. A motor's is what the joint did along its axis: its force
-/// and torque on its first body, about the anchor.
+/// and torque on its first body, about the anchor. Without the motor that is the stop's.
 double EngineJoints::effort_of(const Coordinate& c, std::size_t joint) const {
   if (c.command == Coordinate::Command::kEffort) return c.told;
   const dJointFeedback* did = feedback_[joint].get();
-  if (c.command != Coordinate::Command::kMotor || did == nullptr) return 0;
+  if (c.command != Coordinate::Command::kMotor || did == nullptr || !c.drives) return 0;
   const Anchors& anchors = anchors_[joint];
   const bool child = anchors.child != nullptr;
   const Vector3 force = vector_of(did->f1);
   const Vector3 lever =
       child ? in_world(anchors.child, anchors.p_child) : in_world(anchors.parent, anchors.p_parent);
   const Vector3 torque = vector_of(did->t1) - cross(lever, force);
-  return (child ? 1 : -1) * dot(c.axis_W, is_angle(c.kind) ? torque : force);
+  const double along = (child ? 1 : -1) * dot(c.axis_W, is_angle(c.kind) ? torque : force);
+  return std::clamp(along, -c.most, c.most);
 }
 
 void EngineJoints::read(State& state) {

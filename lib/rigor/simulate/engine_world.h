@@ -164,12 +164,13 @@ struct Coordinate {
   SceneAxis written;
 
   Command command = Command::kNone;
-  double told = 0;     ///< effort, or velocity
-  double most = 0;     ///< effort of the motor
-  bool busy = false;   ///< something is to be done before each step
-  bool damps = false;  ///< by the motor's slot
-  int turns = 0;       ///< that the angle has gone round
-  Vector3 axis_W;      ///< now
+  double told = 0;      ///< effort, or velocity
+  double most = 0;      ///< effort of the motor
+  bool busy = false;    ///< something is to be done before each step
+  bool damps = false;   ///< by the motor's slot
+  bool drives = false;  ///< a command has the motor's slot, and no stop is pressed against
+  int turns = 0;        ///< that the angle has gone round
+  Vector3 axis_W;       ///< now
   AxisState state;
 };
 

@@ -1,0 +1,95 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What motors put in, and how fast what they move is.
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <rigor/simulate/engine.h>
+
+#include "simulate/hand_scene.h"
+
+namespace rigor {
+namespace {
+
+using hand::add_body;
+using hand::add_joint;
+using hand::Scene;
+using hand::Vector3;
+using model::JointType;
+using simulate::Engine;
+using simulate::Forces;
+using simulate::kWorld;
+
+/// Two boxes side by side on a slider.
+Scene sliding_pair() {
+  Scene scene = hand::scene();
+  scene.gravity = {};
+  add_body(scene, hand::box_mass(1, {0.2, 0.3, 0.4}), {0, 0, 0});
+  add_body(scene, hand::box_mass(2, {0.2, 0.3, 0.4}), {0.3, 1, 0});
+  add_joint(scene, JointType::kPrismatic, 0, 1, {0, 0.5, 0}, {{1, 0, 0}});
+  return scene;
+}
+
+// Both turn as one about the first: what one sees of the other stands still.
+TEST(Engine, ASlidersSpeedIsAsSeenFromItsTurningSide) {
+  const Scene scene = sliding_pair();
+  Engine engine(scene, hand::stiff());
+  engine.set_velocity(0, {}, {0, 0, 3});
+  engine.set_velocity(1, {-3, 0.9, 0}, {0, 0, 3});
+  EXPECT_NEAR(engine.state().axes[0].velocity, 0, 1e-12);
+  engine.set_velocity(1, {-3 + 0.5, 0.9, 0}, {0, 0, 3});
+  EXPECT_NEAR(engine.state().axes[0].velocity, 0.5, 1e-12);
+}
+
+// What a motor puts in is what the two have more, also while they turn.
+TEST(Engine, AMotorsWorkIsTheEnergyThatComesIn) {
+  const Scene scene = sliding_pair();
+  simulate::SolverSettings fine = hand::stiff();
+  fine.step = 1e-4;
+  fine.solver = simulate::Solver::kDantzig;
+  Engine engine(scene, fine);
+  engine.set_velocity(0, {}, {0, 0, 3});
+  engine.set_velocity(1, {-3, 0.9, 0}, {0, 0, 3});
+  const auto energy = [&] {
+    double sum = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const simulate::BodyState& body = engine.state().bodies[i];
+      const mass::MassProperties& m = scene.bodies[i].mass;
+      const Vector3& w = body.w_WB;  // about z only, as all is flat
+      sum += (m.mass * dot(body.v_WBcm, body.v_WBcm) + m.about_com.izz * w.z * w.z) / 2;
+    }
+    return sum;
+  };
+  const double before = energy();
+  engine.set_motor(0, 0, -4, 5);
+  for (int i = 0; i < 2000; ++i) engine.step(Forces::kAsked);
+  EXPECT_GT(std::abs(energy() - before), 0.5);
+  EXPECT_NEAR(engine.state().motor_work, energy() - before, 0.01 * before);
+}
+
+// A motor of 1 N·m under a weight of 4.9 N·m: the stop takes the fall, and the motor never more than its 1.
+TEST(Engine, WhatAStopDoesIsNotTheMotors) {
+  Scene scene = hand::scene();
+  add_body(scene, hand::ball_mass(1, 0.1), {0.5, 0, 0});
+  add_joint(scene, JointType::kRevolute, kWorld, 0, {}, {{0, 1, 0}});
+  scene.joints[0].axes[0].upper = 1;
+  scene.joints[0].axes[0].effort = 1;
+  Engine engine(scene, hand::stiff());
+  double most = 0;
+  for (const double told : {0.5, -0.5}) {
+    engine.set_motor(0, 0, told, 5);
+    for (int i = 0; i < 1500; ++i) {
+      engine.step(Forces::kAsked);
+      most = std::max(most, std::abs(engine.state().axes[0].effort));
+    }
+  }
+  EXPECT_NEAR(engine.state().axes[0].position, 1, 0.01);
+  EXPECT_LE(most, 1);
+}
+
+}  // namespace
+}  // namespace rigor
