@@ -68,8 +68,12 @@ TEST(Wheels, AreNoneWhereTheJointHasLimitsOrIsUpright) {
   scene.joints[0].axes[0].upper = 1;
   scene.joints[1].axes[0].direction_W = {0, 0, 1};
   EXPECT_TRUE(find_wheels(scene, {}).empty());
-  scene.joints[0].axes[0].lower = -7;
-  scene.joints[0].axes[0].upper = 7;
+  // The knees of a real quadruped travel 18.8 rad; the pendulums of a real world, without an end, 200.
+  scene.joints[0].axes[0].lower = -9.4;
+  scene.joints[0].axes[0].upper = 9.4;
+  EXPECT_TRUE(find_wheels(scene, {}).empty());
+  scene.joints[0].axes[0].lower = -100;
+  scene.joints[0].axes[0].upper = 100;
   EXPECT_EQ(find_wheels(scene, {}).left.size(), 1U);
 }
 

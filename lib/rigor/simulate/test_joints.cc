@@ -9,8 +9,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <rigor/simulate/reach.h>
-
 namespace rigor::simulate {
 namespace {
 
@@ -66,16 +64,10 @@ SweepRange sweep_range(const Scene& scene, const SceneJoint& joint) {
   return range;
 }
 
-bool is_roller(const Scene& scene, const SceneJoint& joint) {
-  if (joint.child >= scene.bodies.size() || !can_turn_over(joint)) return false;
-  const double lowest = lowest_of_model(scene, scene.bodies[joint.child].model);
-  return touches_ground(scene, joint.child, lowest + kTouchGap);
-}
-
 bool can_be_moved(const Scene& scene, const DriveTrain& wheels, std::uint32_t j) {
   const SceneJoint& joint = scene.joints[j];
   return can_be_told(joint) && joint.child < scene.bodies.size() && !is_wheel_joint(wheels, j) &&
-         joint.axes[0].spring_stiffness == 0 && !is_roller(scene, joint) &&
+         joint.axes[0].spring_stiffness == 0 && !rolls_freely(scene, j) &&
          joint.axes[0].lower < joint.axes[0].upper;
 }
 

@@ -5,8 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include <rigor/simulate/reach.h>
+#include <numbers>
 
 namespace rigor::simulate {
 namespace {
@@ -22,12 +21,10 @@ constexpr double kDriveSpeed = 1;  // m/s
 constexpr double kSettleTime = 1;
 constexpr double kSprungSettleTime = 5;
 
-bool held_by_brake(const Scene& scene, const SceneJoint& joint) {
-  if (!can_be_told(joint) || joint.axes[0].spring_stiffness > 0) return false;
-  if (joint.child >= scene.bodies.size()) return false;
-  if (joint.type == model::JointType::kPrismatic || !can_turn_over(joint)) return true;
-  const double lowest = lowest_of_model(scene, scene.bodies[joint.child].model);
-  return !touches_ground(scene, joint.child, lowest + kTouchGap);
+bool held_by_brake(const Scene& scene, std::uint32_t j) {
+  const SceneJoint& joint = scene.joints[j];
+  return can_be_told(joint) && joint.child < scene.bodies.size() &&
+         !(joint.axes[0].spring_stiffness > 0) && !rolls_freely(scene, j);
 }
 
 /// kg·m² (of a slider kg): how a body resists the axis when everything else gives way.
@@ -69,7 +66,7 @@ bool can_be_told(const SceneJoint& joint) {
 
 void add_brakes(const Scene& scene, const DriveTrain& wheels, Scenario& scenario) {
   for (std::uint32_t j = 0; j < scene.joints.size(); ++j) {
-    if (is_wheel_joint(wheels, j) || !held_by_brake(scene, scene.joints[j])) continue;
+    if (is_wheel_joint(wheels, j) || !held_by_brake(scene, j)) continue;
     scenario.commands.push_back(
         {.joint = j, .kind = CommandKind::kVelocity, .value = 0, .end = scenario.duration});
   }

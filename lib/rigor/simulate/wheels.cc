@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string_view>
 
 #include <rigor/simulate/reach.h>
@@ -34,6 +33,9 @@ constexpr double kAcrossCosine = 0.707;
 
 /// As a share of the largest radius: wheels nearer to the middle than this are on no side.
 constexpr double kMiddleShare = 0.1;
+
+/// rad, sixteen turns: joints of real arms and legs have up to 40, endless ones that write limits 200.
+constexpr double kEndlessTravel = 100;
 
 double length_of_travel(const SceneAxis& axis) { return axis.upper - axis.lower; }
 
@@ -87,14 +89,31 @@ const Vector3& rolling_axis(const Scene& scene, const Wheel& wheel) {
   return length(wheel.shape_axis_W) > 0 ? wheel.shape_axis_W : axis_of(scene, wheel);
 }
 
+bool is_on_axis(const Wheel& wheel) {
+  return length(wheel.middle_W - wheel.centre_W) < kOffAxisShare * wheel.radius;
+}
+
 bool drives(const Scene& scene, const Wheel& wheel, double lowest) {
   const SceneJoint& joint = scene.joints[wheel.joint];
   const SceneShape& shape = scene.shapes[wheel.shape];
   const double bottom = -reach(scene, shape, {0, 0, -1});
-  const double off_axis = length(wheel.middle_W - wheel.centre_W);
-  return std::abs(rolling_axis(scene, wheel).z) < kLevelSine &&
-         off_axis < kOffAxisShare * wheel.radius && !is_steered(scene, joint.parent) &&
-         bottom - lowest < kReachShare * wheel.radius;
+  return std::abs(rolling_axis(scene, wheel).z) < kLevelSine && is_on_axis(wheel) &&
+         !is_steered(scene, joint.parent) && bottom - lowest < kReachShare * wheel.radius;
+}
+
+/// Whether a joint that turns on and on has a wheel on it that stands on the ground, or is a fork whose
+/// wheel is no link of its own.
+bool stands_on_wheel(const Scene& scene, std::uint32_t index, double ground) {
+  const SceneJoint& joint = scene.joints[index];
+  if (!can_turn_over(joint)) return false;
+  if (std::abs(joint.axes[0].direction_W.z) > kUprightCosine) {
+    return std::any_of(scene.shapes.begin(), scene.shapes.end(), [&](const SceneShape& shape) {
+      return shape.body == joint.child && -reach(scene, shape, {0, 0, -1}) < ground;
+    });
+  }
+  const std::optional<Wheel> wheel = lowest_round(scene, index);
+  return wheel && is_on_axis(*wheel) &&
+         -reach(scene, scene.shapes[wheel->shape], {0, 0, -1}) < ground;
 }
 
 bool is_named(std::string_view scoped, const std::vector<std::string>& names) {
@@ -223,7 +242,23 @@ std::vector<std::uint32_t> carried_bodies(const Scene& scene, std::uint32_t body
 bool can_turn_over(const SceneJoint& joint) {
   return joint.type == model::JointType::kContinuous ||
          (joint.type == model::JointType::kRevolute && !joint.axes.empty() &&
-          length_of_travel(joint.axes[0]) > 2 * std::numbers::pi);
+          length_of_travel(joint.axes[0]) > kEndlessTravel);
+}
+
+bool rolls_freely(const Scene& scene, std::uint32_t joint) {
+  const std::uint32_t child = scene.joints[joint].child;
+  if (child >= scene.bodies.size() || !can_turn_over(scene.joints[joint])) return false;
+  const double ground = lowest_of_model(scene, scene.bodies[child].model) + kTouchGap;
+  const std::vector<std::uint32_t> carried = carried_bodies(scene, child);
+  for (std::uint32_t j = 0; j < scene.joints.size(); ++j) {
+    const bool carries = j == joint || std::find(carried.begin(), carried.end(),
+                                                 scene.joints[j].parent) != carried.end();
+    if (carries && scene.joints[j].child < scene.bodies.size() &&
+        stands_on_wheel(scene, j, ground)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 bool touches_ground(const Scene& scene, std::uint32_t body, double height) {

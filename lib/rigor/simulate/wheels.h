@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which joints of a model drive it: revolute joints without limits (or with limits beyond a turn), whose
+// Which joints of a model drive it: revolute joints without limits (or with very wide ones), whose
 // axis is level, whose child has a round shape about that axis that reaches the ground.
 //
 //   DriveTrain train = find_wheels(scene, {});
@@ -66,11 +66,16 @@ DriveTrain find_wheels(const Scene& scene, const std::vector<std::string>& named
 /// what contacts sink in, and the care with which models are drawn.
 inline constexpr double kTouchGap = 0.003;  // m
 
-/// Whether a hinge may turn beyond a full turn.
+/// Whether a hinge may turn on and on: without limits, or with limits that are far apart. What joints
+/// of arms and legs may travel, a few turns, is not.
 bool can_turn_over(const SceneJoint& joint);
 
 /// A body and all that joints hang on it.
 std::vector<std::uint32_t> carried_bodies(const Scene& scene, std::uint32_t body);
+/// Whether the ground may turn a joint: that of a wheel which stands on it, or one that turns on and on and
+/// carries such a wheel, as a caster's fork does.
+bool rolls_freely(const Scene& scene, std::uint32_t joint);
+
 
 /// Whether the body, or one that joints hang on it, has a shape that reaches below `height`.
 bool touches_ground(const Scene& scene, std::uint32_t body, double height);
