@@ -181,6 +181,39 @@ TEST_F(SimulateCli, WhatCannotMovePasses) {
   EXPECT_NE(ran.out.find("drive: nothing moves"), std::string::npos) << ran.out;
 }
 
+/// `pass` is no praise of what nobody tried.
+TEST_F(SimulateCli, ThatNothingWasTestedIsSaid) {
+  const Ran ran = simulate("crate.sdf --test drive");
+  EXPECT_EQ(ran.exit, 0);
+  EXPECT_TRUE(ran.out.starts_with("crate.sdf: pass, but nothing was tested\n")) << ran.out;
+  EXPECT_EQ(ran.err, "1 model: 1 pass; 1 untested\n");
+  const Ran named = simulate("slide.sdf --test drive --wheels rail");
+  EXPECT_NE(named.out.find("named as wheels"), std::string::npos) << named.out;
+  EXPECT_EQ(simulate("crate.sdf --test settle,drive").err, "1 model: 1 pass\n");
+}
+
+/// 1 kg, 0.5 m from its hinge, and 0.01 kg·m² of its own; 1 rad/s in a quarter of a second. It begins level:
+/// 1 · 9.8 · 0.5 N·m of weight and (0.01 + 0.25) · 4 N·m to start.
+TEST_F(SimulateCli, ASweepTellsWhatTheJointNeeds) {
+  for (const double limit : {1.0, 4.0, 50.0}) {
+    folder_.put(
+        "lever.sdf",
+        "<sdf version='1.9'><model name='lever'><link name='l'><pose>0 0 2 0 0 0</pose>"
+        "<inertial><pose>0.5 0 0 0 0 0</pose><mass>1</mass><inertia><ixx>0.01</ixx><iyy>0.01"
+        "</iyy><izz>0.01</izz></inertia></inertial></link><joint name='h' type='revolute'>"
+        "<parent>world</parent><child>l</child><axis><xyz>0 1 0</xyz><limit><lower>-2</lower>"
+        "<upper>2</upper><velocity>1</velocity><effort>" +
+            std::to_string(limit) + "</effort></limit></axis></joint></model></sdf>");
+    const json result = simulated("lever.sdf --test joint-sweep");
+    double share = 0;
+    for (const json& metric : result["runs"][0]["metrics"]) {
+      if (metric["id"] == "joint.effort") share = metric["value"];
+    }
+    EXPECT_NEAR(share * limit, 4.9 + 0.26 * 4, 0.06) << limit;
+    EXPECT_EQ(result["verdict"], limit < 5 ? "fail" : "pass");
+  }
+}
+
 TEST_F(SimulateCli, AWrongInvocationIsTold) {
   const auto usage = [this](const std::string& arguments, const std::string& says) {
     const Ran ran = simulate(arguments);

@@ -180,7 +180,7 @@ TEST(Measure, LimitsEffortAndJitterOfAnAxis) {
   const PhaseMeasures& a = watch.measures().phases[0];
   const PhaseMeasures& b = watch.measures().phases[1];
   EXPECT_NEAR(b.limit_violation.value, 0.2, 1e-4);  // the crest, at π/4 s
-  EXPECT_NEAR(b.effort.value, 0.75, 1e-12);
+  EXPECT_NEAR(b.axis_effort[0], 0.75, 1e-9);
   const double ramp = std::sqrt(a.jitter_square[0] / static_cast<double>(a.steps));
   const double chatter = std::sqrt(b.jitter_square[0] / static_cast<double>(b.steps));
   EXPECT_LT(ramp, 0.03);  // the second order of the filter forgets a ramp but for its first 50 ms

@@ -37,8 +37,9 @@ Record still_record(const Scene& scene, const Scenario& scenario) {
     measures.begin = measures.end = bodies;
     measures.vertical_square.assign(scene.models.size(), 0);
     measures.yaw_path.assign(scene.models.size(), 0);
-    for (auto* list : {&measures.jitter_square, &measures.axis_least, &measures.axis_most,
-                       &measures.axis_begin, &measures.axis_end, &measures.axis_path}) {
+    for (auto* list :
+         {&measures.jitter_square, &measures.axis_least, &measures.axis_most, &measures.axis_begin,
+          &measures.axis_end, &measures.axis_path, &measures.axis_effort}) {
       list->assign(axes, 0);
     }
     record.measures.phases.push_back(measures);
@@ -226,7 +227,8 @@ TEST(Metric, AJointThatStopsShortIsTooWeakOrStopped) {
   sweep.axis_most[0] = 0.5;
   EXPECT_NEAR(one.metric("joint.reach").value, 0.25, 1e-12);
   EXPECT_EQ(one.metric("joint.reach").fact->kind, FactKind::kJointShort);
-  sweep.effort = {1, 0, 2};
+  sweep.axis_effort[0] = 1;
+  one.scene.joints[0].axes[0].effort = 5;
   EXPECT_EQ(one.metric("joint.reach").fact->kind, FactKind::kJointOverloaded);
 }
 

@@ -228,6 +228,67 @@ TEST(Tests, BrakesHoldWhatIsNoWheelNoSpringAndNoFollower) {
   EXPECT_EQ(made_test("settle", tutorial_robot()).commands.size(), 0U);
 }
 
+/// 1 kg at 0.4 m, 0.18 kg·m² about the hinge, which starts level at 4 rad/s².
+TEST(Tests, ASweepTakesTheWeightAndWhatStartsAndStopsIt) {
+  Scene scene = crate_with_pole();
+  SceneJoint& joint = scene.joints[0];
+  const double weight = 1 * 9.8 * 0.4;
+  EXPECT_NEAR(sweep_effort(scene, joint, {-0.5, 1, 1, 0}), weight, 1e-12);
+  EXPECT_NEAR(sweep_effort(scene, joint, {-0.5, 1, 1, 4}), weight + 0.18 * 4, 1e-12);
+  // Of a way that is above the level: where it is lowest.
+  joint.axes[0].start = 0.5;
+  EXPECT_NEAR(sweep_effort(scene, joint, {1, 1.2, 1, 0}), weight, 1e-12) << "it begins level";
+  scene.bodies[1].X_WB.translation = {0, 0, 0.9};  // now it begins upright
+  EXPECT_NEAR(sweep_effort(scene, joint, {0.5, 0.7, 1, 0}), weight * std::sin(0.2), 1e-12);
+  joint.axes[0].friction = 2;
+  joint.axes[0].damping = 3;
+  EXPECT_NEAR(sweep_effort(scene, joint, {-2, 2, 0.5, 0}), weight + 2 + 1.5, 1e-12);
+  joint = {};
+  joint.type = model::JointType::kPrismatic;
+  joint.parent = 0;
+  joint.child = 1;
+  joint.axes.push_back({.direction_W = {0, 0.6, 0.8}});
+  EXPECT_NEAR(sweep_effort(scene, joint, {-1, 1, 1, 0.5}), 0.8 * 9.8 + 0.5, 1e-12);
+}
+
+/// Limits of two turns, as arms have them, make no wheel of what lies on the ground; nor does a box.
+TEST(Tests, AnArmThatTouchesTheGroundIsNoCaster) {
+  Scene scene = crate_with_pole();
+  SceneAxis& axis = scene.joints[0].axes[0];
+  scene.shapes[1].X_BS.translation = {0, 0, -0.45};  // the pole's ball is on the ground
+  axis.lower = -2 * 3.14159265359;
+  axis.upper = 2 * 3.14159265359;
+  EXPECT_EQ(made_test("settle", scene).commands.size(), 1U);
+  EXPECT_EQ(made_test("hold", scene).commands.size(), 1U);
+  EXPECT_EQ(made_test("joint-sweep", scene).phases.back().name, "sweep crate::pole_joint");
+  axis.lower = -kInfinity;
+  axis.upper = kInfinity;
+  EXPECT_EQ(made_test("settle", scene).commands.size(), 1U) << "it is not round about the hinge";
+}
+
+TEST(Tests, WheelsForksAndWhatCarriesAWheelRoll) {
+  Scene scene = crate_with_pole();
+  SceneJoint& joint = scene.joints[0];
+  joint.axes[0].lower = -kInfinity;
+  joint.axes[0].upper = kInfinity;
+  scene.shapes[1] = shape_of(1, mesh::Sphere{0.1});
+  scene.bodies[1].X_WB.translation = joint.anchor_W = {0.4, 0, 0.1};
+  EXPECT_TRUE(rolls_freely(scene, 0));
+  joint.axes[0].direction_W = {0, 0, 1};
+  joint.anchor_W = {0.3, 0, 0.1};
+  EXPECT_TRUE(rolls_freely(scene, 0)) << "a fork with its wheel";
+  // The fork without a shape, and a wheel that turns in it.
+  scene.bodies.push_back(scene.bodies[1]);
+  scene.shapes[1].body = 2;
+  scene.joints.push_back(hinge("crate::wheel", 1, 2, {0.4, 0, 0.1}, {0, 1, 0}));
+  EXPECT_TRUE(rolls_freely(scene, 0));
+  EXPECT_TRUE(rolls_freely(scene, 1));
+  scene.joints[0].axes[0].lower = -1;
+  scene.joints[0].axes[0].upper = 1;
+  EXPECT_FALSE(rolls_freely(scene, 0)) << "it is steered";
+  EXPECT_TRUE(rolls_freely(scene, 1));
+}
+
 TEST(Tests, JointsAreHeldAndSweptFromWhereTheyStart) {
   Scene scene = crate_with_pole();
   scene.joints[0].axes[0].start = 0.4;

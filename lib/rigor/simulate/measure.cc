@@ -16,8 +16,7 @@
 namespace rigor::simulate {
 
 struct Watch::StepPeaks {
-  Peak speed, residual, acceleration, energy, tilt, limit_violation, penetration, self_contact,
-      effort;
+  Peak speed, residual, acceleration, energy, tilt, limit_violation, penetration, self_contact;
   std::uint32_t self_contact_with = kWorld;
   bool contacts_changed = false;
   Vector3 ground_force;
@@ -67,6 +66,7 @@ void begin_phase(PhaseMeasures& phase, const std::vector<BodyState>& bodies,
   for (const AxisState& axis : axes) phase.axis_begin.push_back(axis.position);
   phase.axis_least = phase.axis_most = phase.axis_end = phase.axis_begin;
   phase.axis_path.assign(axes.size(), 0);
+  phase.axis_effort.assign(axes.size(), 0);
   phase.jitter_square.assign(axes.size(), 0);
   phase.vertical_square.assign(models, 0);
   phase.yaw_path.assign(models, 0);
@@ -262,9 +262,9 @@ void Watch::see_axes(const State& state, StepPeaks& peaks) {
     axis.second = filter_ * (axis.second + first - axis.first);
     axis.first = first;
     axis.seen = now.velocity;
+    axis.given += step_ / (kBlow + step_) * (now.effort - axis.given);
     const double beyond = std::max(now.position - axis.upper, axis.lower - now.position);
     peaks.limit_violation.see(beyond, i, state.time);
-    if (axis.effort > 0) peaks.effort.see(std::abs(now.effort) / axis.effort, i, state.time);
   }
 }
 
@@ -300,7 +300,6 @@ void Watch::add_to(PhaseMeasures& phase, const State& state, const StepPeaks& pe
   merge_peak(phase.tilt, peaks.tilt);
   merge_peak(phase.limit_violation, peaks.limit_violation);
   merge_peak(phase.penetration, peaks.penetration);
-  merge_peak(phase.effort, peaks.effort);
   phase.anchor_error.see(state.anchor_error, state.anchor_joint, state.time);
   phase.sunk = peaks.penetration;
   if (peaks.self_contact.value > phase.self_contact.value) {
@@ -323,6 +322,10 @@ void Watch::add_to(PhaseMeasures& phase, const State& state, const StepPeaks& pe
     phase.axis_most[i] = std::max(phase.axis_most[i], axis.position);
     phase.axis_path[i] += axis.velocity * step_;
     phase.axis_end[i] = axis.position;
+    if (axes_[i].effort > 0) {
+      const double share = std::abs(axes_[i].given) / axes_[i].effort;
+      phase.axis_effort[i] = std::max(phase.axis_effort[i], share);
+    }
   }
   phase.end = state.bodies;
 }

@@ -48,8 +48,7 @@ struct PhaseMeasures {
   Peak sunk;             ///< as `penetration`, at the last step only
   Peak self_contact;     ///< m, depth between shapes of one model; `of` the first shape
   std::uint32_t self_contact_with = kWorld;
-  Peak effort;                ///< share of the axis' effort limit that a command took; `of` an axis
-  double tipped = kInfinity;  ///< s: when a base was first tilted by more than kTipped
+  double tipped = kInfinity;          ///< s: when a base was first tilted by more than kTipped
   std::uint64_t contact_changes = 0;  ///< of the number of contacts with the world
   Vector3 ground_force;               ///< N·steps, sum over contacts with the world
   // Of each model's base; zero of one that is the world's.
@@ -62,6 +61,8 @@ struct PhaseMeasures {
   std::vector<double> axis_begin;  ///< positions as the phase began and ended
   std::vector<double> axis_end;
   std::vector<double> axis_path;  ///< rad or m, signed: integral of its velocity
+  /// The largest share of its effort limit that a command took; what is shorter than kBlow is a blow.
+  std::vector<double> axis_effort;
   // Of each body.
   std::vector<BodyState> begin;  ///< as the phase began and ended
   std::vector<BodyState> end;
@@ -95,6 +96,9 @@ inline constexpr double kTipped = 0.15;  // rad
 /// What joints of robots do on purpose is slower; contacts and stiff controllers chatter faster.
 inline constexpr double kJitterFrequency = 20;  // Hz
 
+/// A motor that is told another speed gives a blow in one step, which no real one could give.
+inline constexpr double kBlow = 0.02;  // s, of a low-pass of first order
+
 /// Contacts of one step may miss a corner that flickers; those of so many do not.
 inline constexpr double kSupportWindow = 0.02;  // s
 
@@ -122,6 +126,7 @@ class Watch {
     double lower, upper, effort, spring_stiffness, spring_reference;
     // The high-pass filter: two of first order, one after the other.
     double seen = 0, first = 0, second = 0;
+    double given = 0;  // the effort, through a low-pass
   };
   struct WatchedShape {
     std::uint32_t body = kWorld;

@@ -19,6 +19,9 @@ namespace {
 /// All of a joint's effort, but for rounding.
 constexpr double kAllEffort = 0.999;
 
+/// Of its way: a joint that is stopped, or too weak to get there.
+constexpr double kMissed = 0.01;
+
 void add_controller_margin(MetricSheet& sheet) {
   const double step = sheet.scene.solver.step;
   Peak margin;
@@ -49,8 +52,7 @@ double missing_share(double least, double most, double reached_least, double rea
 
 struct Sweep {
   std::uint32_t joint = kWorld;
-  double least = kInfinity;
-  double most = -kInfinity;
+  SweepMotion motion{.least = kInfinity, .most = -kInfinity};
 };
 
 /// What a phase of a joint-sweep told to a joint.
@@ -58,25 +60,32 @@ Sweep swept_in(const Scenario& scenario, const Phase& phase) {
   Sweep sweep;
   for (const Command& command : scenario.commands) {
     const bool inside = command.begin >= phase.begin && command.end <= phase.end;
-    if (!inside || command.kind != CommandKind::kPosition) continue;
-    sweep.joint = command.joint;
-    sweep.least = std::min(sweep.least, command.value);
-    sweep.most = std::max(sweep.most, command.value);
+    if (!inside) continue;
+    SweepMotion& motion = sweep.motion;
+    if (command.kind == CommandKind::kPosition) {
+      sweep.joint = command.joint;
+      motion.least = std::min(motion.least, command.value);
+      motion.most = std::max(motion.most, command.value);
+    } else if (command.kind == CommandKind::kVelocity) {
+      const double speed = std::abs(command.value);
+      motion.speed = std::max(motion.speed, speed);
+      if (command.ramp > 0)
+        motion.acceleration = std::max(motion.acceleration, speed / command.ramp);
+    }
   }
   return sweep;
 }
 
-/// What friction and damping take of the joint's effort at the sweep's speed. The engine's motor, which
-/// moves the joint, does not feel its friction.
-double resistance_share(const MetricSheet& sheet, std::uint32_t joint, const Phase& phase) {
-  const SceneAxis& axis = sheet.scene.joints[joint].axes[0];
-  double speed = 0;
-  for (const Command& command : sheet.scenario.commands) {
-    const bool inside = command.begin >= phase.begin && command.end <= phase.end;
-    if (!inside || command.joint != joint || command.kind != CommandKind::kVelocity) continue;
-    speed = std::max(speed, std::abs(command.value));
-  }
-  return axis.effort > 0 ? (axis.friction + axis.damping * speed) / axis.effort : 0;
+/// What a sweep takes of the joint's effort limit. The engine's motor gives no more than the limit: of one
+/// that gave it all, or missed so much of its way, the need is computed. Nor does it feel the friction.
+double effort_share(const Scene& scene, const Sweep& sweep, double given, double missing) {
+  const SceneJoint& joint = scene.joints[sweep.joint];
+  const SceneAxis& axis = joint.axes[0];
+  if (!(axis.effort > 0)) return 0;
+  const bool weak = given >= kAllEffort || missing > kMissed;
+  const double needed = weak ? sweep_effort(scene, joint, sweep.motion)
+                             : axis.friction + axis.damping * sweep.motion.speed;
+  return std::max(given, needed / axis.effort);
 }
 
 /// A joint that has given all it has is too weak; else it is stopped by something.
@@ -109,13 +118,12 @@ void add_sweep_metrics(MetricSheet& sheet) {
     const PhaseMeasures& seen = sheet.record.measures.phases[i];
     if (sweep.joint == kWorld || seen.steps == 0) continue;
     const std::uint32_t axis = first[sweep.joint];
-    const double missing =
-        missing_share(sweep.least, sweep.most, seen.axis_least[axis], seen.axis_most[axis]);
-    const bool weak = seen.effort.of == axis && seen.effort.value >= kAllEffort;
-    if (missing > reach.value) exhausted = weak;
+    const double missing = missing_share(sweep.motion.least, sweep.motion.most,
+                                         seen.axis_least[axis], seen.axis_most[axis]);
+    const double share = effort_share(sheet.scene, sweep, seen.axis_effort[axis], missing);
+    if (missing > reach.value) exhausted = share >= kAllEffort;
     reach.see(missing, sweep.joint, 0);
-    if (seen.effort.of == axis) effort.see(seen.effort.value, sweep.joint, 0);
-    effort.see(resistance_share(sheet, sweep.joint, phase), sweep.joint, 0);
+    effort.see(share, sweep.joint, 0);
     if (reach.of == kWorld) reach.of = sweep.joint;
   }
   if (reach.of == kWorld) return;
@@ -137,7 +145,7 @@ void add_hold_metrics(MetricSheet& sheet) {
         axis, 0);
   }
   sheet.add("hold.error", error.value, about_axis(sheet.scene, error.of));
-  blame_effort(sheet, hold->effort.of == error.of && hold->effort.value >= kAllEffort);
+  blame_effort(sheet, error.of != kWorld && hold->axis_effort[error.of] >= kAllEffort);
 }
 
 void add_tilt_table_metrics(MetricSheet& sheet) {

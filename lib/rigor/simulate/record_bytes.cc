@@ -50,13 +50,13 @@ void record_fields(Archive& archive, T& whole) {
     archive(time, bodies, axes, contacts, anchor_error, anchor_joint, motor_work);
   } else if constexpr (std::is_same_v<Kind, PhaseMeasures>) {
     auto& [steps, speed, residual, acceleration, energy, tilt, anchor_error, limit_violation,
-           penetration, sunk, self_contact, self_contact_with, effort, tipped, contact_changes,
+           penetration, sunk, self_contact, self_contact_with, tipped, contact_changes,
            ground_force, vertical_square, yaw_path, jitter_square, axis_least, axis_most,
-           axis_begin, axis_end, axis_path, begin, end] = whole;
+           axis_begin, axis_end, axis_path, axis_effort, begin, end] = whole;
     archive(steps, speed, residual, acceleration, energy, tilt, anchor_error, limit_violation,
-            penetration, sunk, self_contact, self_contact_with, effort, tipped, contact_changes,
+            penetration, sunk, self_contact, self_contact_with, tipped, contact_changes,
             ground_force, vertical_square, yaw_path, jitter_square, axis_least, axis_most,
-            axis_begin, axis_end, axis_path, begin, end);
+            axis_begin, axis_end, axis_path, axis_effort, begin, end);
   } else if constexpr (std::is_same_v<Kind, Measures>) {
     auto& [phases, spawn_penetration, spawn_overlap, spawn_overlap_with, settle_time, support] =
         whole;

@@ -38,6 +38,22 @@ double own_inertia(const Scene& scene, const SceneJoint& joint, std::uint32_t b)
          2 * (I.ixy * axis.x * axis.y + I.ixz * axis.x * axis.z + I.iyz * axis.y * axis.z);
 }
 
+/// N·m (of a slider N): what gravity does along the axis when the joint is so far from its start.
+double gravity_effort(const Scene& scene, const SceneJoint& joint, double moved) {
+  const Vector3& axis = joint.axes[0].direction_W;
+  const bool slides = joint.type == model::JointType::kPrismatic;
+  double sum = 0;
+  for (const std::uint32_t b : carried_bodies(scene, joint.child)) {
+    const SceneBody& body = scene.bodies[b];
+    if (!body.gravity) continue;
+    const Vector3 weight = body.mass.mass * scene.gravity;
+    const Vector3 arm = transform(body.X_WB, body.mass.com) - joint.anchor_W;
+    const Vector3 turned = slides ? arm : rotate(model::from_axis_angle(axis, moved), arm);
+    sum += dot(axis, slides ? weight : cross(turned, weight));
+  }
+  return sum;
+}
+
 }  // namespace
 
 bool is_wheel_joint(const DriveTrain& wheels, std::uint32_t joint) {
@@ -123,17 +139,30 @@ double effective_inertia(const Scene& scene, const SceneJoint& joint) {
 }
 
 double carried_load(const Scene& scene, const SceneJoint& joint) {
-  const Vector3& axis = joint.axes[0].direction_W;
-  double sum = 0;
-  for (const std::uint32_t b : carried_bodies(scene, joint.child)) {
-    const SceneBody& body = scene.bodies[b];
-    if (!body.gravity) continue;
-    const Vector3 weight = body.mass.mass * scene.gravity;
-    const Vector3 arm = transform(body.X_WB, body.mass.com) - joint.anchor_W;
-    const bool slides = joint.type == model::JointType::kPrismatic;
-    sum += dot(axis, slides ? weight : cross(arm, weight));
+  return std::abs(gravity_effort(scene, joint, 0));
+}
+
+double sweep_effort(const Scene& scene, const SceneJoint& joint, const SweepMotion& motion) {
+  const SceneAxis& axis = joint.axes[0];
+  const auto load = [&](double position) {
+    return gravity_effort(scene, joint, position - axis.start);
+  };
+  double most = std::max(std::abs(load(motion.least)), std::abs(load(motion.most)));
+  if (joint.type != model::JointType::kPrismatic) {
+    // The load is c cos q + s sin q.
+    const double c = load(0);
+    const double s = load(std::numbers::pi / 2);
+    const double farthest = std::atan2(s, c);
+    const double next =
+        farthest + std::ceil((motion.least - farthest) / std::numbers::pi) * std::numbers::pi;
+    if (next <= motion.most) most = std::hypot(c, s);
   }
-  return std::abs(sum);
+  most += axis.damping * motion.speed;
+  // It starts from, and stops at, each limit and where it began; there from both sides.
+  const double push = carried_inertia(scene, joint) * motion.acceleration;
+  most = std::max({most, std::abs(load(motion.least) - push), std::abs(load(motion.most) + push),
+                   std::abs(load(axis.start)) + push});
+  return most + axis.friction;
 }
 
 }  // namespace rigor::simulate

@@ -47,6 +47,18 @@ double effective_inertia(const Scene& scene, const SceneJoint& joint);
 /// N·m (of a slider N): what gravity asks of the joint at the start.
 double carried_load(const Scene& scene, const SceneJoint& joint);
 
+/// How a sweep moves a joint.
+struct SweepMotion {
+  double least = 0;  ///< rad, m
+  double most = 0;
+  double speed = 0;         ///< rad/s, m/s
+  double acceleration = 0;  ///< rad/s², m/s², as it starts and stops
+};
+
+/// N·m (of a slider N): the most that a motor has to give for it, with all else held as at the start:
+/// against gravity, to start and stop, against friction and damping.
+double sweep_effort(const Scene& scene, const SceneJoint& joint, const SweepMotion& motion);
+
 MadeTest make_settle(const Scene& scene, const DriveTrain& wheels);
 MadeTest make_drop(const Scene& scene, const DriveTrain& wheels);
 MadeTest make_push(const Scene& scene, const DriveTrain& wheels);
