@@ -160,6 +160,28 @@ TEST(BuildBody, AUrdfFootprintIsMergedIntoWhatItCarries) {
   EXPECT_EQ(moving.places(FactKind::kNoMass), std::vector<std::string>{"footprint"});
 }
 
+/// What has no mass is a frame of what it is fixed to, also where that floats.
+TEST(BuildBody, AUrdfLinkWithoutMassFollowsWhatItIsFixedTo) {
+  const auto fixed = [](const std::string& name, const std::string& parent,
+                        const std::string& child) {
+    return "<joint name=\"" + name + "\" type=\"fixed\"><parent link=\"" + parent +
+           "\"/><child link=\"" + child + "\"/></joint>";
+  };
+  // The joints stand in an order in which no parent is known before its child.
+  const Built b = built(
+      "<robot name=\"r\"><link name=\"base\">" + kUrdfInertial + "</link><link name=\"camera\">" +
+      kUrdfInertial + "</link><link name=\"mount\"/><link name=\"optical\"/>" +
+      fixed("c", "camera", "optical") + fixed("b", "mount", "camera") +
+      fixed("a", "base", "mount") +
+      "<gazebo reference=\"camera\"><turnGravityOff>true</turnGravityOff></gazebo></robot>");
+  ASSERT_FALSE(b.blocked);
+  ASSERT_EQ(b.scene.bodies.size(), 2U);
+  EXPECT_TRUE(b.body("r::base").gravity);
+  EXPECT_EQ(b.body("r::base").links.size(), 2U);  // with its mount
+  EXPECT_FALSE(b.body("r::camera").gravity);
+  EXPECT_EQ(b.body("r::camera").links.size(), 2U);
+}
+
 /// The camera's tensor is none, but it is riveted to what makes up for it: the engine sees only the sum.
 TEST(BuildBody, ABodyIsJudgedAsAWhole) {
   const std::string camera =

@@ -53,6 +53,7 @@ class BodyBuilder {
 
   void build() {
     read_flags();
+    pass_on_flags();
     join_links();
     for (std::uint32_t i = 0; i < root_.links.size(); ++i) {
       if (draft_.takes(root_.links[i].model)) add_link({i});
@@ -99,6 +100,33 @@ class BodyBuilder {
 
   static bool flag(xml::Element e) {
     return read::bool_field(read::Text{e.text(), e.text_span()}, false).value;
+  }
+
+  /// A URDF's link without mass is a frame of what it is fixed to: gravity and kinematics are not its own.
+  /// It follows its parent, else what is fixed to it.
+  void pass_on_flags() {
+    std::vector<bool> known(root_.links.size());
+    for (std::uint32_t i = 0; i < root_.links.size(); ++i) {
+      const model::Link& link = root_.links[i];
+      known[i] = root_[link.model].format != model::Format::kUrdf || link.inertial.mass.value > 0 ||
+                 link.inertial.mass.value < 0;
+      if (!known[i]) flags_[i] = {};
+    }
+    const auto pass = [&](bool down) {
+      bool any = false;
+      for (std::uint32_t i = 0; i < root_.joints.size(); ++i) {
+        const model::Frames::Ends& ends = draft_.input.frames.ends({i});
+        if (root_.joints[i].type != JointType::kFixed || !ends.child || !ends.parent) continue;
+        const std::uint32_t from = down ? ends.parent.value : ends.child.value;
+        const std::uint32_t to = down ? ends.child.value : ends.parent.value;
+        if (!known[from] || known[to]) continue;
+        flags_[to] = flags_[from];
+        known[to] = any = true;
+      }
+      return any;
+    };
+    while (pass(true) || pass(false)) {
+    }
   }
 
   void join_links() {
