@@ -87,11 +87,6 @@ double gravity_scale(const Scene& scene) {
   return g > 0 ? g : kEarthGravity;
 }
 
-double yaw_of(const Quaternion& R) {
-  const Vector3 x = rotate(R, {1, 0, 0});
-  return std::atan2(x.y, x.x);
-}
-
 double tilt_since_start(const Scene& scene, std::uint32_t model, const BodyState& base) {
   const Quaternion R_WB = scene.bodies[scene.models[model].base].X_WB.rotation;
   const Vector3 up = rotate(base.R_WB, rotate(conjugate(R_WB), {0, 0, 1}));

@@ -87,9 +87,6 @@ void add_joint_metrics(MetricSheet& sheet);
 void add_sweep_metrics(MetricSheet& sheet);
 void add_hold_metrics(MetricSheet& sheet);
 
-/// Of a quaternion, the angle about W's z, rad.
-double yaw_of(const Quaternion& R);
-
 /// How a model's base has tilted since the scene was made, rad.
 double tilt_since_start(const Scene& scene, std::uint32_t model, const BodyState& base);
 

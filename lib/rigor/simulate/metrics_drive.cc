@@ -210,7 +210,7 @@ void add_push_metrics(MetricSheet& sheet) {
   if (push == nullptr || sheet.scenario.pushes.empty()) return;
   const std::uint32_t model = sheet.scene.bodies[sheet.scenario.pushes[0].body].model;
   const std::uint32_t base = sheet.scene.models[model].base;
-  if (base >= push->end.size()) return;
+  if (base >= push->end.size() || !sheet.stands(model)) return;
   sheet.add("push.tilt", tilt_since_start(sheet.scene, model, push->end[base]),
             about_model(sheet.scene, model));
 }

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string_view>
 
 #include <rigor/simulate/footprint.h>
@@ -26,8 +25,6 @@ constexpr double kLongEnough = 1;  // s
 double level_distance(const Vector3& a, const Vector3& b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
-
-double turned(double from, double to) { return std::remainder(to - from, 2 * std::numbers::pi); }
 
 void add_settle_time(MetricSheet& sheet) {
   const std::vector<Phase>& phases = sheet.scenario.phases;
@@ -59,7 +56,7 @@ void add_creep(MetricSheet& sheet, const PhaseMeasures& rest, double seconds) {
     const BodyState& begin = rest.begin[base];
     const BodyState& end = rest.end[base];
     creep.see(level_distance(begin.p_WBcm, end.p_WBcm) / seconds, m, 0);
-    yaw.see(std::abs(turned(yaw_of(begin.R_WB), yaw_of(end.R_WB))) / seconds, m, 0);
+    yaw.see(std::abs(rest.yaw_path[m]) / seconds, m, 0);
   }
   sheet.add("rest.creep", creep.value, about_model(sheet.scene, creep.of));
   Fact turns = about_model(sheet.scene, yaw.of);
@@ -123,7 +120,7 @@ void add_falls(MetricSheet& sheet, const PhaseMeasures& rest) {
 /// A world may be meant to move: things roll, swing and fall over in it. Motion is only held against it
 /// when energy comes from nowhere, or joints tremble.
 void forgive_motion(MetricSheet& sheet) {
-  if (sheet.scene.alone || sheet.scenario.drop > 0) return;
+  if (sheet.scene.alone) return;
   constexpr std::array<std::string_view, 2> kUnsound{"energy.gain", "joint.jitter"};
   constexpr std::array<std::string_view, 5> kMotion{"settle.time", "rest.residual_v", "rest.creep",
                                                     "rest.yaw_creep", "rest.weight_balance"};
