@@ -225,6 +225,7 @@ TEST_F(SimulateCli, AWrongInvocationIsTold) {
   usage("nothing.sdf", "nothing.sdf");
   usage("crate.sdf --test sttle", "settle");
   usage("slide.sdf --command rial=velocity:1", "did you mean");
+  usage("slide.sdf --test drive --wheels rial", "there is no joint rial; did you mean");
   usage("slide.sdf --command rail=velocty:1", "velocity");
   usage("slide.sdf --command rail=velocity:fast", "no finite number");
   usage("crate.sdf --grid fricton=0:1:3", "friction");

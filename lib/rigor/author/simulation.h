@@ -69,6 +69,9 @@ struct SimulatedModel {
   bool blocked = false;                         ///< it could not be simulated: the findings say why
   Diagnostics diagnostics;
 
+  /// Whether all that was asked for makes no sense for the model. The verdict is `pass` then.
+  bool untested() const { return !blocked && simulation.runs.empty() && !left_out.empty(); }
+
   simulate::Verdict verdict() const {
     return blocked ? simulate::Verdict::kInvalid : simulation.verdict;
   }

@@ -18,6 +18,7 @@ using author::SimulatedModel;
 std::string model_section(const SimulatedModel& model, const Sources& sources) {
   std::string out =
       fmt::format("<h2>{} – {}</h2>\n", escaped(model.path), verdict_html(model.verdict()));
+  if (model.untested()) out += "<p>Nothing was tested.</p>\n";
   const std::string findings = concise(model.diagnostics, sources);
   if (!findings.empty()) out += "<pre>" + escaped(findings) + "</pre>\n";
   for (const simulate::Run& run : model.simulation.runs) out += run_html(model.scene, run);

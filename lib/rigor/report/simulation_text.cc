@@ -86,8 +86,9 @@ std::string run_lines(const simulate::Run& run, Color color) {
 
 std::string model_lines(const SimulatedModel& model, Color color) {
   std::string out =
-      fmt::format("{}: {}\n", printable(model.path),
-                  paint(to_string(model.verdict()), paint_of_verdict(model.verdict()), color));
+      fmt::format("{}: {}{}\n", printable(model.path),
+                  paint(to_string(model.verdict()), paint_of_verdict(model.verdict()), color),
+                  model.untested() ? ", but nothing was tested" : "");
   for (const simulate::Run& run : model.simulation.runs) out += run_lines(run, color);
   for (const std::string& why : model.left_out) {
     out += fmt::format("  left out   {}\n", printable(why));
@@ -103,6 +104,7 @@ std::string table_line(const SimulatedModel& model, Color color) {
     if (run.verdict == Verdict::kPass) continue;
     failed += fmt::format("{}{} {}", failed.empty() ? "" : ", ", run.test, to_string(run.verdict));
   }
+  if (model.untested()) failed = "nothing was tested";
   if (!failed.empty()) line += "  (" + failed + ')';
   return line + '\n';
 }
@@ -135,6 +137,9 @@ std::string simulation_summary(const SimulationReport& report) {
     out += fmt::format("{}{} {}", separator, count, to_string(verdict));
     separator = ", ";
   }
+  const auto untested = std::count_if(report.models.begin(), report.models.end(),
+                                      [](const SimulatedModel& model) { return model.untested(); });
+  if (untested > 0) out += fmt::format("; {} untested", untested);
   return out;
 }
 

@@ -32,6 +32,13 @@ class Planner {
  public:
   Planner(const Scene& scene, Planned& planned) : scene_(scene), planned_(planned) {}
 
+  /// A problem when no joint has the name; more than one may.
+  void need_joint(const std::string& name) {
+    const auto& joints = scene_.joints;
+    const auto is = [&](const SceneJoint& joint) { return ends_in(joint.name, name); };
+    if (std::none_of(joints.begin(), joints.end(), is)) add_problem("joint", name, joints, {});
+  }
+
   void add(const config::ScenarioFile& file) {
     scenario_ = {};
     scenario_.name = title_of(file);
@@ -134,6 +141,13 @@ class Planner {
       if (ends_in(things[i].name, name)) matching.push_back(i);
     }
     if (matching.size() == 1) return matching.front();
+    add_problem(kind, name, things, matching);
+    return kWorld;
+  }
+
+  template <class Thing>
+  void add_problem(const char* kind, const std::string& name, const std::vector<Thing>& things,
+                   const std::vector<std::uint32_t>& matching) {
     PlanProblem problem{std::string(kind) + ' ' + name, name, {}};
     for (const std::uint32_t i : matching) problem.candidates.push_back(things[i].name);
     if (matching.empty()) {
@@ -143,7 +157,6 @@ class Planner {
       }
     }
     planned_.problems.push_back(std::move(problem));
-    return kWorld;
   }
 
   const Scene& scene_;
@@ -164,6 +177,7 @@ Planned scenarios_of(const Plan& plan, const Scene& scene, const DriveTrain& whe
     }
   }
   Planner planner(scene, planned);
+  for (const std::string& name : plan.wheels) planner.need_joint(name);
   for (const config::ScenarioFile& file : plan.scenarios) planner.add(file);
   return planned;
 }

@@ -20,10 +20,13 @@ constexpr double kHalt = 0.5;      // s, from full speed to none
 /// Wheels are on one axle when one is not farther ahead of the other than this share of its radius.
 constexpr double kAxleShare = 0.5;
 
-constexpr std::string_view kNoWheelsWhy =
-    "no wheels found: there is no hinge without limits whose axis is level and that carries a "
-    "round "
-    "collision which reaches the ground";
+std::string no_wheels(const DriveTrain& wheels) {
+  if (wheels.named) {
+    return "none of the joints named as wheels is a hinge with a level axis and a round collision";
+  }
+  return "no wheels found: there is no hinge without limits whose axis is level and that carries a "
+         "round collision which reaches the ground";
+}
 
 Scenario settled_first(std::string name, const Scene& scene) {
   const double settled = settling_time(scene);
@@ -54,7 +57,7 @@ DriveTrain as_told(const DriveTrain& wheels) {
 }  // namespace
 
 MadeTest make_drive(const Scene& scene, const DriveTrain& wheels) {
-  if (wheels.empty()) return {{}, std::string(kNoWheelsWhy)};
+  if (wheels.empty()) return {{}, no_wheels(wheels)};
   Scenario scenario = settled_first("drive", scene);
   const double settled = scenario.phases.front().end;
   const double cruise = settled + kRamp;
@@ -70,7 +73,7 @@ MadeTest make_drive(const Scene& scene, const DriveTrain& wheels) {
 
 // An arc first, since a spin alone does not show a caster that grips; then a spin.
 MadeTest make_turn(const Scene& scene, const DriveTrain& wheels) {
-  if (wheels.empty()) return {{}, std::string(kNoWheelsWhy)};
+  if (wheels.empty()) return {{}, no_wheels(wheels)};
   if (!wheels.steering.empty())
     return {{}, "it steers by turning wheels, not by its sides' speeds"};
   if (!wheels.steers()) return {{}, "its wheels are on one side only"};
@@ -90,7 +93,7 @@ MadeTest make_turn(const Scene& scene, const DriveTrain& wheels) {
 }
 
 MadeTest make_brake(const Scene& scene, const DriveTrain& wheels) {
-  if (wheels.empty()) return {{}, std::string(kNoWheelsWhy)};
+  if (wheels.empty()) return {{}, no_wheels(wheels)};
   Scenario scenario = settled_first("brake", scene);
   const double settled = scenario.phases.front().end;
   const Phase run_up{"run-up", settled, settled + kRamp + 1};

@@ -270,7 +270,7 @@ bool touches_ground(const Scene& scene, std::uint32_t body, double height) {
 }
 
 DriveTrain find_wheels(const Scene& scene, const std::vector<std::string>& named) {
-  DriveTrain train;
+  DriveTrain train{.named = !named.empty()};
   const std::vector<Wheel> wheels = largest_parallel_group(scene, candidates(scene, named));
   if (wheels.empty()) return train;
   train.model = model_of(scene, wheels.front());

@@ -54,6 +54,8 @@ struct DriveTrain {
   /// Joints with an upright axis and limits that carry a round shape which touches the ground.
   std::vector<std::uint32_t> steering;
 
+  bool named = false;  ///< the user said which joints are wheels
+
   /// Whether it turns on the spot when its sides run against each other.
   bool steers() const { return !left.empty() && !right.empty() && track > 0; }
   bool empty() const { return left.empty() && right.empty(); }
@@ -70,12 +72,12 @@ inline constexpr double kTouchGap = 0.003;  // m
 /// of arms and legs may travel, a few turns, is not.
 bool can_turn_over(const SceneJoint& joint);
 
-/// A body and all that joints hang on it.
-std::vector<std::uint32_t> carried_bodies(const Scene& scene, std::uint32_t body);
 /// Whether the ground may turn a joint: that of a wheel which stands on it, or one that turns on and on and
 /// carries such a wheel, as a caster's fork does.
 bool rolls_freely(const Scene& scene, std::uint32_t joint);
 
+/// A body and all that joints hang on it.
+std::vector<std::uint32_t> carried_bodies(const Scene& scene, std::uint32_t body);
 
 /// Whether the body, or one that joints hang on it, has a shape that reaches below `height`.
 bool touches_ground(const Scene& scene, std::uint32_t body, double height);
