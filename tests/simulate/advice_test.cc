@@ -195,6 +195,24 @@ TEST(Advice, ATowerIsTopHeavy) {
   EXPECT_EQ(of_kind(causes_of(scene), FactKind::kCauseNoCollision).size(), 1U);
 }
 
+/// A tower without its foot's mesh may stand well: that it lacks it is all that is said.
+TEST(Advice, MissingMeshesComeBeforeAllElse) {
+  Scene scene = tutorial_robot();
+  for (SceneShape& shape : scene.shapes) shape.link = 0;
+  scene.links[0].model = 0;
+  scene.models[0].missing_shapes = 2;
+  scene.bodies[0].mass.com.z = 10;
+  const Facts causes = causes_of(scene);
+  const std::vector<Fact> missing = of_kind(causes, FactKind::kCauseMeshMissing);
+  ASSERT_EQ(missing.size(), 1U);
+  EXPECT_EQ(missing[0].value, 2);
+  EXPECT_EQ(missing[0].limit, 6);
+  EXPECT_TRUE(of_kind(causes, FactKind::kCauseTopHeavy).empty());
+  const Facts told = explain({.kind = FactKind::kTips}, causes);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].kind, FactKind::kCauseMeshMissing);
+}
+
 TEST(Advice, AStartOutsideLimitsAndAnEffortThatDoesNotCarry) {
   Scene scene = tutorial_robot();
   SceneBody arm;

@@ -422,6 +422,7 @@ TEST(BuildMesh, MissingMeshesAreLeftOut) {
   EXPECT_TRUE(b.scene.shapes.empty());
   EXPECT_FALSE(b.blocked);
   EXPECT_EQ(b.places(FactKind::kMeshMissing), std::vector<std::string>{"w.stl"});
+  EXPECT_EQ(b.scene.models[0].missing_shapes, 1U);
 }
 
 TEST(BuildShape, APlaneThatMovesIsNone) {

@@ -232,5 +232,17 @@ TEST(Metric, AJointThatStopsShortIsTooWeakOrStopped) {
   EXPECT_EQ(one.metric("joint.reach").fact->kind, FactKind::kJointOverloaded);
 }
 
+/// How it stands without them nobody knows; what joints do is known.
+TEST(Metric, WithoutItsMeshesAModelsStanceIsNoFailure) {
+  Case one("settle");
+  one.record.measures.phases[0].tilt = {1.5, 0, 0};
+  one.record.measures.phases[0].anchor_error = {0.1, 0, 0};
+  EXPECT_EQ(one.metric("tilt.max").verdict, Verdict::kFail);
+  one.scene.models[0].missing_shapes = 1;
+  EXPECT_EQ(one.metric("tilt.max").verdict, Verdict::kWarn);
+  EXPECT_FALSE(one.metric("tilt.max").fact->severe);
+  EXPECT_EQ(one.metric("joint.anchor_error").verdict, Verdict::kFail);
+}
+
 }  // namespace
 }  // namespace rigor

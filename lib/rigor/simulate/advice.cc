@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <rigor/simulate/advice_parts.h>
@@ -126,6 +127,12 @@ Facts causes_in(const Scene& scene, const SceneInput& input, const DriveTrain& w
 
 Facts explain(const Fact& shown, const Facts& causes) {
   Facts likely;
+  if (hangs_on_contacts(shown.kind)) {
+    std::copy_if(causes.begin(), causes.end(), std::back_inserter(likely),
+                 [](const Fact& cause) { return cause.kind == FactKind::kCauseMeshMissing; });
+    // With half of its shapes the rest is guesswork.
+    if (!likely.empty()) return likely;
+  }
   for (const FactKind kind : kinds_behind(shown.kind)) {
     for (const Fact& cause : causes) {
       if (cause.kind == kind && likely.size() < kMostCauses) likely.push_back(cause);

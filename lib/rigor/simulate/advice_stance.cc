@@ -30,6 +30,18 @@ bool has_shape(const Scene& scene, std::uint32_t model) {
   });
 }
 
+/// Without them neither where the model stands nor what it touches is known.
+void add_missing_shapes(Causes& causes, std::uint32_t m) {
+  const Scene& scene = causes.scene;
+  const std::uint32_t missing = scene.models[m].missing_shapes;
+  const auto there =
+      std::count_if(scene.shapes.begin(), scene.shapes.end(), [&](const SceneShape& shape) {
+        return shape.link < scene.links.size() && scene.links[shape.link].model == m;
+      });
+  causes.add(FactKind::kCauseMeshMissing, about_model(scene, m), missing,
+             missing + static_cast<double>(there), 1, kInfinity);
+}
+
 void add_top_heavy(Causes& causes, std::uint32_t m) {
   const Scene& scene = causes.scene;
   const std::vector<Vector3> corners = footprint_at_start(scene, m, kFootSlack);
@@ -116,6 +128,10 @@ void add_stance_causes(Causes& causes) {
   const Scene& scene = causes.scene;
   for (std::uint32_t m = 0; m < scene.models.size(); ++m) {
     add_flags(causes, m);
+    if (scene.models[m].missing_shapes > 0) {
+      add_missing_shapes(causes, m);
+      continue;
+    }
     if (!stands_free(scene, m)) continue;
     if (!has_shape(scene, m)) {
       causes.add(FactKind::kCauseNoCollision, about_model(scene, m), 0, 0, 1, 1);

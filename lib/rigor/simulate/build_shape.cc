@@ -178,6 +178,7 @@ class ShapeBuilder {
     MeshShape* found = meshes_.find(mesh);
     if (found == nullptr) {
       say(FactKind::kMeshMissing, or_shape(mesh.uri.span), mesh.uri.value);
+      ++scene_.models[scene_.links[shape_.link].model].missing_shapes;
       return false;
     }
     return take_mesh(*found);

@@ -96,6 +96,7 @@ enum class FactKind : std::uint8_t {
   kCauseWheelFriction,  ///< of a wheel that drives; `value`: the larger of mu and mu2
   kCauseWheelRadii,     ///< of two on one axle; `value`: m, `limit`: the other's, `name`: the other
   kCauseSoftContact,    ///< `value`: m that it sinks where an engine honours kp
+  kCauseMeshMissing,    ///< `value`: how many of a model's collisions, `limit`: of how many
 };
 
 struct Fact {

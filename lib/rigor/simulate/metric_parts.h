@@ -49,6 +49,9 @@ Fact about_scene(const Scene& scene);
 /// "robot::arm::wheel" as a diagnostic has it: "robot::arm/link wheel".
 std::string subject_of(std::string_view scoped, std::string_view kind);
 
+/// Whether what a fact says depends on what touches what.
+bool hangs_on_contacts(FactKind shown);
+
 /// Whether no joint holds the model to the world.
 bool stands_free(const Scene& scene, std::uint32_t model);
 

@@ -166,6 +166,7 @@ struct SceneModel {
   bool is_static = false;
   model::Id<model::Model> id;
   Span where;
+  std::uint32_t missing_shapes = 0;  ///< whose meshes could not be read
 };
 
 enum class Solver : std::uint8_t {
