@@ -217,6 +217,35 @@ TEST_F(ConversionCli, WhatIsLostIsTold) {
   EXPECT_NE(all.err.find("the light is for Gazebo only"), std::string::npos) << all.err;
 }
 
+/// A kept file is held against what the result would tell a simulator, too.
+TEST_F(ConversionCli, CheckSeesBlocks) {
+  const std::string inertial =
+      "<inertial><mass value='1'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>"
+      "</inertial>";
+  folder.put("a.urdf", "<robot name='r'><link name='a'>" + inertial +
+                           "<collision name='c'><geometry><sphere radius='1'/></geometry>"
+                           "</collision></link><link name='b'>" +
+                           inertial +
+                           "</link><joint name='j' type='continuous'><parent link='a'/>"
+                           "<child link='b'/><axis xyz='0 0 1'/></joint>"
+                           "<gazebo reference='j'><springStiffness>12</springStiffness></gazebo>"
+                           "<gazebo reference='a'><mu1>0.25</mu1></gazebo></robot>");
+  EXPECT_EQ(folder.rigor("urdf2sdf a.urdf -o a.sdf").exit, 0);
+  EXPECT_EQ(folder.rigor("urdf2sdf a.urdf --check a.sdf").exit, 0);
+  const auto checked = [this](const std::string& from, const std::string& to) {
+    std::string text = folder.get("a.sdf");
+    const std::size_t at = text.find(from);
+    if (at == std::string::npos) return "no " + from + " in " + text;
+    folder.put("b.sdf", text.replace(at, from.size(), to));
+    const Ran ran = folder.rigor("urdf2sdf a.urdf --check b.sdf");
+    EXPECT_EQ(ran.exit, 1);
+    return ran.out;
+  };
+  EXPECT_NE(checked("<mu>0.25<", "<mu>0.5<").find("surface/friction/ode/mu 0.25 → 0.5"),
+            std::string::npos);
+  EXPECT_NE(checked(">12<", ">13<").find("spring stiffness 12 → 13"), std::string::npos);
+}
+
 /// What a policy or an allowed loss changes on purpose does not fail the proof.
 TEST_F(ConversionCli, TheProofKnowsWhatWasAskedFor) {
   const auto urdf_link = [](const std::string& name, const std::string& more = "") {

@@ -109,5 +109,19 @@ TEST_F(DiffCli, WhatCannotBeReadIsNotTheSame) {
   }
 }
 
+/// What they tell a simulator is compared where it is told in the same words, else it is said.
+TEST_F(DiffCli, WhatIsToldToSimulators) {
+  const std::string base = "<link name=\"base\">";
+  folder_.put("b.sdf", with(kArmSdf, base, base + "<gravity>false</gravity>"));
+  EXPECT_EQ(diff("a.sdf b.sdf").out,
+            "b.sdf:" + line_of(kArmSdf, base) + ": link base: gravity default → false\n");
+  const Ran mixed = diff("a.urdf b.sdf");
+  EXPECT_EQ(mixed.exit, 0);
+  EXPECT_NE(mixed.err.find("not compared: contact, gravity"), std::string::npos) << mixed.err;
+  const json report = json::parse(diff("a.urdf b.sdf --format json").out);
+  EXPECT_EQ(report["not_compared"].size(), 1U);
+  EXPECT_EQ(json::parse(diff("a.urdf a.sdf --format json").out)["not_compared"], json::array());
+}
+
 }  // namespace
 }  // namespace rigor::test

@@ -141,8 +141,9 @@ void ConversionCommand::write_result(const author::Conversion& result) const {
   write({0, out_}, *result.text);
 }
 
-/// As robots, with the names that the conversion would have given. What a format has no place for is
-/// no difference: a hand-kept file need not hold it.
+/// As robots, with the names that the conversion would have given, and what they tell simulators with what
+/// the result would tell. What a format has no place for is no difference: a hand-kept file need not
+/// hold it.
 int ConversionCommand::check(const Environment& environment, Sources& sources,
                              read::Workspace& workspace, const read::Loaded& loaded,
                              const author::Conversion& result) const {
@@ -151,13 +152,29 @@ int ConversionCommand::check(const Environment& environment, Sources& sources,
   const auto a = files.robot(loaded, loaded.root[result.model].name.value);
   const auto b = files.robot(kept, {});
   if (!a || !b) return kFindings;
-  const auto differences = convert::compare(*a, *b, result.names);
+  convert::Correspondence names = result.names;
+  names.placement = convert::Placement::kTold;
+  std::vector<convert::Difference> differences = convert::compare(*a, *b, names);
+  bool settings_left_out = true;
+  if (result.text) {
+    const read::File& file =
+        workspace.put(loaded.file->path + ".converted" + ending_, *result.text);
+    const read::Loaded converted =
+        read::load({workspace, environment.resolver, environment.sdf, environment.urdf}, file);
+    auto settings = files.settings(converted, {}, kept, {});
+    settings_left_out = !settings;
+    for (convert::Difference& d : settings.value_or(std::vector<convert::Difference>{})) {
+      d.span_a = {};  // in a text that nobody has
+      differences.push_back(std::move(d));
+    }
+  }
   const report::RobotDiff diff{
-      {loaded.file->path, *a}, {kept.file->path, *b}, differences, sources};
+      {loaded.file->path, *a}, {kept.file->path, *b}, differences, sources, settings_left_out};
   for (const Target& target : output_.targets()) {
     write(target,
           target.format == 2 ? report::robot_diff_json(diff) : report::robot_diff_text(diff));
   }
+  if (settings_left_out) say(std::string("not compared: ") + report::kSettingsInWords);
   say(differences.empty() ? "the same robot" : report::counted(differences.size(), "difference"));
   return differences.empty() ? kClean : kFindings;
 }

@@ -31,7 +31,10 @@ class Diff final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
     CLI::App* app = add_command(
-        program, "diff", "Compare two models as robots",
+        program, "diff",
+        "Compare two models as robots: links, joints, masses, shapes, colors; in two files of one "
+        "format also contact, gravity, self-collision, sensors, lights and plugins. Not compared: "
+        "textures and other looks, transmissions, ros2_control",
         {"rigor diff old/robot.urdf robot.urdf", "rigor diff arm.sdf arm.urdf --format json"});
     app->add_option("a", a_, "A model file, or a folder with a model.config")
         ->required()
@@ -61,10 +64,16 @@ class Diff final : public Command {
     }
     const convert::Correspondence all{.helpers = convert::Helpers::kTold,
                                       .placement = convert::Placement::kTold};
-    const std::vector<convert::Difference> differences = convert::compare(*a, *b, all);
+    std::vector<convert::Difference> differences = convert::compare(*a, *b, all);
+    const auto settings = files.settings(loaded_a, model_, loaded_b, model_);
+    if (settings) differences.insert(differences.end(), settings->begin(), settings->end());
     const report::RobotDiff diff{
-        {loaded_a.file->path, *a}, {loaded_b.file->path, *b}, differences, sources};
+        {loaded_a.file->path, *a}, {loaded_b.file->path, *b}, differences, sources, !settings};
     for (const Target& target : targets) write(target, kDiffFormats[target.format].emit(diff));
+    if (!settings) {
+      say(std::string("rigor: one is SDF and one URDF, so not compared: ") +
+          report::kSettingsInWords);
+    }
     if (differences.empty()) return kClean;
     say("rigor: " + report::counted(differences.size(), "difference"));
     return kFindings;

@@ -7,7 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include <rigor/convert/documents.h>
 #include <rigor/convert/robot_lookups.h>
+#include <rigor/convert/settings.h>
 #include <rigor/report/inspect.h>
 #include <rigor/report/printable.h>
 #include <rigor/report/summary.h>
@@ -74,6 +76,20 @@ std::optional<convert::Robot> RobotFiles::robot(const read::Loaded& loaded,
   }
   say("rigor: " + report::printable(loaded.file->path + why) + "; `rigor validate` says more");
   return std::nullopt;
+}
+
+std::optional<std::vector<convert::Difference>> RobotFiles::settings(const read::Loaded& a,
+                                                                     const std::string& model_a,
+                                                                     const read::Loaded& b,
+                                                                     const std::string& model_b) {
+  const convert::Documents documents(workspace_);
+  const auto source = [&](const read::Loaded& loaded, const std::string& model) {
+    return convert::SettingsSource{loaded.root, documents, environment_.sdf, chosen(loaded, model)};
+  };
+  const convert::SettingsSource x = source(a, model_a), y = source(b, model_b);
+  if (x.root[x.model].format == y.root[y.model].format) return convert::compare_settings(x, y);
+  if (convert::has_settings(x) || convert::has_settings(y)) return std::nullopt;
+  return std::vector<convert::Difference>{};
 }
 
 }  // namespace rigor::tool

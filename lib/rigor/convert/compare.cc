@@ -165,6 +165,9 @@ std::string_view to_string(DifferenceKind kind) {
     case DifferenceKind::kModelPose: return "model-pose";
     case DifferenceKind::kRootPose: return "root-pose";
     case DifferenceKind::kStatic: return "static";
+    case DifferenceKind::kSetting: return "setting";
+    case DifferenceKind::kAttachmentOnlyInA: return "attachment-only-in-a";
+    case DifferenceKind::kAttachmentOnlyInB: return "attachment-only-in-b";
   }
   return "difference";
 }

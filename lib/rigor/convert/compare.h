@@ -108,6 +108,10 @@ enum class DifferenceKind : std::uint8_t {
   kModelPose,
   kRootPose,  ///< of a root in the model
   kStatic,
+
+  kSetting,            ///< of `what`, beside the robot (settings.h)
+  kAttachmentOnlyInA,  ///< a sensor, a light, a plugin
+  kAttachmentOnlyInB,
 };
 
 /// "joint-moved"; stable, for programs.
@@ -122,6 +126,7 @@ struct DifferenceValue {
 struct Difference {
   DifferenceKind kind{};
   std::string a, b;  ///< subjects: "joint elbow", "collision arm/hull"; empty where it is not
+  std::string what;  ///< of kSetting: "surface/friction/ode/mu"
   DifferenceValue from, to;
   std::string_view unit;  ///< of the numbers; empty when they have none
   double distance = 0;    ///< m: the greatest found; of a number, how far it is off

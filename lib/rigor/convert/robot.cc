@@ -314,6 +314,11 @@ class RobotBuilder {
     axis.friction = written.friction.value;
     axis.spring_reference = written.spring_reference.value;
     axis.spring_stiffness = written.spring_stiffness.value;
+    if (lookups_.spring && root_[joint.model].format == model::Format::kUrdf) {
+      const auto [reference, stiffness] = lookups_.spring(id);
+      axis.spring_reference = reference;
+      axis.spring_stiffness = stiffness;
+    }
     if (written.mimic) axis.follow = follow(joint, *written.mimic);
     return axis;
   }

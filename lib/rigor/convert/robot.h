@@ -98,8 +98,8 @@ struct RobotAxis {
   double velocity = 0;          ///< rad/s or m/s; infinity when unlimited
   double damping = 0;           ///< N·m·s/rad or N·s/m
   double friction = 0;          ///< N·m or N
-  double spring_reference = 0;  ///< rad or m; SDF only
-  double spring_stiffness = 0;  ///< N·m/rad or N/m; SDF only
+  double spring_reference = 0;  ///< rad or m
+  double spring_stiffness = 0;  ///< N·m/rad or N/m
 
   std::optional<RobotFollow> follow;
   Span span;
@@ -153,6 +153,8 @@ struct RobotLookups {
   std::function<std::optional<Color>(model::Id<model::Visual>)> color_of = {};
   /// m per rad of a screw joint; without this, what `thread_pitch` says.
   std::function<std::optional<double>(model::Id<model::Joint>)> screw_slide = {};
+  /// Of a URDF joint, which has its spring in a `<gazebo>` block: reference and stiffness.
+  std::function<std::array<double, 2>(model::Id<model::Joint>)> spring = {};
 };
 
 /// The model with all that is nested in it. `frames` is at rest (all joints at zero).

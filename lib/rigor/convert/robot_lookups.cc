@@ -11,6 +11,7 @@
 #include <string_view>
 #include <variant>
 
+#include <rigor/read/values.h>
 #include <rigor/schema/value.h>
 
 namespace rigor::convert {
@@ -107,6 +108,20 @@ std::optional<double> screw_slide(const model::Joint& joint, read::Workspace& wo
   return metres == nullptr ? std::nullopt : std::optional(*metres / (2 * std::numbers::pi));
 }
 
+using Springs = std::map<std::string, std::array<double, 2>>;
+
+Springs springs_of(const model::Root& root, read::Workspace& workspace) {
+  Springs springs;
+  for (const model::GazeboBlock& block : root.gazebo_blocks) {
+    const auto element = element_at(workspace, block.site);
+    if (!element) continue;
+    auto& [reference, stiffness] = springs[block.reference.value];
+    reference = read::number_field(read::child_text(*element, "springReference"), reference).value;
+    stiffness = read::number_field(read::child_text(*element, "springStiffness"), stiffness).value;
+  }
+  return springs;
+}
+
 std::optional<Color> color_of(const model::Root& root, read::Workspace& workspace,
                               const NamedColors& named, const model::Visual& visual) {
   if (!visual.material.written) return std::nullopt;
@@ -136,6 +151,10 @@ RobotLookups lookups_in(const model::Root& root, read::Workspace& workspace,
   };
   lookups.screw_slide = [&root, &workspace](model::Id<model::Joint> id) {
     return screw_slide(root[id], workspace);
+  };
+  lookups.spring = [&root, springs = springs_of(root, workspace)](model::Id<model::Joint> id) {
+    const auto found = springs.find(root[id].name.value);
+    return found == springs.end() ? std::array<double, 2>{} : found->second;
   };
   return lookups;
 }

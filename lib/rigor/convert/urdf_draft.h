@@ -61,6 +61,8 @@ void add_joint_blocks(UrdfDraft& draft, model::Id<model::Joint> joint, const std
 
 /// What nobody took says only what a URDF reader takes without being told (urdf_implied.cc): the
 /// schema's own default, an identity pose, an empty container.
+bool is_implied(const schema::Schema& schema, xml::Element element);
+bool is_implied(const schema::Schema& schema, xml::Element element, xml::Attribute attribute);
 bool is_implied(const Source& source, const model::Site& opened, xml::Element element);
 bool is_implied(const Source& source, xml::Element element, xml::Attribute attribute);
 /// The note for an element that nobody took, by its name and where it stands.

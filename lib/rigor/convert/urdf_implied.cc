@@ -146,21 +146,29 @@ bool is_own_scope(std::string_view name) {
 
 }  // namespace
 
-bool is_implied(const Source& source, const model::Site& /*opened*/, xml::Element element) {
+bool is_implied(const schema::Schema& schema, xml::Element element) {
   if (!element.children().empty() || !element.lost_text().nowhere()) return false;
   if (element.name() == "pose" && is_identity_pose(element)) return true;
-  const auto node = node_of(source.schema, element);
+  const auto node = node_of(schema, element);
   if (!node || node->open()) return false;
   if (node->type() != schema::Type::kNone) return equals_default(*node, element.text());
   return element.attributes().empty() && read::trimmed(element.text()).empty();
 }
 
+bool is_implied(const Source& source, const model::Site& /*opened*/, xml::Element element) {
+  return is_implied(source.schema, element);
+}
+
 bool is_implied(const Source& source, xml::Element element, xml::Attribute attribute) {
+  return is_implied(source.schema, element, attribute);
+}
+
+bool is_implied(const schema::Schema& schema, xml::Element element, xml::Attribute attribute) {
   const std::string_view name = attribute.name();
   if (name == "xmlns" || name.starts_with("xmlns:")) return true;
   const bool of_pose = name == "rotation_format" || name == "degrees";
   if (of_pose && element.name() == "pose" && is_identity_pose(element)) return true;
-  const auto node = node_of(source.schema, element);
+  const auto node = node_of(schema, element);
   const auto known = node ? node->attribute(name) : std::nullopt;
   return known && equals_default(*known, attribute.value());
 }

@@ -26,7 +26,12 @@ struct RobotDiff {
   DiffSide a, b;
   const std::vector<convert::Difference>& differences;
   const Sources& sources;
+  bool settings_left_out = false;  ///< there are such, and they were not compared (settings.h)
 };
+
+/// What is compared only between models of one format.
+inline constexpr const char* kSettingsInWords =
+    "contact, gravity, self-collision, sensors, lights and plugins";
 
 /// Empty when nothing differs.
 std::string robot_diff_text(const RobotDiff& diff);

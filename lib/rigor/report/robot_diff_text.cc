@@ -141,6 +141,12 @@ std::string only_in_words(std::string_view change, const DifferenceValue& value,
   return fmt::format("{}: {}", change, with_unit(list_in_words(value.numbers, 6), unit));
 }
 
+/// What is not written is what the format takes without it.
+std::string setting_in_words(const Difference& d) {
+  const auto side = [](const std::string& text) { return text.empty() ? "default" : text; };
+  return fmt::format("{} {} → {}", d.what, side(d.from.text), side(d.to.text));
+}
+
 }  // namespace
 
 std::string in_words(const Difference& d) {
@@ -149,11 +155,13 @@ std::string in_words(const Difference& d) {
     case DifferenceKind::kJointOnlyInA:
     case DifferenceKind::kFrameOnlyInA:
     case DifferenceKind::kCollisionOnlyInA:
+    case DifferenceKind::kAttachmentOnlyInA:
     case DifferenceKind::kVisualOnlyInA: return only_in_words("removed", d.from, d.unit);
     case DifferenceKind::kLinkOnlyInB:
     case DifferenceKind::kJointOnlyInB:
     case DifferenceKind::kFrameOnlyInB:
     case DifferenceKind::kCollisionOnlyInB:
+    case DifferenceKind::kAttachmentOnlyInB:
     case DifferenceKind::kVisualOnlyInB: return only_in_words("added", d.to, d.unit);
     case DifferenceKind::kLinkRenamed:
     case DifferenceKind::kJointRenamed:
@@ -195,6 +203,7 @@ std::string in_words(const Difference& d) {
     case DifferenceKind::kTotalFirst: return value_in_words("total first moment of mass", d);
     case DifferenceKind::kTotalSecond: return value_in_words("total moment of inertia", d);
     case DifferenceKind::kStatic: return d.from.text + " → " + d.to.text;
+    case DifferenceKind::kSetting: return setting_in_words(d);
   }
   return "differs";
 }

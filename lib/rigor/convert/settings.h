@@ -1,0 +1,35 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a model tells a simulator beside the robot that it is: contact, gravity, self-collision, sensors,
+// lights, plugins. Compared element by element, as they are written, so only between models of one
+// format; a value that says the default counts as absent in SDF.
+//
+//   if (a.root.format == b.root.format) differences = compare_settings({a, model_a}, {b, model_b});
+
+#pragma once
+
+#include <vector>
+
+#include <rigor/convert/compare.h>
+#include <rigor/convert/documents.h>
+#include <rigor/model/model.h>
+#include <rigor/schema/schema.h>
+
+namespace rigor::convert {
+
+struct SettingsSource {
+  const model::Root& root;
+  const Documents& documents;
+  const schema::Schema& sdf;
+  model::Id<model::Model> model;
+};
+
+/// Of what both models have by the same name; what only one has of links, joints and collisions is told
+/// by `compare`.
+std::vector<Difference> compare_settings(const SettingsSource& a, const SettingsSource& b);
+
+/// Whether there is something that only `compare_settings` looks at.
+bool has_settings(const SettingsSource& source);
+
+}  // namespace rigor::convert
