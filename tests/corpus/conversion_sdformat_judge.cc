@@ -222,8 +222,8 @@ void hold_sdformat(const UrdfCase& one, const sdf::Model& model, SdformatCounts&
       }
       drawn[name] = static_cast<double>(generator()) / 2147483648.0 - 1;
       const auto names = one.result.names.joints.find(name);
-      positions[names == one.result.names.joints.end() ? name : names->second.at(0)].assign(1,
-                                                                                      drawn[name]);
+      positions[names == one.result.names.joints.end() ? name : names->second.at(0)].assign(
+          1, drawn[name]);
       moving = true;
     }
     const Seen wanted = look_at(one.urdf, drawn);

@@ -8,9 +8,11 @@
 #include <deque>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include <rigor/convert/urdf_draft.h>
 #include <rigor/read/values.h>
@@ -21,23 +23,26 @@ namespace rigor::convert {
 namespace {
 
 using model::Id;
-using Names = std::vector<std::string_view>;
 
 /// What `compare` looks at, what has settings of its own, and advice to converters.
-const Names& compared_in(std::string_view element) {
-  static const Names kModel{"link", "joint",   "frame",  "model",
-                            "pose", "include", "static", "origin"};
-  static const Names kLink{"inertial", "collision", "visual", "pose", "frame", "origin"};
-  static const Names kCollision{"geometry", "pose", "origin", "density", "auto_inertia_params"};
-  static const Names kJoint{"parent", "child",        "axis",   "axis2",
-                            "pose",   "thread_pitch", "origin", "screw_thread_pitch"};
-  static const Names kBlock{"springReference", "springStiffness", "preserveFixedJoint",
-                            "disableFixedJointLumping", "canonicalBody"};
-  return element == "model"       ? kModel
-         : element == "link"      ? kLink
-         : element == "collision" ? kCollision
-         : element == "joint"     ? kJoint
-                                  : kBlock;
+constexpr std::string_view kKnownInModel[] = {"link", "joint",   "frame",  "model",
+                                              "pose", "include", "static", "origin"};
+constexpr std::string_view kKnownInLink[] = {"inertial", "collision", "visual",
+                                             "pose",     "frame",     "origin"};
+constexpr std::string_view kKnownInCollision[] = {"geometry", "pose", "origin", "density",
+                                                  "auto_inertia_params"};
+constexpr std::string_view kKnownInJoint[] = {
+    "parent", "child", "axis", "axis2", "pose", "thread_pitch", "origin", "screw_thread_pitch"};
+constexpr std::string_view kKnownInBlock[] = {"springReference", "springStiffness",
+                                              "preserveFixedJoint", "disableFixedJointLumping",
+                                              "canonicalBody"};
+
+std::span<const std::string_view> known_in(std::string_view element) {
+  if (element == "model") return kKnownInModel;
+  if (element == "link") return kKnownInLink;
+  if (element == "collision") return kKnownInCollision;
+  if (element == "joint") return kKnownInJoint;
+  return kKnownInBlock;
 }
 
 /// Parts with a name, of which a model may have several.
@@ -57,8 +62,6 @@ struct Settings {
   std::vector<Setting> all;
   std::map<std::string, std::string> owners;  ///< of each attachment
   std::set<std::string> known;                ///< links, joints, collisions and attachments
-
-  void open(const std::string& subject) { known.insert(subject); }
 };
 
 class SettingCollector {
@@ -116,7 +119,7 @@ class SettingCollector {
 
   /// In URDF all of it is in blocks.
   void add_entity(const model::Site& site, const std::string& subject) {
-    found_.open(subject);
+    found_.known.insert(subject);
     if (site.span.nowhere() || !is_sdf()) return;
     add_children(source_.documents.element(site), subject);
   }
@@ -131,9 +134,9 @@ class SettingCollector {
   }
 
   void add_children(xml::Element element, const std::string& subject) {
-    const Names& compared = compared_in(element.name());
+    const auto known = known_in(element.name());
     for (const xml::Element child : element.children()) {
-      if (std::find(compared.begin(), compared.end(), child.name()) != compared.end()) continue;
+      if (std::find(known.begin(), known.end(), child.name()) != known.end()) continue;
       if (is_attachment(child.name())) {
         add_attachment(child, subject);
       } else {
@@ -151,7 +154,7 @@ class SettingCollector {
                              (name ? std::string(name->value()) : std::string());
     const int nth = ++attachments_[base];
     const std::string subject = nth > 1 ? base + '[' + std::to_string(nth) + ']' : base;
-    found_.open(subject);
+    found_.known.insert(subject);
     found_.owners.emplace(subject, owner);
     found_.all.push_back({subject, {}, {}, element.name_span()});
     add_inside(element, subject, {});
