@@ -123,5 +123,15 @@ TEST_F(DiffCli, WhatIsToldToSimulators) {
   EXPECT_EQ(json::parse(diff("a.urdf a.sdf --format json").out)["not_compared"], json::array());
 }
 
+/// A mesh is one file, whether its model is named by a relative path or by a whole one.
+TEST_F(DiffCli, AMeshIsOneFileFromTwoPlaces) {
+  folder_.put("w.stl", "solid w\nendsolid w\n");
+  const std::string from = "\"w.stl\"";
+  folder_.put("here.urdf", kArmUrdf);
+  folder_.put("deep/there.urdf", with(kArmUrdf, from, "\"../w.stl\""));
+  EXPECT_EQ(diff("deep/there.urdf here.urdf").out, "");
+  EXPECT_EQ(diff("deep/there.urdf '" + folder_.path("here.urdf") + "'").out, "");
+}
+
 }  // namespace
 }  // namespace rigor::test

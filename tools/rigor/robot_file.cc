@@ -4,7 +4,9 @@
 #include "robot_file.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include <rigor/convert/documents.h>
@@ -14,6 +16,7 @@
 #include <rigor/report/printable.h>
 #include <rigor/report/summary.h>
 #include <rigor/rules/mesh_finder.h>
+#include <rigor/text/path.h>
 
 #include "command.h"
 #include "model_file.h"
@@ -25,6 +28,12 @@ namespace {
 using model::Id;
 
 /// What keeps a file from being compared; empty when nothing does.
+/// One file has one name, from wherever it is looked at.
+std::string whole_path(const std::string& path) {
+  std::error_code error;
+  return path.empty() ? path : join_path(std::filesystem::current_path(error).string(), path);
+}
+
 std::string unreadable(const read::Loaded& loaded) {
   if (!loaded.file->document->complete()) return " is not well-formed";
   const model::Format format = loaded.root.format;
@@ -69,6 +78,9 @@ std::optional<convert::Robot> RobotFiles::robot(const read::Loaded& loaded,
     convert::RobotLookups lookups =
         convert::lookups_in(loaded.root, workspace_, environment_.resolver);
     lookups.find_mesh = rules::mesh_finder(environment_.resolver, sources_, surveys_);
+    lookups.find_file = [find = lookups.find_file](const std::string& uri, SourceId from) {
+      return whole_path(find(uri, from));
+    };
     const model::Frames frames(loaded.root);
     convert::Robot robot = convert::robot_of(loaded.root, frames, chosen(loaded, model), lookups);
     if (robot.unknown.empty()) return robot;
