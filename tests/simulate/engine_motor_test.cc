@@ -91,5 +91,25 @@ TEST(Engine, WhatAStopDoesIsNotTheMotors) {
   EXPECT_LE(most, 1);
 }
 
+// Arms are written with half a turn to both sides: leaving such a stop, a strong motor keeps to its speed.
+TEST(Engine, AMotorLeavesAStopAtHalfATurnAsItIsTold) {
+  for (const double upper : {3.14159265359, simulate::kInfinity}) {
+    Scene scene = hand::scene();
+    scene.gravity = {};
+    add_body(scene, hand::ball_mass(1, 0.1), {0.5, 0, 0});
+    add_joint(scene, JointType::kRevolute, kWorld, 0, {}, {{0, 1, 0}});
+    scene.joints[0].axes[0].lower = -3.14159265359;
+    scene.joints[0].axes[0].upper = upper;
+    Engine engine(scene, hand::stiff());
+    engine.set_motor(0, 0, -1, 50);
+    for (int i = 0; i < 3500; ++i) engine.step(Forces::kAsked);
+    EXPECT_NEAR(engine.state().axes[0].position, -3.14159265359, 1e-3) << upper;
+    engine.set_motor(0, 0, 1, 50);
+    for (int i = 0; i < 1000; ++i) engine.step(Forces::kAsked);
+    EXPECT_NEAR(engine.state().axes[0].velocity, 1, 1e-3) << upper;
+    EXPECT_NEAR(engine.state().axes[0].position, -2.14159265359, 0.01) << upper;
+  }
+}
+
 }  // namespace
 }  // namespace rigor

@@ -94,8 +94,15 @@ double speed_of(const Coordinate& c) {
 /// ODE knows angles up to half a turn. The stops of an axis that has gone round are moved along.
 void set_ode_stops(const Coordinate& c, int without = 0) {
   const double around = is_angle(c.kind) ? kTurn * c.turns : 0;
-  set_ode_param(c, dParamLoStop, without < 0 ? -dInfinity : c.written.lower - around);
-  set_ode_param(c, dParamHiStop, without > 0 ? dInfinity : c.written.upper - around);
+  const double low = without < 0 ? -dInfinity : c.written.lower - around;
+  double high = without > 0 ? dInfinity : c.written.upper - around;
+  // ODE's hinge forgets no stop that it was at once neither is within half a turn: it would drive the motor
+  // with all its effort from there on. Its angle is always below half a turn.
+  if (is_angle(c.kind) && has_stops(c.written) && low < kTurn / 2) {
+    high = std::min(high, kTurn / 2);
+  }
+  set_ode_param(c, dParamLoStop, low);
+  set_ode_param(c, dParamHiStop, high);
 }
 
 void set_ode_motor(const Coordinate& c, double velocity, double effort, double cfm) {
