@@ -65,26 +65,6 @@ std::string above(const std::string& path) {
   return std::string(parent_path(path));
 }
 
-/// Where the package that a file belongs to keeps models: what it tells Gazebo of, and `models` beside the
-/// file or above it. Nothing for a file of no package.
-std::vector<std::string> model_folders_of_package(const Disk& disk, std::string_view file) {
-  std::vector<std::string> folders;
-  std::string folder(parent_path(file));
-  for (int i = 0; i < kMaxAncestors; ++i) {
-    folders.push_back(join_path(folder, "models"));
-    const ReadResult manifest = disk.read(join_path(folder, "package.xml"), kMaxPackageXml);
-    if (manifest.bytes) {
-      const std::vector<std::string> exported = exported_folders(*manifest.bytes, folder);
-      folders.insert(folders.begin(), exported.begin(), exported.end());
-      return folders;
-    }
-    std::string parent = above(folder);
-    if (parent == folder || folder == "/") break;
-    folder = std::move(parent);
-  }
-  return {};
-}
-
 }  // namespace
 
 SearchPaths search_paths_from(const std::function<std::string(const std::string&)>& variable) {
@@ -188,11 +168,36 @@ void Resolver::resolve_model(std::string_view rest, std::string_view file,
                  result)) {
       return;
     }
-    for (const std::string& place : model_folders_of_package(disk_, file)) {
+    for (const std::string& place : package_folders(beside)) {
       if (try_path(join_path(place, rest), "the file's package", result)) return;
     }
   }
   if (!try_folders(paths_.environment, rest, result)) try_folders(paths_.ros, rest, result);
+}
+
+/// Under the lock. `left` bounds the folders above that are looked at.
+const std::vector<std::string>& Resolver::package_folders(const std::string& folder,
+                                                          int left) const {
+  const auto [known, is_new] = packages_->folders.try_emplace(folder);
+  std::vector<std::string>& folders = known->second;
+  if (!is_new || left == 0) return folders;
+  const std::string manifest = join_path(folder, "package.xml");
+  if (disk_.kind(manifest) == PathKind::kFile) {
+    const ReadResult read = disk_.read(manifest, kMaxPackageXml);
+    if (read.bytes) folders = exported_folders(*read.bytes, folder);
+    folders.push_back(join_path(folder, "models"));
+  } else if (const std::string parent = above(folder); parent != folder) {
+    const std::vector<std::string>& others = package_folders(parent, left - 1);
+    if (others.empty()) return folders;
+    folders = {join_path(folder, "models")};
+    folders.insert(folders.end(), others.begin(), others.end());
+  }
+  return folders;
+}
+
+const std::vector<std::string>& Resolver::package_folders(const std::string& folder) const {
+  const std::lock_guard lock(packages_->mutex);
+  return package_folders(folder, kMaxAncestors);
 }
 
 void Resolver::resolve_package(std::string_view rest, std::string_view file,

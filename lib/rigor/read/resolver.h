@@ -17,6 +17,8 @@
 
 #include <functional>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -89,9 +91,20 @@ class Resolver {
   void resolve_package(std::string_view rest, std::string_view file, Resolution& result) const;
   void resolve_remote(std::string_view uri, Resolution& result) const;
   void find_other_case(Resolution& result) const;
+  const std::vector<std::string>& package_folders(const std::string& folder) const;
+  const std::vector<std::string>& package_folders(const std::string& folder, int left) const;
+
+  /// Where the package that a folder belongs to keeps models: `models` in the folder or above it, and
+  /// what the package tells Gazebo of. Nothing for a folder of no package. Looked for once: a file may
+  /// name hundreds of models that are nowhere.
+  struct Packages {
+    std::mutex mutex;
+    std::map<std::string, std::vector<std::string>> folders;
+  };
 
   const Disk& disk_;
   SearchPaths paths_;
+  std::shared_ptr<Packages> packages_ = std::make_shared<Packages>();
 };
 
 }  // namespace rigor::read
