@@ -102,6 +102,15 @@ TEST(Resolver, AWorldFindsTheModelsOfItsPackage) {
   EXPECT_EQ(found("outside"), std::nullopt);
 }
 
+TEST(Resolver, AFileUriIsLookedForWhereThePackageTellsGazeboOfMedia) {
+  MemoryDisk disk = disk_with({"/ws/shop/models/shelf/shelf.dae"});
+  disk.put("/ws/shop/package.xml",
+           "<package><export><gazebo_ros gazebo_media_path=\"${prefix}\"/></export></package>");
+  EXPECT_EQ(
+      Resolver(disk, {}).resolve("file://models/shelf/shelf.dae", "/ws/shop/models/m.sdf").path,
+      "/ws/shop/models/shelf/shelf.dae");
+}
+
 TEST(Resolver, ARelativePathStandsBesideItsFile) {
   const MemoryDisk disk = disk_with({"m/meshes/a.stl"});
   const Resolver resolver(disk, {});

@@ -163,11 +163,11 @@ void Resolver::resolve_model(std::string_view rest, std::string_view file,
   for (const std::string& place : {beside, around, join_path(around, "models")}) {
     if (try_path(join_path(place, rest), "around the file's folder", result)) return;
   }
-  if (result.scheme == "model") {
-    if (try_path(join_path(join_path(beside, "models"), rest), "around the file's folder",
-                 result)) {
-      return;
-    }
+  if (result.scheme == "model" &&
+      try_path(join_path(join_path(beside, "models"), rest), "around the file's folder", result)) {
+    return;
+  }
+  if (result.scheme == "model" || result.scheme == "file") {
     for (const std::string& place : package_folders(beside)) {
       if (try_path(join_path(place, rest), "the file's package", result)) return;
     }

@@ -53,7 +53,7 @@ std::string join_path(std::string_view folder, std::string_view path) {
   joined += folder;
   joined += '/';
   joined += path;
-  return normalize_path(joined);
+  return is_normal(joined) ? joined : normalize_path(joined);
 }
 
 std::string relative_path(std::string_view folder, std::string_view path) {
