@@ -39,7 +39,7 @@ constexpr const char* kGood = R"(<sdf version="1.9">
 </sdf>
 )";
 
-/// One error: limit-inverted.
+/// One error: joint-limit-inverted.
 constexpr const char* kBad = R"(<sdf version="1.9">
   <model name="arm">
     <link name="base">
@@ -152,7 +152,7 @@ TEST_F(Cli, PrettyIsTheDefault) {
 TEST_F(Cli, FailOnDecidesTheExitCode) {
   EXPECT_EQ(rigor("validate --fail-on never bad.sdf").exit, 0);
   EXPECT_EQ(rigor("validate --fail-on error bad.sdf").exit, 1);
-  const std::string as = "validate bad.sdf --select limit-inverted --severity limit-inverted";
+  const std::string as = "validate bad.sdf --select joint-limit-inverted --severity joint-limit-inverted";
   EXPECT_EQ(rigor(as + "=warning").exit, 0);
   EXPECT_EQ(rigor(as + "=warning --fail-on warning").exit, 1);
   EXPECT_EQ(rigor(as + "=info --fail-on warning").exit, 0);
@@ -160,11 +160,11 @@ TEST_F(Cli, FailOnDecidesTheExitCode) {
 }
 
 TEST_F(Cli, SelectAndIgnoreTakeRulesAndCategories) {
-  EXPECT_EQ(rigor("validate --select limit-inverted bad.sdf").exit, 1);
+  EXPECT_EQ(rigor("validate --select joint-limit-inverted bad.sdf").exit, 1);
   EXPECT_EQ(rigor("validate --select kinematics bad.sdf").exit, 1);
   EXPECT_EQ(rigor("validate --select inertia --select frame bad.sdf").exit, 0);
   EXPECT_EQ(rigor("validate --select inertia,kinematics bad.sdf").exit, 1);
-  EXPECT_EQ(rigor("validate --ignore limit-inverted bad.sdf").exit, 0);
+  EXPECT_EQ(rigor("validate --ignore joint-limit-inverted bad.sdf").exit, 0);
 }
 
 TEST_F(Cli, NoPathMeansThisFolder) {

@@ -14,7 +14,7 @@
 namespace rigor::test {
 namespace {
 
-/// One error, limit-inverted, and one info, axis-not-unit.
+/// One error, joint-limit-inverted, and one info, axis-not-unit.
 constexpr const char* kTwoFindings = R"(<sdf version="1.9">
   <model name="arm">
     <link name="base">
@@ -35,7 +35,7 @@ constexpr const char* kTwoFindings = R"(<sdf version="1.9">
   </model>
 </sdf>
 )";
-constexpr const char* kInverted = "limit-inverted";
+constexpr const char* kInverted = "joint-limit-inverted";
 constexpr const char* kNotUnit = "axis-not-unit";
 
 bool says(const std::string& text, const std::string& part) {
@@ -68,7 +68,7 @@ TEST_F(ConfigFile, WithoutOneBothAreFound) {
 }
 
 TEST_F(ConfigFile, IgnoreSelectAndSeverity) {
-  config("ignore = ['limit-inverted']\n");
+  config("ignore = ['joint-limit-inverted']\n");
   EXPECT_EQ(validate().exit, 0);
   EXPECT_FALSE(says(validate().out, kInverted));
   config("select = ['axis-not-unit']\n");
@@ -83,16 +83,16 @@ TEST_F(ConfigFile, IgnoreSelectAndSeverity) {
 TEST_F(ConfigFile, TheCommandLineGoesBefore) {
   config("select = ['axis-not-unit']\nfail-on = 'never'\n[severity]\naxis-not-unit = 'warning'\n");
   EXPECT_EQ(validate().exit, 0);
-  EXPECT_EQ(validate("a --select limit-inverted").exit, 0) << "fail-on is never";
-  EXPECT_TRUE(says(validate("a --select limit-inverted").out, kInverted));
+  EXPECT_EQ(validate("a --select joint-limit-inverted").exit, 0) << "fail-on is never";
+  EXPECT_TRUE(says(validate("a --select joint-limit-inverted").out, kInverted));
   EXPECT_EQ(validate("a --fail-on warning").exit, 1);
   EXPECT_EQ(validate("a --fail-on warning --severity axis-not-unit=info").exit, 0);
   EXPECT_EQ(validate("a --ignore axis-not-unit").out, "");
   EXPECT_EQ(validate("a --isolated").exit, 1);
   EXPECT_EQ(validate("a --target gz-sim,ros --target mujoco").exit, 0);
   EXPECT_TRUE(says(validate("a --target gz-sym").err, "did you mean \"gz-sim\"?"));
-  config("ignore = ['limit-inverted']\n");
-  EXPECT_EQ(validate("a --select limit-inverted").exit, 1) << "who asks for a rule gets it";
+  config("ignore = ['joint-limit-inverted']\n");
+  EXPECT_EQ(validate("a --select joint-limit-inverted").exit, 1) << "who asks for a rule gets it";
 }
 
 TEST_F(ConfigFile, EachFileHasItsOwn) {
@@ -115,7 +115,7 @@ TEST_F(ConfigFile, EachFileHasItsOwn) {
 }
 
 TEST_F(ConfigFile, AnotherMayBeNamed) {
-  config("ignore = ['limit-inverted']\n");
+  config("ignore = ['joint-limit-inverted']\n");
   folder_.put("ci/strict.toml", "fail-on = 'info'\n");
   EXPECT_EQ(validate("a --config ci/strict.toml").exit, 1);
   EXPECT_TRUE(says(validate("a --config ci/strict.toml").out, kInverted));

@@ -61,7 +61,7 @@ TEST(FixCli, WritesSafeFixesAndListsWhatIsLeft) {
   EXPECT_EQ(ran.exit, 1);  // the inverted limit is left
   EXPECT_EQ(folder.get("arm.sdf"), kSafelyFixed);
   EXPECT_EQ(folder.get("sub/arm.sdf"), kSafelyFixed);
-  EXPECT_TRUE(contains(ran.out, "limit-inverted"));
+  EXPECT_TRUE(contains(ran.out, "joint-limit-inverted"));
   EXPECT_FALSE(contains(ran.out, "xml-attributes-touch"));
   EXPECT_TRUE(contains(ran.err, "fixed 2 findings (2 xml-attributes-touch) in 2 files\n"))
       << ran.err;
@@ -136,7 +136,7 @@ TEST(FixCli, FixesStdinToStdoutAndSaysTheRestOnStderr) {
   EXPECT_EQ(ran.exit, 1);
   EXPECT_EQ(ran.out, kSafelyFixed);
   EXPECT_TRUE(contains(ran.err, "<stdin>:")) << ran.err;
-  EXPECT_TRUE(contains(ran.err, "[limit-inverted]"));
+  EXPECT_TRUE(contains(ran.err, "[joint-limit-inverted]"));
 
   folder.put("in", kAllFixed);  // what needs no fix comes through as it is
   EXPECT_EQ(folder.rigor("validate --fix -", "cat in |").out, kAllFixed);

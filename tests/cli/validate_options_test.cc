@@ -12,7 +12,7 @@
 namespace rigor::test {
 namespace {
 
-/// One error of the category kinematics, limit-inverted.
+/// One error of the category kinematics, joint-limit-inverted.
 constexpr const char* kInverted = R"(<sdf version="1.9">
   <model name="arm">
     <static>true</static>
@@ -41,7 +41,7 @@ TEST_F(ValidateOptionsTogether, SeverityIsThatOfTheCategoryUnlessTheRuleHasItsOw
   const Ran category = validate("--severity kinematics=info");
   EXPECT_EQ(category.exit, 0);
   EXPECT_NE(category.out.find("info: "), std::string::npos) << category.out;
-  const Ran both = validate("--severity limit-inverted=warning --severity kinematics=info");
+  const Ran both = validate("--severity joint-limit-inverted=warning --severity kinematics=info");
   EXPECT_NE(both.out.find("warning: "), std::string::npos) << both.out;
   folder_.put("rigor.toml", "[severity]\nkinematics = 'off'\n");
   EXPECT_EQ(validate("").out, "");

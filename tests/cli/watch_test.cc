@@ -110,7 +110,7 @@ TEST(Watch, SaysWhatAnEditDid) {
 
   put_at_once(folder, "arm.urdf", watched_arm(kTurned));
   const std::string broken = watcher.answer();
-  EXPECT_NE(broken.find("error[limit-inverted]"), std::string::npos) << broken;
+  EXPECT_NE(broken.find("error[joint-limit-inverted]"), std::string::npos) << broken;
   EXPECT_NE(broken.find(" new"), std::string::npos) << broken;
 
   // A line above the finding makes nothing new.
@@ -128,7 +128,7 @@ TEST(Watch, WhatIsMalformedFixesNothing) {
   const Folder folder;
   folder.put("arm.urdf", watched_arm(kTurned));
   Watcher watcher(folder, "arm.urdf");
-  EXPECT_NE(watcher.read_to("watching", "watching").find("limit-inverted"), std::string::npos);
+  EXPECT_NE(watcher.read_to("watching", "watching").find("joint-limit-inverted"), std::string::npos);
 
   put_at_once(folder, "arm.urdf", "<robot name=\"arm\">\n  <link name=\"base\n");
   const std::string broken = watcher.answer();
@@ -139,7 +139,7 @@ TEST(Watch, WhatIsMalformedFixesNothing) {
   put_at_once(folder, "arm.urdf", watched_arm(kTurned));
   const std::string back = watcher.answer();
   EXPECT_EQ(back.find(" new"), std::string::npos) << back;
-  EXPECT_EQ(back.find("limit-inverted"), std::string::npos) << back;
+  EXPECT_EQ(back.find("joint-limit-inverted"), std::string::npos) << back;
 }
 
 TEST(Watch, SeesTheConfiguration) {
@@ -147,11 +147,11 @@ TEST(Watch, SeesTheConfiguration) {
   folder.put(".git/HEAD", "");
   folder.put("arm.urdf", watched_arm(kTurned));
   Watcher watcher(folder, "arm.urdf");
-  EXPECT_NE(watcher.read_to("watching", "watching").find("limit-inverted"), std::string::npos);
+  EXPECT_NE(watcher.read_to("watching", "watching").find("joint-limit-inverted"), std::string::npos);
 
-  put_at_once(folder, "rigor.toml", "ignore = [\"limit-inverted\"]\n");
+  put_at_once(folder, "rigor.toml", "ignore = [\"joint-limit-inverted\"]\n");
   const std::string ignored = watcher.answer();
-  EXPECT_NE(ignored.find("limit-inverted"), std::string::npos) << ignored;
+  EXPECT_NE(ignored.find("joint-limit-inverted"), std::string::npos) << ignored;
   EXPECT_NE(ignored.find("fixed"), std::string::npos) << ignored;
 
   // One that cannot stand is told on stderr, and the watch goes on.
@@ -159,7 +159,7 @@ TEST(Watch, SeesTheConfiguration) {
   EXPECT_NE(watcher.complaint("ignroe").find("ignroe"), std::string::npos);
   std::filesystem::remove(folder.path("rigor.toml"));
   const std::string back = watcher.answer();
-  EXPECT_NE(back.find("error[limit-inverted]"), std::string::npos) << back;
+  EXPECT_NE(back.find("error[joint-limit-inverted]"), std::string::npos) << back;
   EXPECT_NE(back.find(" new"), std::string::npos) << back;
 }
 
@@ -180,7 +180,7 @@ TEST(Watch, SeesMeshesThatAppear) {
   EXPECT_NE(found.find(" fixed, "), std::string::npos) << found;
 
   put_at_once(folder, "new.urdf", watched_arm(kTurned));
-  EXPECT_NE(watcher.answer().find("error[limit-inverted]"), std::string::npos);
+  EXPECT_NE(watcher.answer().find("error[joint-limit-inverted]"), std::string::npos);
 }
 
 TEST(Watch, AnArgumentThatIsNotThereIsWrongUse) {

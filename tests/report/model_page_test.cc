@@ -229,7 +229,7 @@ TEST(ModelPage, AFindingKnowsWhatItIsAbout) {
   bool inverted = false;
   bool weightless = false;
   for (const json& finding : data["findings"]) {
-    if (finding["rule"] == "limit-inverted") {
+    if (finding["rule"] == "joint-limit-inverted") {
       inverted = true;
       EXPECT_EQ(finding["joint"], 0);
       EXPECT_EQ(finding["link"], -1);

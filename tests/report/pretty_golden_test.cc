@@ -51,7 +51,7 @@ TEST_P(PrettyGolden, ReadsAsItWasRead) {
 
 INSTANTIATE_TEST_SUITE_P(
     Twenty, PrettyGolden,
-    testing::Values("kinematics/limit-inverted-1.sdf", "kinematics/two-parents-1.urdf",
+    testing::Values("kinematics/joint-limit-inverted-1.sdf", "kinematics/two-parents-1.urdf",
                     "inertia/inertia-triangle-inequality-1.sdf",
                     "inertia/inertia-geometry-mismatch-1.sdf",
                     "reference/joint-parent-missing-1.sdf", "reference/mimic-joint-missing-1.urdf",

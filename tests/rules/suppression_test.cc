@@ -307,7 +307,7 @@ std::string without_unused(const std::string& text) {
 TEST(UnusedSuppression, TakesAnyChoiceOfNamesOut) {
   // Names that are used stay, in their order; `unknown-element` and `value-malformed` are, and their category.
   const std::vector<std::pair<std::string, bool>> pool{
-      {"axis-zero", false},      {"unknown-element", true}, {"limit-inverted", false},
+      {"axis-zero", false},      {"unknown-element", true}, {"joint-limit-inverted", false},
       {"value-malformed", true}, {"kinematics", false},     {"schema", true}};
   for (unsigned chosen = 1; chosen < 1U << pool.size(); ++chosen) {
     std::string before;

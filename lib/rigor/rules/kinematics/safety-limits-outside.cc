@@ -17,7 +17,7 @@ void check(const model::Joint& joint, Context& context) {
   const model::Field<double>& upper = joint.safety->soft_upper;
   const model::Axis& axis = joint.axes.front();
   if (!lower.written || !upper.written || !axis.limit_written) return;
-  if (axis.lower.value > axis.upper.value) return;  // limit-inverted says so
+  if (axis.lower.value > axis.upper.value) return;  // joint-limit-inverted says so
   const bool swapped = lower.value > upper.value;
   const bool outside =
       lower.value < axis.lower.value - kTolerance || upper.value > axis.upper.value + kTolerance;

@@ -8,7 +8,7 @@
 #include <rigor/rules/kinematics/motion.h>
 #include <rigor/rules/rule.h>
 
-namespace rigor::rules::limit_inverted {
+namespace rigor::rules::joint_limit_inverted {
 namespace {
 
 void check(const model::Joint& joint, Context& context) {
@@ -36,7 +36,7 @@ void check(const model::Joint& joint, Context& context) {
 
 Rule rule() {
   return {
-      .name = "limit-inverted",
+      .name = "joint-limit-inverted",
       .category = Category::kKinematics,
       .severity = Severity::kError,
       .fix = FixGrade::kUnsafe,
@@ -124,4 +124,4 @@ Rule rule() {
   };
 }
 
-}  // namespace rigor::rules::limit_inverted
+}  // namespace rigor::rules::joint_limit_inverted
