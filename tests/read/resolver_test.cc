@@ -34,10 +34,14 @@ MemoryDisk disk_with(const std::vector<std::string>& files) {
 
 TEST(Resolver, SearchesInTheOrderOfTheContract) {
   // Each place holds the model; take the first away and the next one answers.
-  const std::vector<std::string> places{"/given/m/a.stl", "/w/models/m/a.stl",
-                                        "/gz/m/a.stl",    "/gz2/m/a.stl",
-                                        "/sdf/m/a.stl",   "/home/a/.gazebo/models/m/a.stl",
-                                        "/ros/m/a.stl",   "/opt/ros/share/m/a.stl"};
+  const std::vector<std::string> places{"/given/m/a.stl",
+                                        "/w/models/m/a.stl",
+                                        "/gz/m/a.stl",
+                                        "/gz2/m/a.stl",
+                                        "/sdf/m/a.stl",
+                                        "/ros/m/a.stl",
+                                        "/opt/ros/share/m/a.stl",
+                                        "/home/a/.gazebo/models/m/a.stl"};
   for (std::size_t first = 0; first < places.size(); ++first) {
     MemoryDisk disk =
         disk_with({places.begin() + static_cast<std::ptrdiff_t>(first), places.end()});
@@ -133,6 +137,55 @@ TEST(Resolver, APackageIsTheOneThatItsManifestNames) {
   EXPECT_GT(missing.tried.size(), 3U);
 }
 
+TEST(Resolver, AManifestIsReadAsXml) {
+  MemoryDisk disk = disk_with({"/src/arm/a.stl", "/src/arm/second/s.dae"});
+  disk.put("/src/arm/package.xml",
+           "<package><!-- <name>old</name> --><name>arm</name><export><a/></export>"
+           "<export><gazebo_ros gazebo_media_path='/x:${prefix}/second'/></export></package>");
+  const Resolver resolver(disk, {});
+  EXPECT_EQ(resolver.resolve("package://arm/a.stl", "/src/arm/u/r.urdf").path, "/src/arm/a.stl");
+  EXPECT_FALSE(resolver.resolve("package://old/a.stl", "/src/arm/u/r.urdf").path);
+  EXPECT_EQ(resolver.resolve("file://s.dae", "/src/arm/u/r.urdf").path, "/src/arm/second/s.dae");
+}
+
+TEST(Resolver, WhatIsFoundDependsOnNoSearchBefore) {
+  MemoryDisk disk = disk_with({"p/models/thing/model.config"});
+  disk.put("p/package.xml", "<package><name>p</name></package>");
+  std::string deep = "p/w";
+  for (int i = 0; i < 30; ++i) deep += "/d";
+  for (const bool deep_first : {false, true}) {
+    const Resolver resolver(disk, {});
+    if (deep_first) resolver.resolve("model://thing", deep + "/a.sdf");
+    EXPECT_EQ(resolver.resolve("model://thing", "p/w/z.sdf").path, "p/models/thing");
+  }
+}
+
+TEST(Resolver, VariablesAreSearchedInTheOrderOfTheContract) {
+  const std::vector<std::string> order{
+      "/gz/foo/q",       "/ign/foo/q", "/sdf/foo/q",         "/model/foo/q",
+      "/resource/foo/q", "/ros/foo/q", "/ament/share/foo/q", "/home/.gazebo/models/foo/q"};
+  const std::map<std::string, std::string> variables{{"GZ_SIM_RESOURCE_PATH", "/gz"},
+                                                     {"IGN_GAZEBO_RESOURCE_PATH", "/ign"},
+                                                     {"SDF_PATH", "/sdf"},
+                                                     {"GAZEBO_MODEL_PATH", "/model"},
+                                                     {"GAZEBO_RESOURCE_PATH", "/resource"},
+                                                     {"ROS_PACKAGE_PATH", "/ros"},
+                                                     {"AMENT_PREFIX_PATH", "/ament"},
+                                                     {"HOME", "/home"}};
+  for (const std::string uri : {"model://foo/q", "package://foo/q"}) {
+    const MemoryDisk disk;
+    const Resolver resolver(disk, search_paths_from([&](const std::string& name) {
+                              const auto found = variables.find(name);
+                              return found == variables.end() ? std::string() : found->second;
+                            }));
+    std::vector<std::string> tried;
+    for (const Tried& one : resolver.resolve(uri, "/x/a.sdf").tried) {
+      if (std::find(order.begin(), order.end(), one.path) != order.end()) tried.push_back(one.path);
+    }
+    EXPECT_EQ(tried, order) << uri;
+  }
+}
+
 TEST(Resolver, ComparesLetterCase) {
   const MemoryDisk disk = disk_with({"m/meshes/Wheel.STL"});
   const Resolver resolver(disk, {});
@@ -150,6 +203,13 @@ TEST(Resolver, NeverGoesToTheNetwork) {
   const std::string base = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/";
   EXPECT_EQ(resolver.resolve(base + "Sun", "a.sdf").path,
             "/cache/fuel.gazebosim.org/openrobotics/models/sun/2");
+  for (const char* version : {"1", "2", "9", "10"}) {
+    disk.put(std::string("/cache/fuel.gazebosim.org/o/models/car/") + version + "/thumbnails/1.png",
+             "");
+  }
+  const std::string car = "https://fuel.gazebosim.org/1.0/O/models/car";
+  EXPECT_EQ(resolver.resolve(car, "a.sdf").path, "/cache/fuel.gazebosim.org/o/models/car/10");
+  EXPECT_EQ(resolver.resolve(car + "/9", "a.sdf").path, "/cache/fuel.gazebosim.org/o/models/car/9");
   const Resolution missing = resolver.resolve(base + "Moon", "a.sdf");
   EXPECT_TRUE(missing.remote);
   EXPECT_FALSE(missing.path);

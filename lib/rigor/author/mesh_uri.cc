@@ -4,21 +4,15 @@
 #include <rigor/author/mesh_uri.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
-#include <rigor/read/values.h>
+#include <rigor/read/package_manifest.h>
 #include <rigor/text/disk.h>
 #include <rigor/text/path.h>
-#include <rigor/xml/document.h>
 
 namespace rigor::author {
 namespace {
-
-/// Folders above a file that are looked at for a model.config or package.xml, as the resolver does.
-constexpr int kMaxAncestors = 16;
-
-/// Largest package.xml that is read for its name, as in the resolver.
-constexpr std::uint64_t kMaxPackageXml = std::uint64_t{1} << 20U;
 
 std::vector<std::string_view> parts_of(std::string_view path) {
   std::vector<std::string_view> parts;
@@ -75,23 +69,13 @@ std::string seen_from(const std::string& file, const std::string& mesh) {
 std::optional<std::string> folder_with(const Disk& disk, const std::string& file,
                                        std::string_view name) {
   std::string folder = normalize_path(parent_path(file));
-  for (int i = 0; i < kMaxAncestors; ++i) {
+  for (int i = 0; i < read::kMaxAncestors; ++i) {
     if (disk.kind(join_path(folder, name)) == PathKind::kFile) return folder;
-    const bool relative_top = folder == "." || file_name(folder) == "..";
-    const std::string above =
-        relative_top ? join_path(folder, "..") : std::string(parent_path(folder));
+    std::string above = enclosing_folder(folder);
     if (above == folder) break;
-    folder = above;
+    folder = std::move(above);
   }
   return std::nullopt;
-}
-
-std::string package_name(const Disk& disk, const std::string& folder) {
-  const ReadResult read = disk.read(join_path(folder, "package.xml"), kMaxPackageXml);
-  if (!read.bytes) return {};
-  const xml::Document document = xml::parse(*read.bytes, kNoSource);
-  const auto name = document.root() ? document.root()->child("name") : std::nullopt;
-  return name ? std::string(read::trimmed(name->text())) : std::string();
 }
 
 }  // namespace
@@ -140,8 +124,8 @@ NewUri new_uri(const read::Resolver& resolver, model::Format format, const std::
     result.copy = MeshCopy{mesh, join_path(*folder, *inside)};
   }
   const std::string path = join_path(*folder, *inside);
-  const std::string name =
-      urdf ? package_name(resolver.disk(), *folder) : std::string(file_name(*folder));
+  const auto package = read::package_manifest(resolver.disk(), *folder);
+  const std::string name = urdf && package ? package->name : std::string(file_name(*folder));
   result.uri = std::string(urdf ? "package://" : "model://") + name + '/' + *inside;
   const bool named = !name.empty() && name != "." && name != "..";
   if (!named || !leads_to(resolver, result.uri, file, path)) result.uri = seen_from(file, path);

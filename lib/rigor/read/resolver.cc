@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <rigor/text/path.h>
 
@@ -21,48 +22,17 @@ std::vector<SearchPath> split(const std::string& value, const std::string& origi
   return paths;
 }
 
-/// The value of `<name>` in a package.xml; found as text, because only this one matters here.
-std::string package_name(const std::string& bytes) {
-  const std::size_t open = bytes.find("<name>");
-  const std::size_t close = bytes.find("</name>", open);
-  if (open == std::string::npos || close == std::string::npos) return {};
-  std::string name = bytes.substr(open + 6, close - open - 6);
-  const auto is_space = [](char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; };
-  name.erase(std::remove_if(name.begin(), name.end(), is_space), name.end());
-  return name;
-}
-
-/// The folders that a package tells Gazebo of, by `<gazebo_ros gazebo_model_path="${prefix}/models"/>` in
-/// its package.xml; found as text, too.
-std::vector<std::string> exported_folders(const std::string& bytes, const std::string& package) {
-  constexpr std::string_view kPrefix = "${prefix}";
-  std::vector<std::string> folders;
-  for (const std::string_view attribute : {"gazebo_model_path=\"", "gazebo_media_path=\""}) {
-    const std::size_t begin = bytes.find(attribute);
-    if (begin == std::string::npos) continue;
-    const std::size_t value = begin + attribute.size();
-    const std::size_t end = bytes.find('"', value);
-    if (end == std::string::npos) continue;
-    for (const SearchPath& path : split(bytes.substr(value, end - value), {})) {
-      if (!path.folder.starts_with(kPrefix)) continue;
-      folders.push_back(normalize_path(package + path.folder.substr(kPrefix.size())));
-    }
-  }
-  return folders;
-}
-
-/// Largest package.xml that is read for its name.
-constexpr std::uint64_t kMaxPackageXml = std::uint64_t{1} << 20U;
-
-/// Folders above a file that are looked at for a package.xml or a neighbouring model.
-constexpr int kMaxAncestors = 16;
-
 constexpr std::string_view kConfiguredOrigin = "rigor.toml";
 
-/// The folder above a path, or the path itself at the top.
-std::string above(const std::string& path) {
-  if (path == "." || file_name(path) == "..") return normalize_path(path + "/..");
-  return std::string(parent_path(path));
+/// The greatest of the names that are whole numbers; empty when none is, as in a folder of one version.
+std::string newest_version(const std::vector<std::string>& names) {
+  std::string newest;
+  for (const std::string& name : names) {
+    if (name.empty() || name.find_first_not_of("0123456789") != std::string::npos) continue;
+    const auto size = [](const std::string& number) { return number.size(); };
+    if (std::pair(size(name), name) > std::pair(size(newest), newest)) newest = name;
+  }
+  return newest;
 }
 
 }  // namespace
@@ -80,8 +50,8 @@ SearchPaths search_paths_from(const std::function<std::string(const std::string&
                            "GAZEBO_MODEL_PATH", "GAZEBO_RESOURCE_PATH"}) {
     add(paths.environment, name);
   }
-  add(paths.ros, "ROS_PACKAGE_PATH");
-  add(paths.ros, "AMENT_PREFIX_PATH", "share");
+  add(paths.environment, "ROS_PACKAGE_PATH");
+  add(paths.environment, "AMENT_PREFIX_PATH", "share");
   if (const std::string home = variable("HOME"); !home.empty()) {
     paths.environment.push_back({join_path(home, ".gazebo/models"), "~/.gazebo/models"});
     paths.fuel_cache = join_path(home, ".gz/fuel");
@@ -149,7 +119,7 @@ void Resolver::resolve_model(std::string_view rest, std::string_view file,
   // The folder of the model that the file belongs to, and the models beside it.
   std::string folder(parent_path(file));
   for (int i = 0; i < kMaxAncestors; ++i) {
-    std::string parent = above(folder);
+    std::string parent = enclosing_folder(folder);
     if (disk_.kind(join_path(folder, "model.config")) == PathKind::kFile) {
       if (try_path(join_path(parent, rest), "neighbour of the model's folder", result)) return;
       break;
@@ -159,7 +129,7 @@ void Resolver::resolve_model(std::string_view rest, std::string_view file,
   }
   // A world belongs to no model: what lies around it, as in `worlds/` beside `models/`.
   const std::string beside(parent_path(file));
-  const std::string around = above(beside);
+  const std::string around = enclosing_folder(beside);
   for (const std::string& place : {beside, around, join_path(around, "models")}) {
     if (try_path(join_path(place, rest), "around the file's folder", result)) return;
   }
@@ -172,32 +142,42 @@ void Resolver::resolve_model(std::string_view rest, std::string_view file,
       if (try_path(join_path(place, rest), "the file's package", result)) return;
     }
   }
-  if (!try_folders(paths_.environment, rest, result)) try_folders(paths_.ros, rest, result);
+  try_folders(paths_.environment, rest, result);
 }
 
-/// Under the lock. `left` bounds the folders above that are looked at.
-const std::vector<std::string>& Resolver::package_folders(const std::string& folder,
-                                                          int left) const {
-  const auto [known, is_new] = packages_->folders.try_emplace(folder);
-  std::vector<std::string>& folders = known->second;
-  if (!is_new || left == 0) return folders;
-  const std::string manifest = join_path(folder, "package.xml");
-  if (disk_.kind(manifest) == PathKind::kFile) {
-    const ReadResult read = disk_.read(manifest, kMaxPackageXml);
-    if (read.bytes) folders = exported_folders(*read.bytes, folder);
-    folders.push_back(join_path(folder, "models"));
-  } else if (const std::string parent = above(folder); parent != folder) {
-    const std::vector<std::string>& others = package_folders(parent, left - 1);
-    if (others.empty()) return folders;
-    folders = {join_path(folder, "models")};
-    folders.insert(folders.end(), others.begin(), others.end());
+const std::optional<PackageManifest>& Resolver::manifest(const std::string& folder) const {
+  const std::lock_guard lock(packages_->mutex);
+  const auto [known, is_new] = packages_->manifests.try_emplace(folder);
+  if (is_new) known->second = package_manifest(disk_, folder);
+  return known->second;
+}
+
+std::vector<std::string> Resolver::places_in_package(std::string folder) const {
+  std::vector<std::string> places;
+  for (int i = 0; i < kMaxAncestors; ++i) {
+    const std::optional<PackageManifest>& package = manifest(folder);
+    if (package) {
+      const std::vector<std::string>& told = package->gazebo_folders;
+      places.insert(places.end(), told.begin(), told.end());
+    }
+    places.push_back(join_path(folder, "models"));
+    if (package) return places;
+    std::string parent = enclosing_folder(folder);
+    if (parent == folder) break;
+    folder = std::move(parent);
   }
-  return folders;
+  return {};
 }
 
 const std::vector<std::string>& Resolver::package_folders(const std::string& folder) const {
+  {
+    const std::lock_guard lock(packages_->mutex);
+    const auto known = packages_->folders.find(folder);
+    if (known != packages_->folders.end()) return known->second;
+  }
+  std::vector<std::string> places = places_in_package(folder);
   const std::lock_guard lock(packages_->mutex);
-  return package_folders(folder, kMaxAncestors);
+  return packages_->folders.try_emplace(folder, std::move(places)).first->second;
 }
 
 void Resolver::resolve_package(std::string_view rest, std::string_view file,
@@ -218,9 +198,8 @@ void Resolver::resolve_package(std::string_view rest, std::string_view file,
   }
   std::string folder(parent_path(file));
   for (int i = 0; i < kMaxAncestors; ++i) {
-    const std::string manifest = join_path(folder, "package.xml");
-    const ReadResult read = disk_.read(manifest, kMaxPackageXml);
-    if (read.bytes && package_name(*read.bytes) == name) {
+    const std::optional<PackageManifest>& package = manifest(folder);
+    if (package && package->name == name) {
       if (try_path(join_path(folder, inside), "package.xml of the file's package", result)) return;
       break;
     }
@@ -229,14 +208,14 @@ void Resolver::resolve_package(std::string_view rest, std::string_view file,
         try_path(join_path(folder, inside), "folder of the package's name", result)) {
       return;
     }
-    std::string parent = above(folder);
+    std::string parent = enclosing_folder(folder);
     if (try_path(join_path(join_path(parent, name), inside), "beside the file's folders", result)) {
       return;
     }
     if (parent == folder || folder == "/") break;
     folder = std::move(parent);
   }
-  if (!try_folders(paths_.ros, rest, result)) try_folders(paths_.environment, rest, result);
+  try_folders(paths_.environment, rest, result);
 }
 
 void Resolver::resolve_remote(std::string_view uri, Resolution& result) const {
@@ -251,9 +230,8 @@ void Resolver::resolve_remote(std::string_view uri, Resolution& result) const {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
   }
   const std::string folder = join_path(paths_.fuel_cache, path);
-  const std::vector<std::string> versions = disk_.list(folder);
-  const std::string newest = versions.empty() ? folder : join_path(folder, versions.back());
-  try_path(newest, "Fuel cache", result);
+  const std::string newest = newest_version(disk_.list(folder));
+  try_path(newest.empty() ? folder : join_path(folder, newest), "Fuel cache", result);
 }
 
 void Resolver::find_other_case(Resolution& result) const {

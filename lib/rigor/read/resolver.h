@@ -25,6 +25,7 @@
 #include <utility>
 #include <vector>
 
+#include <rigor/read/package_manifest.h>
 #include <rigor/text/disk.h>
 
 namespace rigor::read {
@@ -44,8 +45,7 @@ struct ConfiguredPaths {
 struct SearchPaths {
   std::vector<SearchPath> given;                ///< from the command line
   std::map<std::string, std::string> packages;  ///< `--package NAME=DIR`
-  std::vector<SearchPath> environment;          ///< model paths, in the order of the contract
-  std::vector<SearchPath> ros;                  ///< folders of packages
+  std::vector<SearchPath> environment;          ///< of models and packages, in the contract's order
   std::string fuel_cache;                       ///< empty when there is none
   /// Of the configuration for what stands in a file; null, or no function, when there is none. Safe across
   /// threads; what it gives is valid as long as the resolver.
@@ -91,14 +91,16 @@ class Resolver {
   void resolve_package(std::string_view rest, std::string_view file, Resolution& result) const;
   void resolve_remote(std::string_view uri, Resolution& result) const;
   void find_other_case(Resolution& result) const;
-  const std::vector<std::string>& package_folders(const std::string& folder) const;
-  const std::vector<std::string>& package_folders(const std::string& folder, int left) const;
-
+  const std::optional<PackageManifest>& manifest(const std::string& folder) const;
   /// Where the package that a folder belongs to keeps models: `models` in the folder or above it, and
-  /// what the package tells Gazebo of. Nothing for a folder of no package. Looked for once: a file may
-  /// name hundreds of models that are nowhere.
+  /// what the package tells Gazebo of. Nothing for a folder of no package.
+  std::vector<std::string> places_in_package(std::string folder) const;
+  const std::vector<std::string>& package_folders(const std::string& folder) const;
+
+  /// Looked for once, by folder: a file may name hundreds of models that are nowhere.
   struct Packages {
     std::mutex mutex;
+    std::map<std::string, std::optional<PackageManifest>> manifests;
     std::map<std::string, std::vector<std::string>> folders;
   };
 

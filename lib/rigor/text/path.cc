@@ -84,6 +84,11 @@ std::string_view parent_path(std::string_view path) {
   return slash == 0 ? path.substr(0, 1) : path.substr(0, slash);
 }
 
+std::string enclosing_folder(const std::string& path) {
+  if (path == "." || file_name(path) == "..") return normalize_path(path + "/..");
+  return std::string(parent_path(path));
+}
+
 std::string_view file_name(std::string_view path) { return path.substr(path.rfind('/') + 1); }
 
 std::string extension(std::string_view path) {

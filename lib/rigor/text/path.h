@@ -26,6 +26,9 @@ std::string relative_path(std::string_view folder, std::string_view path);
 /// All but the last part: "." for a bare name, "/" for a name in the root.
 std::string_view parent_path(std::string_view path);
 
+/// The folder that a folder lies in, which of "." is ".."; the path itself at the top.
+std::string enclosing_folder(const std::string& path);
+
 /// The last part.
 std::string_view file_name(std::string_view path);
 
