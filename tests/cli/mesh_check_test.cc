@@ -69,6 +69,25 @@ TEST(MeshCheckCli, FactsOfABox) {
   EXPECT_EQ(result["written"], json::array());
 }
 
+TEST(MeshCheckCli, AModelThatCannotBeReadIsAnError) {
+  const Folder folder;
+  folder.put("box.obj", box_obj());
+  folder.put("cut.sdf", "<sdf version='1.9'><model name='m'");
+  folder.put("empty.sdf", "");
+  folder.put("other.sdf", "<foo/>");
+  folder.put("f/a.xacro", "<robot/>");
+  folder.put("f/b.sdf", "<sdf version='1.9'><model name='m'><link name='l'/></model></sdf>");
+  for (const char* file : {"cut.sdf", "empty.sdf", "other.sdf", "box.obj cut.sdf"}) {
+    const json result = checked(folder, file, 1);
+    ASSERT_FALSE(result["diagnostics"].empty()) << file;
+    EXPECT_EQ(result["diagnostics"].back()["severity"], "error");
+  }
+  const Ran left = folder.rigor("mesh-check f");
+  EXPECT_EQ(left.exit, 0);
+  EXPECT_NE(left.err.find("not looked at: f/a.xacro"), std::string::npos) << left.err;
+  EXPECT_EQ(folder.rigor("mesh-check f -o out.obj").exit, 2);
+}
+
 TEST(MeshCheckCli, AnOpenBox) {
   const Folder folder;
   folder.put("box.obj", box_obj(true));

@@ -23,9 +23,10 @@ TEST(Discover, WalksFoldersAndTakesNamedFilesAsTheyAre) {
   const Discovered found = discover(disk, {"r", "r/f.txt", "r/a.sdf", "none"});
   EXPECT_EQ(found.files, (std::vector<std::string>{"r/a.sdf", "r/b.SDF", "r/c.urdf",
                                                    "r/d/model.config", "r/e.world", "r/f.txt"}));
-  ASSERT_EQ(found.left_out.size(), 2U);
+  ASSERT_EQ(found.left_out.size(), 3U);
   EXPECT_EQ(found.left_out[0].path, "r/h.urdf.xacro");
   EXPECT_EQ(found.left_out[1].path, "r/i.sdf.erb");
+  EXPECT_EQ(found.left_out[2].path, "r/j.erb");
   ASSERT_EQ(found.unusable.size(), 1U);
 }
 
@@ -157,6 +158,29 @@ TEST(Discover, AFolderThatCannotBeListedIsNotPassedOverInSilence) {
   const Discovered only = discover(LockedDisk(nothing_else, "r/locked"), {"r"});
   ASSERT_EQ(only.unusable.size(), 1U);
   EXPECT_NE(only.unusable[0].find("in what can be listed"), std::string::npos);
+}
+
+TEST(Discover, WhatLiesTooDeepIsNotPassedOverInSilence) {
+  MemoryDisk disk;
+  disk.put("w/a.sdf", "");
+  std::string deep = "w";
+  for (int i = 0; i < 70; ++i) deep += "/d";
+  disk.put(deep + "/b.sdf", "");
+  const Discovered found = discover(disk, {"w"});
+  EXPECT_EQ(found.files, std::vector<std::string>{"w/a.sdf"});
+  ASSERT_EQ(found.left_out.size(), 1U);
+  EXPECT_TRUE(deep.starts_with(found.left_out[0].path));
+}
+
+TEST(Discover, ATemplateIsNamedAndLeft) {
+  MemoryDisk disk;
+  for (const char* name :
+       {"w/a.sdf", "w/b.erb", "w/c.sdf.erb", "w/d.sdf.jinja", "w/e.html.jinja"}) {
+    disk.put(name, "");
+  }
+  std::vector<std::string> left;
+  for (const LeftOut& one : discover(disk, {"w"}).left_out) left.push_back(one.path);
+  EXPECT_EQ(left, (std::vector<std::string>{"w/b.erb", "w/c.sdf.erb", "w/d.sdf.jinja"}));
 }
 
 TEST(Discover, AFileIsMetOnceHoweverItIsNamed) {

@@ -36,7 +36,8 @@ class MeshCheck final : public Command {
         ->type_name("FILE");
     a_.operations.declare(*app);
     const std::string group = "In a model";
-    app->add_option("--attach", a_.attach, "Put the mesh in place of a visual's or collision's shape")
+    app->add_option("--attach", a_.attach,
+                    "Put the mesh in place of a visual's or collision's shape")
         ->type_name("MODEL::LINK::SHAPE")
         ->group(group);
     app->add_flag("--apply", a_.apply, "Do all that to a model's meshes, and fit the model to them")
@@ -109,6 +110,9 @@ int MeshChecking::conclude(const MeshWork& work) const {
     }
   }
   for (const std::string& argument : result_.unusable) say("rigor: " + report::printable(argument));
+  for (const read::LeftOut& left : result_.left_out) {
+    say("not looked at: " + report::printable(left.path + ": " + left.why));
+  }
   if (!result_.unusable.empty()) return kUsage;
   say(report::counted(result_.meshes.size(), "mesh", "meshes") + " checked" +
       report::findings(result_.diagnostics));

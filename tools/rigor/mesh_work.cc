@@ -100,7 +100,9 @@ author::MeshOperations operations_of(const MeshCheckArguments& a, const mass::Me
 }
 
 int work_on_mesh(const MeshCheckArguments& a) {
-  if (a.paths.size() != 1 || rules::names_model(a.paths.front())) {
+  const bool one_file =
+      a.paths.size() == 1 && RealDisk().kind(a.paths.front()) != PathKind::kFolder;
+  if (!one_file || rules::names_model(a.paths.front())) {
     throw UsageError(
         "what changes a mesh needs one mesh file; for those of a model there is --apply");
   }

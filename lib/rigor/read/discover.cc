@@ -15,9 +15,10 @@
 namespace rigor::read {
 namespace {
 
-/// Folders nest this deep at most: a link that leads back up would never end.
+/// Folders nest this deep at most, so that the walk is bounded whatever a disk says.
 constexpr int kMaxFolderDepth = 64;
 
+constexpr std::string_view kTemplate = "template: expand it first";
 constexpr std::string_view kColconMarker = "COLCON_IGNORE";
 
 bool is_model(const std::string& path) {
@@ -30,9 +31,10 @@ bool is_model(const std::string& path) {
 std::string_view template_of(const std::string& path) {
   const std::string ending = extension(path);
   if (ending == ".xacro") return "xacro: expand it first";
+  if (ending == ".erb") return kTemplate;
   const std::string inner = extension(path.substr(0, path.size() - ending.size()));
   if (inner != ".sdf" && inner != ".world" && inner != ".urdf") return {};
-  if (ending == ".erb" || ending == ".jinja" || ending == ".em") return "template: expand it first";
+  if (ending == ".jinja" || ending == ".em") return kTemplate;
   return {};
 }
 
@@ -92,7 +94,10 @@ class FolderWalk {
   }
 
   void folder(const std::string& path, int depth) {
-    if (depth > kMaxFolderDepth) return;
+    if (depth > kMaxFolderDepth) {
+      unlisted_.push_back({path, "lies more than 64 folders deep", true});
+      return;
+    }
     const std::vector<std::string> names = disk_.list(path);
     if (names.empty()) {
       std::string why = disk_.obstacle(path);

@@ -36,7 +36,8 @@ class MeshRun {
         files_(files),
         sources_(sources),
         workspace_(environment.disk, sources),
-        runner_(environment.registry, meshes_unless_selected(options.selection)) {}
+        runner_(environment.registry, meshes_unless_selected(options.selection)),
+        reading_(environment.registry, {.ignore = options.selection.ignore}) {}
 
   MeshCheckResult run() {
     for (const std::string& path : options_.paths) {
@@ -60,6 +61,7 @@ class MeshRun {
   void check_models(const std::string& path) {
     read::Discovered found = read::discover(environment_.disk, {path});
     std::move(found.unusable.begin(), found.unusable.end(), std::back_inserter(result_.unusable));
+    for (read::LeftOut& left : found.left_out) result_.left_out.push_back(std::move(left));
     for (const std::string& file : found.files) check_model(file);
   }
 
@@ -67,6 +69,7 @@ class MeshRun {
     const read::Reader reader{workspace_, environment_.resolver, environment_.sdf,
                               environment_.urdf};
     const read::Loaded loaded = read::load(reader, workspace_.open(path));
+    if (!is_read(loaded)) return tell_unread(loaded);
     first_of_model_ = result_.meshes.size();
     list_meshes(loaded, loaded.root.collisions);
     list_meshes(loaded, loaded.root.visuals);
@@ -74,6 +77,19 @@ class MeshRun {
     const auto& document = loaded.file->document;
     if (document) found = Suppressions(*document).uncovered(std::move(found));
     result_.diagnostics.take(std::move(found));
+  }
+
+  static bool is_read(const read::Loaded& loaded) {
+    const auto& document = loaded.file->document;
+    return document && document->complete() && loaded.root.format != model::Format::kUnknown;
+  }
+
+  /// Nobody knows which meshes such a file would name.
+  void tell_unread(const read::Loaded& loaded) {
+    const Diagnostics found = reading_.run(environment_, sources_, loaded, Meshes{});
+    for (const Diagnostic& one : found.list()) {
+      if (one.severity == Severity::kError) result_.diagnostics.add(one);
+    }
   }
 
   template <class Entity>
@@ -104,6 +120,7 @@ class MeshRun {
   Sources& sources_;
   read::Workspace workspace_;
   Runner runner_;
+  Runner reading_;  // of what keeps a model from being read
   std::size_t first_of_model_ = 0;
   MeshCheckResult result_;
 };

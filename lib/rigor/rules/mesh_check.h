@@ -16,6 +16,7 @@
 #include <rigor/environment.h>
 #include <rigor/mass/mesh_facts.h>
 #include <rigor/model/pose.h>
+#include <rigor/read/discover.h>
 #include <rigor/rules/validate.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/text/sources.h>
@@ -38,7 +39,8 @@ struct CheckedMesh {
 struct MeshCheckResult {
   std::vector<CheckedMesh> meshes;  ///< in the order of the paths, then of their first uses
   Diagnostics diagnostics;
-  std::vector<std::string> unusable;  ///< arguments that do not exist or hold nothing to check
+  std::vector<read::LeftOut> left_out;  ///< in folders: templates, and what cannot be listed
+  std::vector<std::string> unusable;    ///< arguments that do not exist or hold nothing to check
 };
 
 /// Whether a file's ending is a model's; any other file is taken for a mesh.
