@@ -182,6 +182,25 @@ TEST(Stance, ABoxStandsOnItsFourCorners) {
   EXPECT_NEAR(*robot.stance({1.5, 0, 0})->margin, -0.5, kTight);
 }
 
+TEST(Stance, AWheelStandsOnItsLine) {
+  const auto wheel = [](const std::string& name, const std::string& place) {
+    return "<collision name='" + name + "'><pose>" + place +
+           " 1.5707963267948966 0 0</pose><geometry><cylinder><radius>0.1</radius>"
+           "<length>0.05</length></cylinder></geometry></collision>";
+  };
+  const Robot robot("<link name='l'>" + wheel("a", "-0.2 -0.2 0.1") + wheel("b", "-0.2 0.2 0.1") +
+                    wheel("c", "0.2 -0.2 0.1") + wheel("d", "0.2 0.2 0.1") + "</link>");
+  EXPECT_NEAR(*robot.stance({0, 0, 0.2})->margin, 0.2, 1e-9);
+  EXPECT_NEAR(*robot.stance({0.2042, 0, 0.2})->margin, -0.0042, 1e-9);
+}
+
+TEST(Stance, WhatTheWorldHoldsDoesNotStand) {
+  const Robot robot("<link name='l'>" + collision("a", box_shape("1 1 1")) +
+                    "</link><joint name='j' type='fixed'><parent>world</parent>"
+                    "<child>l</child></joint>");
+  EXPECT_FALSE(robot.stance({0, 0, 0}));
+}
+
 TEST(Stance, ABallStandsOnNothing) {
   const Robot robot("<link name='l'>" + collision("a", "<sphere><radius>1</radius></sphere>") +
                     "</link>");

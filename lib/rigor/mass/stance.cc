@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <variant>
 
@@ -15,6 +16,10 @@ namespace {
 
 using model::Id;
 using model::Vector3;
+
+// What is flat may be this much off level, rad, by the rounding of its numbers. Less than the edge of a
+// rim's first points, which a wheel does not stand on.
+constexpr double kLevel = 0.01;
 
 // Points on a rim: those of a round shape that stands on its end.
 constexpr int kRim = 32;
@@ -97,20 +102,43 @@ struct Feet {
   }
 };
 
+/// Those that touch level ground where the lowest one does.
+void add_lowest(const std::vector<Vector3>& shape, std::vector<Vector3>& points) {
+  const auto lowest = std::min_element(shape.begin(), shape.end(),
+                                       [](const auto& a, const auto& b) { return a.z < b.z; });
+  std::copy_if(shape.begin(), shape.end(), std::back_inserter(points),
+               [&](const Vector3& p) { return p.z - lowest->z <= kLevel * length(p - *lowest); });
+}
+
 void add_feet(const model::Root& root, const model::Frames& frames, Id<model::Model> id,
               const FindMesh& find_mesh, std::vector<Vector3>& points) {
   for (const Id<model::Link> link : root[id].links) {
     for (const Id<model::Collision> collision : root[link].collisions) {
       const auto X_WS = frames.pose(collision);
       if (!X_WS) continue;
-      for (const Vector3& p : std::visit(Feet{*X_WS, find_mesh}, root[collision].geometry.shape)) {
-        points.push_back(transform(*X_WS, p));
-      }
+      std::vector<Vector3> shape =
+          std::visit(Feet{*X_WS, find_mesh}, root[collision].geometry.shape);
+      for (Vector3& p : shape) p = transform(*X_WS, p);
+      add_lowest(shape, points);
     }
   }
   for (const Id<model::Model> nested : root[id].models) {
     add_feet(root, frames, nested, find_mesh, points);
   }
+}
+
+/// By a joint; in URDF, by the convention of a link of that name.
+bool is_held(const model::Root& root, const model::Frames& frames, Id<model::Model> id) {
+  const model::Model& model = root[id];
+  return std::any_of(model.joints.begin(), model.joints.end(),
+                     [&](auto joint) { return frames.ends(joint).parent_is_world; }) ||
+         std::any_of(model.links.begin(), model.links.end(),
+                     [&](auto link) {
+                       return root.format == model::Format::kUrdf &&
+                              root[link].name.value == "world";
+                     }) ||
+         std::any_of(model.models.begin(), model.models.end(),
+                     [&](auto nested) { return is_held(root, frames, nested); });
 }
 
 }  // namespace
@@ -119,6 +147,7 @@ std::optional<Stance> stance_of(const model::Root& root, const model::Frames& fr
                                 Id<model::Model> model, const FindMesh& find_mesh,
                                 const Vector3& com) {
   std::vector<Vector3> points;
+  if (is_held(root, frames, model)) return std::nullopt;
   add_feet(root, frames, model, find_mesh, points);
   if (points.empty()) return std::nullopt;
   Stance stance;

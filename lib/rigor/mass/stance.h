@@ -31,7 +31,7 @@ struct Stance {
 };
 
 /// `com` in the frame of the poses, whose z is up. Nothing when the model has no collision with a
-/// place. A mesh is taken for the box around it.
+/// place, or a joint holds it to the world. A mesh is taken for the box around it.
 std::optional<Stance> stance_of(const model::Root& root, const model::Frames& frames,
                                 model::Id<model::Model> model, const FindMesh& find_mesh,
                                 const model::Vector3& com);
