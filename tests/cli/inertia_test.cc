@@ -143,6 +143,19 @@ TEST(InertiaCli, AMesh) {
   EXPECT_NEAR(small["volume"].get<double>(), 1e-3, 1e-12);
 }
 
+TEST(InertiaCli, AHullOfWhatIsASolidAlready) {
+  const Folder folder;
+  folder.put("two.stl", binary_stl(joined(box_mesh({1, 1, 1}), box_mesh({1, 1, 1}, {3, 0, 0}))));
+  const auto volume = [&](const std::string& options) {
+    const Ran ran = folder.rigor("inertia mesh two.stl --mass 12 --format json" + options);
+    return parsed(ran)["volume"].get<double>();
+  };
+  EXPECT_NEAR(volume(""), 2, 1e-9);
+  EXPECT_NEAR(volume(" --hull"), 4, 1e-9);
+  EXPECT_NEAR(volume(" --hollow 0.01"), 0.12, 1e-9);
+  expect_refused(folder, "mesh two.stl --mass 12 --hollow 0.2", 2, "a wall this thick");
+}
+
 TEST(InertiaCli, RefusesMeshesThatAreNoSolid) {
   const Folder folder;
   TriangleMesh open = box_mesh({1, 1, 1});

@@ -12,10 +12,13 @@
 
 #include <rigor/mass/hollow.h>
 #include <rigor/mass/mesh_survey.h>
+#include <rigor/mass/polyhedron.h>
 #include <rigor/mass/proposal.h>
 #include <rigor/mass/shapes.h>
 #include <rigor/mass/shell.h>
 #include <rigor/mesh/fault.h>
+#include <rigor/mesh/hull.h>
+#include <rigor/mesh/select.h>
 #include <rigor/report/inertia.h>
 #include <rigor/report/mesh_fault.h>
 #include <rigor/report/number.h>
@@ -169,13 +172,27 @@ std::string problem(const mass::MeshSurvey& survey, MeshState state) {
   return {};
 }
 
-Solid shell(const InertiaArguments& a, const model::Vector3& scale) {
-  if (a.hull) throw UsageError("--hull and --hollow: give one of them");
-  const double wall = positive_number("--hollow", a.hollow, "m");
+mesh::TriangleMesh scaled_mesh(const InertiaArguments& a, const model::Vector3& scale) {
   mesh::TriangleMesh mesh = mesh::read_mesh(RealDisk(), a.mesh).mesh;
   for (model::Vector3& p : mesh.positions) p = {p.x * scale.x, p.y * scale.y, p.z * scale.z};
-  if (const auto solid = mass::shell_of(mesh, wall)) return *solid;
-  throw NoAnswer(a.mesh + " has no area");
+  return mesh;
+}
+
+Solid shell(const InertiaArguments& a, const model::Vector3& scale, const mass::MeshBody& body) {
+  if (a.hull) throw UsageError("--hull and --hollow: give one of them");
+  const double wall = positive_number("--hollow", a.hollow, "m");
+  const auto solid = mass::shell_of(scaled_mesh(a, scale), wall);
+  if (!solid) throw NoAnswer(a.mesh + " has no area");
+  const bool encloses = body.state == MeshState::kSolid && body.solid;
+  if (!encloses || solid->volume < body.solid->volume) return *solid;
+  throw UsageError("--hollow " + a.hollow +
+                   " m: a wall this thick fills all that the mesh encloses");
+}
+
+Solid hull(const InertiaArguments& a, const model::Vector3& scale) {
+  const auto hull = mesh::convex_hull(mesh::used_positions(scaled_mesh(a, scale)));
+  if (hull) return mass::solid_of(mass::moments_of(*hull));
+  throw NoAnswer(a.mesh + " encloses nothing");
 }
 
 Solid mesh_solid(const InertiaArguments& a) {
@@ -195,10 +212,10 @@ Solid mesh_solid(const InertiaArguments& a) {
     say("rigor: " + report::printable(text));
   }
   require_plausible_unit(a, survey);
-  if (!a.hollow.empty()) return shell(a, scale);
   const mass::MeshBody body = mass::body_of(survey, scale);
+  if (!a.hollow.empty()) return shell(a, scale, body);
   const std::string why = problem(survey, body.state);
-  if (why.empty()) return *body.solid;
+  if (why.empty()) return a.hull ? hull(a, scale) : *body.solid;
   const bool turned = body.from == mass::BodyFrom::kTurnedMesh;
   if (a.hull && body.solid) {
     say("rigor: " + report::printable(a.mesh) + " " + why +
