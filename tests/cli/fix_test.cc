@@ -121,12 +121,15 @@ TEST(FixCli, PrintsADiffThatPatchTakes) {
   EXPECT_EQ(folder.get("two/arm.sdf"), kAllFixed);
 }
 
-TEST(FixCli, ExitsCleanWhenTheDiffIsEmpty) {
+TEST(FixCli, AnEmptyDiffFailsOnlyForWhatIsFound) {
   const Folder folder;
+  folder.put("good.sdf", kAllFixed);
   folder.put("arm.sdf", kSafelyFixed);
+  EXPECT_EQ(folder.rigor("validate --diff good.sdf").exit, 0);
   const Ran ran = folder.rigor("validate --diff arm.sdf");
-  EXPECT_EQ(ran.exit, 0);
+  EXPECT_EQ(ran.exit, 1);
   EXPECT_EQ(ran.out, "");
+  EXPECT_EQ(folder.rigor("validate --diff --fail-on never arm.sdf").exit, 0);
 }
 
 TEST(FixCli, FixesStdinToStdoutAndSaysTheRestOnStderr) {

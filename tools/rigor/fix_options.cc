@@ -145,7 +145,8 @@ void FixOptions::declare(CLI::App& app) {
       "--unsafe-fixes", unsafe_,
       "With --fix or --diff: also fixes that change mass, inertia, pose, limits or topology");
   app.add_flag("--diff", diff_,
-               "Print what --fix would change, and write nothing; exit 1 if anything");
+               "Print what --fix would change, and write nothing; exit 1 if anything, or if "
+               "there are findings as without it");
 }
 
 bool FixOptions::run(const Environment& environment, rules::ValidateOptions& options,

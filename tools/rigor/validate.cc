@@ -95,7 +95,13 @@ class Validate final : public Command {
     rules::ValidateResult result = checking.run(*sources);
     if (a_.fix.asked()) {
       const bool changed = a_.fix.run(checking.environment(), checking.options(), result, *sources);
-      if (a_.fix.diff()) return end_with_diff(result, changed);
+      if (a_.fix.diff()) {
+        result = a_.baseline.apply(checking.environment(), checking.options(), std::move(result));
+        conclude(result);
+        a_.fix.hint(result.diagnostics);
+        const int code = exit_code(checking, result);
+        return code == kClean && changed ? kFindings : code;
+      }
       if (changed) {
         sources = std::make_unique<Sources>();
         result = checking.run(*sources);
@@ -133,13 +139,6 @@ class Validate final : public Command {
   static void require_pretty(const std::string& option, const std::vector<Target>& targets) {
     const bool pretty = targets.size() == 1 && targets[0].format == 0 && targets[0].file.empty();
     if (!pretty) throw UsageError(option + " goes with no other format and writes no reports");
-  }
-
-  int end_with_diff(const rules::ValidateResult& result, bool changed) const {
-    conclude(result);
-    a_.fix.hint(result.diagnostics);
-    if (!result.unusable.empty()) return kUsage;
-    return changed ? kFindings : kClean;
   }
 
   void print(const std::vector<Target>& targets, const report::Validation& validation,
