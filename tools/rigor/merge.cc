@@ -86,12 +86,12 @@ class Merge final : public Command {
   void name_missing() {
     std::size_t next = 0;
     std::size_t named = 0;
+    std::size_t missing = 0;
     const auto gap = [&](std::size_t end) {
-      for (; next < end; ++next, ++problems_) {
-        if (++named <= kMostNamed) {
-          say("rigor: case " + std::to_string(next) + " of " + std::to_string(total_) +
-              " is missing");
-        }
+      missing += end - next;
+      for (; next < end && named < kMostNamed; ++next, ++named) {
+        say("rigor: case " + std::to_string(next) + " of " + std::to_string(total_) +
+            " is missing");
       }
     };
     for (const auto& [index, result] : results_) {
@@ -99,7 +99,8 @@ class Merge final : public Command {
       next = index + 1;
     }
     gap(total_);
-    if (named > kMostNamed) say("rigor: and " + std::to_string(named - kMostNamed) + " more");
+    if (missing > named) say("rigor: and " + std::to_string(missing - named) + " more");
+    problems_ += missing;
   }
 
   std::vector<std::string> files_;

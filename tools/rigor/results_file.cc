@@ -26,6 +26,7 @@ std::optional<CaseNumber> case_of(std::string_view line) {
     return one.is_object() && one.contains(key) && one[key].is_number_unsigned();
   };
   if (!is_count("index") || !is_count("of") || one["index"] >= one["of"]) return std::nullopt;
+  if (one.contains("id") && !one["id"].is_string()) return std::nullopt;
   const std::string id = one.value("id", std::string());
   return CaseNumber{one["index"].get<std::size_t>(), one["of"].get<std::size_t>(), id};
 }
