@@ -41,6 +41,7 @@ struct Fact {
   std::string name;
   std::vector<std::string> tried;
   std::size_t count = 0;
+  Span related = {};  ///< of kIncludeHasErrors: the first of them, in its file
 };
 
 }  // namespace rigor::read

@@ -131,6 +131,7 @@ class Run {
     Suppressions suppressions;
     std::size_t errors = 0;   ///< of the file itself
     std::string first_error;  ///< its message
+    Span first_error_where;
     std::vector<NotLookedAt> not_looked_at;
     std::vector<Included> includes;
   };
@@ -212,7 +213,10 @@ class Run {
         checked.runner->run(environment_, sources_, loaded, meshes_));
     for (const Diagnostic& found : checked.diagnostics.list()) {
       if (found.severity != Severity::kError || told_by_includer(found.rule)) continue;
-      if (checked.errors == 0) checked.first_error = found.message;
+      if (checked.errors == 0) {
+        checked.first_error = found.message;
+        checked.first_error_where = found.where;
+      }
       checked.errors += found.count;
     }
   }
@@ -239,7 +243,8 @@ class Run {
                              included.where,
                              fault_path,
                              {fault.first_error},
-                             fault.errors});
+                             fault.errors,
+                             fault.first_error_where});
     }
     if (about.facts.empty()) return {};
     return each_once(checked.suppressions.uncovered(

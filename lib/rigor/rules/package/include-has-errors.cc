@@ -8,10 +8,13 @@ namespace {
 
 void check(const read::Fact& fact, Context& context) {
   const bool one = fact.count == 1;
+  std::vector<Label> first;
+  if (!fact.related.nowhere()) first.push_back({fact.related, fact.tried.front()});
   context.report({.where = fact.where,
                   .message = "the included file '" + fact.name + "' has " +
                              (one ? "an error" : std::to_string(fact.count) + " errors") + ": " +
                              fact.tried.front() + (one ? "" : ", …"),
+                  .related = std::move(first),
                   .help = "check that file: rigor validate " + fact.name});
 }
 
