@@ -7,7 +7,8 @@
 //    "metrics": [{"id": "tilt.max", "value": 3.1, "unit": "rad", "warn": 0.087, "fail": 0.52,
 //    "verdict": "fail"}, …], …}], "diagnostics": […]}
 //
-// Of one model the JSON is an object, of several a list of them under "models".
+// Of one model the JSON is an object, whose runs name their case where there are several; of several
+// models a list of them under "models".
 
 #pragma once
 
@@ -39,7 +40,10 @@ std::string simulation_csv(const SimulationReport& report);
 /// One page that loads nothing: verdicts, plots, paths.
 std::string simulation_html(const SimulationReport& report);
 
-/// "2 models: 1 pass, 1 fail", without a line break.
+/// Its path, and of a point of a grid which one: "cart.sdf [friction=0.2 seed=1]".
+std::string case_name(const author::SimulatedModel& model);
+
+/// "2 models: 1 pass, 1 fail", "1 model in 6 cases: 6 pass", without a line break.
 std::string simulation_summary(const SimulationReport& report);
 
 }  // namespace rigor::report

@@ -17,7 +17,7 @@ using author::SimulatedModel;
 
 std::string model_section(const SimulatedModel& model, const Sources& sources) {
   std::string out =
-      fmt::format("<h2>{} – {}</h2>\n", escaped(model.path), verdict_html(model.verdict()));
+      fmt::format("<h2>{} – {}</h2>\n", escaped(case_name(model)), verdict_html(model.verdict()));
   if (model.untested()) out += "<p>Nothing was tested.</p>\n";
   const std::string findings = concise(model.diagnostics, sources);
   if (!findings.empty()) out += "<pre>" + escaped(findings) + "</pre>\n";

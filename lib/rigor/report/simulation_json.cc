@@ -99,9 +99,39 @@ Json model_of(const SimulatedModel& model, const Sources& sources) {
           {"diagnostics", diagnostics_of(model.diagnostics, sources)}};
 }
 
+Json case_of(const SimulatedModel& model) {
+  return {{"case", {{"index", model.one.index}, {"of", model.cases}, {"id", model.one.id}}}};
+}
+
 Json head() {
   return {{"tool", {{"name", kToolName}, {"version", tool_version()}}},
           {"schema_version", kSchemaVersion}};
+}
+
+bool of_one_model(const SimulationReport& report) {
+  return !report.models.empty() &&
+         std::all_of(report.models.begin(), report.models.end(), [&](const SimulatedModel& model) {
+           return model.path == report.models.front().path;
+         });
+}
+
+/// The cases of one model: all runs, each with the name of its case, and the worst verdict.
+Json joined(const SimulationReport& report) {
+  Json all = model_of(report.models.front(), report.sources);
+  simulate::Verdict verdict = simulate::Verdict::kPass;
+  all["runs"] = Json::array();
+  all["diagnostics"] = Json::array();
+  for (const SimulatedModel& model : report.models) {
+    verdict = simulate::worse(verdict, model.verdict());
+    Json one = model_of(model, report.sources);
+    for (Json& run : one["runs"]) {
+      run["case"] = model.one.id;
+      all["runs"].push_back(std::move(run));
+    }
+    for (Json& found : one["diagnostics"]) all["diagnostics"].push_back(std::move(found));
+  }
+  all["verdict"] = to_string(verdict);
+  return all;
 }
 
 }  // namespace
@@ -110,17 +140,20 @@ std::string simulation_json(const SimulationReport& report) {
   Json json = head();
   if (report.models.size() == 1) {
     json.update(model_of(report.models.front(), report.sources));
+  } else if (of_one_model(report)) {
+    json.update(joined(report));
   } else {
     json["models"] = Json::array();
     for (const SimulatedModel& model : report.models) {
-      json["models"].push_back(model_of(model, report.sources));
+      json["models"].push_back(case_of(model));
+      json["models"].back().update(model_of(model, report.sources));
     }
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 std::string simulation_line(const SimulatedModel& model, const Sources& sources) {
-  Json line = {{"case", {{"index", model.one.index}, {"of", model.cases}, {"id", model.one.id}}}};
+  Json line = case_of(model);
   line.update(model_of(model, sources));
   return line.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }

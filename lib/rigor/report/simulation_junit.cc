@@ -32,7 +32,8 @@ std::string measured(const simulate::Run& run) {
 }
 
 JunitCase run_case(const SimulatedModel& model, const simulate::Run& run, const Sources& sources) {
-  JunitCase one{.class_name = model.path, .name = run.test, .time = number(run.record.end_time)};
+  JunitCase one{
+      .class_name = case_name(model), .name = run.test, .time = number(run.record.end_time)};
   if (run.seed != 0) one.name += fmt::format(" (seed {})", run.seed);
   if (failed(run.verdict)) {
     one.outcome = JunitCase::Outcome::kFailure;
@@ -44,9 +45,9 @@ JunitCase run_case(const SimulatedModel& model, const simulate::Run& run, const 
 }
 
 JunitSuite model_suite(const SimulatedModel& model, const Sources& sources) {
-  JunitSuite suite{.name = model.path};
+  JunitSuite suite{.name = case_name(model)};
   if (model.blocked) {
-    suite.cases.push_back({.class_name = model.path,
+    suite.cases.push_back({.class_name = case_name(model),
                            .name = "load",
                            .outcome = JunitCase::Outcome::kError,
                            .message = "invalid",
@@ -58,7 +59,7 @@ JunitSuite model_suite(const SimulatedModel& model, const Sources& sources) {
     suite.cases.push_back(run_case(model, run, sources));
   }
   for (const std::string& why : model.left_out) {
-    suite.cases.push_back({.class_name = model.path,
+    suite.cases.push_back({.class_name = case_name(model),
                            .name = why.substr(0, why.find(':')),
                            .outcome = JunitCase::Outcome::kSkipped,
                            .message = why});

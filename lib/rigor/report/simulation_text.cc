@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <string_view>
 
 #include <fmt/core.h>
 
@@ -86,7 +88,7 @@ std::string run_lines(const simulate::Run& run, Color color) {
 
 std::string model_lines(const SimulatedModel& model, Color color) {
   std::string out =
-      fmt::format("{}: {}{}\n", printable(model.path),
+      fmt::format("{}: {}{}\n", printable(case_name(model)),
                   paint(to_string(model.verdict()), paint_of_verdict(model.verdict()), color),
                   model.untested() ? ", but nothing was tested" : "");
   for (const simulate::Run& run : model.simulation.runs) out += run_lines(run, color);
@@ -98,7 +100,7 @@ std::string model_lines(const SimulatedModel& model, Color color) {
 
 /// Of several models: a line each.
 std::string table_line(const SimulatedModel& model, Color color) {
-  std::string line = "  " + verdict_cell(model.verdict(), color) + printable(model.path);
+  std::string line = "  " + verdict_cell(model.verdict(), color) + printable(case_name(model));
   std::string failed;
   for (const simulate::Run& run : model.simulation.runs) {
     if (run.verdict == Verdict::kPass) continue;
@@ -123,12 +125,22 @@ std::string simulation_text(const SimulationReport& report, Color color) {
   return out;
 }
 
+std::string case_name(const SimulatedModel& model) {
+  const bool is_plain = model.one.values.empty() && model.one.seed == 0;
+  return is_plain ? model.path : model.path + " [" + model.one.id + ']';
+}
+
 std::string simulation_summary(const SimulationReport& report) {
   std::array<std::size_t, 5> counts{};
+  std::set<std::string_view> paths;
   for (const SimulatedModel& model : report.models) {
+    paths.insert(model.path);
     ++counts[static_cast<std::size_t>(model.verdict())];
   }
-  std::string out = counted(report.models.size(), "model");
+  std::string out = counted(paths.size(), "model");
+  if (paths.size() < report.models.size()) {
+    out += " in " + counted(report.models.size(), "case");
+  }
   const char* separator = ": ";
   for (const Verdict verdict :
        {Verdict::kPass, Verdict::kWarn, Verdict::kSolver, Verdict::kFail, Verdict::kInvalid}) {
