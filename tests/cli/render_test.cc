@@ -94,7 +94,7 @@ TEST_F(RenderCli, AFolderIsASheetAndABrokenModelTakesNothingFromIt) {
   folder.put("many/b/b.sdf", model("0 1 0"));
   folder.put("many/c/c.sdf", "<sdf version='1.7'><model name='m'");
   const Ran ran = folder.rigor("render many -o sheet.png --size 50x40");
-  EXPECT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_EQ(ran.exit, 1) << ran.err;
   EXPECT_NE(ran.err.find("c.sdf"), std::string::npos) << ran.err;
   EXPECT_EQ(picture("sheet.png").height, 2 * (40U + 22) + 8);
   EXPECT_EQ(picture("sheet.png").width, 50U);

@@ -233,6 +233,8 @@ TEST_F(SimulateCli, AWrongInvocationIsTold) {
   usage("crate.sdf --shard 3/2", "I/N");
   usage("crate.sdf --time-step 0", "above 0");
   usage("crate.sdf --resume", "jsonl");
+  usage("crate.sdf --model crat", "did you mean \"crate\"");
+  usage("crate.sdf --duration 3", "--command");
   folder_.put("bad.toml", "[[step]]\nuntil = 1\nunitl = 2\n");
   usage("crate.sdf --scenario bad.toml", "bad.toml:3: [step] unknown key unitl");
 }
@@ -256,6 +258,15 @@ TEST_F(SimulateCli, AFolderGivesATable) {
   EXPECT_NE(ran.out.find("models/a.sdf"), std::string::npos);
   EXPECT_NE(ran.out.find("models/deep/b.sdf"), std::string::npos);
   EXPECT_EQ(ran.err, "2 models: 2 pass\n");
+}
+
+TEST_F(SimulateCli, ABrokenFileAmongOthersIsNotPassedOver) {
+  folder_.put("models/a.sdf", kCrate);
+  folder_.put("models/b.sdf", "<sdf version='1.9'><model name='m'");
+  const Ran ran = simulate("models");
+  EXPECT_EQ(ran.exit, 1);
+  EXPECT_NE(ran.out.find("invalid models/b.sdf"), std::string::npos) << ran.out;
+  EXPECT_EQ(ran.err, "2 models: 1 pass, 1 invalid\n");
 }
 
 TEST_F(SimulateCli, JunitIsWellFormedAndCounts) {
@@ -337,6 +348,10 @@ TEST_F(SweepCli, MergeNamesWhatIsMissingOrDoubled) {
       << doubled.err;
   folder_.put("other.jsonl", "{}\n");
   EXPECT_EQ(folder_.rigor("merge other.jsonl").exit, 2);
+  folder_.put("name.jsonl", "{\"case\":{\"index\":0,\"of\":1,\"id\":5}}\n");
+  EXPECT_EQ(folder_.rigor("merge name.jsonl").exit, 2);
+  folder_.put("many.jsonl", "{\"case\":{\"index\":0,\"of\":18446744073709551615}}\n");
+  EXPECT_EQ(folder_.rigor("merge many.jsonl").exit, 1);
 }
 
 TEST_F(SweepCli, ResumesAfterATornLine) {

@@ -101,13 +101,12 @@ int ConversionCommand::run(const Convert& convert) const {
   const author::Conversion result = convert(environment, sources, workspace, loaded, options);
   if (!check_.empty()) return check(environment, sources, workspace, loaded, result);
   tell(result, sources);
-  const bool fails = selection_.fails(result.diagnostics);
-  if (!result.text || fails || result.diagnostics.count(Severity::kError) > 0) {
+  if (!result.text || result.diagnostics.count(Severity::kError) > 0) {
     say("rigor: nothing is written");
-    return fails || !result.text ? kFindings : kClean;
+    return kFindings;
   }
   write_result(result);
-  return kClean;
+  return selection_.fails(result.diagnostics) ? kFindings : kClean;
 }
 
 void ConversionCommand::tell(const author::Conversion& result, const Sources& sources) const {

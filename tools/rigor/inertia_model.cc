@@ -209,6 +209,7 @@ int run_model_inertia(const InertiaArguments& a) {
     say("rigor: " + report::printable(path) + " " + why + "; `rigor validate` says more");
     return kFindings;
   }
+  tell_unfollowed(loaded);
   refuse_ambiguous_links(loaded.root, options);
   for (const std::string& name : unknown_links(loaded.root, options)) {
     std::vector<std::string_view> known;

@@ -36,14 +36,9 @@ std::string problem(const read::Loaded& loaded, const model::Frames& frames) {
   const std::string path = report::printable(loaded.file->path);
   if (!loaded.file->document->complete()) return path + " is not well-formed: this is a part of it";
   if (loaded.root.format == model::Format::kUnknown) return path + " is no robot model";
-  const auto missing = [](const read::Fact& fact) {
-    return fact.kind == read::FactKind::kIncludeNotFound ||
-           fact.kind == read::FactKind::kIncludeUnreadable ||
-           fact.kind == read::FactKind::kIncludeCycle;
-  };
-  const auto lost = std::count_if(loaded.facts.begin(), loaded.facts.end(), missing);
+  const std::size_t lost = lost_includes(loaded);
   if (lost > 0) {
-    return report::counted(static_cast<std::size_t>(lost), "include") + " could not be followed";
+    return report::counted(lost, "include") + " could not be followed";
   }
   if (frames.problems().empty()) return {};
   return report::counted(frames.problems().size(), "frame problem");
@@ -81,6 +76,7 @@ class Inspect final : public Command {
                                         rules::mesh_finder(environment.resolver, sources, surveys)};
     for (const Target& target : targets)
       write(target, kInspectFormats[target.format].emit(inspection));
+    tell_unfollowed(loaded);
     const std::string why = problem(loaded, frames);
     if (why.empty()) return kClean;
     say("rigor: " + why + "; `rigor validate` says more");

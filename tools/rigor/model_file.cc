@@ -3,6 +3,7 @@
 
 #include "model_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <variant>
@@ -84,6 +85,36 @@ const read::File& open_model(read::Workspace& workspace, const std::string& name
   const read::File& file = workspace.open(path);
   if (!file.document) throw UsageError(path + ": " + file.problem);
   return file;
+}
+
+void require_model(const std::string& name, const std::vector<const model::Root*>& roots) {
+  if (name.empty()) return;
+  std::vector<std::string> names;
+  for (const model::Root* root : roots) {
+    for (std::uint32_t i = 0; i < root->models.size(); ++i) {
+      names.push_back(scoped_name(*root, model::Id<model::Model>{i}));
+    }
+  }
+  choice("--model", name, {names.begin(), names.end()});
+}
+
+std::size_t lost_includes(const read::Loaded& loaded) {
+  const auto lost = [](const read::Fact& fact) {
+    return fact.kind == read::FactKind::kIncludeNotFound ||
+           fact.kind == read::FactKind::kIncludeUnreadable ||
+           fact.kind == read::FactKind::kIncludeCycle;
+  };
+  return static_cast<std::size_t>(std::count_if(loaded.facts.begin(), loaded.facts.end(), lost));
+}
+
+void tell_unfollowed(const read::Loaded& loaded) {
+  const auto unfollowed = [](const read::Fact& fact) {
+    return fact.kind == read::FactKind::kUnfollowedInclude;
+  };
+  const auto count = std::count_if(loaded.facts.begin(), loaded.facts.end(), unfollowed);
+  if (count == 0) return;
+  say("rigor: " + report::counted(static_cast<std::size_t>(count), "include") +
+      " not looked at, as nothing is downloaded: this is the model without");
 }
 
 model::JointPositions joint_positions(const model::Root& root,

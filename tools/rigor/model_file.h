@@ -5,12 +5,13 @@
 
 #pragma once
 
-#include <map>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
+#include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
 #include <rigor/text/disk.h>
 
@@ -22,6 +23,15 @@ const read::File& open_model(read::Workspace& workspace, const std::string& path
 /// What `open_model` takes, one by one: of a folder without a model.config, all files in it. A UsageError when a
 /// folder cannot be read.
 std::vector<std::string> model_paths(const Disk& disk, const std::vector<std::string>& named);
+
+/// A UsageError when a name is given, and no model of these is called so.
+void require_model(const std::string& name, const std::vector<const model::Root*>& roots);
+
+/// How many includes of a model lead nowhere.
+std::size_t lost_includes(const read::Loaded& loaded);
+
+/// Tells how many are not in the Fuel cache, so that what is said is without them.
+void tell_unfollowed(const read::Loaded& loaded);
 
 /// Of `--joint NAME=VALUE`: by scoped name; a name without its scope will do when only one joint has
 /// it.

@@ -227,15 +227,19 @@ class Render final : public Command {
     }
     const PictureOptions options = size(kOfASheet);
     std::vector<view::Tile> tiles;
+    bool all = true;
     for (const std::string& file : files) {
       const std::optional<DrawnModel> drawn = drawn_for_sheet(painter, file, layers);
-      if (!drawn || !drawn->problem.empty()) continue;
+      if (!drawn || !drawn->problem.empty()) {
+        all = false;
+        continue;
+      }
       tiles.push_back({painter.picture(drawn->drawing, *view, options), caption_of(file)});
     }
     if (tiles.empty()) return kFindings;
     const std::size_t columns = view::columns_for(tiles.size(), options.width, options.height);
     write_picture(out_, view::sheet(tiles, columns));
-    return kClean;
+    return all ? kClean : kFindings;
   }
 
   /// One that cannot be read takes nothing from the others.

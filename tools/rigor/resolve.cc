@@ -19,6 +19,9 @@ struct ResolveFormat {
 constexpr ResolveFormat kResolveFormats[] = {{"text", report::resolution_text},
                                              {"json", report::resolution_json}};
 
+/// A file that would lie in the working folder, whose configuration counts.
+constexpr const char* kHere = "./model.sdf";
+
 class Resolve final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
@@ -40,7 +43,7 @@ class Resolve final : public Command {
       throw UsageError("--from " + from_ + ": no such file");
     }
     const read::Resolver resolver(disk, search_.paths());
-    const read::Resolution found = resolver.resolve(uri_, from_);
+    const read::Resolution found = resolver.resolve(uri_, from_.empty() ? kHere : from_);
     for (const Target& target : targets)
       write(target, kResolveFormats[target.format].emit(uri_, found));
     return found.path ? kClean : kFindings;

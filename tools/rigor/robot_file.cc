@@ -27,27 +27,21 @@ namespace {
 
 using model::Id;
 
-/// What keeps a file from being compared; empty when nothing does.
 /// One file has one name, from wherever it is looked at.
 std::string whole_path(const std::string& path) {
   std::error_code error;
   return path.empty() ? path : join_path(std::filesystem::current_path(error).string(), path);
 }
 
+/// What keeps a file from being compared; empty when nothing does.
 std::string unreadable(const read::Loaded& loaded) {
   if (!loaded.file->document->complete()) return " is not well-formed";
   const model::Format format = loaded.root.format;
   if (format != model::Format::kSdf && format != model::Format::kUrdf) return " is no robot model";
   if (loaded.root.models.empty()) return " has no model";
-  const auto missing = [](const read::Fact& fact) {
-    return fact.kind == read::FactKind::kIncludeNotFound ||
-           fact.kind == read::FactKind::kIncludeUnreadable ||
-           fact.kind == read::FactKind::kIncludeCycle;
-  };
-  const auto lost = std::count_if(loaded.facts.begin(), loaded.facts.end(), missing);
+  const std::size_t lost = lost_includes(loaded);
   if (lost == 0) return {};
-  return ": " + report::counted(static_cast<std::size_t>(lost), "include") +
-         " could not be followed";
+  return ": " + report::counted(lost, "include") + " could not be followed";
 }
 
 /// Of several the one that is named; the only one whatever it is called.

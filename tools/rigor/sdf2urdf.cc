@@ -4,6 +4,7 @@
 // `rigor sdf2urdf`: an SDF model as URDF.
 
 #include "conversion.h"
+#include "model_file.h"
 #include "numbers.h"
 
 namespace rigor::tool {
@@ -53,6 +54,7 @@ class SdfToUrdf final : public Command {
     return common_.run([&how](const Environment& environment, Sources& sources,
                               read::Workspace& workspace, const read::Loaded& loaded,
                               const author::ConversionOptions& options) {
+      require_model(how.model, {&loaded.root});
       return author::to_urdf(environment, sources, workspace, loaded, how, options);
     });
   }

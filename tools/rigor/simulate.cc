@@ -73,13 +73,13 @@ class Simulate final : public Command {
     std::deque<author::PreparedModel> models;
     for (const std::string& path : files(disk, options.plan)) {
       loaded.push_back(read::load(reader, open_model(workspace, path)));
-      const model::Format format = loaded.back().root.format;
-      const bool model = format == model::Format::kSdf || format == model::Format::kUrdf;
-      if (!model && several_) continue;
       const auto positions = joint_positions(loaded.back().root, choices_.joints());
       models.push_back(simulator.prepare(loaded.back(), positions));
     }
     if (models.empty()) throw UsageError("there is no model to simulate");
+    std::vector<const model::Root*> roots;
+    for (const read::Loaded& file : loaded) roots.push_back(&file.root);
+    require_model(options.scene.model, roots);
     return conclude(simulator, models, grid, targets, sources);
   }
 
@@ -90,9 +90,7 @@ class Simulate final : public Command {
     if (named.empty()) {
       throw UsageError("simulate needs a model; `rigor simulate --help` shows examples");
     }
-    std::vector<std::string> all = model_paths(disk, named);
-    several_ = all.size() > 1;
-    return all;
+    return model_paths(disk, named);
   }
 
   /// Every model at every point of the grid, but for those that are done or another shard's.
@@ -179,7 +177,6 @@ class Simulate final : public Command {
   }
 
   std::vector<std::string> paths_;
-  bool several_ = false;
   bool resume_ = false;
   SimulationChoices choices_;
   OutputOptions output_;

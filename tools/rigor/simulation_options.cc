@@ -165,6 +165,9 @@ simulate::Plan SimulationChoices::plan(const Disk& disk) const {
     }
   }
   for (const std::string& path : scenarios_) plan.scenarios.push_back(scenario_from(disk, path));
+  if (commands_.empty() && !(duration_.empty() && ramp_.empty())) {
+    throw UsageError("--duration and --ramp are of --command, and there is none");
+  }
   if (!commands_.empty()) plan.scenarios.push_back(commanded());
   if (plan.tests.empty() && plan.scenarios.empty()) plan.tests.emplace_back("settle");
   return plan;
