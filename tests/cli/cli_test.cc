@@ -152,7 +152,8 @@ TEST_F(Cli, PrettyIsTheDefault) {
 TEST_F(Cli, FailOnDecidesTheExitCode) {
   EXPECT_EQ(rigor("validate --fail-on never bad.sdf").exit, 0);
   EXPECT_EQ(rigor("validate --fail-on error bad.sdf").exit, 1);
-  const std::string as = "validate bad.sdf --select joint-limit-inverted --severity joint-limit-inverted";
+  const std::string as =
+      "validate bad.sdf --select joint-limit-inverted --severity joint-limit-inverted";
   EXPECT_EQ(rigor(as + "=warning").exit, 0);
   EXPECT_EQ(rigor(as + "=warning --fail-on warning").exit, 1);
   EXPECT_EQ(rigor(as + "=info --fail-on warning").exit, 0);
@@ -305,6 +306,24 @@ TEST_F(Cli, InspectTsv) {
             "link\tarm::base\t0\t0\t0\t1\t0\t0\t0\t2 0 0 0 0.1 0 0 0.1 0 0.1\n"
             "link\tarm::fore\\sarm\t0\t0\t1\t1\t0\t0\t0\t1 0 0 0 0.1 0 0 0.1 0 0.1\n"
             "joint\tarm::elbow\t0\t0\t1\t1\t0\t0\t0\tbase fore\\sarm revolute 0 0 1\n");
+}
+
+TEST_F(Cli, InspectTsvIsInTheOrderOfTheFile) {
+  folder_.put("mixed.sdf",
+              R"(<sdf version='1.9'><world name='w'><frame name='first'/><model name='m'>
+  <joint name='j' type='fixed'><parent>b</parent><child>a</child></joint>
+  <frame name='f'/>
+  <link name='b'><visual name='v'><geometry><empty/></geometry></visual>
+    <collision name='c'><geometry><empty/></geometry></collision></link>
+  <model name='n'><link name='l'/></model>
+  <link name='a'/></model></world></sdf>)");
+  const std::string out = rigor("inspect mixed.sdf --format tsv").out;
+  std::string names;
+  for (std::size_t at = 0; at < out.size(); at = out.find('\n', at) + 1) {
+    const std::size_t name = out.find('\t', at) + 1;
+    names += out.substr(name, out.find('\t', name) - name) + ' ';
+  }
+  EXPECT_EQ(names, "first m m::j m::f m::b m::b::v m::b::c m::n m::n::l m::a ");
 }
 
 TEST_F(Cli, InspectMovesJoints) {

@@ -74,7 +74,7 @@ TEST_F(ConfigFile, IgnoreSelectAndSeverity) {
   config("select = ['axis-not-unit']\n");
   EXPECT_FALSE(says(validate().out, kInverted));
   EXPECT_TRUE(says(validate().out, kNotUnit));
-  config("[severity]\nlimit-inverted = 'info'\naxis-not-unit = 'off'\n");
+  config("[severity]\njoint-limit-inverted = 'info'\naxis-not-unit = 'off'\n");
   EXPECT_EQ(validate().exit, 0);
   EXPECT_TRUE(says(validate().out, std::string("info: "))) << validate().out;
   EXPECT_FALSE(says(validate().out, kNotUnit));

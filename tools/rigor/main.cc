@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <cstdio>
+#include <deque>
 #include <exception>
 
 #include <rigor/report/printable.h>
@@ -15,18 +16,18 @@ namespace {
 constexpr std::string_view kGreeting =
     R"(rigor checks robot models (SDFormat, URDF) before a simulator loads them.
 
-  rigor validate [PATH...]     check files and folders
-  rigor inspect PATH           tree, poses and masses of a model
-  rigor inertia SHAPE|MODEL    mass and inertia, exactly; written into the file
-  rigor mesh-check FILE|MODEL  check, repair, centre, reduce and convert meshes
-  rigor sdf2urdf IN -o OUT     convert, with an account of every loss; urdf2sdf back
-  rigor diff A B, upgrade A    as robots: what differs; a newer SDF, the same robot
-  rigor simulate MODEL         drop it, drive it, sweep its joints: a verdict
-  rigor render, view MODEL     pictures of it without a window; an offline page to turn it
-  rigor report PATH... -o HTML all of this about many models, as a page for a team
-  rigor new NAME               a robot to begin with, done right and explained
-  rigor rules, explain RULE    what is checked; why, and what to do about it
-  rigor schema, resolve, init  a format's elements; where a URI leads; a rigor.toml
+  validate, report         check files and folders; a page about many models for a team
+  inspect, render, view    tree, poses and masses; pictures without a window; a page to turn it
+  inertia, mesh-check      mass and inertia, exactly; check, repair, reduce and convert meshes
+  sdf2urdf, urdf2sdf       convert, with an account of every loss
+  diff, upgrade            what differs between robots; a newer SDF of the same robot
+  simulate, merge          drop it, drive it, sweep its joints: a verdict; join sharded runs
+  new, init                a robot to begin with, done right and explained; a rigor.toml
+  rules, explain           what is checked; why, and what to do about it
+  schema, resolve          a format's elements; where a URI leads
+
+  rigor validate my_robot                check every model and mesh in a folder
+  rigor simulate my_robot --test drive   `rigor COMMAND --help` begins with examples, too
 )";
 
 /// The first word that nobody declared, and what it was probably meant to be.
@@ -99,7 +100,12 @@ int run(std::vector<std::string> arguments) {
   examples_first(program, {"rigor validate my_robot"});
   const std::vector<std::unique_ptr<Command>> commands = commands_for(arguments.front());
   std::vector<CLI::App*> apps;
-  for (const auto& command : commands) apps.push_back(command->declare(program));
+  std::deque<ColorOption> never_colored;
+  for (const auto& command : commands) {
+    apps.push_back(command->declare(program));
+    const bool is_known = apps.back()->get_option_no_throw("--color") != nullptr;
+    if (!is_known) never_colored.emplace_back().declare(*apps.back());
+  }
 
   try {
     // CLI11 takes the arguments from the back.
@@ -112,6 +118,7 @@ int run(std::vector<std::string> arguments) {
   } catch (const CLI::ParseError& error) {
     return usage_error(error.what());
   }
+  for (const ColorOption& option : never_colored) option.of({});  // refuses what is none
   for (std::size_t i = 0; i < commands.size(); ++i) {
     if (apps[i]->parsed()) return commands[i]->run();
   }
