@@ -5,8 +5,9 @@
 // on by const reference. It takes the place of every global.
 //
 //   RealDisk disk;
+//   Sources sources;
 //   Environment environment(disk, read::search_paths_from(get_environment_variable));
-//   rules::ValidateResult result = rules::validate(environment, {.paths = {"models"}});
+//   rules::ValidateResult result = rules::validate(environment, {.paths = {"models"}}, sources);
 
 #pragma once
 

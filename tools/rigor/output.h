@@ -3,7 +3,7 @@
 //
 // Where reports go: `--format NAME` to stdout, `--output FORMAT[:FILE]` to stdout or a file.
 //
-//   for (const Target& target : output_.targets(names)) write(target, emit(target.format));
+//   for (const Target& target : output_.targets()) write(target, emit(target.format));
 
 #pragma once
 

@@ -5,7 +5,7 @@
 // with what it found wrong. It always gives something: a damaged file gives what stands before the
 // damage.
 //
-//   Loaded loaded = load(workspace, resolver, schemas, "robot.sdf");
+//   Loaded loaded = load(reader, workspace.open("robot.sdf"));
 //   for (const model::Link& link : loaded.root.links) ...
 
 #pragma once

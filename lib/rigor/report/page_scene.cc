@@ -5,9 +5,9 @@
 #include <cmath>
 #include <set>
 
-#include <rigor/text/base64.h>
 #include <rigor/report/json_page.h>
 #include <rigor/report/summary.h>
+#include <rigor/text/base64.h>
 #include <rigor/view/shrink.h>
 
 namespace rigor::report {

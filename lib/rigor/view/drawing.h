@@ -4,7 +4,7 @@
 // A model as bodies to draw: triangles, where they are, and how they look. What a picture is traced
 // from, and what the page of `rigor view` holds.
 //
-//   const Drawing drawing = draw(root, frames, sources, {.layers = {Layer::kVisual}});
+//   const Drawing drawing = draw(root, frames, sources, files, {.layers = {Layer::kVisual}});
 //   for (const Body& body : drawing.bodies) place(*body.mesh, body.pose, body.scale);
 
 #pragma once

@@ -5,7 +5,7 @@
 // Coordinates are relative to the drawing's middle, and a mesh's to its own, so
 // that 32-bit numbers do for a robot a kilometre off.
 //
-//   const Stage stage(embree, drawing);
+//   const Stage stage(embree, drawing, encoding);
 //   if (const auto hit = stage.first_solid(ray)) shade(*hit);
 //
 // What is solid is kept apart from what lets light through or marks what is
