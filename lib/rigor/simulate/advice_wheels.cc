@@ -36,9 +36,6 @@ constexpr double kLeastWheelMu = 1e-3;  // in a division
 constexpr double kRadiiShare = 0.01;
 constexpr double kRadiiSevere = 5;
 
-/// Wheels are on one axle when one is not farther ahead of the other than this share of its radius.
-constexpr double kOneAxleShare = 0.5;
-
 void add_friction(Causes& causes, const Wheel& wheel) {
   const ContactSurface& surface = causes.scene.shapes[wheel.shape].surface;
   // A wheel with rollers has friction in one direction only.
@@ -58,7 +55,7 @@ void add_radii(Causes& causes) {
       const Wheel& large = left.radius < right.radius ? right : left;
       const double ahead = dot(small.centre_W - large.centre_W, causes.wheels.forward_W);
       const double share = (large.radius - small.radius) / large.radius;
-      if (std::abs(ahead) > kOneAxleShare * large.radius || share <= kRadiiShare) continue;
+      if (std::abs(ahead) > kAxleShare * large.radius || share <= kRadiiShare) continue;
       Fact about = about_shape(scene, small.shape);
       about.name = about_shape(scene, large.shape).subject;
       causes.add(FactKind::kCauseWheelRadii, std::move(about), small.radius, large.radius,

@@ -17,9 +17,6 @@ constexpr double kCruise = 3;      // s, at full speed
 constexpr double kTurnCruise = 2;  // s
 constexpr double kHalt = 0.5;      // s, from full speed to none
 
-/// Wheels are on one axle when one is not farther ahead of the other than this share of its radius.
-constexpr double kAxleShare = 0.5;
-
 std::string no_wheels(const DriveTrain& wheels) {
   if (wheels.named) {
     return "none of the joints named as wheels is a hinge with a level axis and a round collision";

@@ -68,6 +68,9 @@ DriveTrain find_wheels(const Scene& scene, const std::vector<std::string>& named
 /// what contacts sink in, and the care with which models are drawn.
 inline constexpr double kTouchGap = 0.003;  // m
 
+/// Wheels are on one axle when one is not farther ahead of the other than this share of its radius.
+inline constexpr double kAxleShare = 0.5;
+
 /// Whether a hinge may turn on and on: without limits, or with limits that are far apart. What joints
 /// of arms and legs may travel, a few turns, is not.
 bool can_turn_over(const SceneJoint& joint);
