@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <rigor/simulate/metric_parts.h>
+#include <rigor/simulate/round_shape.h>
 
 namespace rigor::simulate {
 namespace {

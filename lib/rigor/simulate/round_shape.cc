@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/simulate/wheels.h>
+#include <rigor/simulate/round_shape.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include <rigor/simulate/reach.h>
+#include <rigor/simulate/round_shape.h>
 
 namespace rigor::simulate {
 namespace {

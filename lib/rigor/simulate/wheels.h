@@ -10,7 +10,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,18 +29,6 @@ struct Wheel {
   /// +1 when a positive velocity rolls it forward.
   double sign = 1;
 };
-
-/// What of a shape can roll about an axis.
-struct RoundShape {
-  double radius = 0;  ///< m
-  double width = 0;   ///< m
-  Vector3 middle_W;
-  Vector3 axis_W;  ///< its own; zero for a ball
-};
-
-/// Nothing when it is not round about an axis that is roughly this one.
-std::optional<RoundShape> round_about(const Scene& scene, const SceneShape& shape,
-                                      const Vector3& axis_W);
 
 struct DriveTrain {
   std::uint32_t model = kWorld;  ///< index in the scene
