@@ -77,6 +77,15 @@ TEST(Wheels, AreNoneWhereTheJointHasLimitsOrIsUpright) {
   EXPECT_EQ(find_wheels(scene, {}).left.size(), 1U);
 }
 
+TEST(Wheels, ANameIsThatOfAThingOrItsEnd) {
+  EXPECT_TRUE(is_named("robot::arm::elbow", "robot::arm::elbow"));
+  EXPECT_TRUE(is_named("robot::arm::elbow", "arm::elbow"));
+  EXPECT_TRUE(is_named("robot::arm::elbow", "elbow"));
+  EXPECT_FALSE(is_named("robot::arm::elbow", "bow"));
+  EXPECT_FALSE(is_named("robot::arm::elbow", "arm"));
+  EXPECT_FALSE(is_named("elbow", "arm::elbow"));
+}
+
 TEST(Wheels, NamedOnesNeedNoOpenLimitsAndTakeTheEndOfAName) {
   Scene scene = tutorial_robot();
   for (SceneJoint& joint : scene.joints) {

@@ -12,11 +12,6 @@
 namespace rigor::simulate {
 namespace {
 
-bool ends_as(std::string_view scoped, std::string_view name) {
-  return scoped == name || (scoped.size() > name.size() + 2 && scoped.ends_with(name) &&
-                            scoped.substr(scoped.size() - name.size() - 2, 2) == "::");
-}
-
 /// Roll, pitch and yaw, as in model::from_rpy.
 std::array<double, 3> rpy_of(const Quaternion& q) {
   const model::Matrix3 R = model::to_matrix(q);
@@ -39,7 +34,7 @@ std::optional<double> of_pose(const Pose& pose, std::string_view what) {
 std::optional<double> in_row(const Scene& scene, const Record& record, std::size_t row,
                              std::string_view what, std::string_view of) {
   for (std::size_t l = 0; l < scene.links.size(); ++l) {
-    if (!ends_as(scene.links[l].name, of)) continue;
+    if (!is_named(scene.links[l].name, of)) continue;
     const std::size_t at = row * scene.links.size() + l;
     const std::optional<double> value =
         at < record.link_poses.size() ? of_pose(record.link_poses[at], what) : std::nullopt;
@@ -48,7 +43,7 @@ std::optional<double> in_row(const Scene& scene, const Record& record, std::size
   std::size_t axes = 0;
   std::optional<std::size_t> axis;
   for (const SceneJoint& joint : scene.joints) {
-    if (!axis && !joint.axes.empty() && ends_as(joint.name, of)) axis = axes;
+    if (!axis && !joint.axes.empty() && is_named(joint.name, of)) axis = axes;
     axes += joint.axes.size();
   }
   if (!axis || (what != "position" && what != "velocity")) return std::nullopt;

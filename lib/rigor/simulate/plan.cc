@@ -12,13 +12,6 @@
 namespace rigor::simulate {
 namespace {
 
-/// Whether a scoped name is, or ends in, what somebody wrote: "robot::arm::elbow" is "elbow".
-bool ends_in(std::string_view scoped, std::string_view written) {
-  if (!scoped.ends_with(written)) return false;
-  const std::size_t before = scoped.size() - written.size();
-  return before == 0 || (before >= 2 && scoped.substr(before - 2, 2) == "::");
-}
-
 /// The file's name without folder and ending: "drive" of "tests/drive.scenario.toml".
 std::string title_of(const config::ScenarioFile& file) {
   if (file.path.empty()) return "command";
@@ -35,7 +28,7 @@ class Planner {
   /// A problem when no joint has the name; more than one may.
   void need_joint(const std::string& name) {
     const auto& joints = scene_.joints;
-    const auto is = [&](const SceneJoint& joint) { return ends_in(joint.name, name); };
+    const auto is = [&](const SceneJoint& joint) { return is_named(joint.name, name); };
     if (std::none_of(joints.begin(), joints.end(), is)) add_problem("joint", name, joints, {});
   }
 
@@ -138,7 +131,7 @@ class Planner {
     std::vector<std::uint32_t> matching;
     for (std::uint32_t i = 0; i < things.size(); ++i) {
       if (things[i].name == name) return i;
-      if (ends_in(things[i].name, name)) matching.push_back(i);
+      if (is_named(things[i].name, name)) matching.push_back(i);
     }
     if (matching.size() == 1) return matching.front();
     add_problem(kind, name, things, matching);

@@ -5,6 +5,12 @@
 
 namespace rigor::simulate {
 
+bool is_named(std::string_view scoped, std::string_view written) {
+  if (!scoped.ends_with(written)) return false;
+  const std::string_view scope = scoped.substr(0, scoped.size() - written.size());
+  return scope.empty() || scope.ends_with("::");
+}
+
 double moving_mass(const Scene& scene) {
   double sum = 0;
   for (const SceneBody& body : scene.bodies) {

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -207,6 +208,9 @@ struct Scene {
   /// The diagonal of the bounds of all that moves, m: the length that speeds and errors are held against.
   double size = 1;
 };
+
+/// Whether a scoped name is, or ends in, what somebody wrote: "robot::arm::elbow" is "elbow".
+bool is_named(std::string_view scoped, std::string_view written);
 
 /// Sum over what moves, kg.
 double moving_mass(const Scene& scene);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <string_view>
 
 #include <rigor/simulate/reach.h>
 #include <rigor/simulate/round_shape.h>
@@ -118,11 +117,9 @@ bool stands_on_wheel(const Scene& scene, std::uint32_t index, double ground) {
          -reach(scene, scene.shapes[wheel->shape], {0, 0, -1}) < ground;
 }
 
-bool is_named(std::string_view scoped, const std::vector<std::string>& names) {
-  return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
-    return scoped == name || (scoped.size() > name.size() + 2 && scoped.ends_with(name) &&
-                              scoped.substr(scoped.size() - name.size() - 2, 2) == "::");
-  });
+bool is_among(const std::vector<std::string>& names, const SceneJoint& joint) {
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return is_named(joint.name, name); });
 }
 
 std::vector<Wheel> candidates(const Scene& scene, const std::vector<std::string>& named) {
@@ -136,7 +133,7 @@ std::vector<Wheel> candidates(const Scene& scene, const std::vector<std::string>
     if (joint.child >= scene.bodies.size() || joint.parent >= scene.bodies.size()) continue;
     if (joint.axes.empty() || joint.type == model::JointType::kPrismatic) continue;
     if (std::abs(joint.axes[0].direction_W.z) > kUprightCosine) continue;
-    if (named.empty() ? !can_turn_over(joint) : !is_named(joint.name, named)) continue;
+    if (named.empty() ? !can_turn_over(joint) : !is_among(named, joint)) continue;
     const std::optional<Wheel> wheel = lowest_round(scene, i);
     if (wheel && (!named.empty() || drives(scene, *wheel, lowest[scene.bodies[joint.child].model])))
       found.push_back(*wheel);
