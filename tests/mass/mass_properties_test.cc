@@ -217,6 +217,17 @@ TEST(MassProperties, AboutAnyPoint) {
   }
 }
 
+/// The first entry of the tensor along axes whose x is the axis.
+TEST(MassProperties, MomentAboutAnyAxis) {
+  Random random;
+  for (int i = 0; i < 100; ++i) {
+    const Inertia inertia = about_origin(random.body());
+    const model::Quaternion R = random.rotation();
+    const Vector3 axis = rotate(conjugate(R), Vector3{1, 0, 0});
+    EXPECT_NEAR(moment_about(axis, inertia), rotated(R, inertia).ixx, 1e-13 * trace(inertia));
+  }
+}
+
 TEST(MassProperties, Scaled) {
   const MassProperties body = translated({1, 2, 3}, of_density(box({0.1, 0.2, 0.3}), 500));
   const MassProperties grown = translated({2, 4, 6}, of_density(box({0.2, 0.4, 0.6}), 500));

@@ -107,6 +107,13 @@ MassProperties subtract(const MassProperties& whole, const MassProperties& part)
 Inertia about(const model::Vector3& point, const MassProperties& body);
 Inertia about_origin(const MassProperties& body);
 
+/// nᵀ I n, kg·m²: the moment about an axis through the tensor's point, given as a unit vector. Of an
+/// angular velocity (rad/s), twice the energy (J).
+inline double moment_about(const model::Vector3& n, const Inertia& I) {
+  return I.ixx * n.x * n.x + I.iyy * n.y * n.y + I.izz * n.z * n.z +
+         2 * (I.ixy * n.x * n.y + I.ixz * n.x * n.z + I.iyz * n.y * n.z);
+}
+
 /// Below this share of the largest moment, a negative moment or a violated inequality is taken for
 /// the rounding of the eigenvalue solver and of numbers written in full. It is no allowance for
 /// numbers rounded to few digits: libsdformat refuses those (its own share is ten machine epsilons,

@@ -43,16 +43,13 @@ struct MomentFactor {
   double badness() const { return std::max(factor, 1 / factor); }
 };
 
-double along_axis(const mass::Inertia& I, const Vector3& a) {
-  return I.ixx * a.x * a.x + I.iyy * a.y * a.y + I.izz * a.z * a.z +
-         2 * (I.ixy * a.x * a.y + I.ixz * a.x * a.z + I.iyz * a.y * a.z);
-}
-
 /// Of the moments about the link's axes the one that is farthest off; of a wheel, that about the axis
 /// that it turns about.
 MomentFactor farthest_off(const mass::Inertia& has, const mass::Inertia& should,
                           const std::optional<Vector3>& axis_L) {
-  if (axis_L) return {along_axis(has, *axis_L) / along_axis(should, *axis_L), "its axis"};
+  if (axis_L) {
+    return {mass::moment_about(*axis_L, has) / mass::moment_about(*axis_L, should), "its axis"};
+  }
   const std::array<MomentFactor, 3> all{{{has.ixx / should.ixx, "ixx"},
                                          {has.iyy / should.iyy, "iyy"},
                                          {has.izz / should.izz, "izz"}}};

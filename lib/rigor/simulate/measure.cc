@@ -26,9 +26,7 @@ namespace {
 
 double kinetic_energy(const mass::MassProperties& body, const BodyState& state) {
   const Vector3 w = model::rotate(model::conjugate(state.R_WB), state.w_WB);
-  const mass::Inertia& I = body.about_com;
-  const double turning = I.ixx * w.x * w.x + I.iyy * w.y * w.y + I.izz * w.z * w.z +
-                         2 * (I.ixy * w.x * w.y + I.ixz * w.x * w.z + I.iyz * w.y * w.z);
+  const double turning = mass::moment_about(w, body.about_com);
   return (body.mass * dot(state.v_WBcm, state.v_WBcm) + turning) / 2;
 }
 

@@ -33,9 +33,8 @@ double own_inertia(const Scene& scene, const SceneJoint& joint, std::uint32_t b)
   const SceneBody& body = scene.bodies[b];
   if (joint.type == model::JointType::kPrismatic) return body.mass.mass;
   const Vector3 axis = rotate(conjugate(body.X_WB.rotation), joint.axes[0].direction_W);
-  const mass::Inertia& I = mass::about(transform(inverse(body.X_WB), joint.anchor_W), body.mass);
-  return I.ixx * axis.x * axis.x + I.iyy * axis.y * axis.y + I.izz * axis.z * axis.z +
-         2 * (I.ixy * axis.x * axis.y + I.ixz * axis.x * axis.z + I.iyz * axis.y * axis.z);
+  const Vector3 anchor = transform(inverse(body.X_WB), joint.anchor_W);
+  return mass::moment_about(axis, mass::about(anchor, body.mass));
 }
 
 /// N·m (of a slider N): what gravity does along the axis when the joint is so far from its start.
@@ -124,11 +123,7 @@ double carried_inertia(const Scene& scene, const SceneJoint& joint) {
       continue;
     }
     const mass::MassProperties in_W = mass::transformed(body.X_WB, body.mass);
-    const mass::Inertia I = mass::about(joint.anchor_W, in_W);
-    const Vector3 Ia{I.ixx * axis.x + I.ixy * axis.y + I.ixz * axis.z,
-                     I.ixy * axis.x + I.iyy * axis.y + I.iyz * axis.z,
-                     I.ixz * axis.x + I.iyz * axis.y + I.izz * axis.z};
-    sum += dot(axis, Ia);
+    sum += mass::moment_about(axis, mass::about(joint.anchor_W, in_W));
   }
   return sum;
 }

@@ -77,7 +77,7 @@ class Bodies {
       const auto X_WL = context_.frames().pose(all[i]);
       if (!X_WL) return std::nullopt;
       const mass::MassProperties body = mass::transformed(*X_WL, mass::resolve(root, all[i]));
-      sum += slides ? body.mass : about_axis(body, X_WJ->translation, axis_W);
+      sum += slides ? body.mass : mass::moment_about(axis_W, mass::about(X_WJ->translation, body));
       const auto below = children_.find(all[i].value);
       if (below == children_.end()) continue;
       all.insert(all.end(), below->second.begin(), below->second.end());
@@ -86,15 +86,6 @@ class Bodies {
   }
 
  private:
-  static double about_axis(const mass::MassProperties& body, const model::Vector3& point,
-                           const model::Vector3& axis) {
-    const mass::Inertia i = mass::about(point, body);
-    const model::Vector3 turned{i.ixx * axis.x + i.ixy * axis.y + i.ixz * axis.z,
-                                i.ixy * axis.x + i.iyy * axis.y + i.iyz * axis.z,
-                                i.ixz * axis.x + i.iyz * axis.y + i.izz * axis.z};
-    return model::dot(axis, turned);
-  }
-
   const Context& context_;
   std::unordered_map<std::uint32_t, std::vector<model::Id<model::Link>>> children_;
 };
