@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include <rigor/simulate/footprint.h>
+#include <rigor/simulate/joint_load.h>
 #include <rigor/simulate/test_parts.h>
 
 #include "simulate/hand_robot.h"
@@ -208,8 +209,8 @@ TEST(Tests, HoldHasGainsThatTheLoadHardlyBends) {
   ASSERT_EQ(hold.commands.size(), 1U);
   ASSERT_TRUE(hold.commands[0].gains);
   const double load = 1 * 9.8 * 0.4;
-  EXPECT_NEAR(carried_load(scene, scene.joints[0]), load, 1e-12);
-  EXPECT_NEAR(carried_inertia(scene, scene.joints[0]), 0.02 + 0.16, 1e-12);
+  EXPECT_NEAR(JointLoads(scene).weight(scene.joints[0]), load, 1e-12);
+  EXPECT_NEAR(JointLoads(scene).inertia(scene.joints[0]), 0.02 + 0.16, 1e-12);
   // The crate's own, about the hinge's line 0.25 m above its middle: 4 + 100 · 0.0625.
   EXPECT_NEAR(effective_inertia(scene, scene.joints[0]), 1 / (1 / 0.18 + 1 / 10.25), 1e-12);
   EXPECT_LE(load / hold.commands[0].gains->p, 0.005 + 1e-12);
@@ -233,22 +234,24 @@ TEST(Tests, ASweepTakesTheWeightAndWhatStartsAndStopsIt) {
   Scene scene = crate_with_pole();
   SceneJoint& joint = scene.joints[0];
   const double weight = 1 * 9.8 * 0.4;
-  EXPECT_NEAR(sweep_effort(scene, joint, {-0.5, 1, 1, 0}), weight, 1e-12);
-  EXPECT_NEAR(sweep_effort(scene, joint, {-0.5, 1, 1, 4}), weight + 0.18 * 4, 1e-12);
+  EXPECT_NEAR(JointLoads(scene).sweep_effort(joint, {-0.5, 1, 1, 0}), weight, 1e-12);
+  EXPECT_NEAR(JointLoads(scene).sweep_effort(joint, {-0.5, 1, 1, 4}), weight + 0.18 * 4, 1e-12);
   // Of a way that is above the level: where it is lowest.
   joint.axes[0].start = 0.5;
-  EXPECT_NEAR(sweep_effort(scene, joint, {1, 1.2, 1, 0}), weight, 1e-12) << "it begins level";
+  EXPECT_NEAR(JointLoads(scene).sweep_effort(joint, {1, 1.2, 1, 0}), weight, 1e-12)
+      << "it begins level";
   scene.bodies[1].X_WB.translation = {0, 0, 0.9};  // now it begins upright
-  EXPECT_NEAR(sweep_effort(scene, joint, {0.5, 0.7, 1, 0}), weight * std::sin(0.2), 1e-12);
+  EXPECT_NEAR(JointLoads(scene).sweep_effort(joint, {0.5, 0.7, 1, 0}), weight * std::sin(0.2),
+              1e-12);
   joint.axes[0].friction = 2;
   joint.axes[0].damping = 3;
-  EXPECT_NEAR(sweep_effort(scene, joint, {-2, 2, 0.5, 0}), weight + 2 + 1.5, 1e-12);
+  EXPECT_NEAR(JointLoads(scene).sweep_effort(joint, {-2, 2, 0.5, 0}), weight + 2 + 1.5, 1e-12);
   joint = {};
   joint.type = model::JointType::kPrismatic;
   joint.parent = 0;
   joint.child = 1;
   joint.axes.push_back({.direction_W = {0, 0.6, 0.8}});
-  EXPECT_NEAR(sweep_effort(scene, joint, {-1, 1, 1, 0.5}), 0.8 * 9.8 + 0.5, 1e-12);
+  EXPECT_NEAR(JointLoads(scene).sweep_effort(joint, {-1, 1, 1, 0.5}), 0.8 * 9.8 + 0.5, 1e-12);
 }
 
 /// Limits of two turns, as arms have them, make no wheel of what lies on the ground; nor does a box.
@@ -273,20 +276,20 @@ TEST(Tests, WheelsForksAndWhatCarriesAWheelRoll) {
   joint.axes[0].upper = kInfinity;
   scene.shapes[1] = shape_of(1, mesh::Sphere{0.1});
   scene.bodies[1].X_WB.translation = joint.anchor_W = {0.4, 0, 0.1};
-  EXPECT_TRUE(rolls_freely(scene, 0));
+  EXPECT_TRUE(rolling_joints(scene)[0]);
   joint.axes[0].direction_W = {0, 0, 1};
   joint.anchor_W = {0.3, 0, 0.1};
-  EXPECT_TRUE(rolls_freely(scene, 0)) << "a fork with its wheel";
+  EXPECT_TRUE(rolling_joints(scene)[0]) << "a fork with its wheel";
   // The fork without a shape, and a wheel that turns in it.
   scene.bodies.push_back(scene.bodies[1]);
   scene.shapes[1].body = 2;
   scene.joints.push_back(hinge("crate::wheel", 1, 2, {0.4, 0, 0.1}, {0, 1, 0}));
-  EXPECT_TRUE(rolls_freely(scene, 0));
-  EXPECT_TRUE(rolls_freely(scene, 1));
+  EXPECT_TRUE(rolling_joints(scene)[0]);
+  EXPECT_TRUE(rolling_joints(scene)[1]);
   scene.joints[0].axes[0].lower = -1;
   scene.joints[0].axes[0].upper = 1;
-  EXPECT_FALSE(rolls_freely(scene, 0)) << "it is steered";
-  EXPECT_TRUE(rolls_freely(scene, 1));
+  EXPECT_FALSE(rolling_joints(scene)[0]) << "it is steered";
+  EXPECT_TRUE(rolling_joints(scene)[1]);
 }
 
 TEST(Tests, JointsAreHeldAndSweptFromWhereTheyStart) {

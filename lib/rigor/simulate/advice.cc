@@ -9,8 +9,8 @@
 #include <utility>
 
 #include <rigor/simulate/advice_parts.h>
+#include <rigor/simulate/joint_load.h>
 #include <rigor/simulate/metric_parts.h>
-#include <rigor/simulate/test_parts.h>
 
 namespace rigor::simulate {
 namespace {
@@ -92,6 +92,7 @@ void Causes::add(FactKind kind, Fact about, double value, double limit, double w
 
 void add_joint_causes(Causes& causes) {
   const Scene& scene = causes.scene;
+  const JointLoads loads(scene);
   for (std::uint32_t j = 0; j < scene.joints.size(); ++j) {
     const SceneJoint& joint = scene.joints[j];
     if (joint.axes.size() != 1 || joint.child >= scene.bodies.size()) continue;
@@ -104,7 +105,7 @@ void add_joint_causes(Causes& causes) {
                  outside / kOutsideLimits, 1);
     }
     if (!can_be_told(joint) || !(axis.effort > 0) || !std::isfinite(axis.effort)) continue;
-    const double load = std::max(carried_load(scene, joint), axis.friction);
+    const double load = std::max(loads.weight(joint), axis.friction);
     if (load > axis.effort) {
       causes.add(FactKind::kCauseEffort, about, load, axis.effort, load / axis.effort, 1);
     }

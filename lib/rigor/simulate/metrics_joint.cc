@@ -10,8 +10,8 @@
 #include <cmath>
 
 #include <rigor/simulate/footprint.h>
+#include <rigor/simulate/joint_load.h>
 #include <rigor/simulate/run.h>
-#include <rigor/simulate/test_parts.h>
 
 namespace rigor::simulate {
 namespace {
@@ -78,13 +78,13 @@ Sweep swept_in(const Scenario& scenario, const Phase& phase) {
 
 /// What a sweep takes of the joint's effort limit. The engine's motor gives no more than the limit: of one
 /// that gave it all, or missed so much of its way, the need is computed. Nor does it feel the friction.
-double effort_share(const Scene& scene, const Sweep& sweep, double given, double missing) {
-  const SceneJoint& joint = scene.joints[sweep.joint];
+double effort_share(const SceneJoint& joint, const JointLoads& loads, const SweepMotion& motion,
+                    double given, double missing) {
   const SceneAxis& axis = joint.axes[0];
   if (!(axis.effort > 0)) return 0;
   const bool weak = given >= kAllEffort || missing > kMissed;
-  const double needed = weak ? sweep_effort(scene, joint, sweep.motion)
-                             : axis.friction + axis.damping * sweep.motion.speed;
+  const double needed =
+      weak ? loads.sweep_effort(joint, motion) : axis.friction + axis.damping * motion.speed;
   return std::max(given, needed / axis.effort);
 }
 
@@ -109,6 +109,7 @@ void add_joint_metrics(MetricSheet& sheet) {
 
 void add_sweep_metrics(MetricSheet& sheet) {
   const std::vector<std::uint32_t> first = first_axes(sheet.scene);
+  const JointLoads loads(sheet.scene);
   Peak reach, effort;
   bool exhausted = false;
   for (std::size_t i = 0; i < sheet.scenario.phases.size(); ++i) {
@@ -120,7 +121,8 @@ void add_sweep_metrics(MetricSheet& sheet) {
     const std::uint32_t axis = first[sweep.joint];
     const double missing = missing_share(sweep.motion.least, sweep.motion.most,
                                          seen.axis_least[axis], seen.axis_most[axis]);
-    const double share = effort_share(sheet.scene, sweep, seen.axis_effort[axis], missing);
+    const double share = effort_share(sheet.scene.joints[sweep.joint], loads, sweep.motion,
+                                      seen.axis_effort[axis], missing);
     if (missing > reach.value) exhausted = share >= kAllEffort;
     reach.see(missing, sweep.joint, 0);
     effort.see(share, sweep.joint, 0);

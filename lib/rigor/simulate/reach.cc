@@ -88,6 +88,20 @@ std::vector<Vector3> low_points(const Scene& scene, const SceneShape& shape, dou
   return low;
 }
 
+LowestPoints::LowestPoints(const Scene& scene)
+    : of_body(scene.bodies.size(), kInfinity), of_model(scene.models.size(), kInfinity) {
+  of_shape.reserve(scene.shapes.size());
+  for (const SceneShape& shape : scene.shapes) {
+    const double low = -reach(scene, shape, {0, 0, -1});
+    of_shape.push_back(low);
+    if (shape.body >= scene.bodies.size()) continue;
+    of_body[shape.body] = std::min(of_body[shape.body], low);
+    if (low == -kInfinity) continue;
+    double& of = of_model[scene.bodies[shape.body].model];
+    of = std::min(of, low);
+  }
+}
+
 double lowest_of_model(const Scene& scene, std::uint32_t model) {
   double lowest = kInfinity;
   for (const SceneShape& shape : scene.shapes) {

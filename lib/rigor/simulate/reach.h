@@ -25,6 +25,16 @@ double reach(const Scene& scene, const SceneShape& shape, const Vector3& directi
 /// is where the shape stands. A circle that lies flat has eight. None of half spaces and grids.
 std::vector<Vector3> low_points(const Scene& scene, const SceneShape& shape, double height);
 
+/// The lowest points at the start, m, found once for a scene. Half spaces and height grids are minus
+/// infinity, but for a model, which they do not count for; what has no shape is infinity.
+struct LowestPoints {
+  explicit LowestPoints(const Scene& scene);
+
+  std::vector<double> of_shape;
+  std::vector<double> of_body;
+  std::vector<double> of_model;
+};
+
 /// The lowest point of a model's shapes at the start, m; infinity when it has none.
 double lowest_of_model(const Scene& scene, std::uint32_t model);
 

@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
+
+#include <rigor/simulate/joint_load.h>
 
 namespace rigor::simulate {
 namespace {
@@ -64,11 +67,16 @@ SweepRange sweep_range(const Scene& scene, const SceneJoint& joint) {
   return range;
 }
 
-bool can_be_moved(const Scene& scene, const DriveTrain& wheels, std::uint32_t j) {
-  const SceneJoint& joint = scene.joints[j];
-  return can_be_told(joint) && joint.child < scene.bodies.size() && !is_wheel_joint(wheels, j) &&
-         joint.axes[0].spring_stiffness == 0 && !rolls_freely(scene, j) &&
-         joint.axes[0].lower < joint.axes[0].upper;
+std::vector<std::uint32_t> joints_to_move(const Scene& scene, const DriveTrain& wheels) {
+  const std::vector<bool> rolling = rolling_joints(scene);
+  std::vector<std::uint32_t> joints;
+  for (std::uint32_t j = 0; j < scene.joints.size(); ++j) {
+    const SceneJoint& joint = scene.joints[j];
+    if (!can_be_told(joint) || joint.child >= scene.bodies.size()) continue;
+    if (is_wheel_joint(wheels, j) || rolling[j] || joint.axes[0].spring_stiffness != 0) continue;
+    if (joint.axes[0].lower < joint.axes[0].upper) joints.push_back(j);
+  }
+  return joints;
 }
 
 /// Speeds up and slows down evenly, and ends exactly at `to`.
@@ -94,11 +102,10 @@ void add_stand(std::uint32_t joint, double begin, double end, Scenario& scenario
       {.joint = joint, .kind = CommandKind::kVelocity, .value = 0, .begin = begin, .end = end});
 }
 
-Gains hold_gains(const Scene& scene, const SceneJoint& joint) {
-  const double inertia = carried_inertia(scene, joint);
+Gains hold_gains(const Scene& scene, const JointLoads& loads, const SceneJoint& joint) {
+  const double inertia = loads.inertia(joint);
   Gains gains;
-  gains.p =
-      std::max(inertia * kHoldFrequency * kHoldFrequency, carried_load(scene, joint) / kHoldSag);
+  gains.p = std::max(inertia * kHoldFrequency * kHoldFrequency, loads.weight(joint) / kHoldSag);
   const double most = kHoldMargin * effective_inertia(scene, joint) / scene.solver.step;
   gains.d = std::min(2 * kHoldDamping * std::sqrt(gains.p * inertia), most);
   return gains;
@@ -107,10 +114,7 @@ Gains hold_gains(const Scene& scene, const SceneJoint& joint) {
 }  // namespace
 
 MadeTest make_joint_sweep(const Scene& scene, const DriveTrain& wheels) {
-  std::vector<std::uint32_t> joints;
-  for (std::uint32_t j = 0; j < scene.joints.size(); ++j) {
-    if (can_be_moved(scene, wheels, j)) joints.push_back(j);
-  }
+  const std::vector<std::uint32_t> joints = joints_to_move(scene, wheels);
   if (joints.empty()) return {{}, "no joint can be moved by itself"};
   Scenario scenario{.name = "joint-sweep", .spawn = Spawn::kOnGround};
   double time = settling_time(scene) / 2;
@@ -140,14 +144,14 @@ MadeTest make_joint_sweep(const Scene& scene, const DriveTrain& wheels) {
 MadeTest make_hold(const Scene& scene, const DriveTrain& wheels) {
   Scenario scenario{.name = "hold", .duration = kHoldTime, .spawn = Spawn::kOnGround};
   scenario.phases = {{"hold", 0, kHoldTime}, rest_of(0, kHoldTime)};
-  for (std::uint32_t j = 0; j < scene.joints.size(); ++j) {
-    if (!can_be_moved(scene, wheels, j)) continue;
+  const JointLoads loads(scene);
+  for (const std::uint32_t j : joints_to_move(scene, wheels)) {
     const SceneAxis& axis = scene.joints[j].axes[0];
     scenario.commands.push_back({.joint = j,
                                  .kind = CommandKind::kPosition,
                                  .value = std::clamp(axis.start, axis.lower, axis.upper),
                                  .end = kHoldTime,
-                                 .gains = hold_gains(scene, scene.joints[j])});
+                                 .gains = hold_gains(scene, loads, scene.joints[j])});
   }
   if (scenario.commands.empty()) return {{}, "no joint can be held"};
   add_drive(wheels, 0, 0, {"", 0, kHoldTime}, 0, scenario);

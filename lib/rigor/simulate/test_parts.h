@@ -8,6 +8,8 @@
 
 #pragma once
 
+#include <cstdint>
+
 #include <rigor/simulate/scenario.h>
 #include <rigor/simulate/scene.h>
 #include <rigor/simulate/tests.h>
@@ -27,37 +29,12 @@ void add_brakes(const Scene& scene, const DriveTrain& wheels, Scenario& scenario
 
 bool is_wheel_joint(const DriveTrain& wheels, std::uint32_t joint);
 
-/// Whether such a command can be given: a hinge or a slider that follows no other joint.
-bool can_be_told(const SceneJoint& joint);
-
 /// m/s, at the rim: brisk, but not so that a robot of this size tips when it gets there in a second.
 double drive_speed(const Scene& scene, const DriveTrain& wheels);
 
 /// Commands to all wheels of a side to roll at `speed` (m/s) forward, from `begin` to `end`.
 void add_drive(const DriveTrain& wheels, double left, double right, const Phase& when, double ramp,
                Scenario& scenario);
-
-/// kg·m², of all that hangs on a hinge (of a slider: kg), about its axis.
-double carried_inertia(const Scene& scene, const SceneJoint& joint);
-
-/// kg·m² (of a slider kg): what an effort between the joint's two bodies moves when everything else
-/// gives way: the two inertias in series.
-double effective_inertia(const Scene& scene, const SceneJoint& joint);
-
-/// N·m (of a slider N): what gravity asks of the joint at the start.
-double carried_load(const Scene& scene, const SceneJoint& joint);
-
-/// How a sweep moves a joint.
-struct SweepMotion {
-  double least = 0;  ///< rad, m
-  double most = 0;
-  double speed = 0;         ///< rad/s, m/s
-  double acceleration = 0;  ///< rad/s², m/s², as it starts and stops
-};
-
-/// N·m (of a slider N): the most that a motor has to give for it, with all else held as at the start:
-/// against gravity, to start and stop, against friction and damping.
-double sweep_effort(const Scene& scene, const SceneJoint& joint, const SweepMotion& motion);
 
 MadeTest make_settle(const Scene& scene, const DriveTrain& wheels);
 MadeTest make_drop(const Scene& scene, const DriveTrain& wheels);

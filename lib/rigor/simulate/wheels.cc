@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include <rigor/simulate/joint_load.h>
 #include <rigor/simulate/reach.h>
 #include <rigor/simulate/round_shape.h>
 
@@ -63,18 +64,17 @@ Wheel wheel_of(const SceneJoint& joint, std::uint32_t index, std::uint32_t shape
 }
 
 /// Of the joint's child the round shape that reaches lowest.
-std::optional<Wheel> lowest_round(const Scene& scene, std::uint32_t index) {
+std::optional<Wheel> lowest_round(const Scene& scene, const LowestPoints& lowest,
+                                  std::uint32_t index) {
   const SceneJoint& joint = scene.joints[index];
   std::optional<Wheel> wheel;
-  double lowest = kInfinity;
+  double least = kInfinity;
   for (std::uint32_t s = 0; s < scene.shapes.size(); ++s) {
-    if (scene.shapes[s].body != joint.child) continue;
-    const double bottom = -reach(scene, scene.shapes[s], {0, 0, -1});
-    if (!(bottom < lowest)) continue;
+    if (scene.shapes[s].body != joint.child || !(lowest.of_shape[s] < least)) continue;
     const std::optional<RoundShape> round =
         round_about(scene, scene.shapes[s], joint.axes[0].direction_W);
     if (!round) continue;
-    lowest = bottom;
+    least = lowest.of_shape[s];
     wheel = wheel_of(joint, index, s, *round);
   }
   return wheel;
@@ -94,27 +94,22 @@ bool is_on_axis(const Wheel& wheel) {
   return length(wheel.middle_W - wheel.centre_W) < kOffAxisShare * wheel.radius;
 }
 
-bool drives(const Scene& scene, const Wheel& wheel, double lowest) {
+bool drives(const Scene& scene, const LowestPoints& lowest, const Wheel& wheel) {
   const SceneJoint& joint = scene.joints[wheel.joint];
-  const SceneShape& shape = scene.shapes[wheel.shape];
-  const double bottom = -reach(scene, shape, {0, 0, -1});
+  const double above =
+      lowest.of_shape[wheel.shape] - lowest.of_model[scene.bodies[joint.child].model];
   return std::abs(rolling_axis(scene, wheel).z) < kLevelSine && is_on_axis(wheel) &&
-         !is_steered(scene, joint.parent) && bottom - lowest < kReachShare * wheel.radius;
+         !is_steered(scene, joint.parent) && above < kReachShare * wheel.radius;
 }
 
-/// Whether a joint that turns on and on has a wheel on it that stands on the ground, or is a fork whose
-/// wheel is no link of its own.
-bool stands_on_wheel(const Scene& scene, std::uint32_t index, double ground) {
+/// m: how low what rolls about a joint that turns on and on reaches: a wheel, or a fork whose wheel is no
+/// link of its own. Infinity when there is none.
+double bottom_of_wheel(const Scene& scene, const LowestPoints& lowest, std::uint32_t index) {
   const SceneJoint& joint = scene.joints[index];
-  if (!can_turn_over(joint)) return false;
-  if (std::abs(joint.axes[0].direction_W.z) > kUprightCosine) {
-    return std::any_of(scene.shapes.begin(), scene.shapes.end(), [&](const SceneShape& shape) {
-      return shape.body == joint.child && -reach(scene, shape, {0, 0, -1}) < ground;
-    });
-  }
-  const std::optional<Wheel> wheel = lowest_round(scene, index);
-  return wheel && is_on_axis(*wheel) &&
-         -reach(scene, scene.shapes[wheel->shape], {0, 0, -1}) < ground;
+  if (joint.child >= scene.bodies.size() || !can_turn_over(joint)) return kInfinity;
+  if (std::abs(joint.axes[0].direction_W.z) > kUprightCosine) return lowest.of_body[joint.child];
+  const std::optional<Wheel> wheel = lowest_round(scene, lowest, index);
+  return wheel && is_on_axis(*wheel) ? lowest.of_shape[wheel->shape] : kInfinity;
 }
 
 bool is_among(const std::vector<std::string>& names, const SceneJoint& joint) {
@@ -122,21 +117,17 @@ bool is_among(const std::vector<std::string>& names, const SceneJoint& joint) {
                      [&](const std::string& name) { return is_named(joint.name, name); });
 }
 
-std::vector<Wheel> candidates(const Scene& scene, const std::vector<std::string>& named) {
+std::vector<Wheel> candidates(const Scene& scene, const LowestPoints& lowest,
+                              const std::vector<std::string>& named) {
   std::vector<Wheel> found;
-  std::vector<double> lowest;  // of each model
-  for (std::uint32_t m = 0; m < scene.models.size(); ++m) {
-    lowest.push_back(lowest_of_model(scene, m));
-  }
   for (std::uint32_t i = 0; i < scene.joints.size(); ++i) {
     const SceneJoint& joint = scene.joints[i];
     if (joint.child >= scene.bodies.size() || joint.parent >= scene.bodies.size()) continue;
     if (joint.axes.empty() || joint.type == model::JointType::kPrismatic) continue;
     if (std::abs(joint.axes[0].direction_W.z) > kUprightCosine) continue;
     if (named.empty() ? !can_turn_over(joint) : !is_among(named, joint)) continue;
-    const std::optional<Wheel> wheel = lowest_round(scene, i);
-    if (wheel && (!named.empty() || drives(scene, *wheel, lowest[scene.bodies[joint.child].model])))
-      found.push_back(*wheel);
+    const std::optional<Wheel> wheel = lowest_round(scene, lowest, i);
+    if (wheel && (!named.empty() || drives(scene, lowest, *wheel))) found.push_back(*wheel);
   }
   return found;
 }
@@ -197,8 +188,8 @@ void sort_into_sides(const Scene& scene, std::vector<Wheel> wheels, DriveTrain& 
                 right / static_cast<double>(train.right.size());
 }
 
-void add_casters(const Scene& scene, DriveTrain& train) {
-  const double lowest = lowest_of_model(scene, train.model);
+void add_casters(const Scene& scene, const LowestPoints& lowest, DriveTrain& train) {
+  const double ground = lowest.of_model[train.model] + kTouchGap;
   const auto rolls = [&](std::uint32_t shape) {
     const auto is = [&](const Wheel& wheel) { return wheel.shape == shape; };
     return std::any_of(train.left.begin(), train.left.end(), is) ||
@@ -208,35 +199,27 @@ void add_casters(const Scene& scene, DriveTrain& train) {
     const SceneShape& shape = scene.shapes[s];
     if (shape.body >= scene.bodies.size() || scene.bodies[shape.body].model != train.model)
       continue;
-    if (!rolls(s) && -reach(scene, shape, {0, 0, -1}) < lowest + kTouchGap) {
-      train.casters.push_back(s);
-    }
+    if (!rolls(s) && lowest.of_shape[s] < ground) train.casters.push_back(s);
   }
 }
 
-void add_steering(const Scene& scene, DriveTrain& train) {
-  const double lowest = lowest_of_model(scene, train.model);
+void add_steering(const Scene& scene, const LowestPoints& lowest, DriveTrain& train) {
+  const double ground = lowest.of_model[train.model] + kTouchGap;
+  const CarriedBodies carried(scene);
   for (std::uint32_t j = 0; j < scene.joints.size(); ++j) {
     const SceneJoint& joint = scene.joints[j];
     if (joint.model != train.model || joint.child >= scene.bodies.size()) continue;
     if (joint.axes.empty() || std::abs(joint.axes[0].direction_W.z) < kUprightCosine) continue;
     if (joint.type == model::JointType::kPrismatic || can_turn_over(joint)) continue;
-    if (touches_ground(scene, joint.child, lowest + kTouchGap)) train.steering.push_back(j);
+    const std::vector<std::uint32_t> bodies = carried.by(joint.child);
+    const bool stands = std::any_of(bodies.begin(), bodies.end(), [&](std::uint32_t body) {
+      return lowest.of_body[body] < ground;
+    });
+    if (stands) train.steering.push_back(j);
   }
 }
 
 }  // namespace
-
-std::vector<std::uint32_t> carried_bodies(const Scene& scene, std::uint32_t body) {
-  std::vector<std::uint32_t> all{body};
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    for (const SceneJoint& joint : scene.joints) {
-      if (joint.parent != all[i] || joint.child >= scene.bodies.size()) continue;
-      if (std::find(all.begin(), all.end(), joint.child) == all.end()) all.push_back(joint.child);
-    }
-  }
-  return all;
-}
 
 bool can_turn_over(const SceneJoint& joint) {
   return joint.type == model::JointType::kContinuous ||
@@ -244,33 +227,31 @@ bool can_turn_over(const SceneJoint& joint) {
           length_of_travel(joint.axes[0]) > kEndlessTravel);
 }
 
-bool rolls_freely(const Scene& scene, std::uint32_t joint) {
-  const std::uint32_t child = scene.joints[joint].child;
-  if (child >= scene.bodies.size() || !can_turn_over(scene.joints[joint])) return false;
-  const double ground = lowest_of_model(scene, scene.bodies[child].model) + kTouchGap;
-  const std::vector<std::uint32_t> carried = carried_bodies(scene, child);
+std::vector<bool> rolling_joints(const Scene& scene) {
+  std::vector<bool> rolling(scene.joints.size());
+  if (std::none_of(scene.joints.begin(), scene.joints.end(), can_turn_over)) return rolling;
+  const LowestPoints lowest(scene);
+  const CarriedBodies carried(scene);
+  std::vector<double> bottoms;
   for (std::uint32_t j = 0; j < scene.joints.size(); ++j) {
-    const bool carries = j == joint || std::find(carried.begin(), carried.end(),
-                                                 scene.joints[j].parent) != carried.end();
-    if (carries && scene.joints[j].child < scene.bodies.size() &&
-        stands_on_wheel(scene, j, ground)) {
-      return true;
-    }
+    bottoms.push_back(bottom_of_wheel(scene, lowest, j));
   }
-  return false;
-}
-
-bool touches_ground(const Scene& scene, std::uint32_t body, double height) {
-  const std::vector<std::uint32_t> carried = carried_bodies(scene, body);
-  return std::any_of(scene.shapes.begin(), scene.shapes.end(), [&](const SceneShape& shape) {
-    return std::find(carried.begin(), carried.end(), shape.body) != carried.end() &&
-           -reach(scene, shape, {0, 0, -1}) < height;
-  });
+  for (std::uint32_t j = 0; j < scene.joints.size(); ++j) {
+    const std::uint32_t child = scene.joints[j].child;
+    if (child >= scene.bodies.size() || !can_turn_over(scene.joints[j])) continue;
+    double bottom = bottoms[j];
+    for (const std::uint32_t body : carried.by(child)) {
+      for (const std::uint32_t k : carried.joints_on(body)) bottom = std::min(bottom, bottoms[k]);
+    }
+    rolling[j] = bottom < lowest.of_model[scene.bodies[child].model] + kTouchGap;
+  }
+  return rolling;
 }
 
 DriveTrain find_wheels(const Scene& scene, const std::vector<std::string>& named) {
   DriveTrain train{.named = !named.empty()};
-  const std::vector<Wheel> wheels = largest_parallel_group(scene, candidates(scene, named));
+  const LowestPoints lowest(scene);
+  const std::vector<Wheel> wheels = largest_parallel_group(scene, candidates(scene, lowest, named));
   if (wheels.empty()) return train;
   train.model = model_of(scene, wheels.front());
   const std::uint32_t base = scene.models[train.model].base;
@@ -278,8 +259,8 @@ DriveTrain find_wheels(const Scene& scene, const std::vector<std::string>& named
       base < scene.bodies.size() ? scene.bodies[base].X_WB.rotation : Quaternion{};
   train.forward_W = forward_across(rolling_axis(scene, wheels.front()), R_WB);
   sort_into_sides(scene, wheels, train);
-  add_casters(scene, train);
-  add_steering(scene, train);
+  add_casters(scene, lowest, train);
+  add_steering(scene, lowest, train);
   return train;
 }
 

@@ -62,14 +62,8 @@ inline constexpr double kAxleShare = 0.5;
 /// of arms and legs may travel, a few turns, is not.
 bool can_turn_over(const SceneJoint& joint);
 
-/// Whether the ground may turn a joint: that of a wheel which stands on it, or one that turns on and on and
-/// carries such a wheel, as a caster's fork does.
-bool rolls_freely(const Scene& scene, std::uint32_t joint);
-
-/// A body and all that joints hang on it.
-std::vector<std::uint32_t> carried_bodies(const Scene& scene, std::uint32_t body);
-
-/// Whether the body, or one that joints hang on it, has a shape that reaches below `height`.
-bool touches_ground(const Scene& scene, std::uint32_t body, double height);
+/// Of each joint whether the ground may turn it: that of a wheel which stands on it, or one that turns on
+/// and on and carries such a wheel, as a caster's fork does.
+std::vector<bool> rolling_joints(const Scene& scene);
 
 }  // namespace rigor::simulate
