@@ -79,7 +79,9 @@ Diagnostics simulated(const Environment& environment, const Rule& rule,
   author::SimulatedModel result = std::move(simulator.run({{&model, {}}}).front());
   EXPECT_TRUE(result.left_out.empty() && result.problems.empty());
   const Runner runner(environment.registry, {.select = {"simulate"}});
-  result.diagnostics.take(runner.run(environment, sources, loaded, model.causes));
+  for (Diagnostics& said : runner.run_each(environment, sources, loaded, model.causes)) {
+    result.diagnostics.take(std::move(said));
+  }
   return std::move(result.diagnostics);
 }
 

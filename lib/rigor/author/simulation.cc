@@ -4,6 +4,7 @@
 #include <rigor/author/simulation.h>
 
 #include <utility>
+#include <vector>
 
 #include <rigor/rules/runner.h>
 #include <rigor/rules/suppression.h>
@@ -116,15 +117,20 @@ std::vector<SimulatedModel> Simulator::run(const std::vector<SimulationCase>& ca
 /// A warning where a fact is not severe; causes go into the finding that they follow. One that follows
 /// none is a finding of its own.
 Diagnostics Simulator::told(const SimulationCase& one, const Facts& facts) const {
+  if (facts.empty()) return {};
+  Facts asked = facts;
+  for (simulate::Fact& fact : asked) {
+    if (is_cause(fact)) fact.test.clear();
+  }
   const rules::Runner runner(environment_.registry, options_.selection);
+  const std::vector<Diagnostics> said =
+      runner.run_each(environment_, sources_, one.model->loaded, asked);
   std::vector<Diagnostic> list;
   Causes causes;
   bool of_last = false;  // whether causes belong to the last finding of the list
-  for (const simulate::Fact& fact : facts) {
-    simulate::Fact told = fact;
-    if (is_cause(fact)) told.test.clear();
-    const Diagnostics said = runner.run(environment_, sources_, one.model->loaded, {told});
-    for (Diagnostic diagnostic : said.list()) {
+  for (std::size_t i = 0; i < facts.size(); ++i) {
+    const simulate::Fact& fact = facts[i];
+    for (Diagnostic diagnostic : said[i].list()) {
       if (is_cause(fact) && of_last) {
         causes.add(diagnostic);
         continue;

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include <rigor/model/subject.h>
 #include <rigor/rules/context.h>
@@ -125,6 +126,15 @@ class Runner::Walk {
     return taken();
   }
 
+  std::vector<Diagnostics> run_each(const simulate::Facts& given) {
+    std::vector<Diagnostics> said;
+    for (const simulate::Fact& fact : given) {
+      facts(fact);
+      said.push_back(taken());
+    }
+    return said;
+  }
+
   Diagnostics run(const mass::MeshFacts& mesh) {
     check_file({mesh});
     return taken();
@@ -134,7 +144,7 @@ class Runner::Walk {
   Diagnostics taken() {
     context_.report_counted();
     diagnostics_.sort();
-    return std::move(diagnostics_);
+    return std::exchange(diagnostics_, {});
   }
 
   void check_all() {
@@ -284,9 +294,10 @@ Diagnostics Runner::run(const Environment& environment, const Sources& sources,
   return Walk(*this, environment, sources, loaded, {}).run(suppressions);
 }
 
-Diagnostics Runner::run(const Environment& environment, const Sources& sources,
-                        const read::Loaded& loaded, const simulate::Facts& shown) const {
-  return Walk(*this, environment, sources, loaded, {}).run(shown);
+std::vector<Diagnostics> Runner::run_each(const Environment& environment, const Sources& sources,
+                                          const read::Loaded& loaded,
+                                          const simulate::Facts& shown) const {
+  return Walk(*this, environment, sources, loaded, {}).run_each(shown);
 }
 
 Diagnostics Runner::run(const Environment& environment, const Sources& sources,

@@ -53,9 +53,9 @@ class Runner {
   /// Whether a rule is among those that run.
   bool runs(std::string_view rule) const;
 
-  /// What the rules on simulations say of what a run showed.
-  Diagnostics run(const Environment& environment, const Sources& sources,
-                  const read::Loaded& loaded, const simulate::Facts& shown) const;
+  /// What the rules on simulations say of each thing that a run showed, in the order of `shown`.
+  std::vector<Diagnostics> run_each(const Environment& environment, const Sources& sources,
+                                    const read::Loaded& loaded, const simulate::Facts& shown) const;
 
  private:
   /// What a check needs of its rule, beside the check: a file walks over hundreds of them, and the rules
