@@ -10,50 +10,53 @@
 namespace rigor::simulate {
 namespace {
 
-/// Points of a shape, in its frame, among which is the farthest in any direction of a few; radius
-/// that a ball about each of them adds.
-struct ReachPoints {
-  std::vector<Vector3> points;
-  double around = 0;
-};
-
 Vector3 unit_or_zero(const Vector3& v) {
   const double size = length(v);
   return size > 0 ? (1 / size) * v : Vector3{};
 }
 
 /// The rims of a cylinder: where they are lowest (`down` is in the shape's frame), and seven more.
-void add_rims(const mesh::Cylinder& cylinder, const Vector3& down, std::vector<Vector3>& points) {
+template <class See>
+void see_rims(const mesh::Cylinder& cylinder, const Vector3& down, const See& see) {
   const Vector3 across = unit_or_zero({down.x, down.y, 0});
   const double begin = std::atan2(across.y, across.x);
   for (const double end : {-0.5, 0.5}) {
     for (int i = 0; i < 8; ++i) {
       const double angle = begin + i * std::numbers::pi / 4;
-      points.push_back({cylinder.radius * std::cos(angle), cylinder.radius * std::sin(angle),
-                        end * cylinder.length});
+      see(Vector3{cylinder.radius * std::cos(angle), cylinder.radius * std::sin(angle),
+                  end * cylinder.length});
     }
   }
 }
 
-ReachPoints reach_points(const Scene& scene, const SceneShape& shape, const Vector3& toward) {
-  ReachPoints all;
+/// Shows the points of a shape, in its frame, among which is the farthest in any direction of a few; of
+/// balls and capsules the middles of what `ball_radius` is of.
+template <class See>
+void see_points(const Scene& scene, const SceneShape& shape, const Vector3& toward,
+                const See& see) {
   if (const auto* box = std::get_if<mesh::Box>(&shape.kind)) {
     for (int i = 0; i < 8; ++i) {
-      all.points.push_back({((i & 1) - 0.5) * box->size.x, ((i >> 1 & 1) - 0.5) * box->size.y,
-                            ((i >> 2 & 1) - 0.5) * box->size.z});
+      see(Vector3{((i & 1) - 0.5) * box->size.x, ((i >> 1 & 1) - 0.5) * box->size.y,
+                  ((i >> 2 & 1) - 0.5) * box->size.z});
     }
-  } else if (const auto* sphere = std::get_if<mesh::Sphere>(&shape.kind)) {
-    all = {{{}}, sphere->radius};
+  } else if (std::holds_alternative<mesh::Sphere>(shape.kind)) {
+    see(Vector3{});
   } else if (const auto* cylinder = std::get_if<mesh::Cylinder>(&shape.kind)) {
-    add_rims(*cylinder, toward, all.points);
+    see_rims(*cylinder, toward, see);
   } else if (const auto* capsule = std::get_if<mesh::Capsule>(&shape.kind)) {
-    all = {{{0, 0, -capsule->length / 2}, {0, 0, capsule->length / 2}}, capsule->radius};
+    for (const double end : {-0.5, 0.5}) see(Vector3{0, 0, end * capsule->length});
   } else if (const auto* hull = std::get_if<ConvexHull>(&shape.kind)) {
-    all.points = scene.meshes[hull->mesh].positions;
+    for (const Vector3& p : scene.meshes[hull->mesh].positions) see(p);
   } else if (const auto* soup = std::get_if<TriangleSoup>(&shape.kind)) {
-    all.points = scene.meshes[soup->mesh].positions;
+    for (const Vector3& p : scene.meshes[soup->mesh].positions) see(p);
   }
-  return all;
+}
+
+/// m: the radius of a ball about each of a shape's points that belongs to it.
+double ball_radius(const SceneShape& shape) {
+  if (const auto* sphere = std::get_if<mesh::Sphere>(&shape.kind)) return sphere->radius;
+  const auto* capsule = std::get_if<mesh::Capsule>(&shape.kind);
+  return capsule != nullptr ? capsule->radius : 0;
 }
 
 }  // namespace
@@ -70,21 +73,21 @@ double reach(const Scene& scene, const SceneShape& shape, const Vector3& directi
   }
   const Pose X_WS = start_pose(scene, shape);
   const Vector3 toward = rotate(conjugate(X_WS.rotation), direction_W);
-  const ReachPoints all = reach_points(scene, shape, toward);
   double farthest = -kInfinity;
-  for (const Vector3& p : all.points) farthest = std::max(farthest, dot(p, toward));
-  return farthest + all.around * length(direction_W) + dot(X_WS.translation, direction_W);
+  see_points(scene, shape, toward,
+             [&](const Vector3& p) { farthest = std::max(farthest, dot(p, toward)); });
+  return farthest + ball_radius(shape) * length(direction_W) + dot(X_WS.translation, direction_W);
 }
 
 std::vector<Vector3> low_points(const Scene& scene, const SceneShape& shape, double height) {
   const Pose X_WS = start_pose(scene, shape);
   const Vector3 down = rotate(conjugate(X_WS.rotation), {0, 0, -1});
-  const ReachPoints all = reach_points(scene, shape, down);
+  const Vector3 below = ball_radius(shape) * Vector3{0, 0, -1};
   std::vector<Vector3> low;
-  for (const Vector3& p : all.points) {
-    const Vector3 p_W = transform(X_WS, p) + all.around * Vector3{0, 0, -1};
+  see_points(scene, shape, down, [&](const Vector3& p) {
+    const Vector3 p_W = transform(X_WS, p) + below;
     if (p_W.z <= height) low.push_back(p_W);
-  }
+  });
   return low;
 }
 
