@@ -90,7 +90,7 @@ enum class FactKind : std::uint8_t {
   kCauseMeshWheel,
   kCauseStartOutsideLimits,
   kCauseNoCollision,
-  kCauseEffort,  ///< too little for the load
+  kCauseEffort,  ///< too little for the load; `name`: the unit of both, "N·m" or "N"
   /// `name`: "kinematic", "gravity" that acts on others of the model, "max_contacts" of 0.
   kCauseFlag,
   kCauseWheelFriction,  ///< of a wheel that drives; `value`: the larger of mu and mu2

@@ -10,10 +10,10 @@
 namespace rigor::rules::simulate_cause_effort {
 
 void check(const simulate::Fact& fact, Context& context) {
-  context.report(stated(
-      fact,
-      fmt::format("carries {:.3g} N·m (of a slider N) and may use {:.3g}", fact.value, fact.limit),
-      "raise the effort limit or lighten what it carries"));
+  context.report(stated(fact,
+                        fmt::format("carries {:.3g} {} and may use {:.3g} {}", fact.value,
+                                    fact.name, fact.limit, fact.name),
+                        "raise the effort limit or lighten what it carries"));
 }
 
 Rule rule() {
