@@ -5,7 +5,7 @@
 // whose help says what of the model is behind them.
 //
 //   const Simulator simulator(environment, sources, workspace, options);
-//   const PreparedModel model = simulator.prepare(loaded);
+//   const PreparedModel model = simulator.prepare(loaded, {});
 //   for (const SimulatedModel& result : simulator.run({{&model, {}}})) print(result.diagnostics);
 
 #pragma once

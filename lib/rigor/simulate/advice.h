@@ -4,7 +4,7 @@
 // Why a simulation may have gone wrong, looked for in the model itself: inertias that are not those of
 // the links' shapes, mass ratios across joints, wheels off their axis, overlaps, casters with friction.
 //
-//   for (const Fact& cause : causes_in(scene, input)) add(cause);
+//   for (const Fact& cause : causes_in(scene, input, wheels)) add(cause);
 //
 // Each cause says how bad it is (`value` against `limit`). `explain` picks those that can be behind what
 // a run showed, so that a message that says "drives backwards" also says what to change.

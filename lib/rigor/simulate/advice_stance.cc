@@ -88,8 +88,8 @@ void add_soft_contacts(Causes& causes, std::uint32_t m) {
 /// What `rest.weight_balance` warns of: what weighs less is not missed.
 constexpr double kMissedShare = 0.005;
 
-/// A link that moves as it is told or that gravity forgets, a shape that may touch nothing, is often meant: it goes along with what a
-/// run shows, and is no fault by itself.
+/// A link that moves as it is told or that gravity forgets, a shape that may touch nothing, is often
+/// meant: it goes along with what a run shows, and is no fault by itself.
 void add_flags(Causes& causes, std::uint32_t m) {
   const Scene& scene = causes.scene;
   double whole = 0;

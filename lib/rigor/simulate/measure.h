@@ -4,8 +4,8 @@
 // What is watched at each step of a run: the largest speeds, gaps and forces in each phase, when it came
 // to rest, how far it tilted. Metrics (metric.h) are made from these afterwards.
 //
-//   Watch watch(scene, scenario);
-//   while (engine.step()) watch.see(engine.state());
+//   Watch watch(scene, scenario, settings);
+//   for (watch.see(engine.state()); goes_on(); watch.see(engine.state())) engine.step();
 //   record.measures = watch.measures();
 
 #pragma once

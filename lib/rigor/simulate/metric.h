@@ -4,7 +4,7 @@
 // Numbers that say whether a run went as a sane robot's does, each with the limits beyond which it is a
 // warning and a failure. Where the limits come from stands in docs/simulate.md.
 //
-//   for (const Metric& metric : metrics_of(scene, scenario, record)) print(metric.id, metric.value);
+//   for (const Metric& metric : metrics_of(scene, scenario, record, wheels)) print(metric.id);
 
 #pragma once
 

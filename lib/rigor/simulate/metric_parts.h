@@ -4,7 +4,7 @@
 // What metrics are made with: the table of limits, and what of a scene they all ask. For sources of this
 // room.
 //
-//   MetricSheet sheet{scene, scenario, record, wheels};
+//   MetricSheet sheet{scene, scenario, record, wheels, {}, footings_of(scene)};
 //   sheet.add("tilt.max", phase->tilt.value, about_model(scene, phase->tilt.of));
 
 #pragma once

@@ -5,7 +5,7 @@
 // axis is level, whose child has a round shape about that axis that reaches the ground.
 //
 //   DriveTrain train = find_wheels(scene, {});
-//   if (train.wheels.empty()) say_why(train);
+//   if (train.empty()) say_why(train);
 
 #pragma once
 
