@@ -4,6 +4,9 @@
 #include <rigor/simulate/simulate.h>
 
 #include <algorithm>
+#include <set>
+#include <string_view>
+#include <tuple>
 #include <utility>
 
 #include <rigor/process/child.h>
@@ -143,12 +146,13 @@ void confirm_failures(RunQueue& queue, std::vector<TaskRun>& runs) {
   }
 }
 
-bool same_fact(const Fact& a, const Fact& b) {
-  return a.kind == b.kind && a.subject == b.subject && a.name == b.name;
-}
+/// Two facts with the same are told once.
+using FactKey = std::tuple<FactKind, std::string_view, std::string_view>;
+
+FactKey key_of(const Fact& fact) { return {fact.kind, fact.subject, fact.name}; }
 
 void add_once(Facts& facts, const Fact& fact, const std::string& test) {
-  const auto same = [&](const Fact& other) { return same_fact(other, fact); };
+  const auto same = [&](const Fact& other) { return key_of(other) == key_of(fact); };
   if (std::any_of(facts.begin(), facts.end(), same)) return;
   facts.push_back(fact);
   facts.back().test = test;
@@ -177,19 +181,18 @@ void conclude_run(const Scene& scene, const Facts& causes, Run& run) {
 /// What is plainly wrong is worth a word even where no run showed it: such causes come first.
 void add_unexplained(const Facts& causes, Simulation& simulation) {
   if (simulation.runs.empty()) return;
+  std::set<FactKey> told;
+  for (const Run& run : simulation.runs) {
+    for (const Fact& fact : run.facts) told.insert(key_of(fact));
+  }
   Facts alone;
   for (const Fact& cause : causes) {
-    const auto told = [&](const Run& run) {
-      return std::any_of(run.facts.begin(), run.facts.end(),
-                         [&](const Fact& fact) { return same_fact(fact, cause); });
-    };
-    if (!cause.severe) continue;
-    if (std::none_of(simulation.runs.begin(), simulation.runs.end(), told)) {
-      add_once(alone, cause, {});
-    }
+    if (!cause.severe || !told.insert(key_of(cause)).second) continue;
+    alone.push_back(cause);
+    alone.back().test.clear();
+    alone.back().severe = false;  // nothing failed by it
   }
   if (alone.empty()) return;
-  for (Fact& cause : alone) cause.severe = false;  // nothing failed by it
   Run& first = simulation.runs.front();
   first.facts.insert(first.facts.begin(), alone.begin(), alone.end());
   first.verdict = worse(first.verdict, Verdict::kWarn);
