@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include <rigor/simulate/footprint.h>
 #include <rigor/simulate/joint_load.h>
@@ -215,6 +217,20 @@ TEST(Tests, HoldHasGainsThatTheLoadHardlyBends) {
   EXPECT_NEAR(effective_inertia(scene, scene.joints[0]), 1 / (1 / 0.18 + 1 / 10.25), 1e-12);
   EXPECT_LE(load / hold.commands[0].gains->p, 0.005 + 1e-12);
   EXPECT_LE(hold.commands[0].gains->d * 0.001, 0.25 * 0.18);
+}
+
+/// A body on two joints hangs on what bears them once, and a ring of joints has an end.
+TEST(Tests, WhatHangsOnTwoJointsCountsOnce) {
+  Scene scene = crate_with_pole();
+  for (int i = 0; i < 2; ++i) {
+    scene.bodies.push_back(scene.bodies[1]);
+    scene.joints.push_back(hinge("crate::link", 1, 2, {0.4, 0, 0.5}, {0, -1, 0}));
+  }
+  scene.joints.push_back(hinge("crate::ring", 2, 1, {0.4, 0, 0.5}, {0, -1, 0}));
+  EXPECT_EQ(CarriedBodies(scene).by(0), (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(CarriedBodies(scene).by(3), std::vector<std::uint32_t>{3});
+  EXPECT_NEAR(JointLoads(scene).weight(scene.joints[0]), 2 * 9.8 * 0.4, 1e-12);
+  EXPECT_NEAR(JointLoads(scene).inertia(scene.joints[0]), 2 * (0.02 + 0.16), 1e-12);
 }
 
 TEST(Tests, BrakesHoldWhatIsNoWheelNoSpringAndNoFollower) {
