@@ -111,6 +111,8 @@ class SchemaWalk {
       }
     }
     add(fact);
+    // As of an element: consumers read its value with their newest schema.
+    if (fact.kind == Kind::kNewerThanVersion) attribute_value(element, attribute, *fact.node);
   }
 
   void children(xml::Element element, const Node& node) {
@@ -215,7 +217,7 @@ class SchemaWalk {
     if (type != Type::kString) {
       const bool pose = type == Type::kPose && !given.attribute;
       const auto format = pose ? rotation_format(given.element) : schema::RotationFormat::kEulerRpy;
-      if (const auto fault = schema::check(type, text, format)) {
+      if (const auto fault = checked(type, text, format)) {
         SchemaFact fact = about(Kind::kBadValue, given, node);
         const bool verbatim =
             given.attribute ? given.attribute->verbatim() : given.element.text_verbatim();
@@ -242,6 +244,15 @@ class SchemaWalk {
     if (is_number(type) && (node.minimum() || node.maximum()) && outside(value, node)) {
       add(about(Kind::kOutOfRange, given, node));
     }
+  }
+
+  /// urdfdom takes a colour only with its alpha: with three numbers it is black, without a word.
+  std::optional<schema::ValueFault> checked(Type type, std::string_view text,
+                                            schema::RotationFormat format) const {
+    constexpr std::size_t kOfColor = 4;
+    const auto fault = schema::check(type, text, format);
+    if (fault || !urdf_ || type != Type::kColor || words_in(text) == kOfColor) return fault;
+    return schema::ValueFault{schema::ValueFault::Kind::kTooFew, 0, text.size()};
   }
 
   static SchemaFact about(Kind kind, const Value& given, const Node& node) {

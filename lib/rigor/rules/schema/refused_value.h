@@ -37,17 +37,6 @@ inline bool urdfdom_refuses_in(xml::Element element) {
 /// A pose with a quaternion has seven numbers.
 constexpr std::size_t kMostInPose = 7;
 
-inline std::size_t words_in(std::string_view text) {
-  std::size_t words = 0;
-  bool inside = false;
-  for (const char c : text) {
-    const bool space = c == ' ' || c == '\t' || c == '\n' || c == '\r';
-    words += !space && !inside ? 1 : 0;
-    inside = !space;
-  }
-  return words;
-}
-
 /// libsdformat takes these words for 1 and 0 wherever one number is due.
 inline bool is_truth(std::string_view text) {
   const std::string_view word = read::trimmed(text);
@@ -72,7 +61,8 @@ inline bool refuses_value(const read::SchemaFact& fact, const Context& context) 
   using Kind = schema::ValueFault::Kind;
   using schema::Type;
   if (context.is_urdf()) return urdfdom_refuses_in(fact.element);
-  if (!known_to_sdformat(fact.element, context)) return false;
+  constexpr schema::Version kLatest{9};  // that libsdformat 12 knows
+  if (fact.node->since() > kLatest || !known_to_sdformat(fact.element, context)) return false;
   if (!fact.value_fault) return true;
   const Type type = fact.node->type();
   const bool vector = type == Type::kVector2 || type == Type::kVector2i || type == Type::kVector3 ||
@@ -81,7 +71,7 @@ inline bool refuses_value(const read::SchemaFact& fact, const Context& context) 
     case Kind::kNotFinite: return vector || type == Type::kPose || type == Type::kColor;
     case Kind::kDecimalComma: return vector;
     case Kind::kTrailingText: {
-      if (type == Type::kPose) return words_in(fact.text) > kMostInPose;
+      if (type == Type::kPose) return read::words_in(fact.text) > kMostInPose;
       const std::string_view value = read::trimmed(fact.text);
       const std::size_t begin = static_cast<std::size_t>(value.data() - fact.text.data());
       return vector && fact.value_fault->end < begin + value.size();

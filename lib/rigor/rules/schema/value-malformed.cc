@@ -29,7 +29,7 @@ bool told_elsewhere(const read::SchemaFact& fact, const Context& context) {
 
 void check(const read::SchemaFact& fact, Context& context) {
   if (told_elsewhere(fact, context)) return;
-  const std::string wanted(expected(fact.node->type()));
+  const std::string wanted(expected(fact, context));
   std::string message = owner_of(fact) + " takes " + wanted + ", not " + quoted_fault(fact);
   if (has_kind(fact, FaultKind::kEmpty)) message = owner_of(fact) + " is empty: it takes " + wanted;
   if (has_kind(fact, FaultKind::kTooMany)) {

@@ -15,7 +15,7 @@ using FaultKind = schema::ValueFault::Kind;
 void check(const read::SchemaFact& fact, Context& context) {
   if (!has_kind(fact, FaultKind::kTooFew) || left_for_xacro(fact)) return;
   context.report({.where = fact.where,
-                  .message = owner_of(fact) + " takes " + std::string(expected(fact.node->type())) +
+                  .message = owner_of(fact) + " takes " + std::string(expected(fact, context)) +
                              ", not " + quoted_fault(fact),
                   .subject = subject_of(fact.element),
                   .refused = refuses_value(fact, context)});
@@ -32,7 +32,7 @@ Rule rule() {
       .summary = "a vector, pose or colour has too few numbers",
       .why =
           "libsdformat refuses the file. urdfdom refuses the robot, or leaves the link without "
-          "the part.",
+          "the part. A colour of less than four numbers it takes for black.",
       .what_to_do = "Write all the numbers, with spaces between them.",
       .bad = {{R"(<sdf version="1.9">
   <model name="box">

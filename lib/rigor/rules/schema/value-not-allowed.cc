@@ -48,6 +48,16 @@ Rule rule() {
     </link>
   </model>
 </sdf>
+)"},
+              // libsdformat looks with its newest schema, in a file of 1.8 too.
+              {R"(<sdf version="1.8">
+  <model name="box">
+    <static>true</static>
+    <link name="body">
+      <pose rotation_format="«quat»">0 0 0 0 0 0</pose>
+    </link>
+  </model>
+</sdf>
 )"}},
       .good = {{R"(<sdf version="1.9">
   <model name="box">

@@ -10,6 +10,7 @@
 
 #include <rigor/read/conformance.h>
 #include <rigor/read/values.h>
+#include <rigor/rules/context.h>
 #include <rigor/rules/schema/place.h>
 #include <rigor/rules/xml/xacro.h>
 #include <rigor/schema/type.h>
@@ -49,6 +50,18 @@ inline std::string_view expected(schema::Type type) {
     case schema::Type::kChar: return "a character";
     default: return "a number";
   }
+}
+
+/// Of this value: what urdfdom takes for a colour, and a pose with a quaternion, are their own.
+inline std::string_view expected(const read::SchemaFact& fact, const Context& context) {
+  const schema::Type type = fact.node->type();
+  if (type == schema::Type::kColor && context.is_urdf()) return "four numbers from 0 to 1";
+  const auto format = fact.element.attribute("rotation_format");
+  const bool quaternion = format && read::trimmed(format->value()) == "quat_xyzw";
+  if (type == schema::Type::kPose && quaternion) {
+    return "seven numbers, x y z and the quaternion x y z w";
+  }
+  return expected(type);
 }
 
 /// Whether xacro was to write the value; `xml-leftover-xacro` speaks of that.
