@@ -20,13 +20,10 @@ std::string mismatch(const model::Joint& joint, const model::Joint& leader, std:
   }
   const std::size_t leads = degrees_of_freedom(leader.type);
   const std::size_t follows = degrees_of_freedom(joint.type);
+  if (context.is_sdf() && axis >= leader.axes.size()) return {};  // mimic-axis-invalid
   if (leads == 0) return "which is fixed: this one stays where it is";
   if (follows == 0) return "but is fixed itself";
-  if (context.is_sdf()) {
-    if (leader.axes.empty()) return "which has no axis";
-    if (axis >= leads || axis >= leader.axes.size()) return "which has no second axis";
-    return {};
-  }
+  if (context.is_sdf()) return axis < leads ? "" : "which has no second axis";
   if (leads == follows) return {};
   return fmt::format("which is {}, while it is {} itself", to_string(leader.type),
                      to_string(joint.type));
@@ -57,8 +54,7 @@ Rule rule() {
       .why =
           "A joint follows another by one number: the position of both. A fixed joint has "
           "none, and a planar, floating or ball joint has several. MoveIt leaves such a "
-          "mimic out; newer libsdformat refuses one whose leader lacks the axis; elsewhere "
-          "the joint stands still.",
+          "mimic out; elsewhere the joint stands still.",
       .what_to_do = "Name a joint with one axis, or take the mimic out.",
       .bad = {{R"(<robot name="arm">
   <link name="base"/>
@@ -84,6 +80,9 @@ Rule rule() {
     <joint name="knuckle" type="fixed">
       <parent>base</parent>
       <child>finger</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+      </axis>
     </joint>
     <joint name="elbow" type="revolute">
       <parent>base</parent>
@@ -95,41 +94,6 @@ Rule rule() {
           <upper>1</upper>
         </limit>
         <mimic joint="«knuckle»">
-          <multiplier>1</multiplier>
-          <offset>0</offset>
-          <reference>0</reference>
-        </mimic>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <link name="finger"/>
-    <joint name="knuckle" type="revolute">
-      <parent>base</parent>
-      <child>finger</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-        </limit>
-      </axis>
-    </joint>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-        </limit>
-        <mimic joint="«knuckle»" axis="axis2">
           <multiplier>1</multiplier>
           <offset>0</offset>
           <reference>0</reference>

@@ -18,7 +18,7 @@ namespace rigor::rules {
 
 /// Who speaks of a value that is in no list.
 enum class ListKeeper {
-  kOwnRule,  ///< the rule for types of joints, sensors or physics engines
+  kOwnRule,  ///< the rule for types of joints, sensors or physics engines, or for mimics
   kRefuses,  ///< libsdformat refuses the file
   kNobody,   ///< nobody looks, and the simulator does as it likes
 };
@@ -41,6 +41,7 @@ inline ListKeeper keeper_of(const read::SchemaFact& fact) {
   if (attribute == "type" && (element == "joint" || element == "sensor" || element == "physics")) {
     return ListKeeper::kOwnRule;
   }
+  if (element == "mimic" && attribute == "axis") return ListKeeper::kOwnRule;
   const bool refused =
       (element == "light" && attribute == "type") || (element == "shader" && attribute == "type") ||
       element == "format" || (element == "particle_emitter" && attribute == "type") ||
