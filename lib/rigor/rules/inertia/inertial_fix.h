@@ -68,10 +68,33 @@ inline bool has_unread_values(const model::Link& link, const Context& context) {
   return false;
 }
 
+/// Whether a value of the inertial stands there and is no number: what it was meant to be is not known.
+inline bool has_malformed_value(const model::Inertial& inertial, const Context& context) {
+  const auto malformed = [](const std::optional<read::Text>& text) {
+    return text && !read::trimmed(text->text).empty() && !read::number_field(text, 0).written;
+  };
+  if (!inertial.written) return false;
+  const xml::Element element = context.element(inertial.site);
+  const bool in_attributes = read::values_are_attributes(element);
+  if (const auto mass = element.child("mass")) {
+    const read::Text text{mass->text(), mass->text_span()};
+    if (malformed(in_attributes ? read::attribute_text(*mass, "value") : text)) return true;
+  }
+  const auto tensor = element.child("inertia");
+  if (!tensor) return false;
+  for (const std::string_view name : {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}) {
+    if (malformed(read::child_text(*tensor, name))) return true;
+  }
+  return false;
+}
+
 /// Nothing when neither the collisions nor the visuals are all solids that can be the body, or when
 /// the author's own numbers or sizes are in doubt.
 inline std::optional<Fix> fix_from_shapes(const model::Link& link, Context& context) {
-  if (has_suspicious_shape(link, context) || has_unread_values(link, context)) return std::nullopt;
+  if (has_suspicious_shape(link, context) || has_unread_values(link, context) ||
+      has_malformed_value(link.inertial, context)) {
+    return std::nullopt;
+  }
   for (const mass::From from : {mass::From::kCollisions, mass::From::kVisuals}) {
     const auto proposal = mass::propose(link.inertial, context.body(link, from), {});
     if (!proposal) continue;

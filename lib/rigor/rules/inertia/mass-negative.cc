@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -12,13 +17,33 @@
 namespace rigor::rules::mass_negative {
 namespace {
 
+/// Only the sign goes where that gives the shapes a density that bodies have.
+std::optional<Fix> fix_of_sign(const model::Link& link, Context& context) {
+  const auto& mass = link.inertial.mass;
+  const std::string_view bytes = context.bytes(mass.span);
+  const std::size_t minus = bytes.find_first_not_of(" \t\r\n");
+  if (minus == std::string_view::npos || bytes[minus] != '-') return std::nullopt;
+  for (const mass::From from : {mass::From::kCollisions, mass::From::kVisuals}) {
+    const auto solid = solid_of_all(link, from, context);
+    if (!solid || -mass.value > kDensestOfParts * solid->mass) continue;
+    if (-mass.value < kAir * solid->mass) continue;
+    Span sign = mass.span;
+    sign.begin += static_cast<std::uint32_t>(minus);
+    sign.end = sign.begin + 1;
+    return Fix{"take the minus away", Applicability::kUnsafe, {{sign, ""}}};
+  }
+  return std::nullopt;
+}
+
 void check(const model::Link& link, Context& context) {
   const auto& mass = link.inertial.mass;
   if (!mass.written || !(mass.value < 0) || !std::isfinite(mass.value)) return;
+  std::optional<Fix> fix = fix_of_sign(link, context);
+  if (!fix) fix = fix_from_shapes(link, context);
   context.report({.where = mass.span,
                   .message = fmt::format("the mass is {} kg: it must be above zero", mass.value),
                   .subject = context.subject(link),
-                  .fix = fix_from_shapes(link, context),
+                  .fix = std::move(fix),
                   .refused = refuses_inertia(link, context)});
 }
 
@@ -54,16 +79,15 @@ Rule rule() {
   </model>
 </sdf>
 )",
-               // Six litres of water; a solid box has m / 12 (y² + z²) and so on.
                R"(<sdf version="1.9">
   <model name="arm">
     <link name="body">
       <inertial>
-        <mass>6</mass>
+        <mass>1</mass>
         <inertia>
-          <ixx>0.025</ixx>
-          <iyy>0.05</iyy>
-          <izz>0.065</izz>
+          <ixx>0.01</ixx>
+          <iyy>0.01</iyy>
+          <izz>0.01</izz>
         </inertia>
       </inertial>
       <collision name="hull">

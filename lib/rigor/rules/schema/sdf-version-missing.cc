@@ -1,20 +1,45 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <optional>
+#include <string>
+
+#include <rigor/read/conformance.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sdf_version_missing {
 namespace {
 
+/// Whether each element and attribute that some version knows is known to this one.
+bool knows_all(const schema::Node& root, const xml::Document& document) {
+  bool all = true;
+  read::check_conformance(document, root, [&all](const read::SchemaFact& fact) {
+    all = all && fact.kind != read::SchemaFactKind::kRemovedInVersion &&
+          fact.kind != read::SchemaFactKind::kNewerThanVersion;
+  });
+  return all;
+}
+
+std::optional<Fix> declare_version(const Context& context) {
+  const xml::Element root = *context.document().root();
+  const auto& versions = context.schema()->versions();
+  for (auto at = versions.rbegin(); at != versions.rend(); ++at) {
+    const auto node = context.schema()->root(root.name(), *at);
+    if (!node || !knows_all(*node, context.document())) continue;
+    const std::string version = schema::to_string(*at);
+    return fix_of("declare SDF " + version, Applicability::kUnsafe,
+                  xml::set_attribute(context.document(), root, "version", version));
+  }
+  return std::nullopt;
+}
+
 void check(const read::Fact& fact, Context& context) {
   const std::string version = schema::to_string(schema::Version{context.root().version});
   context.report({.where = fact.where,
                   .message = "the root element has no 'version'",
                   .help = "the file is checked as SDF " + version,
-                  .fix = fix_of("declare SDF " + version, Applicability::kUnsafe,
-                                xml::set_attribute(context.document(), *context.document().root(),
-                                                   "version", version))});
+                  .fix = declare_version(context)});
 }
 
 }  // namespace
@@ -41,6 +66,37 @@ Rule rule() {
   <model name="box">
     <static>true</static>
     <link name="body"/>
+  </model>
+</sdf>
+)"},
+              // The last version that has the element is 1.6.
+              {R"(«<sdf>»
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <use_parent_model_frame>true</use_parent_model_frame>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)",
+               R"(<sdf version="1.6">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <axis>
+        <xyz>0 0 1</xyz>
+        <use_parent_model_frame>true</use_parent_model_frame>
+      </axis>
+    </joint>
   </model>
 </sdf>
 )"}},

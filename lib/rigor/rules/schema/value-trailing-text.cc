@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,16 +39,31 @@ std::vector<Edit> numbers_alone(const read::SchemaFact& fact, const Context& con
   return edits;
 }
 
+/// What is cut off may be a part of the number: "3.1l2e-05", "1e".
+bool is_part_of_number(std::string_view tail) {
+  if (tail.starts_with(',')) return false;
+  return tail.starts_with('e') || tail.starts_with('E') ||
+         tail.find_first_of("0123456789") != tail.npos;
+}
+
+std::optional<Fix> fix_for(const read::SchemaFact& fact, const Context& context) {
+  const auto& fault = *fact.value_fault;
+  if (is_part_of_number(fact.text.substr(fault.begin, fault.end - fault.begin))) {
+    return std::nullopt;
+  }
+  return fix_of("remove it", Applicability::kUnsafe, numbers_alone(fact, context));
+}
+
 void check(const read::SchemaFact& fact, Context& context) {
   if (!has_kind(fact, FaultKind::kTrailingText) || left_for_xacro(fact)) return;
   const std::string_view unit = fact.node->unit();
   context.report({.where = fact.where,
-                  .message = owner_of(fact) + " takes " + std::string(expected(fact.node->type())) +
+                  .message = owner_of(fact) + " takes " + std::string(expected(fact, context)) +
                              ": " + quoted_fault(fact) +
                              (context.is_urdf() ? " is refused" : " is passed over"),
                   .subject = subject_of(fact.element),
                   .help = unit.empty() ? "" : "the number is in " + std::string(unit),
-                  .fix = Fix{"remove it", Applicability::kUnsafe, numbers_alone(fact, context)},
+                  .fix = fix_for(fact, context),
                   .refused = refuses_value(fact, context)});
 }
 
