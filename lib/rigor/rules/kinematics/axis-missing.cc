@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include <rigor/read/values.h>
 #include <rigor/rules/kinematics/motion.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/xml/xacro.h>
@@ -11,12 +12,26 @@ namespace rigor::rules::axis_missing {
 namespace {
 
 void check(const model::Joint& joint, Context& context) {
-  if (!has_axis(joint.type) || !joint.axes.empty()) return;
-  if (has_xacro_child(context.element(joint.site))) return;
-  context.report({.where = joint.site.name,
-                  .message = "the " + std::string(to_string(joint.type)) +
-                             " joint has no <axis>: it is taken to move along z (0 0 1)",
-                  .subject = context.subject(joint)});
+  const xml::Element element = context.element(joint.site);
+  if (!has_axis(joint.type) || has_xacro_child(element)) return;
+  if (!element.child("axis")) {
+    context.report({.where = joint.site.name,
+                    .message = "the " + std::string(to_string(joint.type)) +
+                               " joint has no <axis>: it is taken to move along " +
+                               (context.is_urdf() ? "x (1 0 0)" : "z (0 0 1)"),
+                    .subject = context.subject(joint)});
+    return;
+  }
+  if (context.is_urdf()) return;  // missing-attribute
+  for (const model::Axis& axis : joint.axes) {
+    const xml::Element written = context.element(axis.site);
+    if (!read::trimmed(written.text()).empty()) continue;  // text-between-elements
+    if (written.child("xyz") || written.attribute("xyz") || has_xacro_child(written)) continue;
+    context.report({.where = axis.site.name,
+                    .message = "the <" + std::string(written.name()) +
+                               "> has no <xyz>: the joint is taken to move along z (0 0 1)",
+                    .subject = context.subject(joint)});
+  }
 }
 
 }  // namespace
@@ -26,12 +41,11 @@ Rule rule() {
       .name = "axis-missing",
       .category = Category::kKinematics,
       .severity = Severity::kInfo,
-      .formats = Formats::kSdf,
       .summary = "a joint that moves along an axis has none",
       .why =
-          "SDF then takes the z axis of the joint's frame. URDF takes x, so the robot changes "
+          "SDF then takes the z axis of the joint's frame, and URDF x, so the robot changes "
           "when it is converted by hand.",
-      .what_to_do = "Write the axis: <axis><xyz>0 0 1</xyz></axis>.",
+      .what_to_do = "Write the axis: <axis><xyz>0 0 1</xyz></axis>, in URDF <axis xyz=\"1 0 0\"/>.",
       .bad = {{R"(<sdf version="1.9">
   <model name="arm">
     <link name="base"/>
@@ -42,6 +56,32 @@ Rule rule() {
     </joint>
   </model>
 </sdf>
+)"},
+              {R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="tip"/>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent>
+      <child>tip</child>
+      <«axis»>
+        <limit>
+          <lower>-1</lower>
+          <upper>1</upper>
+        </limit>
+      </axis>
+    </joint>
+  </model>
+</sdf>
+)"},
+              {R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <«joint» name="elbow" type="continuous">
+    <parent link="base"/>
+    <child link="tip"/>
+  </joint>
+</robot>
 )"}},
       .good = {{R"(<sdf version="1.9">
   <model name="arm">
