@@ -1,0 +1,57 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <variant>
+
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::shape_newer_than_urdf {
+namespace {
+
+template <class Entity>
+void check(const Entity& entity, Context& context) {
+  const bool capsule = std::holds_alternative<model::Capsule>(entity.geometry.shape);
+  if (!capsule || context.root().version >= 1) return;
+  context.report({.where = entity.geometry.site.name,
+                  .message = "URDF has capsules from 1.1 on: this file is URDF 1.0",
+                  .subject = context.subject(entity)});
+}
+
+}  // namespace
+
+Rule rule() {
+  return {
+      .name = "shape-newer-than-urdf",
+      .category = Category::kGeometry,
+      .severity = Severity::kWarning,
+      .formats = Formats::kUrdf,
+      .summary = "a shape is newer than the version of the file",
+      .why =
+          "urdfdom knows capsules since 5.1, in files of version 1.1; else it leaves the collision "
+          "or "
+          "visual out, and with it what RViz shows and MoveIt avoids. Pinocchio, Drake and others "
+          "have readers of their own and take it.",
+      .what_to_do =
+          "Write version=\"1.1\" at <robot> where urdfdom is new enough, or a cylinder and two "
+          "spheres.",
+      .bad = {{R"(<robot name="arm">
+  <link name="base">
+    <collision>
+      <geometry><«capsule» radius="0.1" length="0.5"/></geometry>
+    </collision>
+  </link>
+</robot>
+)"}},
+      .good = {{R"(<robot name="arm" version="1.1">
+  <link name="base">
+    <collision>
+      <geometry><capsule radius="0.1" length="0.5"/></geometry>
+    </collision>
+  </link>
+</robot>
+)"}},
+      .checks = {on<model::Collision>(check), on<model::Visual>(check)},
+  };
+}
+
+}  // namespace rigor::rules::shape_newer_than_urdf
