@@ -1,6 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
@@ -23,6 +24,23 @@ bool looks_like_degrees(double angle) {
   return std::fmod(size, 15) == 0 || size == 170 || size == 350;
 }
 
+/// Bounds of any other number, beyond the turns that a multi-turn joint is given; those are round, or
+/// counted in half turns.
+bool look_like_degrees(const model::Field<double>& lower, const model::Field<double>& upper) {
+  constexpr double kMostOfTurns = 4 * kTurn;
+  constexpr double kCircle = 360;
+  const auto is_count = [](double angle) {
+    const double half_turns = std::abs(angle) / (kTurn / 2);
+    const bool whole = std::fmod(angle, 1) == 0;
+    return whole ? std::fmod(angle, 50) == 0 : std::abs(half_turns - std::round(half_turns)) < 0.02;
+  };
+  if (!lower.written || !upper.written || !(lower.value < upper.value)) return false;
+  const double most = std::max(std::abs(lower.value), std::abs(upper.value));
+  if (most <= kMostOfTurns || most > kCircle) return false;
+  const double wider = most == std::abs(upper.value) ? upper.value : lower.value;
+  return !is_count(wider);
+}
+
 /// Both limits are of the same unit, but one that is an angle already was turned into radians before.
 Fix in_radians(const model::Axis& axis) {
   Fix fix{"write radians", Applicability::kUnsafe, {}};
@@ -39,8 +57,11 @@ void check(const model::Joint& joint, Context& context) {
   for (const model::Axis& axis : joint.axes) {
     const bool lower = axis.lower.written && looks_like_degrees(axis.lower.value);
     const bool upper = axis.upper.written && looks_like_degrees(axis.upper.value);
-    if (!lower && !upper) continue;
-    const model::Field<double>& limit = upper ? axis.upper : axis.lower;
+    const bool both = joint.type == model::JointType::kRevolute && !lower && !upper &&
+                      look_like_degrees(axis.lower, axis.upper);
+    if (!lower && !upper && !both) continue;
+    const bool wider = both && std::abs(axis.upper.value) >= std::abs(axis.lower.value);
+    const model::Field<double>& limit = upper || wider ? axis.upper : axis.lower;
     context.report(
         {.where = limit.span,
          .message = fmt::format("the limit {0} looks like degrees: limits are in radians, "
