@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/read/values.h>
 #include <rigor/rules/inertia/solid_body.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
@@ -27,12 +28,15 @@ void check(const model::Link& link, Context& context) {
   if (!is_dynamic(link, context)) return;
   // One that cannot be read is told by the schema's rules.
   const xml::Element element = context.element(inertial.site);
-  if (element.child("mass") || element.attribute("mass")) return;
-  if (is_made_for_one_kilogram(link, context)) return;
+  const auto child = element.child("mass");
+  const bool empty = child && child->attributes().empty() && read::trimmed(child->text()).empty();
+  if ((child && !empty) || element.attribute("mass")) return;
+  if (!empty && is_made_for_one_kilogram(link, context)) return;
   const char* tensor = inertial.tensor_written ? "" : ", with a moment of 1 kg·m² about every axis";
   context.report(
-      {.where = inertial.site.name,
-       .message = fmt::format("the <inertial> has no <mass>: it is taken to be 1 kg{}", tensor),
+      {.where = empty ? child->name_span() : inertial.site.name,
+       .message = fmt::format("the {}: it is taken to be 1 kg{}",
+                              empty ? "<mass> is empty" : "<inertial> has no <mass>", tensor),
        .subject = context.subject(link)});
 }
 
@@ -55,6 +59,21 @@ Rule rule() {
   <model name="arm">
     <link name="body">
       <«inertial»>
+        <inertia>
+          <ixx>0.02</ixx>
+          <iyy>0.02</iyy>
+          <izz>0.02</izz>
+        </inertia>
+      </inertial>
+    </link>
+  </model>
+</sdf>
+)"},
+              {R"(<sdf version="1.9">
+  <model name="arm">
+    <link name="body">
+      <inertial>
+        <«mass»></mass>
         <inertia>
           <ixx>0.02</ixx>
           <iyy>0.02</iyy>
