@@ -1,6 +1,8 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -24,7 +26,11 @@ bool is_of_gazebo(std::string_view uri, xml::Element element) {
   if (uri.starts_with("file://media/") || uri == "__default__") return true;
   if (uri.find('/') != std::string_view::npos) return false;
   const auto above = element.parent();
-  return element.name() == "filename" || (above && above->name() == "projector");
+  if (element.name() != "filename") return above && above->name() == "projector";
+  constexpr std::array<std::string_view, 9> kActors = {"moonwalk.dae", "run.dae",    "sit_down.dae",
+                                                       "sitting.dae",  "stand.dae",  "stand_up.dae",
+                                                       "talk_a.dae",   "talk_b.dae", "walk.dae"};
+  return std::find(kActors.begin(), kActors.end(), uri) != kActors.end();
 }
 
 /// Of a path of one machine, and of what is no path, other rules speak.
