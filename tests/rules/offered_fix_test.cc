@@ -79,6 +79,24 @@ TEST(OfferedFix, DeclaresNoVersionThatLacksAnElement) {
   EXPECT_EQ(offered(joint(young, old))["sdf-version-missing"], "");
 }
 
+TEST(OfferedFix, ConvertsALimitOnlyWhereTheOtherIsOfAKnownUnit) {
+  const auto limits = [](const std::string& lower, const std::string& upper) {
+    return "<sdf version='1.9'><model name='m'><link name='a'/><link name='b'/>"
+           "<joint name='j' type='revolute'><parent>a</parent><child>b</child><axis>"
+           "<xyz>0 0 1</xyz><limit><lower>" +
+           lower + "</lower><upper>" + upper + "</upper></limit></axis></joint></model></sdf>";
+  };
+  EXPECT_EQ(offered(limits("-143", "69"))["limit-looks-like-degrees"], "write radians");
+  EXPECT_EQ(offered(limits("0", "69"))["limit-looks-like-degrees"], "write radians");
+  EXPECT_EQ(offered(limits("-3.14", "125"))["limit-looks-like-degrees"], "write radians");
+  EXPECT_EQ(offered(limits("-5", "125"))["limit-looks-like-degrees"], "");
+  // Turns and half turns, round numbers, and no limit at all are none.
+  for (const auto& [lower, upper] : std::map<std::string, std::string>{
+           {"-12.56", "12.56"}, {"-31.416", "31.416"}, {"-100", "100"}, {"-1e16", "1e16"}}) {
+    EXPECT_EQ(offered(limits(lower, upper)).count("limit-looks-like-degrees"), 0U) << upper;
+  }
+}
+
 TEST(OfferedFix, DoesNotRemoveAnEmptyMass) {
   const auto titles = offered(box_with("", "0.01"));
   EXPECT_EQ(titles.count("value-empty"), 0U);

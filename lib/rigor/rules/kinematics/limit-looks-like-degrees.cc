@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/core.h>
 
@@ -41,12 +42,16 @@ bool look_like_degrees(const model::Field<double>& lower, const model::Field<dou
   return !is_count(wider);
 }
 
-/// Both limits are of the same unit, but one that is an angle already was turned into radians before.
-Fix in_radians(const model::Axis& axis) {
+/// Both limits are of the same unit, but one that is an angle already was turned into radians before. A
+/// small whole number may be either, and then there is no fix.
+std::optional<Fix> in_radians(const model::Axis& axis) {
   Fix fix{"write radians", Applicability::kUnsafe, {}};
   for (const model::Field<double>* limit : {&axis.lower, &axis.upper}) {
     if (!limit->written || !std::isfinite(limit->value)) continue;
-    if (std::abs(limit->value) <= kTurn) continue;
+    if (std::abs(limit->value) <= kTurn) {
+      if (limit->value != 0 && std::fmod(limit->value, 1) == 0) return std::nullopt;
+      continue;
+    }
     fix.edits.push_back({limit->span, write::joined({limit->value / 360 * kTurn})});
   }
   return fix;
