@@ -20,7 +20,7 @@ bool has_near_static(xml::Element model) {
 /// The model that would have to be static: its own, when nothing in it can move.
 std::optional<Fix> make_static(const model::Model& model, Context& context) {
   if (!context.root().own(model.site) || !model.joints.empty() || model.links.size() != 1 ||
-      has_near_static(context.element(model.site))) {
+      model.is_static.written || has_near_static(context.element(model.site))) {
     return std::nullopt;
   }
   return fix_of("make the model static", Applicability::kUnsafe,
