@@ -155,7 +155,8 @@ void add_turn(MetricSheet& sheet, std::string_view phase_name, std::string_view 
   if (phase == nullptr) return;
   const double apart = rolled(sheet.scene, sheet.wheels.right, *phase) -
                        rolled(sheet.scene, sheet.wheels.left, *phase);
-  if (std::abs(apart) < kLeastWay) return;
+  // Wheels that do not turn do not turn the model either.
+  if (std::abs(apart) < kLeastWay) return sheet.add(id, 1, about_laziest(sheet, *phase));
   const double track = sheet.wheels.track;
   const double ratio = phase->yaw_path[sheet.wheels.model] / (apart / track);
   // Wheels that skid anyway: a turn of a tenth will do, and what is missing of that is told.
