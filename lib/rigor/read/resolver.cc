@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <utility>
 
 #include <rigor/text/path.h>
@@ -23,6 +24,11 @@ std::vector<SearchPath> split(const std::string& value, const std::string& origi
 }
 
 constexpr std::string_view kConfiguredOrigin = "rigor.toml";
+
+/// How many folders up a path of nothing but ".." leads, which has no end; 0 of any other path.
+std::ptrdiff_t folders_up(std::string_view path) {
+  return file_name(path) == ".." ? std::count(path.begin(), path.end(), '/') + 1 : 0;
+}
 
 /// The greatest of the names that are whole numbers; empty when none is, as in a folder of one version.
 std::string newest_version(const std::vector<std::string>& names) {
@@ -152,21 +158,20 @@ const std::optional<PackageManifest>& Resolver::manifest(const std::string& fold
   return known->second;
 }
 
-std::vector<std::string> Resolver::places_in_package(std::string folder) const {
+std::vector<std::string> Resolver::find_package_folders(const std::string& folder) const {
   std::vector<std::string> places;
-  for (int i = 0; i < kMaxAncestors; ++i) {
-    const std::optional<PackageManifest>& package = manifest(folder);
-    if (package) {
-      const std::vector<std::string>& told = package->gazebo_folders;
-      places.insert(places.end(), told.begin(), told.end());
-    }
+  if (const std::optional<PackageManifest>& package = manifest(folder)) {
+    places = package->gazebo_folders;
     places.push_back(join_path(folder, "models"));
-    if (package) return places;
-    std::string parent = enclosing_folder(folder);
-    if (parent == folder) break;
-    folder = std::move(parent);
+    return places;
   }
-  return {};
+  const std::string parent = enclosing_folder(folder);
+  if (parent == folder || folders_up(folder) == kMaxAncestors) return places;
+  const std::vector<std::string>& others = package_folders(parent);
+  if (others.empty()) return places;
+  places.push_back(join_path(folder, "models"));
+  places.insert(places.end(), others.begin(), others.end());
+  return places;
 }
 
 const std::vector<std::string>& Resolver::package_folders(const std::string& folder) const {
@@ -175,7 +180,7 @@ const std::vector<std::string>& Resolver::package_folders(const std::string& fol
     const auto known = packages_->folders.find(folder);
     if (known != packages_->folders.end()) return known->second;
   }
-  std::vector<std::string> places = places_in_package(folder);
+  std::vector<std::string> places = find_package_folders(folder);
   const std::lock_guard lock(packages_->mutex);
   return packages_->folders.try_emplace(folder, std::move(places)).first->second;
 }

@@ -94,8 +94,8 @@ class Resolver {
   const std::optional<PackageManifest>& manifest(const std::string& folder) const;
   /// Where the package that a folder belongs to keeps models: `models` in the folder or above it, and
   /// what the package tells Gazebo of. Nothing for a folder of no package.
-  std::vector<std::string> places_in_package(std::string folder) const;
   const std::vector<std::string>& package_folders(const std::string& folder) const;
+  std::vector<std::string> find_package_folders(const std::string& folder) const;
 
   /// Looked for once, by folder: a file may name hundreds of models that are nowhere.
   struct Packages {
