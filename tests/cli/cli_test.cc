@@ -101,6 +101,34 @@ TEST_F(Cli, AlonePrintsADozenLines) {
   EXPECT_EQ(ran.err, "");
 }
 
+TEST_F(Cli, EveryCommandTakesColor) {
+  for (const char* command : {"inspect good.sdf", "diff good.sdf good.sdf", "rules", "resolve .",
+                              "validate good.sdf", "inertia good.sdf"}) {
+    const std::string with = std::string(command) + " --color ";
+    EXPECT_EQ(rigor(with + "never").exit, 0) << command;
+    EXPECT_EQ(rigor(with + "sometimes").exit, 2) << command;
+  }
+}
+
+TEST_F(Cli, AnIncludePointsToTheFirstErrorInItsFile) {
+  folder_.put("inc/model.sdf", kBad);
+  folder_.put("inc/model.config",
+              "<model><name>inc</name><sdf version='1.9'>model.sdf</sdf></model>");
+  folder_.put("world.sdf",
+              "<sdf version='1.9'><world name='w'><include><uri>model://inc</uri></include>"
+              "</world></sdf>");
+  const json found =
+      json::parse(rigor("validate world.sdf --format json --select include-has-errors,"
+                        "joint-limit-inverted --model-path .")
+                      .out)["diagnostics"];
+  ASSERT_EQ(found.size(), 1U);
+  ASSERT_EQ(found[0]["related"].size(), 1U);
+  EXPECT_EQ(found[0]["related"][0]["path"], "inc/model.sdf");
+  const json inside =
+      json::parse(rigor("validate inc/model.sdf --format json --select joint-limit-inverted").out);
+  EXPECT_EQ(found[0]["related"][0]["line"], inside["diagnostics"][0]["line"]);
+}
+
 TEST_F(Cli, HelpOpensWithAnExample) {
   for (const char* command : {"", "validate", "inspect", "rules", "explain", "schema", "resolve"}) {
     const Ran ran = rigor(std::string(command) + " --help");

@@ -98,6 +98,33 @@ TEST_F(SimulateCli, JsonIsAsTheContractSays) {
   EXPECT_NEAR(pose[3].get<double>(), 1, 1e-3);
 }
 
+TEST_F(SimulateCli, CasesOfOneModelAreItsRuns) {
+  const json result = simulated("crate.sdf --grid friction=0.2:1:3 --seeds 2");
+  EXPECT_EQ(result["model"], "crate.sdf");
+  EXPECT_EQ(result["verdict"], "pass");
+  ASSERT_EQ(result["runs"].size(), 6U);
+  EXPECT_EQ(result["runs"][0]["case"], "friction=0.2 seed=0");
+  EXPECT_EQ(result["runs"][5]["case"], "friction=1 seed=1");
+  const Ran table = simulate("crate.sdf --grid friction=0.2:1:3");
+  EXPECT_NE(table.out.find("crate.sdf [friction=0.6 seed=0]"), std::string::npos) << table.out;
+  EXPECT_EQ(table.err, "1 model in 3 cases: 3 pass\n");
+}
+
+TEST_F(SimulateCli, WheelsThatDoNotTurnDoNotTurnTheModel) {
+  ASSERT_EQ(folder_.rigor("new bot --template diff-drive").exit, 0);
+  EXPECT_EQ(simulate("bot --test turn").exit, 0);
+  std::string text = folder_.get("bot/model.sdf");
+  const std::string effort = "<effort>5</effort>";
+  for (std::size_t at = text.find(effort); at != std::string::npos; at = text.find(effort)) {
+    text.replace(at, effort.size(), "<effort>0.0001</effort>");
+  }
+  folder_.put("bot/model.sdf", text);
+  const Ran ran = simulate("bot --test turn");
+  EXPECT_EQ(ran.exit, 1);
+  EXPECT_NE(ran.out.find("turn.arc"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("turn.spin"), std::string::npos) << ran.out;
+}
+
 TEST_F(SimulateCli, TheSameCommandGivesTheSameBytes) {
   const std::string all = "crate.sdf --test settle,drop,push --seeds 2 --format json";
   const Ran once = simulate(all);
