@@ -75,6 +75,18 @@ TEST_F(SimulateCli, ASaneModelPasses) {
   EXPECT_EQ(ran.err, "1 model: 1 pass\n");
 }
 
+TEST_F(SimulateCli, ASliderIsToldInMeters) {
+  std::string text = kSlider;
+  text.replace(text.find("<lower>-5"), 9, "<lower>0.5");
+  folder_.put("off.sdf", text);
+  const json result = simulated("off.sdf");
+  EXPECT_NE(result.dump().find("begins at 0.5 m: "), std::string::npos) << result;
+  for (const json& metric : result["runs"][0]["metrics"]) {
+    if (metric["id"] == "joint.limit_violation") EXPECT_EQ(metric["unit"], "m");
+    if (metric["id"] == "tilt.max") EXPECT_EQ(metric["unit"], "rad");
+  }
+}
+
 TEST_F(SimulateCli, JsonIsAsTheContractSays) {
   const json result = simulated("crate.sdf");
   EXPECT_EQ(result["model"], "crate.sdf");

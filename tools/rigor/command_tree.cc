@@ -111,8 +111,6 @@ std::vector<std::string> listed_choices(std::string description) {
   return choices;
 }
 
-CommandFacts program_facts(const CLI::App& program) { return command_facts(program); }
-
 std::vector<CommandFacts> command_tree(const CLI::App& program) {
   std::vector<CommandFacts> tree;
   for (const CLI::App* app : program.get_subcommands({})) {

@@ -33,9 +33,6 @@ struct CommandFacts {
   std::vector<OptionFacts> options;  ///< in the order of their groups
 };
 
-/// Of the program itself: its options, and no command.
-CommandFacts program_facts(const CLI::App& program);
-
 /// In the order of `--help`; without the commands that it hides.
 std::vector<CommandFacts> command_tree(const CLI::App& program);
 

@@ -121,16 +121,6 @@ Solid primitive_solid(const InertiaArguments& a) {
   throw UsageError("--hollow " + a.hollow + " m: a wall this thick fills the whole " + a.what);
 }
 
-model::Vector3 scale_of(const InertiaArguments& a) {
-  if (a.scale.empty()) return {1, 1, 1};
-  const std::vector<double> n = finite_numbers("--scale", a.scale);
-  if (n.size() != 1 && n.size() != 3) throw UsageError("--scale takes one number or three");
-  if (std::any_of(n.begin(), n.end(), [](double one) { return one == 0; })) {
-    throw UsageError("--scale: a factor of 0 leaves nothing");
-  }
-  return n.size() == 1 ? model::Vector3{n[0], n[0], n[0]} : model::Vector3{n[0], n[1], n[2]};
-}
-
 /// An STL or OBJ has no unit, and most that are very long are in millimetres.
 void require_plausible_unit(const InertiaArguments& a, const mass::MeshSurvey& survey) {
   if (!a.scale.empty()) return;
@@ -197,7 +187,7 @@ Solid hull(const InertiaArguments& a, const model::Vector3& scale) {
 
 Solid mesh_solid(const InertiaArguments& a) {
   if (a.mesh.empty()) throw UsageError("mesh needs a file");
-  const model::Vector3 scale = scale_of(a);
+  const model::Vector3 scale = a.scale.empty() ? model::Vector3{1, 1, 1} : scale_factors(a.scale);
   const RealDisk disk;
   switch (disk.kind(a.mesh)) {
     case PathKind::kFile: break;

@@ -28,18 +28,6 @@ double metres_of(const std::string& unit) {
   return kUnits[choice("--unit", unit, names)].second;
 }
 
-model::Vector3 scale_of(const std::vector<std::string>& words) {
-  const std::vector<double> factors = finite_numbers("--scale", words);
-  if (factors.size() != 1 && factors.size() != 3) {
-    throw UsageError("--scale takes one number or three, not " + std::to_string(factors.size()));
-  }
-  for (const double factor : factors) {
-    if (factor == 0) throw UsageError("--scale: a factor of 0 leaves nothing of the mesh");
-  }
-  if (factors.size() == 1) return {factors[0], factors[0], factors[0]};
-  return {factors[0], factors[1], factors[2]};
-}
-
 std::uint64_t count_of(const std::string& option, const std::string& text) {
   const double value = positive_number(option, text, "");
   if (value != std::floor(value) || value > 1e9) {
@@ -116,7 +104,7 @@ MeshOperations MeshOperationOptions::operations() const {
   operations.weld = weld_;
   operations.repair = repair_;
   if (!unit_.empty()) operations.unit = metres_of(unit_);
-  if (!scale_.empty()) operations.scale = scale_of(scale_);
+  if (!scale_.empty()) operations.scale = scale_factors(scale_);
   if (!up_.empty() && choice("--up axis", up_, {"y", "z"}) == 0) operations.up = mesh::UpAxis::kY;
   if (!center_.empty()) {
     using author::MeshCenter;

@@ -50,4 +50,16 @@ model::Vector3 positive_vector(const std::string& option, const std::vector<std:
   return {numbers[0], numbers[1], numbers[2]};
 }
 
+model::Vector3 scale_factors(const std::vector<std::string>& words) {
+  const std::vector<double> factors = finite_numbers("--scale", words);
+  if (factors.size() != 1 && factors.size() != 3) {
+    throw UsageError("--scale takes one number or three, not " + std::to_string(factors.size()));
+  }
+  for (const double factor : factors) {
+    if (factor == 0) throw UsageError("--scale: a factor of 0 leaves nothing of the mesh");
+  }
+  if (factors.size() == 1) return {factors[0], factors[0], factors[0]};
+  return {factors[0], factors[1], factors[2]};
+}
+
 }  // namespace rigor::tool

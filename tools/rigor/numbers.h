@@ -26,4 +26,7 @@ std::vector<double> finite_numbers(const std::string& option,
 model::Vector3 positive_vector(const std::string& option, const std::vector<std::string>& words,
                                const char* unit);
 
+/// The factors of `--scale`: one, or one per axis, none of them zero.
+model::Vector3 scale_factors(const std::vector<std::string>& words);
+
 }  // namespace rigor::tool

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
-#include <numbers>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -49,24 +48,6 @@ std::string size_words(std::initializer_list<double> sizes) {
   for (const double size : sizes) words += (words.empty() ? "" : "x") + schema::to_shortest(size);
   std::erase(words, '+');
   return words;
-}
-
-/// Base at z = -length/2, as SDF has it.
-TriangleMesh cone_mesh(double radius, double length) {
-  constexpr std::uint32_t n = mesh::kCircleSegments;
-  TriangleMesh cone;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const double angle = 2 * std::numbers::pi * i / n;
-    cone.positions.push_back({radius * std::cos(angle), radius * std::sin(angle), -length / 2});
-  }
-  cone.positions.push_back({0, 0, length / 2});
-  cone.positions.push_back({0, 0, -length / 2});
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t next = (i + 1) % n;
-    cone.triangles.push_back({i, next, n});
-    cone.triangles.push_back({next, i, n + 1});
-  }
-  return cone;
 }
 
 TriangleMesh ellipsoid_mesh(const Vector3& radii) {
@@ -156,7 +137,7 @@ class ShapeFiler {
     const double length = shape.length.value;
     if (!is_size(radius) || !is_size(length)) return std::nullopt;
     const std::string stem = "cone-" + size_words({radius, length});
-    return file(stem, stem, ".stl", [=] { return cone_mesh(radius, length); });
+    return file(stem, stem, ".stl", [=] { return mesh::cone_mesh(radius, length); });
   }
   std::optional<std::string> operator()(const model::Polyline& shape) const {
     if (outlines() != 1) return std::nullopt;

@@ -9,6 +9,7 @@
 #include <rigor/mesh/asset_readers.h>
 #include <rigor/mesh/line_counter.h>
 #include <rigor/mesh/text_cursor.h>
+#include <rigor/text/letter_case.h>
 
 namespace rigor::mesh {
 namespace {
@@ -31,16 +32,8 @@ void for_each_statement(std::string_view bytes, const Use& use) {
   }
 }
 
-std::string lower(std::string_view text) {
-  std::string low(text);
-  for (char& c : low) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + ('a' - 'A'));
-  }
-  return low;
-}
-
 bool names_texture(std::string_view word) {
-  const std::string low = lower(word);
+  const std::string low = lowered(word);
   return low.starts_with("map_") || low == "bump" || low == "disp" || low == "decal" ||
          low == "refl" || low == "norm";
 }

@@ -107,4 +107,10 @@ TriangleMesh mesh_of(const Primitive& primitive) {
   return mesh;
 }
 
+TriangleMesh cone_mesh(double radius, double length) {
+  TriangleMesh mesh = turned_on_lathe(length / 2, {{radius, -length / 2}}, -length / 2);
+  mesh.parts = {{"cone", {}, 0, mesh.triangles.size()}};
+  return mesh;
+}
+
 }  // namespace rigor::mesh

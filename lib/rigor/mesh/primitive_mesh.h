@@ -45,4 +45,7 @@ inline constexpr unsigned kCircleSegments = 64;
 /// ends): the mesh of a round one lies inside it.
 TriangleMesh mesh_of(const Primitive& primitive);
 
+/// The same of a cone: its base at z = -length/2, its apex at length/2, as SDFormat has it.
+TriangleMesh cone_mesh(double radius, double length);
+
 }  // namespace rigor::mesh

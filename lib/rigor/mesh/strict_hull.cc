@@ -73,8 +73,6 @@ std::optional<TriangleMesh> lessened(const TriangleMesh& hull, const Above& abov
 
 }  // namespace
 
-double above_faces(const TriangleMesh& hull) { return worst(hull).height; }
-
 TriangleMesh made_strict(TriangleMesh hull) {
   const double size = diagonal(bounds_of(hull.positions));
   std::uint64_t looks = 0;

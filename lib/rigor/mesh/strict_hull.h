@@ -20,9 +20,6 @@ inline constexpr double kConvex = 1e-10;
 /// coordinates.
 inline constexpr double kLeftOut = 1e-7;
 
-/// The greatest height of a corner above a face; O(triangles · corners).
-double above_faces(const TriangleMesh& hull);
-
 /// Leaves out corners that matter least where the hull is not convex to within `kConvex`, as long as
 /// each matters less than `kLeftOut`, and a second's work is not passed.
 TriangleMesh made_strict(TriangleMesh hull);

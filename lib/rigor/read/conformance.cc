@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <rigor/read/values.h>
+#include <rigor/text/letter_case.h>
 
 namespace rigor::read {
 namespace {
@@ -20,12 +21,6 @@ using schema::Type;
 using Kind = SchemaFactKind;
 
 bool is_foreign(std::string_view name) { return name.find(':') != std::string_view::npos; }
-
-bool same_but_case(std::string_view a, std::string_view b) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [&](char x, char y) { return lower(x) == lower(y); });
-}
 
 bool is_number(Type type) {
   return type == Type::kDouble || type == Type::kFloat || type == Type::kInt || type == Type::kUint;
@@ -105,7 +100,7 @@ class SchemaWalk {
       fact.node = child;
     } else {
       for (const Node candidate : node.attributes()) {
-        if (!same_but_case(candidate.name(), name)) continue;
+        if (!equal_but_for_case(candidate.name(), name)) continue;
         fact.kind = Kind::kWrongCase;
         fact.node = candidate;
       }
@@ -178,7 +173,7 @@ class SchemaWalk {
       fact.node = attribute;
     } else {
       for (const Node candidate : node.children()) {
-        if (!same_but_case(candidate.name(), name)) continue;
+        if (!equal_but_for_case(candidate.name(), name)) continue;
         fact.kind = Kind::kWrongCase;
         fact.node = candidate;
       }

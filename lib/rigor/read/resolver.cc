@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <utility>
 
+#include <rigor/text/letter_case.h>
 #include <rigor/text/path.h>
 
 namespace rigor::read {
@@ -231,10 +232,7 @@ void Resolver::resolve_remote(std::string_view uri, Resolution& result) const {
   std::string path(uri.substr(uri.find("://") + 3));
   const std::size_t version = path.find("/1.0/");
   if (version != std::string::npos) path.erase(version, 4);
-  for (char& c : path) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-  }
-  const std::string folder = join_path(paths_.fuel_cache, path);
+  const std::string folder = join_path(paths_.fuel_cache, lowered(path));
   const std::string newest = newest_version(disk_.list(folder));
   try_path(newest.empty() ? folder : join_path(folder, newest), "Fuel cache", result);
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <rigor/schema/letter.h>
+#include <rigor/text/letter_case.h>
 
 namespace rigor::schema {
 namespace {

@@ -10,7 +10,7 @@
 #include <system_error>
 #include <type_traits>
 
-#include <rigor/schema/letter.h>
+#include <rigor/text/letter_case.h>
 
 namespace rigor::schema {
 namespace {
@@ -46,14 +46,6 @@ Token next_token(std::string_view text, std::size_t from) {
 }
 
 ValueFault fault(FaultKind kind, Token token) { return {kind, token.begin, token.end}; }
-
-bool equals_ignoring_case(std::string_view text, std::string_view lower_case) {
-  if (text.size() != lower_case.size()) return false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (lower(text[i]) != lower_case[i]) return false;
-  }
-  return true;
-}
 
 // What follows a number at `at`, inside its token: a decimal comma or other text.
 ValueFault trailing(std::string_view text, Token token, std::size_t at) {
@@ -296,8 +288,8 @@ Parsed<bool> parse_bool(std::string_view text) {
   const Token whole = trim(text);
   if (whole.begin == whole.end) return ValueFault{FaultKind::kEmpty, 0, text.size()};
   const std::string_view word = text.substr(whole.begin, whole.end - whole.begin);
-  if (word == "1" || equals_ignoring_case(word, "true")) return true;
-  if (word == "0" || equals_ignoring_case(word, "false")) return false;
+  if (word == "1" || equal_but_for_case(word, "true")) return true;
+  if (word == "0" || equal_but_for_case(word, "false")) return false;
   return fault(FaultKind::kBadBool, whole);
 }
 

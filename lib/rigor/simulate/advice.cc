@@ -107,7 +107,6 @@ void add_joint_causes(Causes& causes) {
     if (!can_be_told(joint) || !(axis.effort > 0) || !std::isfinite(axis.effort)) continue;
     const double load = std::max(loads.weight(joint), axis.friction);
     if (load > axis.effort) {
-      about.name = joint.type == model::JointType::kPrismatic ? "N" : "N·m";
       causes.add(FactKind::kCauseEffort, about, load, axis.effort, load / axis.effort, 1);
     }
   }

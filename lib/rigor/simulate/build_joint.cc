@@ -151,6 +151,7 @@ class JointBuilder {
     const auto& moved = draft_.input.moved;
     if (std::find(moved.begin(), moved.end(), id) != moved.end()) {
       say(FactKind::kStartMoved, or_name(written.limit_site.name, joint), joint, {}, axis.start);
+      draft_.facts.back().slides = joint.type == JointType::kPrismatic;
     }
     axis.where = written.site.name;
     axis.limit_where = written.limit_site.name;

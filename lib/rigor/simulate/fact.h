@@ -90,7 +90,7 @@ enum class FactKind : std::uint8_t {
   kCauseMeshWheel,
   kCauseStartOutsideLimits,
   kCauseNoCollision,
-  kCauseEffort,  ///< too little for the load; `name`: the unit of both, "N·m" or "N"
+  kCauseEffort,  ///< too little for the load
   /// `name`: "kinematic", "gravity" that acts on others of the model, "max_contacts" of 0.
   kCauseFlag,
   kCauseWheelFriction,  ///< of a wheel that drives; `value`: the larger of mu and mu2
@@ -105,9 +105,10 @@ struct Fact {
   std::string subject;  ///< as in a diagnostic: "robot/link wheel"
   double value = 0;
   double limit = 0;
-  std::string name;    ///< see the kinds
-  std::string test;    ///< in which it was seen; empty before any run
-  bool severe = true;  ///< a fail (or invalid), not a warn
+  std::string name;     ///< see the kinds
+  bool slides = false;  ///< it is about a joint that does: m for rad, N for N·m
+  std::string test;     ///< in which it was seen; empty before any run
+  bool severe = true;   ///< a fail (or invalid), not a warn
 };
 
 using Facts = std::vector<Fact>;

@@ -61,7 +61,8 @@ Fact about_shape(const Scene& scene, std::uint32_t shape) {
 Fact about_joint(const Scene& scene, std::uint32_t joint) {
   if (joint >= scene.joints.size()) return {};
   return {.where = scene.joints[joint].where,
-          .subject = subject_of(scene.joints[joint].name, "joint")};
+          .subject = subject_of(scene.joints[joint].name, "joint"),
+          .slides = scene.joints[joint].type == model::JointType::kPrismatic};
 }
 
 Fact about_axis(const Scene& scene, std::uint32_t axis) {

@@ -105,6 +105,8 @@ Metric make_metric(std::string_view id, double value, Fact about, double scale) 
   const auto row =
       std::find_if(rows.begin(), rows.end(), [&](const MetricRow& r) { return r.id == id; });
   Metric metric{.id = row->id, .value = value, .unit = row->unit};
+  if (about.slides && row->unit == "rad") metric.unit = "m";
+  if (about.slides && row->unit == "rad/s") metric.unit = "m/s";
   if (row->warn) metric.warn = *row->warn * scale;
   if (row->fail) metric.fail = *row->fail * scale;
   const auto beyond = [&](const std::optional<double>& limit) {

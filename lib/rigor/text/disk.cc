@@ -15,6 +15,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <rigor/text/letter_case.h>
 #include <rigor/text/path.h>
 
 namespace rigor {
@@ -24,12 +25,6 @@ namespace {
 
 std::string too_large(std::uint64_t max_bytes) {
   return "is larger than " + std::to_string(max_bytes >> 20U) + " MiB";
-}
-
-bool same_but_case(std::string_view a, std::string_view b) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-  return a != b && std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                              [&](char x, char y) { return lower(x) == lower(y); });
 }
 
 class RealFile final : public OpenFile {
@@ -135,7 +130,7 @@ std::string RealDisk::obstacle(const std::string& path) const {
     if (!error) return {};
     // As the C library words it, but for the capital: "permission denied".
     std::string why = error.message();
-    if (!why.empty() && why[0] >= 'A' && why[0] <= 'Z') why[0] = static_cast<char>(why[0] + 32);
+    if (!why.empty()) why[0] = lower(why[0]);
     return "cannot be listed: " + why;
   }
   const bool is_link = fs::is_symlink(fs::symlink_status(path, error));
@@ -186,7 +181,7 @@ std::vector<std::string> MemoryDisk::list(const std::string& folder) const {
 std::string other_case(const Disk& disk, const std::string& path) {
   const std::string_view wanted = file_name(path);
   for (const std::string& name : disk.list(std::string(parent_path(path)))) {
-    if (same_but_case(name, wanted)) return name;
+    if (name != wanted && equal_but_for_case(name, wanted)) return name;
   }
   return {};
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <vector>
 
+#include <rigor/text/letter_case.h>
+
 namespace rigor {
 
 namespace {
@@ -95,11 +97,7 @@ std::string extension(std::string_view path) {
   const std::string_view name = file_name(path);
   const std::size_t dot = name.rfind('.');
   if (dot == std::string_view::npos || dot == 0) return {};
-  std::string ending(name.substr(dot));
-  for (char& c : ending) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-  }
-  return ending;
+  return lowered(name.substr(dot));
 }
 
 bool is_absolute(std::string_view path) { return path.starts_with('/'); }

@@ -72,23 +72,6 @@ constexpr const char* kBadSize = "a size is not positive and finite";
 
 }  // namespace
 
-mesh::TriangleMesh cone_mesh() {
-  constexpr std::uint32_t n = mesh::kCircleSegments;
-  TriangleMesh mesh;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const double angle = 2 * pi * i / n;
-    mesh.positions.push_back({std::cos(angle), std::sin(angle), -0.5});
-  }
-  mesh.positions.push_back({0, 0, 0.5});
-  mesh.positions.push_back({0, 0, -0.5});
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t next = (i + 1) % n;
-    mesh.triangles.push_back({i, next, n});
-    mesh.triangles.push_back({next, i, n + 1});
-  }
-  return as_one_part(std::move(mesh), "cone");
-}
-
 std::shared_ptr<const mesh::TriangleMesh> ShapeMeshes::unit(Unit which) {
   auto& known = units_[which];
   if (known) return known;
@@ -97,7 +80,7 @@ std::shared_ptr<const mesh::TriangleMesh> ShapeMeshes::unit(Unit which) {
     case Unit::kBox: mesh = unit_box_mesh(); break;
     case Unit::kBall: mesh = mesh::mesh_of(mesh::Sphere{.radius = 1}); break;
     case Unit::kCylinder: mesh = mesh::mesh_of(mesh::Cylinder{.radius = 1, .length = 1}); break;
-    case Unit::kCone: mesh = cone_mesh(); break;
+    case Unit::kCone: mesh = mesh::cone_mesh(1, 1); break;
     case Unit::kSquare: mesh = unit_square_mesh(); break;
   }
   if (which != Unit::kBox && which != Unit::kSquare) {

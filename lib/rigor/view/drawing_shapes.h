@@ -53,9 +53,6 @@ class ShapeMeshes {
 /// Capsules of more different proportions are not drawn: each has a mesh of its own, of 4,000 triangles.
 inline constexpr std::size_t kMostCapsules = 1000;
 
-/// Base of radius one at z = -1/2, apex at z = 1/2.
-mesh::TriangleMesh cone_mesh();
-
 /// Outlines within outlines are holes, as `mass::extruded` takes them. Nothing where it finds no solid.
 std::shared_ptr<const mesh::TriangleMesh> extruded_mesh(const std::vector<mass::Outline>& outlines,
                                                         double height);

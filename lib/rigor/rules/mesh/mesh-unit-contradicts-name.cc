@@ -10,6 +10,7 @@
 
 #include <rigor/rules/mesh/file_fault.h>
 #include <rigor/rules/rule.h>
+#include <rigor/text/letter_case.h>
 
 namespace rigor::rules::mesh_unit_contradicts_name {
 namespace {
@@ -29,12 +30,9 @@ constexpr Unit kUnits[] = {
 // Exporters write 0.0254 with few digits or many; two units differ by 8 % at least.
 constexpr double kRounded = 0.01;
 
-std::optional<double> meter_of(std::string name) {
-  for (char& c : name) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + ('a' - 'A'));
-  }
+std::optional<double> meter_of(std::string_view name) {
   for (const Unit& unit : kUnits) {
-    if (unit.name == name) return unit.meter;
+    if (equal_but_for_case(unit.name, name)) return unit.meter;
   }
   return std::nullopt;
 }

@@ -11,6 +11,8 @@
 
 #include <rigor/rules/rule.h>
 
+#include <rigor/text/letter_case.h>
+
 namespace rigor::rules::name_differs_by_case {
 namespace {
 
@@ -26,10 +28,8 @@ void check_kind(const std::vector<model::Id<Entity>>& ids, const char* kind, Con
   if (ids.size() < 2 || std::none_of(ids.begin(), ids.end(), has_upper)) return;
   std::unordered_map<std::string, model::Id<Entity>> first;
   for (const auto id : ids) {
-    std::string lower = root[id].name.value;
-    for (char& c : lower) c = is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c;
-    const auto [known, is_new] = first.emplace(std::move(lower), id);
     const model::Field<std::string>& name = root[id].name;
+    const auto [known, is_new] = first.emplace(lowered(name.value), id);
     if (is_new || root[known->second].name.value == name.value || !root.own(root[id].site))
       continue;
     context.report({.where = name.span,

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <rigor/rules/rule.h>
+#include <rigor/text/letter_case.h>
 #include <rigor/text/path.h>
 
 namespace rigor::rules::mesh_unreferenced {
@@ -31,13 +32,6 @@ constexpr std::string_view kSilent[] = {".png",  ".jpg", ".tga", ".jpeg", ".bmp"
 template <std::size_t N>
 bool is_one_of(const std::string& ending, const std::string_view (&list)[N]) {
   return std::find(std::begin(list), std::end(list), ending) != std::end(list);
-}
-
-std::string lower(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
 }
 
 /// Paths below the folder, without those of models in it; none when there are too many.
@@ -86,9 +80,9 @@ bool leave_unnamed(const std::vector<std::string>& files, const Disk& disk,
     compared += bytes->size() * meshes.size();
     if (compared > kMostCompared) return false;
     // A name in the wrong case is meant all the same: mesh-case-mismatch tells of it.
-    *bytes = lower(*bytes);
+    *bytes = lowered(*bytes);
     const auto is_named = [&](const std::string& mesh) {
-      return bytes->find(lower(std::string(file_name(mesh)))) != std::string::npos;
+      return bytes->find(lowered(file_name(mesh))) != std::string::npos;
     };
     meshes.erase(std::remove_if(meshes.begin(), meshes.end(), is_named), meshes.end());
   }

@@ -10,10 +10,11 @@
 namespace rigor::rules::simulate_cause_effort {
 
 void check(const simulate::Fact& fact, Context& context) {
-  context.report(stated(fact,
-                        fmt::format("carries {:.3g} {} and may use {:.3g} {}", fact.value,
-                                    fact.name, fact.limit, fact.name),
-                        "raise the effort limit or lighten what it carries"));
+  const char* unit = fact.slides ? "N" : "N·m";
+  context.report(stated(
+      fact,
+      fmt::format("carries {:.3g} {} and may use {:.3g} {}", fact.value, unit, fact.limit, unit),
+      "raise the effort limit or lighten what it carries"));
 }
 
 Rule rule() {

@@ -10,9 +10,9 @@
 namespace rigor::rules::simulate_cause_start_outside_limits {
 
 void check(const simulate::Fact& fact, Context& context) {
-  context.report(
-      stated(fact, fmt::format("begins {:.3g} rad (of a slider m) outside its limits", fact.value),
-             "shift the limits so that they hold zero"));
+  context.report(stated(
+      fact, fmt::format("begins {:.3g} {} outside its limits", fact.value, position_unit(fact)),
+      "shift the limits so that they hold zero"));
 }
 
 Rule rule() {

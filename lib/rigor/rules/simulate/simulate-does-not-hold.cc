@@ -10,9 +10,8 @@
 namespace rigor::rules::simulate_does_not_hold {
 
 void check(const simulate::Fact& fact, Context& context) {
-  context.report(
-      shown(fact, fmt::format("is {:.3g} rad (of a slider m) off when it is to hold (limit {:.3g})",
-                              fact.value, fact.limit)));
+  context.report(shown(fact, fmt::format("is {:.3g} {} off when it is to hold (limit {:.3g})",
+                                         fact.value, position_unit(fact), fact.limit)));
 }
 
 Rule rule() {

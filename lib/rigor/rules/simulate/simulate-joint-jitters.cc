@@ -10,10 +10,9 @@
 namespace rigor::rules::simulate_joint_jitters {
 
 void check(const simulate::Fact& fact, Context& context) {
-  context.report(shown(
-      fact, fmt::format(
-                "the joint jitters with {:.3g} rad/s (of a slider m/s) above 20 Hz (limit {:.3g})",
-                fact.value, fact.limit)));
+  context.report(
+      shown(fact, fmt::format("the joint jitters with {:.3g} {}/s above 20 Hz (limit {:.3g})",
+                              fact.value, position_unit(fact), fact.limit)));
 }
 
 Rule rule() {

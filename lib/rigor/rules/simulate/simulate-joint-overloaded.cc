@@ -26,8 +26,8 @@ std::string overload_of(const simulate::Fact& fact) {
         100 * fact.value, 100 * fact.limit);
   }
   if (fact.name == "hold.error") {
-    return fmt::format("gives all its effort, and is {:.3g} rad (of a slider m) off (limit {:.3g})",
-                       fact.value, fact.limit);
+    return fmt::format("gives all its effort, and is {:.3g} {} off (limit {:.3g})", fact.value,
+                       position_unit(fact), fact.limit);
   }
   return fmt::format("needs {:.3g} % of its effort limit (limit {:.3g} %)", 100 * fact.value,
                      100 * fact.limit);

@@ -10,9 +10,8 @@
 namespace rigor::rules::simulate_limit_violated {
 
 void check(const simulate::Fact& fact, Context& context) {
-  context.report(
-      shown(fact, fmt::format("goes {:.3g} rad (of a slider m) beyond its limit (allowed {:.3g})",
-                              fact.value, fact.limit)));
+  context.report(shown(fact, fmt::format("goes {:.3g} {} beyond its limit (allowed {:.3g})",
+                                         fact.value, position_unit(fact), fact.limit)));
 }
 
 Rule rule() {

@@ -10,9 +10,8 @@
 namespace rigor::rules::simulate_start_moved {
 
 void check(const simulate::Fact& fact, Context& context) {
-  context.report(shown(
-      fact,
-      fmt::format("begins at {:.4g} rad (of a slider m): zero is outside its limits", fact.value)));
+  context.report(shown(fact, fmt::format("begins at {:.4g} {}: zero is outside its limits",
+                                         fact.value, position_unit(fact))));
 }
 
 Rule rule() {

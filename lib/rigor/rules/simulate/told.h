@@ -16,6 +16,9 @@ namespace rigor::rules {
 /// Degrees in a radian: angles are told as people speak of them.
 inline constexpr double kDegrees = 57.29577951308232;
 
+/// Of the joint that the fact is about.
+inline const char* position_unit(const simulate::Fact& fact) { return fact.slides ? "m" : "rad"; }
+
 /// What is so in the model, whatever a test shows.
 inline Finding stated(const simulate::Fact& fact, std::string message, std::string help = {}) {
   return {.where = fact.where,
