@@ -33,6 +33,7 @@ enum class FaultKind : std::uint8_t {
   kRefused,             ///< tinyxml2 refuses the file although the scanner did not; see `detail`
   // Not fatal: consumers read on, a strict parser does not.
   kDeclarationNotFirst,  ///< `<?xml …?>` behind white space; behind more, tinyxml2 refuses it
+  kBadDeclaration,       ///< `detail` says what is wrong, as the end of a sentence
   kSecondRoot,           ///< `related` is the first root's name
   kTextOutsideRoot,      ///< characters before or after the root element
   kUndefinedEntity,      ///< `&name;` that is none of XML's five; a lone `&`

@@ -13,6 +13,7 @@
 #include <rigor/text/byte_order_mark.h>
 #include <rigor/text/sources.h>
 #include <rigor/xml/characters.h>
+#include <rigor/xml/declaration.h>
 #include <rigor/xml/decode.h>
 #include <rigor/xml/document.h>
 #include <rigor/xml/judge.h>
@@ -213,7 +214,12 @@ class Builder {
     } else if (is_declaration(inside)) {
       kind = TokenKind::kDeclaration;
       const std::uint32_t first = bytes_.starts_with(kByteOrderMark) ? 3 : 0;
-      if (at_ != first) note({FaultKind::kDeclarationNotFirst, span(at_, end), {}, {}});
+      if (at_ != first) {
+        note({FaultKind::kDeclarationNotFirst, span(at_, end), {}, {}});
+      } else if (std::string why = declaration_fault(bytes_.substr(inside + 3, close - inside - 3));
+                 !why.empty()) {
+        note({FaultKind::kBadDeclaration, span(at_, end), {}, std::move(why)});
+      }
     }
     token(kind, end);
   }
