@@ -8,6 +8,7 @@
 #include <charconv>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <rigor/mesh/picture.h>
 #include <rigor/text/path.h>
@@ -51,9 +52,9 @@ class Finder {
     std::replace(slashes.begin(), slashes.end(), '\\', '/');
     if (slashes != written && look(reference, slashes, State::kBackslash)) return;
     if (look(reference, "../materials/textures/" + written, State::kTextures)) return;
-    const std::string other = other_case(disk_, reference.path);
+    std::string other = other_case(disk_, reference.path);
     if (other.empty()) return;
-    reference.path = join_path(parent_path(reference.path), other);
+    reference.path = std::move(other);
     reference.state = State::kWrongCase;
   }
 

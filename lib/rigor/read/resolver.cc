@@ -239,10 +239,8 @@ void Resolver::resolve_remote(std::string_view uri, Resolution& result) const {
 
 void Resolver::find_other_case(Resolution& result) const {
   for (const Tried& tried : result.tried) {
-    const std::string name = other_case(disk_, tried.path);
-    if (name.empty()) continue;
-    result.other_case = join_path(parent_path(tried.path), name);
-    return;
+    result.other_case = other_case(disk_, tried.path);
+    if (!result.other_case.empty()) return;
   }
 }
 

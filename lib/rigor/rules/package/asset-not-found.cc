@@ -48,7 +48,8 @@ std::optional<Fix> other_case(const read::Text& text, const read::Resolution& fo
   const std::string_view written = file_name(found.tried.front().path);
   const std::string_view right = file_name(found.other_case);
   const std::size_t at = text.text.rfind(written);
-  if (at == std::string_view::npos || written.size() != right.size()) return std::nullopt;
+  const bool same_folder = parent_path(found.tried.front().path) == parent_path(found.other_case);
+  if (!same_folder || at == std::string_view::npos) return std::nullopt;
   Span span = text.span;
   span.begin += static_cast<std::uint32_t>(at);
   span.end = span.begin + static_cast<std::uint32_t>(written.size());
