@@ -19,7 +19,6 @@ using model::Vector3;
 constexpr int kMostSteps = 100;
 
 // Halvings of the depth: 1/128 of the inradius.
-constexpr int kHalvings = 7;
 
 Vector3 scaled(const Vector3& v, const Vector3& by) { return {v.x * by.x, v.y * by.y, v.z * by.z}; }
 
@@ -228,11 +227,11 @@ bool share_a_point(const ConvexShape& a, const ConvexShape& b) {
   return left == 0;
 }
 
-double common_ball(const ConvexShape& a, const ConvexShape& b) {
+double common_ball(const ConvexShape& a, const ConvexShape& b, int halvings) {
   if (!share_a_point(a, b)) return 0;
   double inside = 0;
   double outside = std::min(a.inradius(), b.inradius());
-  for (int i = 0; i < kHalvings; ++i) {
+  for (int i = 0; i < halvings; ++i) {
     const double depth = (inside + outside) / 2;
     (share_a_point(a.shrunk(depth), b.shrunk(depth)) ? inside : outside) = depth;
   }

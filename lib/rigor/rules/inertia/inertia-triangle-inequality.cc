@@ -36,12 +36,14 @@ void check(const model::Link& link, Context& context) {
   const auto& triangle = verdict.triangle;
   if (triangle.holds) return;
   const model::Field<double>* largest = entry(link.inertial, triangle.names[2]);
+  // Of principal moments the smaller ones can be zero but for rounding.
+  const double sum = triangle.sum < 1e-12 * triangle.largest ? 0 : triangle.sum;
   const char* what = largest != nullptr ? "" : " (the principal moments)";
   context.report(
       {.where = largest != nullptr ? largest->span : link.inertial.tensor_site.name,
        .message = fmt::format("{} + {} ({:.6g}) < {} ({:.6g}) kg·m²{}: no rigid body has "
                               "this",
-                              triangle.names[0], triangle.names[1], triangle.sum, triangle.names[2],
+                              triangle.names[0], triangle.names[1], sum, triangle.names[2],
                               triangle.largest, what),
        .subject = context.subject(link),
        .help = rounding(triangle),
@@ -61,8 +63,9 @@ Rule rule() {
       .summary = "the moments of an inertia tensor break the triangle inequality",
       .why =
           "Of any rigid body two moments of inertia sum up to the third at least. libsdformat "
-          "refuses what breaks this, without saying which number is at fault (error 18); Drake "
-          "and MuJoCo refuse it too, urdfdom lets it pass.",
+          "refuses what breaks this, without saying which number is at fault (error 18), but for a "
+          "URDF link that is fixed to another, if the two together do not break it; Drake and "
+          "MuJoCo refuse it too, urdfdom lets it pass.",
       .what_to_do =
           "Compute the tensor again from the mass and the shapes. "
           "Where it is missed by little, write more digits.",

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The fix that all rules about inertials share: what the link's shapes have as solids, written in
-// place of what is there. `rigor inertia` writes the same numbers.
+// place of what is there. `rigor inertia` writes the same numbers, but a centre of mass that is
+// written stays: no rule that has this fix doubts it.
 
 #pragma once
 
@@ -25,6 +26,9 @@ namespace rigor::rules {
 
 /// Lead has 11,340 kg/m³: shapes that would have more are not the whole body.
 inline constexpr double kDensestOfParts = 12'000;  // kg/m³
+
+/// Centres of mass that are nearer to each other are the same but for rounding.
+inline constexpr double kSameCenter = 1e-9;  // m
 
 /// What the fix does to the mass stands in its title: without a written one it changes.
 inline std::string title_of(const mass::Proposal& proposal, const model::Inertial& written,
@@ -91,8 +95,8 @@ inline bool has_malformed_value(const model::Inertial& inertial, const Context& 
 /// Nothing when neither the collisions nor the visuals are all solids that can be the body, or when
 /// the author's own numbers or sizes are in doubt.
 inline std::optional<Fix> fix_from_shapes(const model::Link& link, Context& context) {
-  if (has_suspicious_shape(link, context) || has_unread_values(link, context) ||
-      has_malformed_value(link.inertial, context)) {
+  if (has_suspicious_shape(link, context) || has_unread_size(link, context) ||
+      has_unread_values(link, context) || has_malformed_value(link.inertial, context)) {
     return std::nullopt;
   }
   for (const mass::From from : {mass::From::kCollisions, mass::From::kVisuals}) {
@@ -101,11 +105,17 @@ inline std::optional<Fix> fix_from_shapes(const model::Link& link, Context& cont
     if (proposal->body.mass > kDensestOfParts * proposal->volume) continue;
     if (proposal->body.mass < kAir * proposal->volume) continue;
     const auto format = context.is_urdf() ? write::BlockFormat::kUrdf : write::BlockFormat::kSdf;
-    auto edits = write::write_inertial(context.document(), context.element(link.site),
-                                       proposal->body, format);
+    mass::MassProperties body = proposal->body;
+    std::string title = title_of(*proposal, link.inertial, context);
+    const model::Vector3& center = link.inertial.pose.pose.value.translation;
+    if (link.inertial.pose.pose.written && length(center - body.com) > kSameCenter) {
+      body.com = center;
+      title += ", about the written centre of mass";
+    }
+    auto edits =
+        write::write_inertial(context.document(), context.element(link.site), body, format);
     if (edits.empty()) return std::nullopt;
-    return Fix{title_of(*proposal, link.inertial, context), Applicability::kUnsafe,
-               std::move(edits)};
+    return Fix{std::move(title), Applicability::kUnsafe, std::move(edits)};
   }
   return std::nullopt;
 }

@@ -1,7 +1,10 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <cstdint>
+
 #include <rigor/rules/inertia/inertial_fix.h>
+#include <rigor/rules/inertia/rigid_groups.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
 
@@ -10,12 +13,25 @@ namespace {
 
 bool is_zero(const mass::Inertia& tensor) { return tensor == mass::Inertia{}; }
 
+/// Whether Gazebo's converter makes it one body with a link that has mass.
+bool is_lumped(const model::Link& link, const Context& context) {
+  if (!context.is_urdf()) return false;
+  const model::Root& root = context.root();
+  const RigidGroups groups(context);
+  const std::uint32_t own = groups.of({static_cast<std::uint32_t>(&link - root.links.data())});
+  for (std::uint32_t i = 0; i < root.links.size(); ++i) {
+    if (groups.of({i}) == own && root.links[i].inertial.mass.value > 0) return true;
+  }
+  return false;
+}
+
 void check(const model::Link& link, Context& context) {
   const model::Inertial& inertial = link.inertial;
   if (!inertial.mass.written || inertial.mass.value != 0 || mass::is_automatic(link)) return;
   if (!is_dynamic(link, context)) return;
   // In URDF a link of no mass and no moments is a frame, as one without <inertial> is.
   if (context.is_urdf() && is_zero(mass::tensor(inertial))) return;
+  if (is_lumped(link, context)) return;
   context.report({.where = inertial.mass.span,
                   .message = "the mass is 0 kg: a body that moves needs one above zero",
                   .subject = context.subject(link),
@@ -34,7 +50,7 @@ Rule rule() {
       .why =
           "libsdformat lets it pass, and the physics engine then divides by it: ODE stops at "
           "an assertion, DART sets a tiny mass of its own. A URDF link of no mass but with "
-          "moments is dropped by Gazebo.",
+          "moments is dropped by Gazebo, unless it is fixed to one that has mass.",
       .what_to_do =
           "Write the mass, however small. For a frame without a body take the "
           "<inertial> out of a URDF link, or use <frame> in SDF.",
@@ -97,6 +113,25 @@ Rule rule() {
       <inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/>
     </inertial>
   </link>
+</robot>
+)"},
+               {R"(<robot name="arm">
+  <link name="shank">
+    <inertial>
+      <mass value="1"/>
+      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+    </inertial>
+  </link>
+  <link name="foot">
+    <inertial>
+      <mass value="0"/>
+      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+    </inertial>
+  </link>
+  <joint name="ankle" type="fixed">
+    <parent link="shank"/>
+    <child link="foot"/>
+  </joint>
 </robot>
 )"}},
       .checks = {on<model::Link>(check)},
