@@ -72,7 +72,10 @@ model::Material read_urdf_material(xml::Element element) {
   if (const auto texture = element.child("texture")) {
     material.texture = string_field(attribute_text(*texture, "filename"));
   }
-  material.defines_color = element.child("color") || element.child("texture");
+  const auto color = element.child("color");
+  const auto texture = element.child("texture");
+  material.defines_color =
+      (color && color->attribute("rgba")) || (texture && texture->attribute("filename"));
   return material;
 }
 
@@ -82,7 +85,8 @@ model::Axis read_axis(xml::Element joint) {
   axis.xyz.value = {1, 0, 0};
   if (const auto element = joint.child("axis")) {
     axis.site = site_of(*element);
-    axis.xyz = vector_field(attribute_text(*element, "xyz"), {1, 0, 0});
+    // Only without an <axis> it is x: urdfdom leaves one without xyz at zero.
+    axis.xyz = vector_field(attribute_text(*element, "xyz"), {0, 0, 0});
   }
   if (const auto limit = joint.child("limit")) {
     axis.limit_site = site_of(*limit);

@@ -13,10 +13,12 @@ void check(const Part& part, Context& context) {
   const model::Geometry& geometry = part.geometry;
   if (!geometry.written || geometry.explicitly_empty) return;
   if (!std::holds_alternative<model::NoShape>(geometry.shape)) return;
-  // A misspelt shape is told as an unknown element.
-  if (!context.element(geometry.site).children().empty()) return;
-  context.report({.where = geometry.site.name,
-                  .message = "the geometry holds no shape",
+  const auto children = context.element(geometry.site).children();
+  if (!children.empty() && !context.is_urdf()) return;  // unknown-element
+  const std::string name(children.empty() ? "" : (*children.begin()).name());
+  context.report({.where = children.empty() ? geometry.site.name : (*children.begin()).name_span(),
+                  .message = children.empty() ? "the geometry holds no shape"
+                                              : "<" + name + "> is no shape of URDF",
                   .subject = context.subject(part)});
 }
 
@@ -29,8 +31,8 @@ Rule rule() {
       .severity = Severity::kError,
       .summary = "a <geometry> holds no shape",
       .why =
-          "urdfdom drops the collision or visual with an error and goes on; libsdformat takes "
-          "it for nothing. Either way the part is not there.",
+          "urdfdom stops reading the link with an error: this part and all that follow are not "
+          "there, first the visuals, then the collisions. libsdformat takes it for nothing.",
       .what_to_do =
           "Put a shape in, or take the visual or collision out. Where nothing is meant, "
           "SDF has <empty/>.",

@@ -35,10 +35,9 @@ Rule rule() {
       .name = "geometry-missing",
       .category = Category::kGeometry,
       .severity = Severity::kWarning,
+      .formats = Formats::kSdf,
       .summary = "a collision or visual has no <geometry>",
-      .why =
-          "urdfdom says that it could not parse the part, and drops it; libsdformat takes it for a "
-          "part without a shape. Either way nothing is touched, or seen.",
+      .why = "libsdformat takes it for a part without a shape: nothing is touched, or seen.",
       .what_to_do = "Add the <geometry> with its shape, or take the part out.",
       .bad = {{R"(<sdf version="1.9">
   <model name="arm">
@@ -50,14 +49,6 @@ Rule rule() {
     </link>
   </model>
 </sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base">
-    <«visual»>
-      <origin xyz="0 0 1"/>
-    </visual>
-  </link>
-</robot>
 )"}},
       .good = {{R"(<sdf version="1.9">
   <model name="arm">

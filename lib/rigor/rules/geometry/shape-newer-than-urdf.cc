@@ -27,10 +27,10 @@ Rule rule() {
       .formats = Formats::kUrdf,
       .summary = "a shape is newer than the version of the file",
       .why =
-          "urdfdom knows capsules since 5.1, in files of version 1.1; else it leaves the collision "
-          "or "
-          "visual out, and with it what RViz shows and MoveIt avoids. Pinocchio, Drake and others "
-          "have readers of their own and take it.",
+          "urdfdom knows capsules since 5.1, in files of version 1.1; else it stops reading the "
+          "link "
+          "here, and RViz and MoveIt have neither this part nor those that follow. Pinocchio, "
+          "Drake and others have readers of their own and take it.",
       .what_to_do =
           "Write version=\"1.1\" at <robot> where urdfdom is new enough, or a cylinder and two "
           "spheres.",

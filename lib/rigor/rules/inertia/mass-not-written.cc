@@ -9,6 +9,7 @@
 #include <rigor/rules/inertia/solid_body.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/misspelt.h>
 
 namespace rigor::rules::mass_not_written {
 namespace {
@@ -26,6 +27,7 @@ void check(const model::Link& link, Context& context) {
   const model::Inertial& inertial = link.inertial;
   if (!inertial.written || inertial.mass.written || mass::is_automatic(link)) return;
   if (!is_dynamic(link, context)) return;
+  if (misspelt_child(context.element(inertial.site), "mass", context)) return;  // unknown-element
   // One that cannot be read is told by the schema's rules.
   const xml::Element element = context.element(inertial.site);
   const auto child = element.child("mass");

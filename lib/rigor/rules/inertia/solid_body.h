@@ -5,8 +5,10 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <variant>
 
 #include <rigor/mass/link_body.h>
 #include <rigor/mass/proposal.h>
@@ -23,9 +25,29 @@ inline constexpr double kAir = 1.5;  // kg/m³
 
 inline bool plausible(double share) { return share < kPlausible && share > 1 / kPlausible; }
 
+/// Whether a URDF's shape has a size that cannot be read: the model then holds SDF's default, which
+/// nobody takes.
+inline bool has_unread_size(const model::Shape& shape) {
+  if (const auto* box = std::get_if<model::Box>(&shape)) return !box->size.written;
+  if (const auto* ball = std::get_if<model::Sphere>(&shape)) return !ball->radius.written;
+  const auto* cylinder = std::get_if<model::Cylinder>(&shape);
+  return cylinder != nullptr && !(cylinder->radius.written && cylinder->length.written);
+}
+
+inline bool has_unread_size(const model::Link& link, const Context& context) {
+  if (!context.is_urdf()) return false;
+  const auto any = [&context](const auto& parts) {
+    return std::any_of(parts.begin(), parts.end(), [&context](auto id) {
+      return has_unread_size(context.root()[id].geometry.shape);
+    });
+  };
+  return any(link.collisions) || any(link.visuals);
+}
+
 /// Of all collisions, or all visuals, at density 1; nothing unless each of them is a solid.
 inline std::optional<mass::MassProperties> solid_of_all(const model::Link& link, mass::From from,
                                                         Context& context) {
+  if (has_unread_size(link, context)) return std::nullopt;
   const mass::LinkBody& body = context.body(link, from);
   if (!body.complete()) return std::nullopt;
   return mass::of_density(body, 1);

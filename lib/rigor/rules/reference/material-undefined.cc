@@ -9,8 +9,17 @@
 namespace rigor::rules::material_undefined {
 namespace {
 
+bool has_looks(xml::Element material) {
+  const auto color = material.child("color");
+  const auto texture = material.child("texture");
+  return (color && color->attribute("rgba")) || (texture && texture->attribute("filename"));
+}
+
 void check(const model::Root& root, Context& context) {
-  auto defined = name_set(root.materials);
+  std::unordered_set<std::string_view> defined;
+  for (const model::RobotMaterial& material : root.materials) {
+    if (has_looks(context.element(material.site))) defined.insert(material.name.value);
+  }
   for (const model::Visual& visual : root.visuals) {
     if (visual.material.defines_color) defined.insert(visual.material.name.value);
   }
@@ -20,8 +29,10 @@ void check(const model::Root& root, Context& context) {
     if (!material.written || name.empty() || defined.count(name) != 0) continue;
     const Suggestion near = suggest_of(
         name, [&] { return names_of(root.materials); }, material.name.span, context);
+    const bool colorless = name_set(root.materials).count(name) != 0;
     context.report({.where = material.name.span,
-                    .message = "the material '" + name + "' is defined nowhere in this robot",
+                    .message = "the material '" + name + "' is defined " +
+                               (colorless ? "without a colour" : "nowhere in this robot"),
                     .subject = context.subject(visual),
                     .help = near.help,
                     .fix = near.fix});
@@ -65,6 +76,18 @@ Rule rule() {
   <material name="blue">
     <color rgba="0 0 1 1"/>
   </material>
+</robot>
+)"},
+              {R"(<robot name="arm">
+  <material name="grey">
+    <color/>
+  </material>
+  <link name="base">
+    <visual>
+      <geometry><box size="1 1 1"/></geometry>
+      <material name="«grey»"/>
+    </visual>
+  </link>
 </robot>
 )"}},
       .good = {{R"(<robot name="arm">

@@ -9,6 +9,7 @@
 
 #include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/misspelt.h>
 #include <rigor/rules/schema/place.h>
 
 namespace rigor::rules::defaulted_element {
@@ -24,8 +25,9 @@ void check(const read::SchemaFact& fact, Context& context) {
   const std::string_view parent = fact.element.name();
   const auto value = fact.node->default_value();
   if (std::find(kParents.begin(), kParents.end(), parent) == kParents.end() || !value) return;
-  if (fact.element.attribute(fact.node->name())) return;    // element-as-attribute
-  if (!read::trimmed(fact.element.text()).empty()) return;  // text-between-elements
+  if (fact.element.attribute(fact.node->name())) return;                 // element-as-attribute
+  if (!read::trimmed(fact.element.text()).empty()) return;               // text-between-elements
+  if (misspelt_child(fact.element, fact.node->name(), context)) return;  // unknown-element
   std::string message = "no <" + std::string(fact.node->name()) + "> in <" + std::string(parent) +
                         ">: it is " + std::string(*value);
   if (!fact.node->unit().empty()) message += " " + std::string(fact.node->unit());

@@ -34,13 +34,19 @@ std::optional<Fix> respelt(const read::SchemaFact& fact, std::string_view name) 
   return std::nullopt;
 }
 
-/// urdfdom takes the default where there is one, passes over a colour or texture without a value, and
-/// reads no sensors.
+bool looks_at_axis(xml::Element joint) {
+  const auto type = joint.attribute("type");
+  return !type || (type->value() != "fixed" && type->value() != "floating");
+}
+
+/// urdfdom takes the default where there is one (but of an axis), passes over a colour or texture without
+/// a value, and reads no sensors.
 bool needed(xml::Element element, const schema::Node& attribute, const Context& context) {
   const std::string_view name = element.name();
   if (name == "sdf" || name == "gazebo")
     return attribute.name() != "version";  // sdf-version-missing
   if (!context.is_urdf()) return true;
+  if (name == "axis") return attribute.name() == "xyz" && looks_at_axis(*element.parent());
   return !attribute.default_value() && name != "color" && name != "texture" && name != "sensor";
 }
 
@@ -85,8 +91,9 @@ Rule rule() {
       .fix = FixGrade::kUnsafe,
       .summary = "a required attribute is missing",
       .why =
-          "libsdformat refuses the file at this element. urdfdom refuses the robot, or leaves the "
-          "link without the part.",
+          "libsdformat refuses the file at this element. urdfdom refuses the robot, or stops "
+          "reading the link: this part and all that follow are not there. The joint of an <axis> "
+          "without xyz has the axis 0 0 0.",
       .what_to_do = "Add the attribute.",
       .bad = {{R"(<sdf version="1.9">
   <model name="box">
@@ -119,6 +126,26 @@ Rule rule() {
       «<inertia/>»
     </inertial>
   </link>
+</robot>
+)"},
+              {R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="hinge" type="continuous">
+    <parent link="base"/>
+    <child link="tip"/>
+    «<axis xyx="0 1 0"/>»
+  </joint>
+</robot>
+)",
+               R"(<robot name="arm">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="hinge" type="continuous">
+    <parent link="base"/>
+    <child link="tip"/>
+    <axis xyz="0 1 0"/>
+  </joint>
 </robot>
 )"}},
       .good = {{R"(<sdf version="1.9">

@@ -1,10 +1,13 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/misspelt.h>
 #include <rigor/rules/schema/place.h>
 #include <rigor/rules/schema/refused_value.h>
 #include <rigor/rules/schema/value_in_attribute.h>
@@ -13,24 +16,22 @@
 namespace rigor::rules::missing_element {
 namespace {
 
-/// Whether a consumer can do without. libsdformat takes the default of most.
-bool needed(const read::SchemaFact& fact, const Context& context) {
-  const std::string_view parent = fact.element.name();
-  const std::string_view name = fact.node->name();
-  if (context.is_urdf()) return name != "geometry";  // geometry-empty
-  if (parent == "joint") return name == "parent" || name == "child";
-  return (parent == "mesh" || parent == "heightmap" || parent == "image") && name == "uri";
-}
-
 void check(const read::SchemaFact& fact, Context& context) {
   const std::string name(fact.node->name());
-  if (!needed(fact, context)) return;
+  if (!is_needed(fact.element.name(), name, context)) return;
   if (fact.element.attribute(name)) return;  // element-as-attribute
   if (has_xacro_child(fact.element)) return;
-  context.report({.where = fact.where,
-                  .message = "<" + std::string(fact.element.name()) + "> has no <" + name + ">",
-                  .subject = subject_of(fact.element),
-                  .refused = fact.element.name() == "robot" || fact.element.name() == "joint"});
+  const auto misspelt = misspelt_child(fact.element, name, context);
+  context.report(
+      {.where = fact.where,
+       .message = "<" + std::string(fact.element.name()) + "> has no <" + name + ">",
+       .subject = subject_of(fact.element),
+       .help = misspelt ? "did you mean <" + name + "> by <" + std::string(misspelt->name()) + ">?"
+                        : "",
+       .fix = misspelt ? fix_of("write <" + name + ">", Applicability::kUnsafe,
+                                xml::rename_element(context.document(), *misspelt, name))
+                       : std::nullopt,
+       .refused = fact.element.name() == "robot" || fact.element.name() == "joint"});
 }
 
 /// An end that is there and names nothing.
@@ -68,8 +69,9 @@ Rule rule() {
       .summary = "a required element is missing",
       .why =
           "libsdformat refuses a joint that lacks its parent or child, and gives a mesh without "
-          "<uri> a name that no file has. urdfdom refuses the robot, or leaves the link without "
-          "the part. Other required elements of SDF have a default: see defaulted-element.",
+          "<uri> a name that no file has. urdfdom refuses the robot, or stops reading the link: "
+          "this part and all that follow are not there, first the visuals, then the collisions. "
+          "Other required elements of SDF have a default: see defaulted-element.",
       .what_to_do = "Add the element.",
       .bad = {{R"(<sdf version="1.9">
   <model name="box">
@@ -104,10 +106,36 @@ Rule rule() {
 </sdf>
 )"},
               {R"(<robot name="box">
+  <link name="body"/>
+  <link name="lid"/>
+  «<joint name="hinge" type="fixed">»
+    <paent link="body"/>
+    <child link="lid"/>
+  </joint>
+</robot>
+)",
+               R"(<robot name="box">
+  <link name="body"/>
+  <link name="lid"/>
+  <joint name="hinge" type="fixed">
+    <parent link="body"/>
+    <child link="lid"/>
+  </joint>
+</robot>
+)"},
+              {R"(<robot name="box">
   <link name="body">
     «<inertial>»
       <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
     </inertial>
+  </link>
+</robot>
+)"},
+              {R"(<robot name="arm">
+  <link name="base">
+    «<visual>»
+      <origin xyz="0 0 1"/>
+    </visual>
   </link>
 </robot>
 )"}},

@@ -6,6 +6,7 @@
 
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/misspelt.h>
 #include <rigor/rules/schema/place.h>
 
 namespace rigor::rules::unknown_element {
@@ -19,11 +20,23 @@ bool read_by_gazebo(xml::Element element) {
          parent->name() == "sensor";
 }
 
+/// What `missing-element` and `geometry-empty` tell.
+bool is_told_as_missing(const read::SchemaFact& fact, const Context& context) {
+  const std::string_view parent = fact.parent->name();
+  if (context.is_urdf() && parent == "geometry") return true;
+  const xml::Element element = *fact.element.parent();
+  for (const schema::Node required : fact.parent->required_children()) {
+    if (element.child(required.name()) || !is_needed(parent, required.name(), context)) continue;
+    if (!schema::near(fact.element.name(), {required.name()}).empty()) return true;
+  }
+  return false;
+}
+
 void check(const read::SchemaFact& fact, Context& context) {
   const schema::Version version = fact.parent->version();
   const std::string_view name = fact.element.name();
   if (!context.schema()->parents_of(name, version).empty()) return;  // misplaced-element
-  if (read_by_gazebo(fact.element)) return;
+  if (read_by_gazebo(fact.element) || is_told_as_missing(fact, context)) return;
   const auto near = schema::near(name, node_names(fact.parent->children()));
   std::optional<Fix> fix;
   if (near.size() == 1 && !fact.element.parent()->child(near.front())) {

@@ -31,8 +31,9 @@ Rule rule() {
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .summary = "a vector, pose or colour has too few numbers",
       .why =
-          "libsdformat refuses the file. urdfdom refuses the robot, or leaves the link without "
-          "the part. A colour of less than four numbers it takes for black.",
+          "libsdformat refuses the file. urdfdom refuses the robot, or stops reading the link: "
+          "this part and all that follow are not there. A colour of less than four numbers it "
+          "takes for black.",
       .what_to_do = "Write all the numbers, with spaces between them.",
       .bad = {{R"(<sdf version="1.9">
   <model name="box">

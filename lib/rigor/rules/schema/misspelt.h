@@ -1,0 +1,36 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A missing element and an unknown one are one fault when the one is the other, misspelt.
+
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include <rigor/rules/context.h>
+#include <rigor/schema/suggest.h>
+#include <rigor/xml/document.h>
+
+namespace rigor::rules {
+
+/// The child that no element of the format is called, and that was probably meant to be `name`.
+inline std::optional<xml::Element> misspelt_child(xml::Element element, std::string_view name,
+                                                  const Context& context) {
+  if (context.schema() == nullptr) return std::nullopt;
+  for (const xml::Element child : element.children()) {
+    if (schema::near(child.name(), {name}).empty()) continue;
+    if (context.schema()->parents_of(child.name(), {context.root().version}).empty()) return child;
+  }
+  return std::nullopt;
+}
+
+/// Whether a consumer refuses or misreads the file where `parent` lacks this required child: then
+/// `missing-element` speaks of it, misspelt or not. libsdformat takes the default of most.
+inline bool is_needed(std::string_view parent, std::string_view child, const Context& context) {
+  if (context.is_urdf()) return true;
+  if (parent == "joint") return child == "parent" || child == "child";
+  return (parent == "mesh" || parent == "heightmap" || parent == "image") && child == "uri";
+}
+
+}  // namespace rigor::rules
