@@ -3,6 +3,7 @@
 
 #include <rigor/read/load.h>
 
+#include <algorithm>
 #include <utility>
 
 #include <rigor/read/sdf_reader.h>
@@ -75,6 +76,9 @@ class FileLoader {
       add(FactKind::kVersionTooNew, root.version_text.span, root.version_text.value);
     }
     if (version) root.version = reader_.sdf.nearest(*version).minor;
+    // libsdformat goes by the root: what begins as <sdf> it does not read as 1.0 or 1.2 were written.
+    constexpr int kFirstWithSdf = 3;
+    if (top.name() == "sdf") root.version = std::max(root.version, kFirstWithSdf);
     SdfReader(reader_, root, loaded_.facts, {loaded_.file->path}, root.version).read_top(top);
   }
 
@@ -110,8 +114,9 @@ class FileLoader {
     const Disk& disk = reader_.workspace.disk();
     if (entry.file.value.empty() || disk.kind(path) != PathKind::kFile) {
       const Span where = entry.file.value.empty() ? entry.site.tag : entry.file.span;
-      facts.push_back(
-          {ConfigFactKind::kFileMissing, where, entry.file.value, other_case(disk, path)});
+      const std::string other = other_case(disk, path);
+      facts.push_back({ConfigFactKind::kFileMissing, where, entry.file.value,
+                       other.empty() ? "" : relative_path(parent_path(loaded_.file->path), other)});
       return;
     }
     const File& file = reader_.workspace.open(path);

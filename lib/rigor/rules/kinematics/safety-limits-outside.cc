@@ -1,6 +1,9 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <string>
+#include <utility>
+
 #include <fmt/core.h>
 
 #include <rigor/rules/kinematics/leader.h>
@@ -19,18 +22,25 @@ void check(const model::Joint& joint, Context& context) {
   if (!lower.written || !upper.written || !axis.limit_written) return;
   if (axis.lower.value > axis.upper.value) return;  // joint-limit-inverted says so
   const bool swapped = lower.value > upper.value;
-  const bool outside =
-      lower.value < axis.lower.value - kTolerance || upper.value > axis.upper.value + kTolerance;
-  if (!swapped && !outside) return;
-  context.report(
-      {.where = joint.safety->site.name,
-       .message = swapped
-                      ? fmt::format("the lower soft limit {:.6g} is above the upper one {:.6g}",
-                                    lower.value, upper.value)
-                      : fmt::format("the soft limits {:.6g} and {:.6g} reach beyond the limits "
-                                    "{:.6g} and {:.6g}",
-                                    lower.value, upper.value, axis.lower.value, axis.upper.value),
-       .subject = context.subject(joint)});
+  const bool below = lower.value < axis.lower.value - kTolerance;
+  const bool above = upper.value > axis.upper.value + kTolerance;
+  if (!swapped && !below && !above) return;
+  std::string message;
+  if (swapped) {
+    message = fmt::format("the lower soft limit {:.6g} is above the upper one {:.6g}", lower.value,
+                          upper.value);
+  } else if (below && above) {
+    message =
+        fmt::format("the soft limits {:.6g} and {:.6g} reach beyond the limits {:.6g} and {:.6g}",
+                    lower.value, upper.value, axis.lower.value, axis.upper.value);
+  } else {
+    message = fmt::format("the {} soft limit {:.6g} reaches beyond the limit {:.6g}",
+                          below ? "lower" : "upper", below ? lower.value : upper.value,
+                          below ? axis.lower.value : axis.upper.value);
+  }
+  context.report({.where = joint.safety->site.name,
+                  .message = std::move(message),
+                  .subject = context.subject(joint)});
 }
 
 }  // namespace

@@ -33,6 +33,8 @@ void check(const model::Root& /*root*/, Context& context) {
 
 void check_plugin(const model::Plugin& plugin, Context& context) {
   const std::string& library = plugin.filename.value;
+  // No library lies at the top of a disk: the slash is there so that one of two simulators finds none.
+  if (library.rfind('/') == 0) return;
   if (!is_of_one_machine(library)) return;
   context.report({.where = plugin.filename.span,
                   .message = "'" + library + "' is a path of one machine",
