@@ -63,6 +63,16 @@ TEST_F(ChangedSince, NothingChanged) {
       << ran.err;
 }
 
+// As a child of whoever ignores the ends of children; how git ends must be known all the same.
+TEST_F(ChangedSince, ARevisionThatIsNoneWhenSigchldIsIgnored) {
+  if (std::system("env --ignore-signal=CHLD true >/dev/null 2>&1") != 0) {
+    GTEST_SKIP() << "env cannot ignore signals here";
+  }
+  const Ran ran = folder_.rigor("validate --changed-since nosuch", "env --ignore-signal=CHLD");
+  EXPECT_EQ(ran.exit, 2) << ran.out;
+  EXPECT_NE(ran.err.find("git knows no such commit"), std::string::npos) << ran.err;
+}
+
 // Each path is of the repository that it lies in, wherever the command is given.
 TEST_F(ChangedSince, AnotherRepositoryIsAskedForItsOwn) {
   const Folder elsewhere;

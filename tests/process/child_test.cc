@@ -8,6 +8,7 @@
 
 #include <dirent.h>
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -266,6 +267,24 @@ TEST_F(ProcessChild, OneThatCrashesTakesNoOtherAlong) {
   EXPECT_EQ(results[2].end, End::kFailed);
   EXPECT_EQ(results[2].bytes, "no");
   EXPECT_EQ(results[3].bytes, "last");
+}
+
+TEST_F(ProcessChild, OnesThatCannotBeStartedHaveEnded) {
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+  const rlimit none{0, before.rlim_max};  // no pipe can be made
+  const auto work = [] { return std::string("never"); };
+  std::vector<std::size_t> told;
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &none), 0);
+  const ChildResult alone = run_in_child(limits_, work);
+  const std::vector<ChildResult> several = run_in_children(
+      limits_, {work, work, work}, 2, [&](std::size_t ended) { told.push_back(ended); });
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
+  EXPECT_EQ(alone.end, End::kNotStarted);
+  EXPECT_EQ(describe(alone, limits_), "could not be started: Too many open files");
+  ASSERT_EQ(several.size(), 3U);
+  for (const ChildResult& each : several) EXPECT_EQ(each.end, End::kNotStarted);
+  EXPECT_EQ(told, (std::vector<std::size_t>{1, 2, 3}));
 }
 
 TEST_F(ProcessChild, NoWorksGiveNoResults) { EXPECT_TRUE(run_in_children(limits_, {}, 4).empty()); }

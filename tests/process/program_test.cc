@@ -3,6 +3,8 @@
 
 #include <rigor/process/program.h>
 
+#include <csignal>
+
 #include <gtest/gtest.h>
 
 namespace rigor::process {
@@ -49,6 +51,17 @@ TEST(Program, LimitsEndIt) {
   EXPECT_EQ(run_program({"sh", "-c", "exec >&- 2>&-; sleep 100 & wait"}, brief).end,
             ProgramEnds::kOutOfTime);
   EXPECT_EQ(run_program({"sh", "-c", "kill -SEGV $$"}, brief).end, ProgramEnds::kCrashed);
+}
+
+TEST(Program, AnEndThatNobodyCanTellIsNoSuccess) {
+  const auto before = std::signal(SIGCHLD, SIG_IGN);
+  const ProgramResult ran = run_words({"sh", "-c", "echo out; exit 3"});
+  const ProgramResult missing = run_words({"no-such-program-of-rigor"});
+  std::signal(SIGCHLD, before);
+  EXPECT_EQ(ran.end, ProgramEnds::kUnknown);
+  EXPECT_EQ(ran.out, "out\n");
+  EXPECT_EQ(describe(ran, {}), "ended, and it is unknown how");
+  EXPECT_EQ(missing.end, ProgramEnds::kNotFound);
 }
 
 }  // namespace

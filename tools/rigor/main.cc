@@ -1,6 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <csignal>
 #include <cstdio>
 #include <deque>
 #include <exception>
@@ -140,5 +141,7 @@ int run_caught(std::vector<std::string> arguments) {
 }  // namespace rigor::tool
 
 int main(int argc, char** argv) {
+  // Whoever started this may ignore it, which is inherited: no end of git or xacro could be told.
+  std::signal(SIGCHLD, SIG_DFL);
   return rigor::tool::run_caught(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
 }

@@ -192,9 +192,11 @@ std::vector<ChildResult> run_in_children(const ChildLimits& limits,
         running.push_back(std::move(started));
       } else {
         results[started->index] = not_started(started->error);
-        if (done) done(++ended);
+        ++ended;
+        if (done) done(ended);
       }
     }
+    if (running.empty()) break;  // none of the last ones could be started: nothing to wait for
     wait_for_any(running);
     for (std::size_t i = 0; i < running.size();) {
       if (!running[i]->read_some()) {

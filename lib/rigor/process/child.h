@@ -54,7 +54,8 @@ struct ChildResult {
 ChildResult run_in_child(const ChildLimits& limits, const std::function<std::string()>& work);
 
 /// Several, at most `jobs` of them at a time, each as by itself. Results are in the order of the works,
-/// whatever the order they end in; `done` is called here with how many have ended.
+/// whatever the order they end in. One that cannot be started (kNotStarted) has ended, too. `done`, which
+/// may be empty, is called here with how many have ended.
 std::vector<ChildResult> run_in_children(const ChildLimits& limits,
                                          const std::vector<std::function<std::string()>>& works,
                                          unsigned jobs,

@@ -132,12 +132,19 @@ class ProgramOutput {
   std::chrono::steady_clock::time_point end_;
 };
 
-int wait_for_program(pid_t pid) {
+/// Nothing when nobody can tell: whoever ignores SIGCHLD is not told how its children end.
+std::optional<int> wait_for_program(pid_t pid) {
   int status = 0;
   while (::waitpid(pid, &status, 0) < 0) {
-    if (errno != EINTR) return 0;  // SIGCHLD is ignored: nobody can tell
+    if (errno != EINTR) return std::nullopt;
   }
   return status;
+}
+
+ProgramEnd end_of(std::optional<int> status) {
+  if (!status) return ProgramEnd::kUnknown;
+  if (WIFEXITED(*status)) return ProgramEnd::kExited;
+  return WTERMSIG(*status) == SIGALRM ? ProgramEnd::kOutOfTime : ProgramEnd::kCrashed;
 }
 
 ProgramResult program_not_started(int why) {
@@ -174,15 +181,9 @@ ProgramResult run_program(const std::vector<std::string>& words, const ProgramLi
   const std::optional<ProgramEnd> ended =
       ProgramOutput(limits).read(out.reading(), err.reading(), result);
   if (ended) ::kill(pid, SIGKILL);
-  const int status = wait_for_program(pid);
-  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
-  if (ended) {
-    result.end = *ended;
-  } else if (WIFEXITED(status)) {
-    result.end = ProgramEnd::kExited;
-  } else {
-    result.end = WTERMSIG(status) == SIGALRM ? ProgramEnd::kOutOfTime : ProgramEnd::kCrashed;
-  }
+  const std::optional<int> status = wait_for_program(pid);
+  result.exit_code = status && WIFEXITED(*status) ? WEXITSTATUS(*status) : 0;
+  result.end = ended.value_or(end_of(status));
   return result;
 }
 
@@ -195,6 +196,7 @@ std::string describe(const ProgramResult& result, const ProgramLimits& limits) {
     case ProgramEnd::kTooMuchOutput:
       return "printed more than " + std::to_string(limits.output_bytes >> 20U) + " MiB";
     case ProgramEnd::kCrashed: return "crashed";
+    case ProgramEnd::kUnknown: return "ended, and it is unknown how";
     case ProgramEnd::kExited: break;
   }
   std::string_view said = result.err;

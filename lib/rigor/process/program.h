@@ -31,6 +31,7 @@ struct ProgramResult {
     kCrashed,     ///< a signal ended it
     kOutOfTime,
     kTooMuchOutput,
+    kUnknown,  ///< it is gone, and nobody can tell how: this process ignores SIGCHLD
   };
   End end = End::kNotStarted;
   int exit_code = 0;
