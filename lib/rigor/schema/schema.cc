@@ -99,8 +99,6 @@ std::string_view Node::doc() const {
   return own.empty() ? tables_->lines[declaration_].doc : own;
 }
 
-bool Node::is_attribute() const { return tables_->lines[place_].kind == Kind::kAttribute; }
-
 Type Node::type() const {
   if (const auto& type = tables_->lines[place_].only_type) return *type;
   const Facet* facet = tables_->facet(place_, declaration_, Key::kType, minor_);

@@ -85,7 +85,6 @@ class Node {
   std::string_view name() const;
   std::string_view doc() const;  // one line; empty for some attributes
   Version version() const { return Version{minor_}; }
-  bool is_attribute() const;
 
   Type type() const;
   Cardinality cardinality() const;
