@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include <rigor/read/repository_ignores.h>
+
 namespace rigor::read {
 namespace {
 
@@ -113,6 +115,20 @@ TEST(Discover, AFolderWhoseModelsAreAllLeftOutSaysSo) {
             "/r/.gitignore line 1: *.sdf, and 1 more");
 }
 
+TEST(Discover, AFileOfPatternsThatIsTooLongIsTold) {
+  MemoryDisk disk;
+  disk.put("/r/.git/HEAD", "");
+  disk.put("/r/.gitignore", "*.sdf\n" + std::string(kMaxIgnoreBytes, '#'));
+  disk.put("/r/arm/a.sdf", "");
+  const Discovered found = discover(disk, {"/r/arm", "/r"}, {.working_folder = "/r/arm"});
+  EXPECT_EQ(found.files, std::vector<std::string>{"/r/arm/a.sdf"});
+  ASSERT_EQ(found.left_out.size(), 1U);
+  EXPECT_EQ(found.left_out[0].path, "../.gitignore");
+  EXPECT_EQ(found.left_out[0].why, "is larger than 256 KiB, so what it ignores is not passed over");
+  EXPECT_TRUE(found.left_out[0].excluded);
+  EXPECT_TRUE(discover(disk, {"/r"}, {.git_ignoring = GitIgnoring::kPassOver}).left_out.empty());
+}
+
 /// A disk one folder of which may not be listed.
 class LockedDisk final : public Disk {
  public:
@@ -192,13 +208,12 @@ TEST(Discover, AFileIsMetOnceHoweverItIsNamed) {
   EXPECT_EQ(found.files, std::vector<std::string>{"a.sdf"});
 }
 
-TEST(Discover, WhatIsNotWantedIsCounted) {
+TEST(Discover, WhatIsNotWantedIsNotTaken) {
   const MemoryDisk disk = ignoring_repository();
   DiscoverOptions options;
   options.wanted = [](const std::string& path) { return path.ends_with(".urdf"); };
   const Discovered found = discover(disk, {"/w", "/w/arm"}, options);
   EXPECT_EQ(found.files, std::vector<std::string>{"/w/ws/d.urdf"});
-  EXPECT_EQ(found.unwanted, 2U);
   EXPECT_TRUE(found.unusable.empty());
 }
 

@@ -79,14 +79,23 @@ class FolderWalk {
     }
   }
 
+  /// Behind all arguments: more was found than git would show.
+  void tell_unread_patterns() {
+    for (const RepositoryIgnores::Unread& unread : ignores_.unread()) {
+      // As seen from here, so that shards on several machines agree on whose it is.
+      const std::string& here = options_.working_folder;
+      found_.left_out.push_back({here.empty() ? unread.path : relative_path(here, unread.path),
+                                 unread.problem + ", so what it ignores is not passed over", true});
+    }
+  }
+
  private:
   void file(const std::string& path) {
     const std::string_view why = template_of(path);
     ++met_;
     if (!seen_.insert(absolute(path)).second) return;
-    if (options_.wanted && !options_.wanted(path)) {
-      ++found_.unwanted;
-    } else if (why.empty()) {
+    if (options_.wanted && !options_.wanted(path)) return;
+    if (why.empty()) {
       found_.files.push_back(path);
     } else {
       found_.left_out.push_back({path, std::string(why)});
@@ -182,6 +191,7 @@ Discovered discover(const Disk& disk, const std::vector<std::string>& paths,
   Discovered found;
   FolderWalk walk(disk, paths, options, found);
   for (const std::string& path : paths) walk.argument(path);
+  walk.tell_unread_patterns();
   return found;
 }
 

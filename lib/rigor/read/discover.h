@@ -44,14 +44,14 @@ struct DiscoverOptions {
 struct LeftOut {
   std::string path;
   std::string why;
-  bool excluded = false;  ///< ignored, excluded, or a folder that cannot be listed; else a template
+  bool excluded = false;  ///< ignored, excluded, or what cannot be listed or read; else a template
 };
 
 struct Discovered {
   std::vector<std::string> files;  ///< each once, in the order of the arguments, then by name
-  /// Templates, which somebody has to expand; named and excluded; folders that cannot be listed.
+  /// Templates, which somebody has to expand; named and excluded; folders that cannot be listed, and
+  /// `.gitignore` files that cannot be read.
   std::vector<LeftOut> left_out;
-  std::size_t unwanted = 0;           ///< files that were found, but not wanted
   std::vector<std::string> unusable;  ///< arguments that do not exist, and folders without a model
 };
 

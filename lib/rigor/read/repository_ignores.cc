@@ -93,11 +93,14 @@ bool RepositoryIgnores::is_below_a_top(std::string_view path) const {
                      [path](const std::string& top) { return is_within(path, top); });
 }
 
-void RepositoryIgnores::read_patterns(Folder& folder, const std::string& file) const {
+void RepositoryIgnores::read_patterns(Folder& folder, const std::string& file) {
   const std::string path = join_path(folder.path, file);
   if (disk_.kind(path) != PathKind::kFile) return;
   const ReadResult read = disk_.read(path, kMaxIgnoreBytes);
-  if (!read.bytes) return;
+  if (!read.bytes) {
+    unread_.push_back({path, read.problem});
+    return;
+  }
   IgnorePatterns patterns(*read.bytes);
   if (!patterns.empty()) folder.files.push_back({path, folder.path, std::move(patterns)});
 }

@@ -27,8 +27,8 @@
 
 namespace rigor::read {
 
-/// A file of patterns over this size is passed over: the longest in use have some tens of KiB, and each
-/// path is held against all of it, in a time that grows with the product of both.
+/// A file of patterns over this size is not read, but told of (`unread`): the longest in use have some tens
+/// of KiB, and each path is held against all of it, in a time that grows with the product of both.
 inline constexpr std::uint64_t kMaxIgnoreBytes = std::uint64_t{256} << 10U;
 
 class RepositoryIgnores {
@@ -42,6 +42,15 @@ class RepositoryIgnores {
 
   /// The same, for it or any folder above it in its repository: what `git check-ignore --no-index` says.
   std::optional<std::string> left_out_with_folders(const std::string& path, PathKind kind);
+
+  /// A file of patterns that counts and that could not be read: what it ignores is not left out.
+  struct Unread {
+    std::string path;
+    std::string problem;  ///< "is larger than 256 KiB"
+  };
+
+  /// Of all that was asked so far, in the order in which they were met.
+  const std::vector<Unread>& unread() const { return unread_; }
 
  private:
   struct PatternFile {
@@ -59,11 +68,12 @@ class RepositoryIgnores {
   const Folder* folder(const std::string& path);
   bool is_root(const std::string& path) const;
   bool is_below_a_top(std::string_view path) const;
-  void read_patterns(Folder& folder, const std::string& file) const;
+  void read_patterns(Folder& folder, const std::string& file);
 
   const Disk& disk_;
   std::vector<std::string> tops_;
   std::map<std::string, std::unique_ptr<Folder>> folders_;
+  std::vector<Unread> unread_;
 };
 
 /// Whether `path` is `folder` or in it; both are normalized.

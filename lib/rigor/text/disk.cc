@@ -24,7 +24,9 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string too_large(std::uint64_t max_bytes) {
-  return "is larger than " + std::to_string(max_bytes >> 20U) + " MiB";
+  const bool in_mib = max_bytes >= std::uint64_t{1} << 20U;
+  return "is larger than " + std::to_string(max_bytes >> (in_mib ? 20U : 10U)) +
+         (in_mib ? " MiB" : " KiB");
 }
 
 class RealFile final : public OpenFile {
