@@ -146,6 +146,8 @@ TEST_F(RenderCli, BadInvocationsAreRefused) {
   expect_refused("box.sdf -o x.png --view perspectiv", 2, "did you mean \"perspective\"");
   expect_refused("box.sdf -o x.png --show visual,inertai", 2, "did you mean \"inertia\"");
   expect_refused("box.sdf -o x.png --size 100", 2, "960x640");
+  expect_refused("box.sdf -o x.png --threads 1025", 2, "--threads");
+  expect_refused("box.sdf -o x.png --threads -1", 2, "--threads");
   expect_refused("box.sdf -o x.png --size 0x10", 2, "960x640");
   expect_refused("box.sdf -o x.png --size 100000x100000", 2, "pixels");
   expect_refused("box.sdf -o x.png --compare box.sdf --view all", 2, "--compare");

@@ -91,7 +91,9 @@ class Render final : public Command {
         ->allow_extra_args(false);
     app->add_option("--compare", compare_, "Show this older model beside it, and what differs")
         ->type_name("OLD");
-    app->add_option("--threads", threads_, "How many cores to use, default all")->type_name("N");
+    app->add_option("--threads", threads_, "How many cores to use, default all")
+        ->type_name("N")
+        ->check(CLI::Range(0, 1024));
     search_.declare(*app);
     return app;
   }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <rigor/mesh/stl.h>
+#include <rigor/text/in_threads.h>
 
 namespace rigor::mass {
 namespace {
@@ -93,17 +94,14 @@ FacetSums stream_stl(const OpenFile& file, std::uint64_t count, unsigned threads
   const std::uint64_t blocks = (count + kBlock - 1) / kBlock;
   std::vector<std::optional<FacetSums>> done(blocks);
   std::atomic<std::uint64_t> next{0};
-  const auto work = [&] {
+  const auto work = [&](std::size_t) {
     std::vector<char> buffer(kBlock * mesh::kStlFacetBytes);
     for (std::uint64_t block = next++; block < blocks; block = next++) {
       done[block] = block_sums(file, block * kBlock, count, around, buffer);
     }
   };
   const unsigned cores = threads == 0 ? std::max(1U, std::thread::hardware_concurrency()) : threads;
-  std::vector<std::thread> helpers;
-  for (unsigned i = 1; i < cores && i < blocks; ++i) helpers.emplace_back(work);
-  work();
-  for (std::thread& helper : helpers) helper.join();
+  in_threads(std::min<std::uint64_t>(cores, blocks), work);
 
   FacetSums sums = std::move(*done.front());
   for (std::size_t i = 1; i < done.size(); ++i) sums.join(*done[i]);

@@ -14,9 +14,9 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
-#include <thread>
 #include <vector>
 
+#include <rigor/text/in_threads.h>
 #include <rigor/text/turns.h>
 
 namespace rigor {
@@ -24,8 +24,8 @@ namespace rigor {
 /// Calls `work` with each index below `count`, in as many threads at the same time as there are turns at
 /// most, and one for each `per_thread` things: fewer are not worth a thread. As many again stand ready for
 /// turns that are given back. Each thread begins in a part of its own, then helps in the others: neighbours
-/// use the same meshes, and two threads at one mesh would wait for each other. Throws what a `work` threw,
-/// when all have ended.
+/// use the same meshes, and two threads at one mesh would wait for each other. Where the system gives fewer
+/// threads, those there are do all. Throws what a `work` threw, when all have ended.
 template <class Work>
 void for_each_index(std::size_t count, Turns& turns, std::size_t per_thread, const Work& work) {
   const std::size_t working = std::clamp<std::size_t>(count / per_thread, 1, turns.count());
@@ -50,10 +50,7 @@ void for_each_index(std::size_t count, Turns& turns, std::size_t per_thread, con
     }
     turns.give_back();
   };
-  std::vector<std::thread> others;
-  for (std::size_t part = 1; part < parts; ++part) others.emplace_back(run, part);
-  run(0);
-  for (std::thread& other : others) other.join();
+  in_threads(parts, run);
   if (failure) std::rethrow_exception(failure);
 }
 

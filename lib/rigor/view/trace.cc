@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include <rigor/text/in_threads.h>
 #include <rigor/view/embree.h>
 #include <rigor/view/shading.h>
 #include <rigor/view/stage.h>
@@ -191,13 +192,9 @@ class Tracer {
 template <class Work>
 void for_each_row(std::uint32_t rows, unsigned threads, const Work& work) {
   std::atomic<std::uint32_t> next{0};
-  const auto take = [&] {
+  in_threads(threads, [&](std::size_t) {
     for (std::uint32_t y = next++; y < rows; y = next++) work(y);
-  };
-  std::vector<std::thread> others;
-  for (unsigned i = 1; i < threads; ++i) others.emplace_back(take);
-  take();
-  for (std::thread& other : others) other.join();
+  });
 }
 
 unsigned threads_for(const TraceOptions& options) {
