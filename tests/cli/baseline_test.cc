@@ -51,6 +51,17 @@ TEST(CliBaseline, HidesWhatWasFoundUntilThereIsMore) {
   EXPECT_EQ(shown, 3U) << more.out;
 }
 
+TEST(CliBaseline, InAFolderThatIsGone) {
+  const Folder folder;
+  folder.put("a.sdf", known_by_none(1));
+  const std::string gone = "mkdir gone && cd gone && rmdir ../gone &&";
+  const std::string file = "'" + folder.path("a.sdf") + "' ";
+  const std::string baseline = "'" + folder.path("rigor.baseline") + "'";
+  const Ran written = folder.rigor(kStrictly + file + "--baseline-write " + baseline, gone);
+  EXPECT_EQ(written.exit, 0) << written.err;
+  EXPECT_EQ(baseline_entries(folder), "1 unknown-element a.sdf\n");
+}
+
 TEST(CliBaseline, SaysWhatIsStaleAndIsPruned) {
   const Folder folder;
   folder.put("a.sdf", known_by_none(3));

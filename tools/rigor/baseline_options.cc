@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <system_error>
 #include <utility>
 
 #include <fmt/core.h>
@@ -92,7 +93,8 @@ void BaselineOptions::read(const Disk& disk, const std::optional<std::string>& c
 }
 
 rules::BaselinePlace BaselineOptions::place() const {
-  const std::string working = std::filesystem::current_path().string();
+  std::error_code error;  // of a folder that is gone: paths are as they are written
+  const std::string working = std::filesystem::current_path(error).string();
   return {std::string(parent_path(join_path(working, path()))), working};
 }
 

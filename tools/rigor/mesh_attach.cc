@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -94,7 +95,10 @@ class Attachment {
     const auto text = apply_edits(sources_.bytes(loaded_.root.source), done.edits);
     if (!text) throw std::logic_error("the edits of " + loaded_.file->path + " overlap");
     for (const FileCopy& copy : copies(facts, done)) {
-      std::filesystem::create_directories(parent_path(copy.to));
+      const std::string folder(parent_path(copy.to));
+      std::error_code error;
+      std::filesystem::create_directories(folder, error);
+      if (error) throw UsageError(folder + ": cannot be made: " + error.message());
       replace_file(copy.to, copy.bytes);
       say("rigor: copied to " + report::printable(copy.to));
     }
