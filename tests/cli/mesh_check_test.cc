@@ -6,7 +6,9 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
+#include <utility>
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -235,6 +237,71 @@ TEST(MeshCheckCli, AppliedTheModelLooksAsBefore) {
     EXPECT_NEAR(pz, 3.0315, 1e-9);
   }
   EXPECT_TRUE(std::filesystem::exists(model.folder.path("arm/meshes/box.obj"))) << "kept";
+}
+
+/// What each visual of the model draws: a closed box, or one without its top.
+std::map<std::string, int> triangles_by_use(const Folder& folder) {
+  std::map<std::string, int> triangles;
+  for (const json& mesh : checked(folder, "arm --fail-on never")["meshes"]) {
+    for (const json& use : mesh["uses"]) triangles[use] = mesh["triangles"];
+  }
+  return triangles;
+}
+
+/// A model of a closed box and an open one.
+void put_two_boxes(const Folder& folder, const std::string& closed, const std::string& open) {
+  const auto visual = [](const std::string& name, const std::string& file) {
+    return "<visual name='" + name + "'><geometry><mesh><uri>meshes/" + file +
+           "</uri></mesh></geometry></visual>\n";
+  };
+  folder.put("arm/meshes/" + closed, box_obj());
+  folder.put("arm/meshes/" + open, box_obj(true));
+  folder.put("arm/model.sdf", "<sdf version='1.9'><model name='arm'><link name='base'>\n" +
+                                  visual("closed", closed) + visual("open", open) +
+                                  "</link></model></sdf>\n");
+}
+
+TEST(MeshCheckCli, AppliedEachMeshGetsAFileOfItsOwn) {
+  const std::string apply = "mesh-check arm --center bounds --apply --fail-on never";
+  for (const auto& [closed, open] :
+       {std::pair{"box.obj", "box_edited.obj"}, std::pair{"box_edited.obj", "box.obj"},
+        std::pair{"box.OBJ", "box.obj"}}) {
+    const MeshModel model;
+    put_two_boxes(model.folder, closed, open);
+    const auto before = triangles_by_use(model.folder);
+    ASSERT_EQ(before.size(), 2U);
+    const Ran ran = model.folder.rigor(apply);
+    EXPECT_EQ(ran.exit, 0) << ran.err;
+    EXPECT_EQ(triangles_by_use(model.folder), before) << closed;
+    // What an earlier run has written is replaced, so that the model names the same files again.
+    const std::string text = model.folder.get("arm/model.sdf");
+    EXPECT_NE(text.find("box_edited.obj"), std::string::npos) << text;
+    EXPECT_NE(text.find("box_edited_2.obj"), std::string::npos) << text;
+    EXPECT_EQ(model.folder.rigor(apply).exit, 0);
+    EXPECT_EQ(triangles_by_use(model.folder), before) << closed;
+    EXPECT_FALSE(std::filesystem::exists(model.folder.path("arm/meshes/box_edited_2_edited.obj")));
+  }
+}
+
+TEST(MeshCheckCli, AppliedInAFolderThatIsGone) {
+  const MeshModel model;
+  const Ran ran =
+      model.folder.rigor("mesh-check '" + model.folder.path("arm") + "' --center bounds --apply",
+                         "mkdir gone && cd gone && rmdir ../gone &&");
+  EXPECT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_TRUE(std::filesystem::exists(model.folder.path("arm/meshes/box_edited.obj")));
+}
+
+TEST(MeshCheckCli, AttachingWhereNoFolderCanBeMade) {
+  const MeshModel model;
+  std::filesystem::remove_all(model.folder.path("arm/meshes"));
+  model.folder.put("arm/meshes", "a file");
+  model.folder.put("new.obj", box_obj());
+  const std::string before = model.folder.get("arm/model.sdf");
+  const Ran ran = model.folder.rigor("mesh-check new.obj --attach arm::base::hull");
+  EXPECT_EQ(ran.exit, 2);
+  EXPECT_NE(ran.err.find("arm/meshes: cannot be made"), std::string::npos) << ran.err;
+  EXPECT_EQ(model.folder.get("arm/model.sdf"), before);
 }
 
 TEST(MeshCheckCli, Attached) {

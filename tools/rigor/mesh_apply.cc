@@ -4,10 +4,14 @@
 // `rigor mesh-check MODEL --apply`: operations on all meshes of a model, each written beside the old
 // file, and the model edited so that it looks as before.
 
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -28,15 +32,42 @@ namespace {
 
 constexpr std::string_view kMark = "_edited";
 
+/// Whether a name is that of an earlier run's result: "arm_edited", "arm_edited_2".
+bool is_of_result(std::string_view stem) {
+  const std::size_t digits = stem.find_last_not_of("0123456789") + 1;
+  const bool has_number = digits > 0 && digits < stem.size() && stem[digits - 1] == '_';
+  return (has_number ? stem.substr(0, digits - 1) : stem).ends_with(kMark);
+}
+
 /// Other models may use the old file, so the new one has a name of its own; what was written by an
-/// earlier run is replaced. Formats that are not written become .glb.
-std::string name_of_result(const std::string& path) {
+/// earlier run is replaced. Formats that are not written become .glb. Where the first name will not do,
+/// the others are "arm_edited_2.stl" and so on.
+std::string name_of_result(const std::string& path, int number) {
   constexpr std::string_view kWritten[] = {".stl", ".obj", ".dae", ".glb", ".ply"};
   const std::string ending = extension(path);
   const std::string stem = path.substr(0, path.size() - ending.size());
   const bool known =
       std::find(std::begin(kWritten), std::end(kWritten), ending) != std::end(kWritten);
-  return stem + (stem.ends_with(kMark) ? "" : std::string(kMark)) + (known ? ending : ".glb");
+  return stem + (is_of_result(stem) ? "" : std::string(kMark)) +
+         (number == 1 ? "" : "_" + std::to_string(number)) + (known ? ending : ".glb");
+}
+
+/// One file has one such path, whatever links lead to it.
+std::string file_behind_links(const std::string& path) {
+  std::error_code error;
+  const auto real = std::filesystem::weakly_canonical(path, error);
+  return error ? path : real.generic_string();
+}
+
+bool is_link(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::is_symlink(path, error);
+}
+
+/// Empty in a folder that is gone.
+std::string folder_of_run() {
+  std::error_code error;
+  return std::filesystem::current_path(error).generic_string();
 }
 
 void refuse_products(const author::MeshOperations& operations) {
@@ -49,7 +80,7 @@ void refuse_products(const author::MeshOperations& operations) {
 }
 
 struct Result {
-  author::MeshReplacement replacement;
+  author::MeshReplacement replacement;  ///< named when all are known
   author::OperatedMesh done;
 };
 
@@ -61,14 +92,12 @@ class Application {
   int run() {
     const Environment& environment = checking_.environment();
     const read::Reader reader{workspace_, environment.resolver, environment.sdf, environment.urdf};
-    const std::string model =
-        std::filesystem::absolute(a_.paths.front()).lexically_normal().generic_string();
-    const read::Loaded loaded = load(reader, open_model(workspace_, model));
+    const read::Loaded loaded =
+        load(reader, open_model(workspace_, join_path(here_, a_.paths.front())));
     for (const rules::CheckedMesh& mesh : checking_.result().meshes) operate_on(*mesh.facts);
-    std::vector<author::MeshReplacement> replacements;
-    for (const Result& result : results_) replacements.push_back(result.replacement);
-    const author::ModelEdits edits =
-        author::apply_mesh(environment, sources_, loaded, replacements);
+    author::ModelEdits edits = edits_of(loaded, InPlace::kEarlierResults);
+    // What keeps a mesh needs its file as it is.
+    if (!edits.left.empty()) edits = edits_of(loaded, InPlace::kNothing);
     for (const author::LeftUse& left : edits.left) {
       say("rigor: " + report::printable(left.subject.empty() ? edits.path : left.subject) +
           " keeps the old mesh: " + std::string(author::words(left.why)));
@@ -78,9 +107,35 @@ class Application {
   }
 
  private:
+  enum class InPlace : std::uint8_t { kEarlierResults, kNothing };
+
+  author::ModelEdits edits_of(const read::Loaded& loaded, InPlace in_place) {
+    name_results(in_place);
+    std::vector<author::MeshReplacement> replacements;
+    for (const Result& result : results_) replacements.push_back(result.replacement);
+    return author::apply_mesh(checking_.environment(), sources_, loaded, replacements);
+  }
+
+  /// No two get one name, and none that of another mesh of the model.
+  void name_results(InPlace in_place) {
+    std::set<std::string> taken;
+    for (const rules::CheckedMesh& mesh : checking_.result().meshes) {
+      taken.insert(file_behind_links(join_path(here_, mesh.facts->path)));
+    }
+    for (Result& result : results_) {
+      author::MeshReplacement& by = result.replacement;
+      const bool may_stay = in_place == InPlace::kEarlierResults && !is_link(by.file);
+      bool free = false;
+      for (int number = 1; !free; ++number) {
+        by.new_file = name_of_result(by.file, number);
+        free = (may_stay && by.new_file == by.file) ||
+               taken.insert(file_behind_links(by.new_file)).second;
+      }
+    }
+  }
+
   void operate_on(const mass::MeshFacts& facts) {
-    const std::string path =
-        std::filesystem::absolute(facts.path).lexically_normal().generic_string();
+    const std::string path = join_path(here_, facts.path);
     if (!facts.whole() || !seen_.insert(path).second) return;
     mesh::LoadedMesh loaded = mesh::read_mesh(checking_.disk(), facts.path);
     author::OperatedMesh done = author::operate(std::move(loaded.mesh), operations_of(a_, facts));
@@ -88,16 +143,14 @@ class Application {
       say("rigor: " + report::printable(facts.path) + " stays as it is: " + done.problem);
       return;
     }
-    const author::MeshReplacement replacement{path, name_of_result(path), done.transform,
-                                              done.translation};
+    const author::MeshReplacement replacement{path, {}, done.transform, done.translation};
     results_.push_back({replacement, std::move(done)});
   }
 
   void write_all(const author::ModelEdits& edits) {
-    const std::filesystem::path here = std::filesystem::current_path();
     for (const Result& result : results_) {
       for (report::WrittenFile& file : write_meshes(result.done, result.replacement.new_file)) {
-        file.path = std::filesystem::path(file.path).lexically_proximate(here).generic_string();
+        file.path = std::filesystem::path(file.path).lexically_proximate(here_).generic_string();
         work_.written.push_back(std::move(file));
       }
       const std::string name(file_name(result.replacement.new_file));
@@ -122,6 +175,7 @@ class Application {
   std::set<std::string> seen_;
   std::vector<Result> results_;
   MeshWork work_;
+  const std::string here_ = folder_of_run();
 };
 
 }  // namespace
