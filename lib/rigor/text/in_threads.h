@@ -19,9 +19,9 @@
 
 namespace rigor {
 
-/// Calls `work` with the numbers below `count`, each in a thread of its own at the same time; 0 is the calling
-/// thread's. Number 0 is always called, others only so far as there can be threads: each call has to go
-/// on until nothing is left to do. Throws what a call threw, when all have ended.
+/// Calls `work` with the numbers below `count`, each in a thread of its own at the same time; 0 is the
+/// calling thread's. Number 0 is always called, others only so far as there can be threads: each call has
+/// to go on until nothing is left to do. Throws what a call threw, when all have ended.
 template <class Work>
 void in_threads(std::size_t count, const Work& work) {
   std::exception_ptr failure;
