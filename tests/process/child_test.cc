@@ -146,6 +146,25 @@ TEST_F(ProcessChild, DeathWhileWritingIsNoResult) {
   EXPECT_EQ(result.bytes, "");
 }
 
+TEST_F(ProcessChild, WorksMayComeOfResults) {
+  // Each number calls for the next, until there are four.
+  std::vector<int> waiting{1};
+  std::string told;
+  feed_children(
+      limits_, 2,
+      [&]() -> std::function<std::string()> {
+        if (waiting.empty()) return {};
+        const int number = waiting.back();
+        waiting.pop_back();
+        return [number] { return std::to_string(number); };
+      },
+      [&](std::size_t index, const ChildResult& result) {
+        told += std::to_string(index) + ':' + result.bytes + ' ';
+        if (index < 3) waiting.push_back(static_cast<int>(index) + 2);
+      });
+  EXPECT_EQ(told, "0:1 1:2 2:3 3:4 ");
+}
+
 TEST_F(ProcessChild, RunningForeverEndsAsOutOfTime) {
   const ChildLimits second{.cpu_seconds = 1};
   const ChildResult result = run_in_child(second, [] {

@@ -11,6 +11,7 @@
 #include <rigor/simulate/tests.h>
 
 #include "simulate/hand_robot.h"
+#include "simulate/hand_scene.h"
 
 namespace rigor {
 namespace {
@@ -178,6 +179,34 @@ TEST(Simulate, ASaneRobotSettlesAndDrivesAsFarAsItsWheelsRoll) {
       EXPECT_EQ(encode(simulation.runs[i].record), encode(one[0].runs[i].record));
     }
   }
+}
+
+/// With one job a task is handed over before the next one begins, even when it fails and is run again:
+/// whoever writes results as they come loses no more than one when the process is killed.
+TEST(Simulate, ATaskIsHandedOverWhenItIsDone) {
+  Scene sunk = hand::scene();
+  hand::add_body(sunk, hand::box_mass(6, {0.2, 0.2, 0.2}), {0, 0, 0.05});
+  sunk.shapes.push_back(
+      {.name = "b::c", .body = 0, .kind = mesh::Box{{0.2, 0.2, 0.2}}, .extent = 0.2});
+  const DriveTrain wheels;
+  const Facts causes;
+  const Task fails{
+      sunk, causes, {*make_test("settle", sunk, wheels).scenario}, wheels, sunk.solver};
+  const Task nothing{sunk, causes, {}, wheels, sunk.solver};
+  std::size_t ended = 0;
+  SimulateOptions options;
+  options.progress = [&](std::size_t count, std::size_t) { ended = count; };
+  std::vector<std::size_t> tasks;
+  std::vector<std::size_t> ended_before;
+  simulate::simulate({fails, nothing, fails}, options, [&](std::size_t task, Simulation result) {
+    tasks.push_back(task);
+    ended_before.push_back(ended);
+    EXPECT_EQ(result.runs.size(), task == 1 ? 0U : 1U);
+    EXPECT_EQ(result.verdict, task == 1 ? Verdict::kPass : Verdict::kFail);
+  });
+  // A failure is run three times: as asked for, with half the step and by the other solver.
+  EXPECT_EQ(tasks, (std::vector<std::size_t>{1, 0, 2}));
+  EXPECT_EQ(ended_before, (std::vector<std::size_t>{0, 3, 6}));
 }
 
 TEST(Simulate, ACauseThatNoRunShowedComesFirstAndWarns) {

@@ -85,33 +85,47 @@ SimulatedModel Simulator::start(const SimulationCase& one) const {
   return result;
 }
 
+simulate::Planned Simulator::planned_in(const simulate::Scene& scene,
+                                        const PreparedModel& model) const {
+  if (model.made.blocked()) return {};
+  if (!scene.bodies.empty()) return scenarios_of(options_.plan, scene, model.wheels);
+  simulate::Planned planned;
+  for (const std::string& test : options_.plan.tests) {
+    if (test != "settle") planned.left_out.push_back(test + ": nothing moves");
+  }
+  return planned;
+}
+
+simulate::Planned Simulator::planned(const SimulationCase& one) const {
+  return planned_in(start(one).scene, *one.model);
+}
+
 std::vector<SimulatedModel> Simulator::run(const std::vector<SimulationCase>& cases) const {
+  std::vector<SimulatedModel> results(cases.size());
+  run(cases, [&](std::size_t i, SimulatedModel result) { results[i] = std::move(result); });
+  return results;
+}
+
+void Simulator::run(const std::vector<SimulationCase>& cases,
+                    const std::function<void(std::size_t, SimulatedModel)>& done) const {
   std::vector<SimulatedModel> results;
   std::vector<simulate::Task> tasks;
   for (const SimulationCase& one : cases) results.push_back(start(one));
   for (std::size_t i = 0; i < cases.size(); ++i) {
     SimulatedModel& result = results[i];
-    simulate::Task task{
-        result.scene, cases[i].model->causes, {}, cases[i].model->wheels, result.scene.solver};
-    if (!result.blocked && result.scene.bodies.empty()) {
-      for (const std::string& test : options_.plan.tests) {
-        if (test != "settle") result.left_out.push_back(test + ": nothing moves");
-      }
-    } else if (!result.blocked) {
-      simulate::Planned planned = scenarios_of(options_.plan, result.scene, cases[i].model->wheels);
-      task.scenarios = std::move(planned.scenarios);
-      result.left_out = std::move(planned.left_out);
-      result.problems = std::move(planned.problems);
-    }
-    tasks.push_back(std::move(task));
+    const PreparedModel& model = *cases[i].model;
+    simulate::Planned planned = planned_in(result.scene, model);
+    result.left_out = std::move(planned.left_out);
+    result.problems = std::move(planned.problems);
+    tasks.push_back({result.scene, model.causes, std::move(planned.scenarios), model.wheels,
+                     result.scene.solver});
   }
-  std::vector<simulate::Simulation> simulations =
-      simulate::simulate(tasks, {options_.confirm, options_.jobs, options_.progress});
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    results[i].simulation = std::move(simulations[i]);
-    conclude(cases[i], results[i]);
-  }
-  return results;
+  simulate::simulate(tasks, {options_.confirm, options_.jobs, options_.progress},
+                     [&](std::size_t i, simulate::Simulation simulation) {
+                       results[i].simulation = std::move(simulation);
+                       conclude(cases[i], results[i]);
+                       done(i, std::move(results[i]));
+                     });
 }
 
 /// A warning where a fact is not severe; causes go into the finding that they follow. One that follows

@@ -10,6 +10,9 @@
 
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -89,7 +92,15 @@ class Simulator {
   /// In the order of the cases, whatever the number of jobs.
   std::vector<SimulatedModel> run(const std::vector<SimulationCase>& cases) const;
 
+  /// Hands each over, with its place among the cases, as soon as it is done.
+  void run(const std::vector<SimulationCase>& cases,
+           const std::function<void(std::size_t, SimulatedModel)>& done) const;
+
+  /// What would be run, and names of the plan that are nothing in the model, without running it.
+  simulate::Planned planned(const SimulationCase& one) const;
+
  private:
+  simulate::Planned planned_in(const simulate::Scene& scene, const PreparedModel& model) const;
   SimulatedModel start(const SimulationCase& one) const;
   Diagnostics told(const SimulationCase& one, const simulate::Facts& facts) const;
   void conclude(const SimulationCase& one, SimulatedModel& result) const;

@@ -181,35 +181,47 @@ std::vector<ChildResult> run_in_children(const ChildLimits& limits,
                                          unsigned jobs,
                                          const std::function<void(std::size_t)>& done) {
   std::vector<ChildResult> results(works.size());
+  std::size_t given = 0;
+  std::size_t count = 0;
+  feed_children(
+      limits, jobs,
+      [&] { return given < works.size() ? works[given++] : std::function<std::string()>(); },
+      [&](std::size_t index, ChildResult result) {
+        results[index] = std::move(result);
+        ++count;
+        if (done) done(count);
+      });
+  return results;
+}
+
+void feed_children(const ChildLimits& limits, unsigned jobs,
+                   const std::function<std::function<std::string()>()>& next,
+                   const std::function<void(std::size_t, ChildResult)>& ended) {
   std::vector<std::unique_ptr<Running>> running;
-  std::size_t next = 0;
-  std::size_t ended = 0;
-  while (ended < works.size()) {
-    while (next < works.size() && running.size() < std::max(jobs, 1U)) {
-      auto started = std::make_unique<Running>(next, limits, works[next]);
-      ++next;
+  std::size_t given = 0;
+  while (true) {
+    while (running.size() < std::max(jobs, 1U)) {
+      const std::function<std::string()> work = next();
+      if (!work) break;
+      auto started = std::make_unique<Running>(given++, limits, work);
       if (started->error == 0) {
         running.push_back(std::move(started));
       } else {
-        results[started->index] = not_started(started->error);
-        ++ended;
-        if (done) done(ended);
+        ended(started->index, not_started(started->error));
       }
     }
-    if (running.empty()) break;  // none of the last ones could be started: nothing to wait for
+    if (running.empty()) return;
     wait_for_any(running);
     for (std::size_t i = 0; i < running.size();) {
       if (!running[i]->read_some()) {
         ++i;
         continue;
       }
-      results[running[i]->index] = running[i]->result();
+      const std::unique_ptr<Running> gone = std::move(running[i]);
       running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
-      ++ended;
-      if (done) done(ended);
+      ended(gone->index, gone->result());
     }
   }
-  return results;
 }
 
 std::string describe(const ChildResult& result, const ChildLimits& limits) {

@@ -61,6 +61,13 @@ std::vector<ChildResult> run_in_children(const ChildLimits& limits,
                                          unsigned jobs,
                                          const std::function<void(std::size_t)>& done = {});
 
+/// The same for works of which some are known only when others have ended. `next` gives one, or an empty
+/// function when there is none for now; `ended` is told the result of each as soon as it is there, with
+/// its number in the order that `next` gave them. Returns when nothing runs and there is none.
+void feed_children(const ChildLimits& limits, unsigned jobs,
+                   const std::function<std::function<std::string()>()>& next,
+                   const std::function<void(std::size_t, ChildResult)>& ended);
+
 /// "crashed (segmentation fault)", "took more than 60 s of CPU time": for messages.
 std::string describe(const ChildResult& result, const ChildLimits& limits);
 

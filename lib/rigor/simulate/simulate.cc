@@ -4,6 +4,8 @@
 #include <rigor/simulate/simulate.h>
 
 #include <algorithm>
+#include <deque>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <tuple>
@@ -30,41 +32,6 @@ std::string run_and_encode(const RunOrder& order) {
   return encode(run(stage(order.task->scene, *order.scenario), *order.scenario, order.settings));
 }
 
-/// Runs and counts them for the caller, over several batches.
-class RunQueue {
- public:
-  explicit RunQueue(const SimulateOptions& options) : options_(options) {}
-
-  std::vector<Record> run_all(const std::vector<RunOrder>& orders) {
-    std::vector<std::function<std::string()>> works;
-    for (const RunOrder& order : orders) {
-      works.push_back([&order] { return run_and_encode(order); });
-    }
-    total_ += works.size();
-    const auto tell = [&](std::size_t done) {
-      if (options_.progress) options_.progress(before_ + done, total_);
-    };
-    std::vector<Record> records;
-    for (const process::ChildResult& result :
-         process::run_in_children(kRunLimits, works, options_.jobs, tell)) {
-      records.push_back(record_of(result));
-    }
-    before_ = total_;
-    return records;
-  }
-
- private:
-  const SimulateOptions& options_;
-  std::size_t before_ = 0;  // of earlier batches
-  std::size_t total_ = 0;
-};
-
-/// A run of a task, and the task.
-struct TaskRun {
-  const Task* task = nullptr;
-  Run run;
-};
-
 Run judged_run(const RunOrder& order, Record record) {
   Run run{.test = order.scenario->name, .seed = order.settings.seed, .scenario = *order.scenario};
   run.metrics = metrics_of(order.task->scene, *order.scenario, record, order.task->wheels);
@@ -90,17 +57,7 @@ void add_comparison(const Scene& scene, std::string_view id, const Record& other
   add_difference(scene, id, difference_of(scene, run.record, other), run);
 }
 
-/// A run that failed, and those that it was held against so far.
-struct Doubted {
-  TaskRun* one = nullptr;
-  std::vector<Variant> variants;
-  std::vector<Again> agains;
-};
-
-void add_comparisons(const Doubted& doubted) {
-  const Scene& scene = doubted.one->task->scene;
-  Run& run = doubted.one->run;
-  const std::vector<Again>& agains = doubted.agains;
+void add_comparisons(const Scene& scene, const std::vector<Again>& agains, Run& run) {
   add_comparison(scene, "dt.sensitivity", agains[kHalfStep].record, run);
   add_comparison(scene, "solver.agreement", agains[kOtherSolver].record, run);
   if (agains.size() <= kOtherSolver + 1) return;
@@ -109,41 +66,6 @@ void add_comparisons(const Doubted& doubted) {
     spread = std::max(spread, difference_of(scene, run.record, agains[seed].record));
   }
   add_difference(scene, "seed.spread", spread, run);
-}
-
-void confirm_failures(RunQueue& queue, std::vector<TaskRun>& runs) {
-  std::vector<Doubted> all;
-  for (TaskRun& one : runs) {
-    if (!to_be_confirmed(one.run)) continue;
-    all.push_back({&one, variants_of(settings_in(one.run.scenario, one.task->solver)), {}});
-  }
-  while (true) {
-    std::vector<RunOrder> orders;
-    std::vector<Doubted*> whose;
-    for (Doubted& doubted : all) {
-      const std::size_t first = doubted.agains.size();
-      const std::size_t count = next_of(doubted.agains, doubted.one->run);
-      for (std::size_t i = first; i < first + count; ++i) {
-        const SolverSettings& settings = doubted.variants[i].settings;
-        orders.push_back({doubted.one->task, &doubted.one->run.scenario, settings});
-        whose.push_back(&doubted);
-      }
-    }
-    if (orders.empty()) break;
-    std::vector<Record> records = queue.run_all(orders);
-    for (std::size_t i = 0; i < whose.size(); ++i) {
-      const Task& task = *orders[i].task;
-      Doubted& doubted = *whose[i];
-      Again again{doubted.variants[doubted.agains.size()], std::move(records[i]), {}, false};
-      again.metrics = metrics_of(task.scene, *orders[i].scenario, again.record, task.wheels);
-      again.stopped = was_stopped(again.record);
-      doubted.agains.push_back(std::move(again));
-    }
-  }
-  for (const Doubted& doubted : all) {
-    confirm(doubted.agains, doubted.one->run);
-    add_comparisons(doubted);
-  }
 }
 
 /// Two facts with the same are told once.
@@ -198,6 +120,135 @@ void add_unexplained(const Facts& causes, Simulation& simulation) {
   first.verdict = worse(first.verdict, Verdict::kWarn);
 }
 
+/// A run on its way, and what it is held against when it failed.
+struct TaskRun {
+  RunOrder order;
+  std::size_t task = 0;
+  Run run;
+  std::vector<Variant> variants;  ///< none when it is believed
+  std::vector<Again> agains;      ///< of the first variants
+  std::size_t awaited = 0;        ///< how many of these have not ended
+};
+
+/// Runs what the tasks ask for, and hands over each task when the last of its runs is believed.
+class Runs {
+ public:
+  using Done = std::function<void(std::size_t, Simulation)>;
+
+  Runs(const std::vector<Task>& tasks, const SimulateOptions& options, const Done& done)
+      : tasks_(tasks), options_(options), done_(done) {}
+
+  void run_all() {
+    for (std::size_t i = 0; i < tasks_.size(); ++i) {
+      const Task& task = tasks_[i];
+      first_.push_back(runs_.size());
+      left_.push_back(task.scenarios.size());
+      for (const Scenario& scenario : task.scenarios) {
+        waiting_.push_back({runs_.size(), std::nullopt});
+        runs_.push_back({{&task, &scenario, settings_in(scenario, task.solver)}, i, {}, {}, {}, 0});
+      }
+    }
+    total_ = runs_.size();
+    for (std::size_t i = 0; i < tasks_.size(); ++i) {
+      if (left_[i] == 0) hand_over(i);
+    }
+    process::feed_children(
+        kRunLimits, options_.jobs, [this] { return next(); },
+        [this](std::size_t number, const process::ChildResult& result) { ended(number, result); });
+  }
+
+ private:
+  /// A run as it was asked for, or one of its variants.
+  struct Job {
+    std::size_t run = 0;
+    std::optional<std::size_t> variant;
+  };
+
+  std::function<std::string()> next() {
+    if (waiting_.empty()) return {};
+    const Job job = waiting_.front();
+    waiting_.pop_front();
+    started_.push_back(job);
+    const TaskRun& one = runs_[job.run];
+    RunOrder order = one.order;
+    if (job.variant) order.settings = one.variants[*job.variant].settings;
+    return [order] { return run_and_encode(order); };
+  }
+
+  void ended(std::size_t number, const process::ChildResult& result) {
+    const Job job = started_[number];
+    TaskRun& one = runs_[job.run];
+    ++ended_;
+    if (options_.progress) options_.progress(ended_, total_);
+    if (job.variant) {
+      one.agains[*job.variant] = again_of(one, *job.variant, record_of(result));
+      --one.awaited;
+    } else {
+      one.run = judged_run(one.order, record_of(result));
+      if (options_.confirm == Confirm::kFailures && to_be_confirmed(one.run)) {
+        one.variants = variants_of(one.order.settings);
+      }
+    }
+    if (one.awaited > 0) return;
+    if (!one.variants.empty() && ask_again(job.run)) return;
+    conclude(one);
+  }
+
+  static Again again_of(const TaskRun& one, std::size_t variant, Record record) {
+    const Task& task = *one.order.task;
+    Again again{one.variants[variant], std::move(record), {}, false};
+    again.metrics = metrics_of(task.scene, *one.order.scenario, again.record, task.wheels);
+    again.stopped = was_stopped(again.record);
+    return again;
+  }
+
+  /// Whether there is a variant that could change a verdict. They go before what has not begun.
+  bool ask_again(std::size_t run) {
+    TaskRun& one = runs_[run];
+    const std::size_t first = one.agains.size();
+    one.awaited = next_of(one.agains, one.run);
+    one.agains.resize(first + one.awaited);
+    total_ += one.awaited;
+    for (std::size_t i = one.agains.size(); i-- > first;) waiting_.push_front({run, i});
+    return one.awaited > 0;
+  }
+
+  void conclude(TaskRun& one) {
+    const Task& task = *one.order.task;
+    if (!one.variants.empty()) {
+      confirm(one.agains, one.run);
+      add_comparisons(task.scene, one.agains, one.run);
+      one.agains.clear();  // trajectories
+    }
+    conclude_run(task.scene, task.causes, one.run);
+    --left_[one.task];
+    if (left_[one.task] == 0) hand_over(one.task);
+  }
+
+  void hand_over(std::size_t task) {
+    Simulation simulation;
+    for (std::size_t i = 0; i < tasks_[task].scenarios.size(); ++i) {
+      simulation.runs.push_back(std::move(runs_[first_[task] + i].run));
+    }
+    add_unexplained(tasks_[task].causes, simulation);
+    for (const Run& run : simulation.runs) {
+      simulation.verdict = worse(simulation.verdict, run.verdict);
+    }
+    done_(task, std::move(simulation));
+  }
+
+  const std::vector<Task>& tasks_;
+  const SimulateOptions& options_;
+  const Done& done_;
+  std::vector<TaskRun> runs_;       // task by task
+  std::vector<std::size_t> first_;  // of each task, among the runs
+  std::vector<std::size_t> left_;   // of each task: runs to be concluded
+  std::deque<Job> waiting_;
+  std::vector<Job> started_;
+  std::size_t ended_ = 0;
+  std::size_t total_ = 0;  // that are known of
+};
+
 }  // namespace
 
 Verdict worse(Verdict a, Verdict b) {
@@ -215,32 +266,16 @@ Verdict worse(Verdict a, Verdict b) {
 }
 
 std::vector<Simulation> simulate(const std::vector<Task>& tasks, const SimulateOptions& options) {
-  std::vector<RunOrder> orders;
-  for (const Task& task : tasks) {
-    for (const Scenario& scenario : task.scenarios) {
-      orders.push_back({&task, &scenario, settings_in(scenario, task.solver)});
-    }
-  }
-  RunQueue queue(options);
-  std::vector<Record> records = queue.run_all(orders);
-  std::vector<TaskRun> runs;
-  for (std::size_t i = 0; i < orders.size(); ++i) {
-    runs.push_back({orders[i].task, judged_run(orders[i], std::move(records[i]))});
-  }
-  if (options.confirm == Confirm::kFailures) confirm_failures(queue, runs);
   std::vector<Simulation> simulations(tasks.size());
-  for (TaskRun& one : runs) {
-    conclude_run(one.task->scene, one.task->causes, one.run);
-    simulations[static_cast<std::size_t>(one.task - tasks.data())].runs.push_back(
-        std::move(one.run));
-  }
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    add_unexplained(tasks[i].causes, simulations[i]);
-    for (const Run& run : simulations[i].runs) {
-      simulations[i].verdict = worse(simulations[i].verdict, run.verdict);
-    }
-  }
+  simulate(tasks, options, [&](std::size_t task, Simulation simulation) {
+    simulations[task] = std::move(simulation);
+  });
   return simulations;
+}
+
+void simulate(const std::vector<Task>& tasks, const SimulateOptions& options,
+              const std::function<void(std::size_t, Simulation)>& done) {
+  Runs(tasks, options, done).run_all();
 }
 
 }  // namespace rigor::simulate

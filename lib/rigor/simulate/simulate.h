@@ -9,8 +9,8 @@
 // A failure is confirmed before it is believed: the same test with half the step and with the other
 // solver, and with two other seeds where these do not settle it. What most of the runs do not show is
 // called the solver's. Each run is a child process; this function uses no threads and forks at most
-// `jobs` at a time, whichever task they are of: first all that was asked for, then all that failures are
-// confirmed by.
+// `jobs` at a time, whichever task they are of. Those that a failure is confirmed by go before those of
+// later tasks, so that a task that was begun is soon done.
 
 #pragma once
 
@@ -73,6 +73,11 @@ struct Simulation {
 
 /// In the order of the tasks; the same for any number of jobs.
 std::vector<Simulation> simulate(const std::vector<Task>& tasks, const SimulateOptions& options);
+
+/// Hands each over, with the number of its task, as soon as it is done: nothing is kept of it. Which is done
+/// first depends on how long they take.
+void simulate(const std::vector<Task>& tasks, const SimulateOptions& options,
+              const std::function<void(std::size_t, Simulation)>& done);
 
 /// The worse of two.
 Verdict worse(Verdict a, Verdict b);
