@@ -82,8 +82,12 @@ TEST_F(SimulateCli, ASliderIsToldInMeters) {
   const json result = simulated("off.sdf");
   EXPECT_NE(result.dump().find("begins at 0.5 m: "), std::string::npos) << result;
   for (const json& metric : result["runs"][0]["metrics"]) {
-    if (metric["id"] == "joint.limit_violation") EXPECT_EQ(metric["unit"], "m");
-    if (metric["id"] == "tilt.max") EXPECT_EQ(metric["unit"], "rad");
+    if (metric["id"] == "joint.limit_violation") {
+      EXPECT_EQ(metric["unit"], "m");
+    }
+    if (metric["id"] == "tilt.max") {
+      EXPECT_EQ(metric["unit"], "rad");
+    }
   }
 }
 
