@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -407,6 +408,110 @@ TEST_F(SweepCli, ResumesAfterATornLine) {
   const Ran resumed = simulate(to_file + " --resume");
   EXPECT_EQ(resumed.exit, 0) << resumed.err;
   EXPECT_EQ(folder_.get("runs.jsonl"), whole);
+}
+
+/// The first lines of a text.
+std::string first_lines(const std::string& text, int count) {
+  std::size_t end = 0;
+  for (int line = 0; line < count; ++line) end = text.find('\n', end) + 1;
+  return text.substr(0, end);
+}
+
+TEST_F(SweepCli, ResumesWhateverOrderLinesAreIn) {
+  const std::string to_file = kSweep + std::string("--output jsonl:runs.jsonl");
+  ASSERT_EQ(simulate(to_file).exit, 0);
+  const std::string whole = folder_.get("runs.jsonl");
+  const std::string first = first_lines(whole, 1);
+  const std::string second = first_lines(whole, 2).substr(first.size());
+  folder_.put("runs.jsonl", second + first);
+  const Ran resumed = simulate(to_file + " --resume -j 3");
+  EXPECT_EQ(resumed.exit, 0) << resumed.err;
+  EXPECT_EQ(resumed.err, "1 model in 4 cases: 4 pass; 2 cases kept\n");
+  EXPECT_EQ(folder_.get("runs.jsonl"), whole);
+}
+
+TEST_F(SweepCli, JobsDoNotChangeTheFile) {
+  // The first takes a hundred times as many steps as the others.
+  const std::string sweep = "crate.sdf --grid time-step=0.00005:0.005:3 --output jsonl:";
+  ASSERT_EQ(simulate(sweep + "one.jsonl").exit, 0);
+  ASSERT_EQ(simulate(sweep + "three.jsonl -j 3").exit, 0);
+  const std::string one = folder_.get("one.jsonl");
+  EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), 3);
+  EXPECT_EQ(folder_.get("three.jsonl"), one);
+}
+
+TEST_F(SweepCli, LinesOfAnotherRunAreRefused) {
+  const std::string to_file = "--output jsonl:runs.jsonl";
+  ASSERT_EQ(simulate(kSweep + to_file).exit, 0);
+  const std::string torn = first_lines(folder_.get("runs.jsonl"), 2) + "{\"case\":";
+  folder_.put("runs.jsonl", torn);
+  for (const std::string other : {"slide.sdf --grid friction=0.2:1:3 --seeds 2 ",  // another model
+                                  "crate.sdf --grid friction=0.3:1:3 --seeds 2 ",  // other values
+                                  "crate.sdf --grid friction=0.2:1:3 ",            // fewer
+                                  "crate.sdf --grid friction=0.2:1:3 --seeds 2 --test drop "}) {
+    const Ran ran = simulate(other + to_file + " --resume");
+    EXPECT_EQ(ran.exit, 2) << other << ran.err;
+    EXPECT_NE(ran.err.find("runs.jsonl:1: is of another run"), std::string::npos) << ran.err;
+    EXPECT_EQ(folder_.get("runs.jsonl"), torn) << other;
+  }
+  const Ran model =
+      simulate("slide.sdf --grid friction=0.2:1:3 --seeds 2 " + to_file + " --resume");
+  EXPECT_NE(model.err.find("crate.sdf"), std::string::npos) << model.err;
+  EXPECT_NE(model.err.find("slide.sdf"), std::string::npos) << model.err;
+  EXPECT_EQ(simulate(kSweep + to_file + " --resume").exit, 0);
+}
+
+TEST_F(SweepCli, LinesOfNoSimulationAreRefused) {
+  const std::string line = "{\"case\":{\"index\":0,\"of\":1,\"id\":\"seed=0\"}}\n";
+  folder_.put("runs.jsonl", line);
+  const Ran ran = simulate("crate.sdf --output jsonl:runs.jsonl --resume");
+  EXPECT_EQ(ran.exit, 2);
+  EXPECT_NE(ran.err.find("runs.jsonl:1: is no result"), std::string::npos) << ran.err;
+  EXPECT_EQ(folder_.get("runs.jsonl"), line);
+}
+
+TEST_F(SweepCli, FailuresThatAreKeptCount) {
+  folder_.put("far.toml", R"(model = "slide.sdf"
+[[step]]
+until = 0.1
+commands = [{joint = "rail", velocity = 2, ramp = 1}]
+[[assert]]
+name = "arrives"
+position = "cart"
+axis = "x"
+min = 4.5
+)");
+  const std::string sweep = "--scenario far.toml --seeds 3 --output jsonl:runs.jsonl";
+  ASSERT_EQ(simulate(sweep).exit, 1);
+  const std::string whole = folder_.get("runs.jsonl");
+  const Ran resumed = simulate(sweep + " --resume");
+  EXPECT_EQ(resumed.exit, 1);
+  EXPECT_NE(resumed.err.find("3 cases kept, 3 failing"), std::string::npos) << resumed.err;
+  EXPECT_EQ(simulate(sweep + " --resume --fail-on never").exit, 0);
+  EXPECT_EQ(folder_.get("runs.jsonl"), whole);
+}
+
+TEST_F(SweepCli, ARefusedRunLeavesTheFile) {
+  folder_.put("runs.jsonl", "what was there\n");
+  for (const std::string wrong :
+       {"slide.sdf --command rial=velocity:1", "crate.sdf slide.sdf --test drive --wheels rial",
+        "crate.sdf --shard 3/2", "crate.sdf --format pretty --color mauve",
+        "crate.sdf --output jsonl:more.jsonl"}) {
+    const Ran ran = simulate(wrong + " --output jsonl:runs.jsonl");
+    EXPECT_EQ(ran.exit, 2) << wrong << ran.err;
+    EXPECT_EQ(folder_.get("runs.jsonl"), "what was there\n") << wrong;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("more.jsonl")));
+}
+
+TEST_F(SweepCli, OneFileOfLinesIsWritten) {
+  const Ran two = simulate("crate.sdf --output jsonl:a.jsonl --output jsonl:b.jsonl");
+  EXPECT_EQ(two.exit, 2);
+  EXPECT_NE(two.err.find("a.jsonl"), std::string::npos) << two.err;
+  EXPECT_NE(two.err.find("b.jsonl"), std::string::npos) << two.err;
+  const Ran both = simulate(kSweep + std::string("-j 2 --format jsonl --output jsonl:a.jsonl"));
+  EXPECT_EQ(both.exit, 0) << both.err;
+  EXPECT_EQ(both.out, folder_.get("a.jsonl"));
 }
 
 }  // namespace

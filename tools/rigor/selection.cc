@@ -58,10 +58,14 @@ rules::Selection SelectionOptions::selection() const {
   return selection;
 }
 
-bool SelectionOptions::fails(const Diagnostics& diagnostics) const {
+bool SelectionOptions::fails(Severity severity) const {
   const auto level = fail_on_.empty() ? Severity::kError : fail_on_level(fail_on_);
-  return level && std::any_of(diagnostics.list().begin(), diagnostics.list().end(),
-                              [level](const Diagnostic& each) { return each.severity <= *level; });
+  return level && severity <= *level;
+}
+
+bool SelectionOptions::fails(const Diagnostics& diagnostics) const {
+  return std::any_of(diagnostics.list().begin(), diagnostics.list().end(),
+                     [this](const Diagnostic& each) { return fails(each.severity); });
 }
 
 std::optional<Severity> fail_on_level(const std::string& name) {

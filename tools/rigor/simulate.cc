@@ -29,7 +29,8 @@ namespace {
 
 enum SimulationFormat : std::size_t { kPretty, kJson, kJsonl, kJunit, kCsv, kHtml };
 
-/// So many cases are in memory at a time: their trajectories are let go when they are written.
+/// Of so many cases at a time there is a scene in memory. Each is written when it is done; its
+/// trajectories stay only where a report besides the lines is asked for, which shows them.
 constexpr std::size_t kChunk = 64;
 
 class Simulate final : public Command {
@@ -93,19 +94,27 @@ class Simulate final : public Command {
     return model_paths(disk, named);
   }
 
-  /// Every model at every point of the grid, but for those that are done or another shard's.
-  std::vector<author::SimulationCase> cases(const std::deque<author::PreparedModel>& models,
-                                            const std::vector<simulate::Case>& grid,
-                                            const ResultsFile& results) const {
-    const std::optional<Shard> shard = choices_.shard();
+  /// Every model at every point of the grid.
+  static std::vector<author::SimulationCase> all_cases(
+      const std::deque<author::PreparedModel>& models, const std::vector<simulate::Case>& grid) {
     std::vector<author::SimulationCase> cases;
-    std::size_t index = 0;
     for (const author::PreparedModel& model : models) {
       for (simulate::Case one : grid) {
-        one.index = index++;
-        const bool ours = !shard || shard->has(model.loaded.file->path + ' ' + one.id);
-        if (ours && !results.has(one.index)) cases.push_back({&model, std::move(one)});
+        one.index = cases.size();
+        cases.push_back({&model, std::move(one)});
       }
+    }
+    return cases;
+  }
+
+  /// Those that are to be run: not done, and not another shard's.
+  std::vector<author::SimulationCase> to_run(const std::vector<author::SimulationCase>& all,
+                                             const ResultsFile& results) const {
+    const Shard shard = choices_.shard();
+    std::vector<author::SimulationCase> cases;
+    for (const author::SimulationCase& each : all) {
+      const bool ours = shard.has(each.model->loaded.file->path + ' ' + each.one.id);
+      if (ours && !results.has(each.one.index)) cases.push_back(each);
     }
     return cases;
   }
@@ -113,62 +122,139 @@ class Simulate final : public Command {
   int conclude(const author::Simulator& simulator, const std::deque<author::PreparedModel>& models,
                const std::vector<simulate::Case>& grid, const std::vector<Target>& targets,
                const Sources& sources) {
-    ResultsFile results(results_file(targets), resume_);
-    const std::vector<author::SimulationCase> all = cases(models, grid, results);
+    const std::vector<author::SimulationCase> all = all_cases(models, grid);
+    for (const author::PreparedModel& model : models) {
+      refuse_problems(model, simulator.planned({&model, {}}));
+    }
+    for (const Target& target : targets) {
+      if (target.format == kPretty) color_.of(target);  // refuses what is no colour
+    }
+    ResultsFile results(results_file(targets));
+    std::size_t failed_before = 0;
+    if (resume_) {
+      results.read([&](const KeptResult& kept, const std::string& where) {
+        require_same(kept, where, all, simulator);
+        if (kept.worst && selection_.fails(*kept.worst)) ++failed_before;
+      });
+    }
+    const std::vector<author::SimulationCase> cases = to_run(all, results);
+    results.open();  // now that nothing refuses any more: the lines of a run before are gone
     const bool only_lines = std::all_of(targets.begin(), targets.end(), [](const Target& target) {
       return target.format == kJsonl;
     });
-    std::vector<author::SimulatedModel> done;
-    std::string lines;
-    bool fails = false;
-    for (std::size_t begin = 0; begin < all.size(); begin += kChunk) {
-      const auto first = all.begin() + static_cast<std::ptrdiff_t>(begin);
-      const auto count = static_cast<std::ptrdiff_t>(std::min(kChunk, all.size() - begin));
-      for (author::SimulatedModel& result : simulator.run({first, first + count})) {
-        refuse_problems(result);
-        result.cases = models.size() * grid.size();
+    const bool prints_lines = std::any_of(targets.begin(), targets.end(), [](const Target& target) {
+      return target.format == kJsonl && target.file.empty();
+    });
+    std::vector<author::SimulatedModel> done(cases.size());
+    std::vector<std::string> lines(prints_lines ? cases.size() : 0);
+    bool fails = failed_before > 0;
+    for (std::size_t begin = 0; begin < cases.size(); begin += kChunk) {
+      const auto first = cases.begin() + static_cast<std::ptrdiff_t>(begin);
+      const auto count = static_cast<std::ptrdiff_t>(std::min(kChunk, cases.size() - begin));
+      simulator.run({first, first + count}, [&](std::size_t i, author::SimulatedModel result) {
+        result.cases = all.size();
         fails = fails || selection_.fails(result.diagnostics);
-        const std::string line = report::simulation_line(result, sources);
-        results.add(line);
-        lines += line;
-        if (only_lines) drop_trajectories(result);
-        done.push_back(std::move(result));
-      }
+        std::string line = report::simulation_line(result, sources);
+        results.add(result.one.index, line);
+        if (prints_lines) lines[begin + i] = std::move(line);
+        if (only_lines) keep_verdicts(result);
+        done[begin + i] = std::move(result);
+      });
     }
+    results.finish();
     const report::SimulationReport report{done, sources};
     for (const Target& target : targets) emit(target, report, lines);
-    say(report::simulation_summary(report));
+    say(report::simulation_summary(report) + kept_words(results.kept(), failed_before));
     return fails ? kFindings : kClean;
+  }
+
+  /// "; 4 cases kept, 1 failing": of a run that was resumed.
+  static std::string kept_words(std::size_t kept, std::size_t failing) {
+    if (kept == 0) return {};
+    const std::string words = "; " + report::counted(kept, "case") + " kept";
+    return failing == 0 ? words : words + ", " + std::to_string(failing) + " failing";
   }
 
   /// Where results are kept line by line: the file of `--output jsonl:FILE`.
   std::string results_file(const std::vector<Target>& targets) const {
+    std::string file;
     for (const Target& target : targets) {
-      if (target.format == kJsonl && !target.file.empty()) return target.file;
+      if (target.format != kJsonl || target.file.empty()) continue;
+      if (!file.empty()) {
+        throw UsageError("--output jsonl:FILE can be given once, not for " + file + " and for " +
+                         target.file);
+      }
+      file = target.file;
     }
-    if (resume_) throw UsageError("--resume goes with --output jsonl:FILE, which it reads");
-    return {};
+    if (resume_ && file.empty()) {
+      throw UsageError("--resume goes with --output jsonl:FILE, which it reads");
+    }
+    return file;
   }
 
-  static void refuse_problems(const author::SimulatedModel& result) {
-    if (result.problems.empty()) return;
-    const simulate::PlanProblem& problem = result.problems.front();
+  /// A line of another sweep must not pass for the case that has its number in this one.
+  static void require_same(const KeptResult& kept, const std::string& where,
+                           const std::vector<author::SimulationCase>& all,
+                           const author::Simulator& simulator) {
+    const std::string is = where + ": is of another run: of ";
+    const std::string how = "; leave --resume out to begin anew, or name another file";
+    if (kept.one.of != all.size()) {
+      throw UsageError(is + std::to_string(kept.one.of) + " cases, not " +
+                       std::to_string(all.size()) + how);
+    }
+    const author::SimulationCase& ours = all[kept.one.index];
+    std::vector<std::string> tests;
+    for (const simulate::Scenario& each : simulator.planned(ours).scenarios) {
+      tests.push_back(each.name);
+    }
+    const std::string theirs_words = about(kept.model, kept.one.id, kept.tests);
+    const std::string ours_words = about(ours.model->loaded.file->path, ours.one.id, tests);
+    if (theirs_words == ours_words) return;
+    throw UsageError(is + theirs_words + ", where this one has " + ours_words + how);
+  }
+
+  /// "cart.sdf [friction=0.2 seed=1] in settle, drive"; safe to print, and the same for a name and for
+  /// what JSON has of it.
+  static std::string about(const std::string& model, const std::string& id,
+                           const std::vector<std::string>& tests) {
+    std::string words = model + " [" + id + ']';
+    const char* separator = " in ";
+    for (const std::string& test : tests) {
+      words += separator + test;
+      separator = ", ";
+    }
+    return report::printable(words);
+  }
+
+  static void refuse_problems(const author::PreparedModel& model,
+                              const simulate::Planned& planned) {
+    if (planned.problems.empty()) return;
+    const simulate::PlanProblem& problem = planned.problems.front();
     throw UsageError(
-        result.path + ": there is no " + problem.what +
+        model.loaded.file->path + ": there is no " + problem.what +
         did_you_mean(problem.name, {problem.candidates.begin(), problem.candidates.end()}));
   }
 
-  static void drop_trajectories(author::SimulatedModel& result) {
-    for (simulate::Run& run : result.simulation.runs) run.record = {};
+  /// What the summary and the exit code are made of; the rest is in the lines.
+  static void keep_verdicts(author::SimulatedModel& result) {
+    result.scene = {};
+    result.diagnostics = {};
+    for (simulate::Run& run : result.simulation.runs) run = {};
+  }
+
+  static std::string joined(const std::vector<std::string>& lines) {
+    std::string all;
+    for (const std::string& line : lines) all += line;
+    return all;
   }
 
   void emit(const Target& target, const report::SimulationReport& report,
-            const std::string& lines) const {
+            const std::vector<std::string>& lines) const {
     switch (target.format) {
       case kPretty: return write(target, simulation_text(report, color_.of(target)));
       case kJson: return write(target, simulation_json(report));
       case kJsonl:
-        if (target.file.empty()) write(target, lines);
+        if (target.file.empty()) write(target, joined(lines));
         return;
       case kJunit: return write(target, simulation_junit(report));
       case kCsv: return write(target, simulation_csv(report));
