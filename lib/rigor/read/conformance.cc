@@ -308,4 +308,9 @@ void check_conformance(const xml::Document& document, const schema::Node& root,
   if (const auto element = document.root()) SchemaWalk(tell, root.name()).element(*element, root);
 }
 
+void check_conformance(xml::Element element, const schema::Node& node,
+                       const std::function<void(const SchemaFact&)>& tell) {
+  SchemaWalk(tell, {}).element(element, node);
+}
+
 }  // namespace rigor::read

@@ -58,4 +58,8 @@ struct SchemaFact {
 void check_conformance(const xml::Document& document, const schema::Node& root,
                        const std::function<void(const SchemaFact&)>& tell);
 
+/// The same of one element and what it holds, which the schema has as `node`: SDF in a URDF.
+void check_conformance(xml::Element element, const schema::Node& node,
+                       const std::function<void(const SchemaFact&)>& tell);
+
 }  // namespace rigor::read

@@ -9,62 +9,21 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/model/frames.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/gazebo_content.h>
 #include <rigor/schema/schema.h>
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::gazebo_element_unknown {
 namespace {
 
-/// What libsdformat converts; all else it copies into the link, the joint or the model.
-constexpr std::string_view kConverted[] = {"material",
-                                           "collision",
-                                           "visual",
-                                           "static",
-                                           "turnGravityOff",
-                                           "dampingFactor",
-                                           "maxVel",
-                                           "minDepth",
-                                           "mu1",
-                                           "mu2",
-                                           "fdir1",
-                                           "kp",
-                                           "kd",
-                                           "selfCollide",
-                                           "maxContacts",
-                                           "laserRetro",
-                                           "springReference",
-                                           "springStiffness",
-                                           "stopCfm",
-                                           "stopErp",
-                                           "fudgeFactor",
-                                           "provideFeedback",
-                                           "canonicalBody",
-                                           "cfmDamping",
-                                           "implicitSpringDamper",
-                                           "disableFixedJointLumping",
-                                           "preserveFixedJoint"};
 /// Of these other rules speak.
 constexpr std::string_view kToldElsewhere[] = {"plugin", "sensor"};
 
-template <class Names>
-bool is_among(const Names& names, std::string_view name) {
-  return std::find(std::begin(names), std::end(names), name) != std::end(names);
-}
-
-/// What the children of the block become children of.
-std::vector<schema::Node> parents_in_sdf(const model::GazeboBlock& block, const Context& context) {
-  const schema::Schema& sdf = context.sdf_schema();
-  const schema::Node model = *sdf.root("sdf", sdf.latest())->child("model");
-  const std::string& name = block.reference.value;
-  if (name.empty()) return {model};
-  std::vector<schema::Node> parents;
-  const model::Names& names = context.frames().names();
-  if (names.find_link({0}, name)) parents.push_back(*model.child("link"));
-  if (names.find_joint({0}, name)) parents.push_back(*model.child("joint"));
-  return parents;  // none: gazebo-reference-missing
+bool told_elsewhere(std::string_view name) {
+  return std::find(std::begin(kToldElsewhere), std::end(kToldElsewhere), name) !=
+         std::end(kToldElsewhere);
 }
 
 bool knows(const schema::Node& parent, std::string_view name) {
@@ -74,7 +33,8 @@ bool knows(const schema::Node& parent, std::string_view name) {
 /// Of `mu`, which is too short to be near anything: mu1 and mu2.
 std::vector<std::string_view> meant(std::string_view name,
                                     const std::vector<schema::Node>& parents) {
-  std::vector<std::string_view> known(std::begin(kConverted), std::end(kConverted));
+  std::vector<std::string_view> known;
+  for (const GazeboKey& key : kGazeboKeys) known.push_back(key.name);
   for (const schema::Node& parent : parents) {
     for (const schema::Node child : parent.children()) known.push_back(child.name());
   }
@@ -94,13 +54,13 @@ bool is_nearest(const std::vector<std::string_view>& near, std::string_view name
 }
 
 void check(const model::GazeboBlock& block, Context& context) {
-  const auto parents = parents_in_sdf(block, context);
+  const auto parents = parents_of_copied(block, context);
   if (parents.empty()) return;
   const xml::Element element = context.element(block.site);
   for (const xml::Element child : element.children()) {
     const std::string_view name = child.name();
     const bool foreign = name.find(':') != std::string_view::npos;
-    if (foreign || is_among(kConverted, name) || is_among(kToldElsewhere, name)) continue;
+    if (foreign || gazebo_key(name) || told_elsewhere(name)) continue;
     if (std::any_of(parents.begin(), parents.end(),
                     [name](const schema::Node& parent) { return knows(parent, name); })) {
       continue;

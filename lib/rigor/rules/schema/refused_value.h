@@ -55,31 +55,40 @@ inline bool known_to_sdformat(xml::Element element, const Context& context) {
   return node.has_value();
 }
 
-/// Whether a value that is not as the schema has it is refused. Numbers are read up to what is no part of
+/// Whether libsdformat refuses a value of SDF for a fault. Numbers are read up to what is no part of
 /// them: alone, in poses and in colours each by itself, in vectors up to the end.
-inline bool refuses_value(const read::SchemaFact& fact, const Context& context) {
+inline bool sdformat_refuses(const schema::ValueFault& fault, schema::Type type,
+                             std::string_view text) {
   using Kind = schema::ValueFault::Kind;
   using schema::Type;
-  if (context.is_urdf()) return urdfdom_refuses_in(fact.element);
-  constexpr schema::Version kLatest{9};  // that libsdformat 12 knows
-  if (fact.node->since() > kLatest || !known_to_sdformat(fact.element, context)) return false;
-  if (!fact.value_fault) return true;
-  const Type type = fact.node->type();
   const bool vector = type == Type::kVector2 || type == Type::kVector2i || type == Type::kVector3 ||
                       type == Type::kQuaternion || type == Type::kTime;
-  switch (fact.value_fault->kind) {
+  switch (fault.kind) {
     case Kind::kNotFinite: return vector || type == Type::kPose || type == Type::kColor;
     case Kind::kDecimalComma: return vector;
     case Kind::kTrailingText: {
-      if (type == Type::kPose) return read::words_in(fact.text) > kMostInPose;
-      const std::string_view value = read::trimmed(fact.text);
-      const std::size_t begin = static_cast<std::size_t>(value.data() - fact.text.data());
-      return vector && fact.value_fault->end < begin + value.size();
+      if (type == Type::kPose) return read::words_in(text) > kMostInPose;
+      const std::string_view value = read::trimmed(text);
+      const std::size_t begin = static_cast<std::size_t>(value.data() - text.data());
+      return vector && fault.end < begin + value.size();
     }
-    case Kind::kNotANumber: return vector || !is_truth(fact.text);
+    case Kind::kNotANumber: return vector || !is_truth(text);
     case Kind::kNegative: return false;
     default: return true;
   }
+}
+
+/// Whether it refuses a value of SDF that is not as the schema has it.
+inline bool sdformat_refuses(const read::SchemaFact& fact) {
+  constexpr schema::Version kLatest{9};  // that libsdformat 12 knows
+  if (fact.node->since() > kLatest) return false;
+  return !fact.value_fault || sdformat_refuses(*fact.value_fault, fact.node->type(), fact.text);
+}
+
+/// Whether a value in a file of that format is refused.
+inline bool refuses_value(const read::SchemaFact& fact, const Context& context) {
+  if (context.is_urdf()) return urdfdom_refuses_in(fact.element);
+  return known_to_sdformat(fact.element, context) && sdformat_refuses(fact);
 }
 
 }  // namespace rigor::rules
