@@ -3,7 +3,6 @@
 
 #include <rigor/read/load.h>
 
-#include <algorithm>
 #include <utility>
 
 #include <rigor/read/sdf_reader.h>
@@ -76,9 +75,6 @@ class FileLoader {
       add(FactKind::kVersionTooNew, root.version_text.span, root.version_text.value);
     }
     if (version) root.version = reader_.sdf.nearest(*version).minor;
-    // libsdformat goes by the root: what begins as <sdf> it does not read as 1.0 or 1.2 were written.
-    constexpr int kFirstWithSdf = 3;
-    if (top.name() == "sdf") root.version = std::max(root.version, kFirstWithSdf);
     SdfReader(reader_, root, loaded_.facts, {loaded_.file->path}, root.version).read_top(top);
   }
 

@@ -201,7 +201,12 @@ class Runner::Walk {
   void check_schema(const xml::Document& document) {
     const auto top = document.root();
     if (!top || inputs_.schema == nullptr) return;
-    const auto node = inputs_.schema->root(top->name(), {loaded_.root.version});
+    auto node = inputs_.schema->root(top->name(), {loaded_.root.version});
+    // 1.0 and 1.2 begin with <gazebo>: what begins with <sdf>, libsdformat takes for what came after.
+    constexpr schema::Version kFirstWithSdf{3};
+    if (!node && loaded_.root.version < kFirstWithSdf.minor) {
+      node = inputs_.schema->root(top->name(), kFirstWithSdf);
+    }
     if (!node) return;
     read::check_conformance(document, *node, [this](const read::SchemaFact& fact) { facts(fact); });
   }
