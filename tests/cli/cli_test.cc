@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -99,6 +100,36 @@ TEST_F(Cli, AlonePrintsADozenLines) {
   EXPECT_LE(lines, 14);
   EXPECT_TRUE(has(ran.out, "rigor validate"));
   EXPECT_EQ(ran.err, "");
+}
+
+TEST_F(Cli, WritesNothingOverWhatItReads) {
+  const std::string before = folder_.get("good.sdf");
+  for (const char* command :
+       {"render good.sdf -o good.sdf", "view good.sdf -o ./good.sdf",
+        "sdf2urdf good.sdf -o good.sdf --allow-loss", "validate good.sdf --output json:good.sdf",
+        "inspect good.sdf --output json:good.sdf", "diff good.sdf good.sdf --output json:good.sdf",
+        "sdf2urdf good.sdf -o a.urdf --report json:good.sdf",
+        "simulate good.sdf --output csv:good.sdf", "sdf2urdf good.sdf -o x --report json:./x",
+        "validate good.sdf --output json:x --output sarif:x"}) {
+    const Ran ran = rigor(command);
+    EXPECT_EQ(ran.exit, 2) << command << ran.err;
+    EXPECT_EQ(folder_.get("good.sdf"), before) << command;
+  }
+  EXPECT_EQ(rigor("validate good.sdf --output json:/dev/null --output sarif:/dev/null").exit, 0);
+}
+
+TEST_F(Cli, AClosedStderrIsNoResult) {
+  const std::string closed = "sh -c 'exec \"$@\" 2>&-' sh";
+  EXPECT_EQ(folder_.rigor("inspect good.sdf --output json:out.json", closed).exit, 0);
+  EXPECT_TRUE(json::accept(folder_.get("out.json")));
+  folder_.rigor("simulate good.sdf --output jsonl:out.jsonl", closed);
+  EXPECT_FALSE(has(folder_.get("out.jsonl"), "1 model:"));
+}
+
+TEST_F(Cli, ALinkToNoFileIsToldOf) {
+  folder_.put("w/a.sdf", folder_.get("good.sdf"));
+  std::filesystem::create_symlink("nowhere", folder_.path("w/b.sdf"));
+  EXPECT_TRUE(has(rigor("validate w").err, "b.sdf"));
 }
 
 TEST_F(Cli, EveryCommandTakesColor) {

@@ -65,6 +65,13 @@ mode_t mode_for(const std::string& path) {
   return 0666U & ~mask;
 }
 
+/// Where that is allowed: as root in a container, on somebody's folder.
+void keep_owner(int file, const std::string& target) {
+  struct stat status = {};
+  if (::stat(target.c_str(), &status) != 0) return;
+  if (::fchown(file, status.st_uid, status.st_gid) != 0) return;  // it is the caller's then
+}
+
 }  // namespace
 
 void replace_file(const std::string& path, std::string_view bytes) {
@@ -81,6 +88,7 @@ void replace_file(const std::string& path, std::string_view bytes) {
   const Descriptor file(::mkstemp(temporary.data()));
   if (file.get() < 0) fail(path, errno);
   int error = write_all(file.get(), bytes);
+  keep_owner(file.get(), target);
   if (error == 0 && ::fchmod(file.get(), mode_for(target)) != 0) error = errno;
   if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
   if (error != 0) {

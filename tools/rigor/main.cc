@@ -6,10 +6,14 @@
 #include <deque>
 #include <exception>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <rigor/report/printable.h>
 
 #include "command.h"
 #include "output.h"
+#include "own_input.h"
 
 namespace rigor::tool {
 namespace {
@@ -121,7 +125,9 @@ int run(std::vector<std::string> arguments) {
   }
   for (const ColorOption& option : never_colored) option.of({});  // refuses what is none
   for (std::size_t i = 0; i < commands.size(); ++i) {
-    if (apps[i]->parsed()) return commands[i]->run();
+    if (!apps[i]->parsed()) continue;
+    refuse_outputs_over_inputs(*apps[i]);
+    return commands[i]->run();
   }
   return usage_error("no command; `rigor` alone lists them");
 }
@@ -141,6 +147,14 @@ int run_caught(std::vector<std::string> arguments) {
 }  // namespace rigor::tool
 
 int main(int argc, char** argv) {
+  // With stderr closed, the next file that is opened would take its place, and what is said with it.
+  if (::fcntl(STDERR_FILENO, F_GETFD) < 0) {
+    const int nowhere = ::open("/dev/null", O_RDWR);
+    if (nowhere >= 0 && nowhere != STDERR_FILENO) {
+      ::dup2(nowhere, STDERR_FILENO);
+      ::close(nowhere);
+    }
+  }
   // Whoever started this may ignore it, which is inherited: no end of git or xacro could be told.
   std::signal(SIGCHLD, SIG_DFL);
   return rigor::tool::run_caught(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));

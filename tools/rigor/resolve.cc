@@ -39,6 +39,9 @@ class Resolve final : public Command {
   int run() override {
     const std::vector<Target> targets = output_.targets();
     const RealDisk disk;
+    if (uri_.substr(uri_.find("://") == std::string::npos ? 0 : uri_.find("://") + 3).empty()) {
+      throw UsageError("\"" + uri_ + "\" names no file");
+    }
     if (!from_.empty() && disk.kind(from_) != PathKind::kFile) {
       throw UsageError("--from " + from_ + ": no such file");
     }

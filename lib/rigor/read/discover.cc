@@ -118,8 +118,12 @@ class FolderWalk {
       const std::string inside = path == "." ? name : join_path(path, name);
       const PathKind kind = disk_.kind(inside);
       const bool is_folder = kind == PathKind::kFolder;
-      if (!is_folder && kind != PathKind::kFile) continue;
       if (!is_folder && !is_model(inside) && template_of(inside).empty()) continue;
+      if (!is_folder && kind != PathKind::kFile) {
+        const bool gone = kind == PathKind::kMissing;
+        unlisted_.push_back({inside, gone ? "is a link to no file" : "is no regular file", true});
+        continue;
+      }
       if (std::string why = why_not(inside, kind); !why.empty()) {
         passed_over_.push_back({inside, std::move(why)});
       } else if (is_folder) {
