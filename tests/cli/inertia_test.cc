@@ -386,5 +386,21 @@ TEST_F(InertiaOfModel, BadInput) {
   expect_refused(folder_, "my_robot/model.sdf --format sdf", 2, "format");
 }
 
+TEST(InertiaCli, LinksOfOneNameHaveTheirOwnFindings) {
+  const Folder folder;
+  const std::string link =
+      "<link name='x'><inertial><mass>1</mass><inertia><ixx>9</ixx><iyy>9</iyy><izz>9</izz>"
+      "</inertia></inertial><collision name='c'><geometry><box><size>1 1 1</size></box></geometry>"
+      "</collision></link>";
+  folder.put("twins.sdf",
+             "<sdf version='1.9'><model name='m'>\n" + link + "\n" + link + "</model></sdf>");
+  const auto table = nlohmann::json::parse(folder.rigor("inertia twins.sdf --format json").out);
+  ASSERT_EQ(table["links"].size(), 2U);
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_EQ(table["links"][i]["findings"].size(), 1U);
+    EXPECT_EQ(table["links"][i]["findings"][0]["line"], i + 2);
+  }
+}
+
 }  // namespace
 }  // namespace rigor::test

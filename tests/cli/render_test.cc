@@ -156,5 +156,17 @@ TEST_F(RenderCli, BadInvocationsAreRefused) {
   expect_refused("box.sdf -o no/such/folder/x.png", 2, "no/such/folder");
 }
 
+TEST_F(RenderCli, WhatIsSmallerThanAnAtomIsLeftOut) {
+  for (const char* size : {"1e-16 1e-16 1e-16", "1 1e-19 1", "5e-324 1 1"}) {
+    folder.put("tiny.sdf",
+               "<sdf version='1.9'><model name='m'><static>true</static><link name='l'>"
+               "<visual name='v'><geometry><box><size>" +
+                   std::string(size) +
+                   "</size></box></geometry></visual><visual name='w'><geometry><sphere><radius>1"
+                   "</radius></sphere></geometry></visual></link></model></sdf>");
+    EXPECT_EQ(folder.rigor("render tiny.sdf -o x.png --size 32x32").exit, 0) << size;
+  }
+}
+
 }  // namespace
 }  // namespace rigor::test

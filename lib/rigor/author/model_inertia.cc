@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -78,6 +79,8 @@ class Table {
         options_(options),
         findings_(inertia_findings(environment, sources, loaded, surveys)) {
     table_.path = loaded.file->path;
+    for (const Diagnostic& finding : findings_.list())
+      by_subject_.emplace(finding.subject, &finding);
   }
 
   ModelInertia make() {
@@ -110,11 +113,17 @@ class Table {
     return row;
   }
 
+  /// Links of one name, which `duplicate-name` is about, are told apart by where the findings stand.
   std::vector<Diagnostic> findings_of(Id<model::Link> id) const {
-    const std::string subject = model::subject(root_, root_[id]);
+    const auto [first, last] = by_subject_.equal_range(model::subject(root_, root_[id]));
+    const Span link = document_.element(root_[id].site.element).span();
+    const auto stands_in = [&link](const Diagnostic& finding) {
+      return finding.where.source == link.source && finding.where.begin >= link.begin &&
+             finding.where.end <= link.end;
+    };
     std::vector<Diagnostic> found;
-    for (const Diagnostic& finding : findings_.list()) {
-      if (finding.subject == subject) found.push_back(finding);
+    for (auto one = first; one != last; ++one) {
+      if (stands_in(*one->second)) found.push_back(*one->second);
     }
     return found;
   }
@@ -186,6 +195,7 @@ class Table {
   mass::FindMesh find_mesh_;
   const InertiaOptions& options_;
   Diagnostics findings_;
+  std::multimap<std::string_view, const Diagnostic*> by_subject_;  // in their order
   ModelInertia table_;
 };
 

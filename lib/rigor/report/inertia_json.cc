@@ -6,8 +6,8 @@
 #include <rigor/mass/material.h>
 #include <rigor/report/inertia.h>
 #include <rigor/report/json_values.h>
+#include <rigor/report/places.h>
 #include <rigor/report/tool.h>
-#include <rigor/text/sources.h>
 
 namespace rigor::report {
 namespace {
@@ -73,7 +73,7 @@ Json computed_of(const LinkInertia& link) {
   return json;
 }
 
-Json link_of(const LinkInertia& link, const Sources& sources) {
+Json link_of(const LinkInertia& link, Places& places) {
   Json json{{"name", link.name}, {"written", body_of(link.written.body)}};
   json["written"]["taken"] = taken_name(link.written.taken);
   json["computed"] = computed_of(link);
@@ -81,7 +81,7 @@ Json link_of(const LinkInertia& link, const Sources& sources) {
   json["ratio"] = ratio ? Json(*ratio) : Json(nullptr);
   json["findings"] = Json::array();
   for (const Diagnostic& finding : link.findings) {
-    const Position at = sources.position(finding.where.source, finding.where.begin);
+    const Position at = places.begin(finding.where);
     json["findings"].push_back({{"rule", finding.rule},
                                 {"severity", to_string(finding.severity)},
                                 {"message", finding.message},
@@ -130,8 +130,9 @@ std::string inertia_json(const InertiaTable& table) {
   json["schema_version"] = kSchemaVersion;
   json["path"] = table.table.path;
   json["links"] = Json::array();
+  Places places(table.sources);
   for (const LinkInertia& link : table.table.links) {
-    json["links"].push_back(link_of(link, table.sources));
+    json["links"].push_back(link_of(link, places));
   }
   json["included_links"] = table.table.included;
   json["totals"] = Json::array();

@@ -66,9 +66,12 @@ TriangleMesh unit_square_mesh() {
   return as_one_part(std::move(mesh), "plane");
 }
 
-bool is_length(double value) { return std::isfinite(value) && value > 0; }
+/// A hundredth of an atom. The squares of much smaller sizes are no numbers any more to Embree.
+constexpr double kThinnestShape = 1e-12;  // m
 
-constexpr const char* kBadSize = "a size is not positive and finite";
+bool is_length(double value) { return std::isfinite(value) && value >= kThinnestShape; }
+
+constexpr const char* kBadSize = "a size is not positive and finite, or thinner than 1e-12 m";
 
 }  // namespace
 

@@ -32,7 +32,11 @@ bool is_finite_vector(const model::Vector3& v) {
 
 bool can_be_placed(const Body& body) {
   const model::Quaternion& q = body.pose.rotation;
-  const auto usable = [](double factor) { return std::isfinite(factor) && factor != 0; };
+  // Embree computes with squares in single precision.
+  constexpr double kLeastFactor = 1e-15;
+  const auto usable = [](double factor) {
+    return std::isfinite(factor) && std::abs(factor) >= kLeastFactor;
+  };
   return body.mesh && !body.mesh->triangles.empty() && is_finite_vector(body.pose.translation) &&
          std::isfinite(q.w) && std::isfinite(q.x) && std::isfinite(q.y) && std::isfinite(q.z) &&
          usable(body.scale.x) && usable(body.scale.y) && usable(body.scale.z);
