@@ -128,7 +128,8 @@ TEST(Watch, WhatIsMalformedFixesNothing) {
   const Folder folder;
   folder.put("arm.urdf", watched_arm(kTurned));
   Watcher watcher(folder, "arm.urdf");
-  EXPECT_NE(watcher.read_to("watching", "watching").find("joint-limit-inverted"), std::string::npos);
+  EXPECT_NE(watcher.read_to("watching", "watching").find("joint-limit-inverted"),
+            std::string::npos);
 
   put_at_once(folder, "arm.urdf", "<robot name=\"arm\">\n  <link name=\"base\n");
   const std::string broken = watcher.answer();
@@ -147,7 +148,8 @@ TEST(Watch, SeesTheConfiguration) {
   folder.put(".git/HEAD", "");
   folder.put("arm.urdf", watched_arm(kTurned));
   Watcher watcher(folder, "arm.urdf");
-  EXPECT_NE(watcher.read_to("watching", "watching").find("joint-limit-inverted"), std::string::npos);
+  EXPECT_NE(watcher.read_to("watching", "watching").find("joint-limit-inverted"),
+            std::string::npos);
 
   put_at_once(folder, "rigor.toml", "ignore = [\"joint-limit-inverted\"]\n");
   const std::string ignored = watcher.answer();

@@ -80,7 +80,7 @@ TEST(MemoryDisk, HasTheFoldersThatItsFilesNeed) {
   EXPECT_EQ(disk.read("m", 10).problem, "is a folder");
   EXPECT_FALSE(disk.read("m/a.sdf", 0).bytes);
   EXPECT_EQ(other_case(disk, "m/meshes/b.stl"), "m/meshes/b.STL");
-  EXPECT_EQ(other_case(disk, "M/Meshes/b.STL"), "m/meshes/b.STL");
+  EXPECT_EQ(other_case(disk, "m/Meshes/b.stl"), "m/meshes/b.STL");
   EXPECT_EQ(other_case(disk, "m/Meshes/c.STL"), "");
   EXPECT_EQ(other_case(disk, "m/meshes/b.STL"), "");
 }
