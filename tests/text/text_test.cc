@@ -7,6 +7,7 @@
 
 #include <rigor/text/disk.h>
 #include <rigor/text/edit.h>
+#include <rigor/text/other_case.h>
 #include <rigor/text/path.h>
 #include <rigor/text/sources.h>
 
@@ -79,10 +80,10 @@ TEST(MemoryDisk, HasTheFoldersThatItsFilesNeed) {
   EXPECT_EQ(disk.read("m/./a.sdf", 10).bytes, "1");
   EXPECT_EQ(disk.read("m", 10).problem, "is a folder");
   EXPECT_FALSE(disk.read("m/a.sdf", 0).bytes);
-  EXPECT_EQ(other_case(disk, "m/meshes/b.stl"), "m/meshes/b.STL");
-  EXPECT_EQ(other_case(disk, "m/Meshes/b.stl"), "m/meshes/b.STL");
-  EXPECT_EQ(other_case(disk, "m/Meshes/c.STL"), "");
-  EXPECT_EQ(other_case(disk, "m/meshes/b.STL"), "");
+  EXPECT_EQ(OtherCase(disk).find("m/meshes/b.stl"), "m/meshes/b.STL");
+  EXPECT_EQ(OtherCase(disk).find("m/Meshes/b.stl"), "m/meshes/b.STL");
+  EXPECT_EQ(OtherCase(disk).find("m/Meshes/c.STL"), "");
+  EXPECT_EQ(OtherCase(disk).find("m/meshes/b.STL"), "");
 }
 
 TEST(MemoryDisk, HasARootWhereAPathBeginsThere) {

@@ -18,7 +18,8 @@ using model::Vector3;
 // Curved shapes that nearly touch take the most; what is undecided then is called apart.
 constexpr int kMostSteps = 100;
 
-// Halvings of the depth: 1/128 of the inradius.
+// Halvings of the depth: to 1/128 of the inradius.
+constexpr int kHalvings = 7;
 
 Vector3 scaled(const Vector3& v, const Vector3& by) { return {v.x * by.x, v.y * by.y, v.z * by.z}; }
 
@@ -104,6 +105,15 @@ Vector3 on_rim(const Vector3& d, double radius) {
   const double flat = std::hypot(d.x, d.y);
   if (flat == 0) return {};
   return {radius * d.x / flat, radius * d.y / flat, 0};
+}
+
+/// The diameter, when the radius lies between the two.
+double ball_between(const ConvexShape& a, const ConvexShape& b, double inside, double outside) {
+  for (int i = 0; i < kHalvings; ++i) {
+    const double depth = (inside + outside) / 2;
+    (share_a_point(a.shrunk(depth), b.shrunk(depth)) ? inside : outside) = depth;
+  }
+  return 2 * inside;
 }
 
 }  // namespace
@@ -227,15 +237,14 @@ bool share_a_point(const ConvexShape& a, const ConvexShape& b) {
   return left == 0;
 }
 
-double common_ball(const ConvexShape& a, const ConvexShape& b, int halvings) {
+double common_ball(const ConvexShape& a, const ConvexShape& b) {
   if (!share_a_point(a, b)) return 0;
-  double inside = 0;
-  double outside = std::min(a.inradius(), b.inradius());
-  for (int i = 0; i < halvings; ++i) {
-    const double depth = (inside + outside) / 2;
-    (share_a_point(a.shrunk(depth), b.shrunk(depth)) ? inside : outside) = depth;
-  }
-  return 2 * inside;
+  return ball_between(a, b, 0, std::min(a.inradius(), b.inradius()));
+}
+
+double refined_common_ball(const ConvexShape& a, const ConvexShape& b, double rough) {
+  const double error = std::min(a.inradius(), b.inradius()) / (1 << kHalvings);
+  return ball_between(a, b, rough / 2, rough / 2 + error);
 }
 
 }  // namespace rigor::mass

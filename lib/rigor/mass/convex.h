@@ -59,12 +59,11 @@ class ConvexShape {
 /// Whether they have a point in common; of shapes that just touch, either answer.
 bool share_a_point(const ConvexShape& a, const ConvexShape& b);
 
-/// Halvings of the smaller shape that give a common ball to about 1 % of it, and as people read it.
-inline constexpr int kRoughly = 7;
-inline constexpr int kToBeRead = 24;
+/// Diameter of the largest ball in both (m), to about 1 % of the smaller shape; zero when they are
+/// apart. Less than what is true, and more so where one is a cone or an ellipsoid.
+double common_ball(const ConvexShape& a, const ConvexShape& b);
 
-/// Diameter of the largest ball in both (m); zero when they are apart. Less than what is true by up to
-/// the smaller shape's inradius / 2^(halvings - 1), and where one is a cone or an ellipsoid.
-double common_ball(const ConvexShape& a, const ConvexShape& b, int halvings = kRoughly);
+/// The same to 0.01 % of the smaller shape, for people to read; `rough` is what `common_ball` says.
+double refined_common_ball(const ConvexShape& a, const ConvexShape& b, double rough);
 
 }  // namespace rigor::mass

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include <rigor/mesh/picture.h>
+#include <rigor/text/other_case.h>
 #include <rigor/text/path.h>
 
 namespace rigor::mesh {
@@ -52,7 +53,7 @@ class Finder {
     std::replace(slashes.begin(), slashes.end(), '\\', '/');
     if (slashes != written && look(reference, slashes, State::kBackslash)) return;
     if (look(reference, "../materials/textures/" + written, State::kTextures)) return;
-    std::string other = other_case(disk_, reference.path);
+    std::string other = OtherCase(disk_).find(reference.path);
     if (other.empty()) return;
     reference.path = std::move(other);
     reference.state = State::kWrongCase;

@@ -8,6 +8,7 @@
 #include <rigor/read/sdf_reader.h>
 #include <rigor/read/urdf.h>
 #include <rigor/read/values.h>
+#include <rigor/text/other_case.h>
 #include <rigor/text/path.h>
 
 namespace rigor::read {
@@ -110,7 +111,7 @@ class FileLoader {
     const Disk& disk = reader_.workspace.disk();
     if (entry.file.value.empty() || disk.kind(path) != PathKind::kFile) {
       const Span where = entry.file.value.empty() ? entry.site.tag : entry.file.span;
-      const std::string other = other_case(disk, path);
+      const std::string other = OtherCase(disk).find(path);
       facts.push_back({ConfigFactKind::kFileMissing, where, entry.file.value,
                        other.empty() ? "" : relative_path(parent_path(loaded_.file->path), other)});
       return;

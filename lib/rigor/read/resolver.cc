@@ -239,7 +239,7 @@ void Resolver::resolve_remote(std::string_view uri, Resolution& result) const {
 
 void Resolver::find_other_case(Resolution& result) const {
   for (const Tried& tried : result.tried) {
-    result.other_case = other_case(disk_, tried.path);
+    result.other_case = other_case_->find(tried.path);
     if (!result.other_case.empty()) return;
   }
 }

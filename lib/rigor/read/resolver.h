@@ -27,6 +27,7 @@
 
 #include <rigor/read/package_manifest.h>
 #include <rigor/text/disk.h>
+#include <rigor/text/other_case.h>
 
 namespace rigor::read {
 
@@ -72,7 +73,8 @@ struct Resolution {
 
 class Resolver {
  public:
-  Resolver(const Disk& disk, SearchPaths paths) : disk_(disk), paths_(std::move(paths)) {}
+  Resolver(const Disk& disk, SearchPaths paths)
+      : disk_(disk), paths_(std::move(paths)), other_case_(std::make_shared<OtherCase>(disk)) {}
 
   /// Where `uri`, standing in `file`, leads.
   Resolution resolve(std::string_view uri, std::string_view file) const;
@@ -107,6 +109,7 @@ class Resolver {
   const Disk& disk_;
   SearchPaths paths_;
   std::shared_ptr<Packages> packages_ = std::make_shared<Packages>();
+  std::shared_ptr<OtherCase> other_case_;
 };
 
 }  // namespace rigor::read

@@ -180,18 +180,4 @@ std::vector<std::string> MemoryDisk::list(const std::string& folder) const {
   return {found->second.begin(), found->second.end()};
 }
 
-std::string other_case(const Disk& disk, const std::string& path) {
-  const std::string_view wanted = file_name(path);
-  std::string folder(parent_path(path));
-  if (wanted.empty() || folder.size() >= path.size()) return {};
-  const bool there = folder == "." || disk.kind(folder) == PathKind::kFolder;
-  if (!there) folder = other_case(disk, folder);
-  if (!there && folder.empty()) return {};
-  for (const std::string& name : disk.list(folder)) {
-    const bool same = name == wanted;
-    if (same ? !there : equal_but_for_case(name, wanted)) return join_path(folder, name);
-  }
-  return {};
-}
-
 }  // namespace rigor

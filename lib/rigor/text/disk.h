@@ -88,9 +88,4 @@ class MemoryDisk final : public Disk {
   std::unordered_map<std::string, std::set<std::string>> folders_;  // the names that each holds
 };
 
-/// A path that is there and differs from this one only by letter case, in its name or in those of its
-/// folders; empty when there is none. On a file system that ignores case the asked-for spelling may open, yet fail on
-/// the next machine.
-std::string other_case(const Disk& disk, const std::string& path);
-
 }  // namespace rigor

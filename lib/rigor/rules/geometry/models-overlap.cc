@@ -67,12 +67,13 @@ Found find(const model::Root& root, Context& context) {
         const double depth = mass::common_ball(a.shape, b.shape);
         const double smaller = 2 * std::min(a.shape.inradius(), b.shape.inradius());
         if (depth < kDeep || depth < kDeepShare * smaller) return;
-        const double told = mass::common_ball(a.shape, b.shape, mass::kToBeRead);
         const bool a_moves = !a.fast && (b.fast || a.top > b.top);
         const PlacedCollision& mover = a_moves ? a : b;
         const PlacedCollision& other = a_moves ? b : a;
         Neighbour& pair = found[mover.top][other.top];
-        if (told > pair.depth) pair = {mover.collision, other.collision, told};
+        if (depth <= pair.depth) return;
+        pair = {mover.collision, other.collision,
+                mass::refined_common_ball(a.shape, b.shape, depth)};
       });
   return found;
 }

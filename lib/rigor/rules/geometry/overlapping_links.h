@@ -55,12 +55,11 @@ inline LinkOverlaps overlapping_links(const model::Root& root, const model::Fram
       [&](const PlacedCollision& a, const PlacedCollision& b) {
         const double depth = mass::common_ball(a.shape, b.shape);
         if (!is_deep(a, b, depth)) return;
-        const double told = mass::common_ball(a.shape, b.shape, mass::kToBeRead);
         const bool in_order = a.collision->link < b.collision->link;
         const PlacedCollision& first = in_order ? a : b;
         const PlacedCollision& second = in_order ? b : a;
         LinkOverlap& pair = found[a.top][{first.collision->link, second.collision->link}];
-        if (told > pair.depth) pair = {first.collision, second.collision, told};
+        if (depth > pair.depth) pair = {first.collision, second.collision, depth};
       });
   LinkOverlaps result;
   for (const auto& [top, pairs] : found) {
