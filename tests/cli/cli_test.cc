@@ -118,6 +118,34 @@ TEST_F(Cli, WritesNothingOverWhatItReads) {
   EXPECT_EQ(rigor("validate good.sdf --output json:/dev/null --output sarif:/dev/null").exit, 0);
 }
 
+TEST_F(Cli, AMisspeltElementIsToldOnce) {
+  const std::string text =
+      "<sdf version='1.9'><model name='m'><link name='a'><inertial><mass>600</mass><inertia>"
+      "<ixx>100</ixx><iyy>100</iyy><izz>100</izz></inertia></inertial><collision "
+      "name='c'><geometry>"
+      "<box><size>1 1 1</size></box></geometry></collision><visual name='v'><geometry><box>"
+      "<size>1 1 1</size></box></geometry></visual></link></model></sdf>";
+  for (const std::string name : {"inertial", "mass", "inertia", "size"}) {
+    std::string misspelt = text;
+    for (const std::string tag : {"<" + name + ">", "</" + name + ">"}) {
+      misspelt.insert(misspelt.find(tag) + tag.size() - 1, "q");
+    }
+    folder_.put("slip.sdf", misspelt);
+    const json found = json::parse(rigor("validate slip.sdf --format json").out)["diagnostics"];
+    ASSERT_EQ(found.size(), 1U) << name << found.dump(1);
+    EXPECT_EQ(found[0]["rule"], "unknown-element");
+  }
+}
+
+TEST_F(Cli, OldVersionsThatBeginWithSdfAreChecked) {
+  for (const char* version : {"1.0", "1.2"}) {
+    folder_.put("old.sdf", "<sdf version='" + std::string(version) +
+                               "'><model name='m'><link name='a'><self_collide>maybe"
+                               "</self_collide></link></model></sdf>");
+    EXPECT_EQ(rigor("validate old.sdf").exit, 1) << version;
+  }
+}
+
 TEST_F(Cli, AClosedStderrIsNoResult) {
   const std::string closed = "sh -c 'exec \"$@\" 2>&-' sh";
   EXPECT_EQ(folder_.rigor("inspect good.sdf --output json:out.json", closed).exit, 0);

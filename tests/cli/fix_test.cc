@@ -84,6 +84,22 @@ TEST(FixCli, WritesUnsafeFixesOnlyWhenAskedAndThenNothingMore) {
   EXPECT_TRUE(contains(again.err, "nothing fixed\n"));
 }
 
+// 3 kg in a box of 0.3 x 0.2 x 0.1 m: m / 12 (y² + z²) = 0.0125 and so on.
+TEST(FixCli, AnInertialKeepsItsCentreOfMass) {
+  const Folder folder;
+  folder.put(
+      "a.sdf",
+      "<sdf version='1.9'><model name='m'><link name='l'><inertial><pose>0.1 0 0 0 0 0</pose>"
+      "<mass>3</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>9</izz></inertia></inertial>"
+      "<collision name='c'><geometry><box><size>0.3 0.2 0.1</size></box></geometry>"
+      "</collision></link></model></sdf>\n");
+  folder.rigor("validate a.sdf --fix --unsafe-fixes");
+  const std::string fixed = folder.get("a.sdf");
+  EXPECT_NE(fixed.find("<pose>0.1 0 0 0 0 0</pose>"), std::string::npos) << fixed;
+  EXPECT_NE(fixed.find("<ixx>0.0125</ixx><iyy>0.025</iyy><izz>0.0325</izz>"), std::string::npos)
+      << fixed;
+}
+
 TEST(FixCli, HintsAtFixesWithoutBeingAsked) {
   const Folder folder;
   folder.put("arm.sdf", kFixable);

@@ -48,6 +48,13 @@ TEST(CommonBall, OfTwoBallsIsTheLens) {
   }
 }
 
+// Depths that people read: a box of 0.4 m that stands 50 mm deep in another.
+TEST(CommonBall, IsRefinedToATenThousandth) {
+  const auto a = *ConvexShape::of(box_shape(0.4, 0.4, 0.4), {});
+  const auto b = *ConvexShape::of(box_shape(0.4, 0.4, 0.4), {{0.35, 0, 0}, {}});
+  EXPECT_NEAR(refined_common_ball(a, b, common_ball(a, b)), 0.05, 1e-4 * 0.4);
+}
+
 // Boxes along the axes: the ball is as large as the least side of the box that they share.
 TEST(CommonBall, OfLevelBoxesIsTheLeastSideOfWhatTheyShare) {
   std::mt19937 random(8);
