@@ -127,7 +127,7 @@ TEST_F(Cli, AMisspeltElementIsToldOnce) {
       "<size>1 1 1</size></box></geometry></visual></link></model></sdf>";
   for (const std::string name : {"inertial", "mass", "inertia", "size"}) {
     std::string misspelt = text;
-    for (const std::string tag : {"<" + name + ">", "</" + name + ">"}) {
+    for (const std::string& tag : {"<" + name + ">", "</" + name + ">"}) {
       misspelt.insert(misspelt.find(tag) + tag.size() - 1, "q");
     }
     folder_.put("slip.sdf", misspelt);
