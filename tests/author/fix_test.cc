@@ -298,7 +298,7 @@ TEST(Fix, OfEveryRuleKeepsItsPromise) {
     if (rule.category == rules::Category::kConvert || rule.category == rules::Category::kSimulate) {
       continue;
     }
-    for (const rules::Example& example : rule.bad) {
+    for (const rules::Example& example : rules::examples_of(rule).bad) {
       SCOPED_TRACE(example.text);
       const rules::ParsedExample parsed = rules::parse_example(example.text);
       MemoryDisk disk;

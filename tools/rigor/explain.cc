@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <rigor/report/explain.h>
+#include <rigor/rules/example.h>
 #include <rigor/rules/registry.h>
 #include "command.h"
 #include "output.h"
@@ -22,7 +23,7 @@ class Explain final : public Command {
     const rules::Registry registry;
     const rules::Rule* rule = registry.find(rule_);
     if (rule == nullptr) throw UsageError(unknown(registry));
-    write({0, {}}, report::explain(*rule));
+    write({0, {}}, report::explain(*rule, rules::examples_of(*rule)));
     return kClean;
   }
 

@@ -9,7 +9,6 @@
 #include <fmt/core.h>
 
 #include <rigor/report/rules_list.h>
-#include <rigor/rules/example.h>
 #include <rigor/text/sources.h>
 
 namespace rigor::report {
@@ -101,15 +100,15 @@ std::string example(std::string_view title, const rules::Example& source) {
 
 }  // namespace
 
-std::string explain(const rules::Rule& rule) {
+std::string explain(const rules::Rule& rule, const rules::Examples& examples) {
   std::string out = fmt::format("{}: {}\n\n", rule.name, rule.summary);
   out += fmt::format("{}severity {}, category {}, formats {}, fix {}, since {}\n", kIndent,
                      to_string(rule.severity), to_string(rule.category), formats_name(rule.formats),
                      fix_name(rule.fix), rule.since);
   out += section("Why", rule.why);
   out += section("What to do", rule.what_to_do);
-  for (const rules::Example& bad : rule.bad) out += example("Bad", bad);
-  for (const rules::Example& good : rule.good) out += example("Good", good);
+  for (const rules::Example& bad : examples.bad) out += example("Bad", bad);
+  for (const rules::Example& good : examples.good) out += example("Good", good);
   return out;
 }
 

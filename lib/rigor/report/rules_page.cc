@@ -53,12 +53,13 @@ std::string page(const rules::Rule& rule) {
                                 formats_name(rule.formats), fix_name(rule.fix), rule.since);
   out += fmt::format("{}.\n\n{}\n\n{}\n", prose(rule.summary), prose(rule.why),
                      prose(rule.what_to_do));
-  if (!rule.bad.empty()) {
-    out += code_block("Bad:", rules::parse_example(rule.bad.front().text).files.front().bytes);
-    if (!rule.bad.front().fixed.empty()) out += code_block("Fixed:", rule.bad.front().fixed);
+  const auto [bad, good] = rules::examples_of(rule);
+  if (!bad.empty()) {
+    out += code_block("Bad:", rules::parse_example(bad.front().text).files.front().bytes);
+    if (!bad.front().fixed.empty()) out += code_block("Fixed:", bad.front().fixed);
   }
-  if (!rule.good.empty() && (rule.bad.empty() || rule.bad.front().fixed.empty())) {
-    out += code_block("Good:", rules::parse_example(rule.good.front().text).files.front().bytes);
+  if (!good.empty() && (bad.empty() || bad.front().fixed.empty())) {
+    out += code_block("Good:", rules::parse_example(good.front().text).files.front().bytes);
   }
   return out;
 }

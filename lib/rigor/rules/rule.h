@@ -4,9 +4,9 @@
 // A rule: one thing that can be wrong with a model, in one file.
 //
 // `lib/rigor/rules/<category>/<rule-name>.cc` defines, in a namespace of its own, a function `rule()`
-// that returns the metadata, the prose, the examples and the check. CMake finds the file and puts it
-// into the registry; tests, `rigor explain`, the documentation and SARIF's help all come from what it
-// returns. See CONTRIBUTING.md, "How to add a rule".
+// that returns the metadata, the prose and the check. Its examples lie beside it, in the folder
+// `<rule-name>/` (example.h). CMake finds both and puts them into the library; tests, `rigor explain`,
+// the documentation and SARIF's help all come from them. See CONTRIBUTING.md, "How to add a rule".
 //
 //   namespace rigor::rules::axis_zero {
 //   void check(const model::Joint& joint, Context& context) {
@@ -73,16 +73,6 @@ enum class FixGrade : std::uint8_t { kNone, kSafe, kUnsafe };
 
 /// In which files a rule looks.
 enum class Formats : std::uint8_t { kAny, kSdf, kUrdf, kModelConfig };
-
-/// A document that shows the rule, or shows how it is avoided.
-///
-/// In a bad one the bytes that the finding points at stand between « and »; the marks are taken out
-/// before the text is used. A line `=== path` begins another file; what stands before the first such
-/// line is the file that is checked. `fixed` is the checked file after the fix, when there is one.
-struct Example {
-  std::string_view text;
-  std::string_view fixed = {};
-};
 
 /// A mesh used by a collision or visual.
 struct MeshUse {
@@ -177,8 +167,6 @@ struct Rule {
   std::string_view summary;     ///< one line: what is wrong
   std::string_view why;         ///< what a consumer does with it; which ones
   std::string_view what_to_do;  ///< how to put it right
-  std::vector<Example> bad;
-  std::vector<Example> good;
   std::vector<Check> checks;
 };
 

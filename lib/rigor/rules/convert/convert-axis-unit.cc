@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -23,37 +22,6 @@ Rule rule() {
           "Gazebo normalises axes; some readers of URDF do not, and would move a prismatic joint "
           "twice as far along an axis of length 2.",
       .what_to_do = "Nothing: the axis is the same.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <link name='tip'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <joint name='elbow' type='revolute'>
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>«0 0 2»</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-          <effort>5</effort>
-          <velocity>2</velocity>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfArm}},
       .checks = {on_conversion({convert::NoteKind::kAxisUnit}, check)},
   };
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -26,19 +25,6 @@ Rule rule() {
           "Its reference names neither a link nor a joint: Gazebo passes over it without a word, "
           "and so what it says is lost.",
       .what_to_do = "Put the name right.",
-      .bad = {{.text = R"(<robot name='arm'>
-  <link name='base'>
-    <inertial>
-      <mass value='1'/>
-      <inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>
-    </inertial>
-  </link>
-  <gazebo reference='«bsae»'>
-    <mu1>0.2</mu1>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{.text = kUrdfLink}},
       .checks = {on_conversion({convert::NoteKind::kBlockReference}, check)},
   };
 }

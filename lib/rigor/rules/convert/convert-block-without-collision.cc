@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -24,19 +23,6 @@ Rule rule() {
           "Friction and contact belong to collisions in SDF; the link has none, so there is "
           "nowhere to write them.",
       .what_to_do = "Give the link a collision, or take the block away.",
-      .bad = {{.text = R"(<robot name='arm'>
-  <link name='base'>
-    <inertial>
-      <mass value='1'/>
-      <inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>
-    </inertial>
-  </link>
-  <gazebo reference='«base»'>
-    <mu1>0.2</mu1>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{.text = kUrdfLink}},
       .checks = {on_conversion({convert::NoteKind::kBlockWithoutCollision}, check)},
   };
 }

@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -22,29 +21,6 @@ Rule rule() {
       .summary = "a joint's calibration is lost",
       .why = "SDF has no reference positions of a joint.",
       .what_to_do = "Give them to the driver.",
-      .bad = {{.text = R"(<robot name='arm'>
-  <link name='base'>
-    <inertial>
-      <mass value='1'/>
-      <inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>
-    </inertial>
-  </link>
-  <link name='tip'>
-    <inertial>
-      <mass value='1'/>
-      <inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>
-    </inertial>
-  </link>
-  <joint name='elbow' type='revolute'>
-    <parent link='base'/>
-    <child link='tip'/>
-    <axis xyz='0 0 1'/>
-    <limit lower='-1' upper='1' effort='5' velocity='2'/>
-    <«calibration» rising='0.1'/>
-  </joint>
-</robot>
-)"}},
-      .good = {{.text = kUrdfLink}},
       .checks = {on_conversion({convert::NoteKind::kCalibration}, check)},
   };
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -23,32 +22,6 @@ Rule rule() {
           "Its parent or child names nothing, or the child is the world. No consumer can build the "
           "joint.",
       .what_to_do = "Name two links of the model; the parent may be `world`.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <link name='tip'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <joint name='elbow' type='fixed'>
-      <parent>base</parent>
-      <child>tip</child>
-    </joint>
-    <«joint» name='ghost' type='fixed'>
-      <parent>base</parent>
-      <child>nobody</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfArm}},
       .checks = {on_conversion({convert::NoteKind::kDanglingJoint}, check)},
   };
 }

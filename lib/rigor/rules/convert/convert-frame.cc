@@ -5,7 +5,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -28,21 +27,6 @@ Rule rule() {
           "URDF has no frames of their own. A massless link on a fixed joint is what ROS tools "
           "read as a frame.",
       .what_to_do = "Nothing, or leave them out with `--frames drop`.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <frame name='«tool»' attached_to='base'>
-      <pose>0 0 1 0 0 0</pose>
-    </frame>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kFrame}, check)},
   };
 }

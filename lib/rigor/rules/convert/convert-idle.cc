@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -24,27 +23,6 @@ Rule rule() {
           "What a fixed joint says of its axis, or a collision of its colour, no reader takes: the "
           "robot is the same without it.",
       .what_to_do = "Nothing; or take it out of the source.",
-      .bad = {{.text = R"(<robot name='arm'>
-  <link name='base'>
-    <inertial>
-      <mass value='1'/>
-      <inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>
-    </inertial>
-  </link>
-  <link name='tip'>
-    <inertial>
-      <mass value='1'/>
-      <inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>
-    </inertial>
-  </link>
-  <joint name='weld' type='fixed'>
-    <parent link='base'/>
-    <child link='tip'/>
-    <«axis» xyz='0 0 1'/>
-  </joint>
-</robot>
-)"}},
-      .good = {{.text = kUrdfLink}},
       .checks = {on_conversion({convert::NoteKind::kIdle}, check)},
   };
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -24,22 +23,6 @@ Rule rule() {
           "SDF 1.11 can leave the inertial to the simulator; URDF wants numbers. They are computed "
           "from the collisions as the simulator would.",
       .what_to_do = "Nothing: the inertial is the same.",
-      .bad = {{.text = R"(<sdf version='1.11'>
-  <model name='arm'>
-    <link name='base'>
-      <«inertial» auto='true'/>
-      <collision name='v'>
-        <geometry>
-          <box>
-            <size>1 1 1</size>
-          </box>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kInertialAutomatic}, check)},
   };
 }

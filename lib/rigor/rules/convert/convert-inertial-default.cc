@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -26,13 +25,6 @@ Rule rule() {
           "and Gazebo would take it and all below it away. The default is written out, so the "
           "robot is the same, but it is hardly what was meant.",
       .what_to_do = "Write the real inertial: `rigor inertia MODEL --write`.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <«link» name='base'/>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kInertialDefault}, check)},
   };
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -28,34 +27,6 @@ Rule rule() {
           "other joints "
           "by other names.",
       .what_to_do = "Look at what stands for it, then accept it with `--allow-loss`.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <link name='tip'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <joint name='gimbal' type='«universal»'>
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>1 0 0</xyz>
-      </axis>
-      <axis2>
-        <xyz>0 1 0</xyz>
-      </axis2>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfArm}},
       .checks = {on_conversion({convert::NoteKind::kJointType}, check)},
   };
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -25,21 +24,6 @@ Rule rule() {
           "Gazebo "
           "reads; all else sees none.",
       .what_to_do = "Nothing for Gazebo; put the light into the world of another simulator.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-      <«light» name='lamp' type='point'>
-        <diffuse>1 1 1 1</diffuse>
-      </light>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kLight}, check)},
   };
 }

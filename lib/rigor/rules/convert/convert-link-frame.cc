@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -27,38 +26,6 @@ Rule rule() {
       .what_to_do =
           "Where code asks for the old frame, convert with `--keep-link-frames`: it stays as a "
           "link of its own.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <link name='tip'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <joint name='elbow' type='revolute'>
-      <parent>base</parent>
-      <child>tip</child>
-      <pose>«0 0 0.1 0 0 0»</pose>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-          <effort>5</effort>
-          <velocity>2</velocity>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfArm}},
       .checks = {on_conversion({convert::NoteKind::kLinkFrame}, check)},
   };
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -26,21 +25,6 @@ Rule rule() {
           "Damping of a link's velocity, wind, kinematic motion, batteries, added mass: URDF has "
           "no word for them. A `<gazebo>` block carries the damping, which Gazebo reads.",
       .what_to_do = "Set them in the simulator where they matter.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-      <«velocity_decay»>
-        <linear>0.1</linear>
-      </velocity_decay>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kLinkPhysics}, check)},
   };
 }

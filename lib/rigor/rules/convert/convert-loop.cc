@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -29,42 +28,6 @@ Rule rule() {
       .what_to_do =
           "Close the loop in the simulator (a constraint, a mimic joint), or accept the cut with "
           "`--allow-loss`.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <link name='left'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <link name='tip'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <joint name='a' type='fixed'>
-      <parent>base</parent>
-      <child>left</child>
-    </joint>
-    <joint name='b' type='fixed'>
-      <parent>left</parent>
-      <child>tip</child>
-    </joint>
-    <joint name='c' type='fixed'>
-      <parent>base</parent>
-      <child>«tip»</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfArm}},
       .checks = {on_conversion({convert::NoteKind::kLoop}, check)},
   };
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -24,22 +23,6 @@ Rule rule() {
           "In URDF a link without an inertial weighs nothing and mostly serves as a frame; SDF "
           "would give it 1 kg, and the official converter drops it with all links below it.",
       .what_to_do = "Nothing, or write the inertial that the link really has.",
-      .bad = {{.text = R"(<robot name='arm'>
-  <«link» name='footprint'/>
-  <link name='base'>
-    <inertial>
-      <mass value='1'/>
-      <inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>
-    </inertial>
-  </link>
-  <joint name='up' type='fixed'>
-    <parent link='footprint'/>
-    <child link='base'/>
-    <origin xyz='0 0 0.1'/>
-  </joint>
-</robot>
-)"}},
-      .good = {{.text = kUrdfLink}},
       .checks = {on_conversion({convert::NoteKind::kMassless}, check)},
   };
 }

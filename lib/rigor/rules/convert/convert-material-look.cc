@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -25,29 +24,6 @@ Rule rule() {
           "The target has one colour or texture a visual: textures of a pbr material, emission, "
           "highlights and shaders have no place.",
       .what_to_do = "Put the look into the mesh file, which both formats take.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-      <visual name='v'>
-        <geometry>
-          <box>
-            <size>1 1 1</size>
-          </box>
-        </geometry>
-        <«material»>
-          <diffuse>1 0 0 1</diffuse>
-          <emissive>1 1 0 1</emissive>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kMaterialLook}, check)},
   };
 }

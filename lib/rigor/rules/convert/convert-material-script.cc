@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -26,31 +25,6 @@ Rule rule() {
           "URDF has colours and textures. Gazebo's own scripts have known colours, which are "
           "written; of other scripts only the name can be carried.",
       .what_to_do = "Nothing, or write the colour into the visual.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-      <visual name='v'>
-        <geometry>
-          <box>
-            <size>1 1 1</size>
-          </box>
-        </geometry>
-        <material>
-          <«script»>
-            <uri>file://media/materials/scripts/gazebo.material</uri>
-            <name>Gazebo/Blue</name>
-          </script>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kMaterialScript}, check)},
   };
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -25,42 +24,6 @@ Rule rule() {
           "finger that followed its neighbour now hangs loose.",
       .what_to_do =
           "Follow in the controller, or choose a version that has mimic joints: SDF 1.11.",
-      .bad = {{.text = R"(<sdf version='1.11'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <link name='tip'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <joint name='elbow' type='revolute'>
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-          <effort>5</effort>
-          <velocity>2</velocity>
-        </limit>
-        <mimic joint='«nobody»'>
-          <multiplier>2</multiplier>
-          <offset>0.5</offset>
-          <reference>0.1</reference>
-        </mimic>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfArm}},
       .checks = {on_conversion({convert::NoteKind::kMimicLost}, check)},
   };
 }

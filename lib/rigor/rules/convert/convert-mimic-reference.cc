@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -25,61 +24,6 @@ Rule rule() {
           "SDF: follower = multiplier · (leader - reference) + offset. URDF has no reference: "
           "offset - multiplier · reference says the same.",
       .what_to_do = "Nothing: the joint is the same.",
-      .bad = {{.text = R"(<sdf version='1.11'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <link name='left'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <link name='right'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <joint name='lead' type='revolute'>
-      <parent>base</parent>
-      <child>left</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-          <effort>5</effort>
-          <velocity>2</velocity>
-        </limit>
-      </axis>
-    </joint>
-    <joint name='follow' type='revolute'>
-      <parent>base</parent>
-      <child>right</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-          <effort>5</effort>
-          <velocity>2</velocity>
-        </limit>
-        <mimic joint='lead'>
-          <multiplier>2</multiplier>
-          <offset>0.5</offset>
-          <reference>«0.1»</reference>
-        </mimic>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfArm}},
       .checks = {on_conversion({convert::NoteKind::kMimicReference}, check)},
   };
 }

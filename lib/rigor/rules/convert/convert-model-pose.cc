@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -28,19 +27,6 @@ Rule rule() {
           "from its root link on.",
       .what_to_do =
           "Spawn the robot at that pose, or write it into the file with `--model-pose world-link`.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <pose>«0 0 1 0 0 0»</pose>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kModelPose}, check)},
   };
 }

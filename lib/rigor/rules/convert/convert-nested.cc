@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -25,25 +24,6 @@ Rule rule() {
           "model's name in front.",
       .what_to_do =
           "Use the new names in controllers and launch files; `--report json:FILE` has the map.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <«model» name='hand'>
-      <link name='palm'/>
-    </model>
-    <joint name='wrist' type='fixed'>
-      <parent>base</parent>
-      <child>hand::palm</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kNested}, check)},
   };
 }

@@ -5,7 +5,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -27,11 +26,6 @@ Rule rule() {
           "The file holds no model, or none of the name that was asked for. An empty robot would "
           "be read as success by whatever runs next.",
       .what_to_do = "Name a file that holds a model, and one of its models.",
-      .bad = {{.text = R"(<«sdf» version='1.9'>
-  <world name='empty'/>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kNoModel}, check)},
   };
 }

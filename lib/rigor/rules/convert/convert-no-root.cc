@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -23,32 +22,6 @@ Rule rule() {
       .why =
           "Every link is the child of some joint, so none can be the root that a URDF begins with.",
       .what_to_do = "Take one joint out of the circle.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <link name='tip'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <joint name='there' type='fixed'>
-      <parent>base</parent>
-      <child>tip</child>
-    </joint>
-    <«joint» name='back' type='fixed'>
-      <parent>tip</parent>
-      <child>base</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfArm}},
       .checks = {on_conversion({convert::NoteKind::kNoRoot}, check)},
   };
 }

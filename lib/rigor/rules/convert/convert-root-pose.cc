@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -26,15 +25,6 @@ Rule rule() {
           "URDF has no place for the pose of the root link: the robot's frame is the root link's. "
           "All links keep their places relative to each other.",
       .what_to_do = "Move the link to the model's origin when the offset matters.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <pose>«0 0 0.2 0 0 0»</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kRootPose}, check)},
   };
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -26,21 +25,6 @@ Rule rule() {
           "SDF has no hardware description: ros2_control reads it from the robot description, "
           "which stays URDF.",
       .what_to_do = "Keep the URDF as the robot description.",
-      .bad = {{.text = R"(<robot name='arm'>
-  <link name='base'>
-    <inertial>
-      <mass value='1'/>
-      <inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>
-    </inertial>
-  </link>
-  <«ros2_control» name='hw' type='system'>
-    <hardware>
-      <plugin>mock</plugin>
-    </hardware>
-  </ros2_control>
-</robot>
-)"}},
-      .good = {{.text = kUrdfLink}},
       .checks = {on_conversion({convert::NoteKind::kRos2Control}, check)},
   };
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -25,29 +24,6 @@ Rule rule() {
           "SDF has no soft limits of a joint: what kept the controller from running into the stops "
           "is gone.",
       .what_to_do = "Give the soft limits to the controller.",
-      .bad = {{.text = R"(<robot name='arm'>
-  <link name='base'>
-    <inertial>
-      <mass value='1'/>
-      <inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>
-    </inertial>
-  </link>
-  <link name='tip'>
-    <inertial>
-      <mass value='1'/>
-      <inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>
-    </inertial>
-  </link>
-  <joint name='elbow' type='revolute'>
-    <parent link='base'/>
-    <child link='tip'/>
-    <axis xyz='0 0 1'/>
-    <limit lower='-1' upper='1' effort='5' velocity='2'/>
-    <«safety_controller» k_velocity='10'/>
-  </joint>
-</robot>
-)"}},
-      .good = {{.text = kUrdfLink}},
       .checks = {on_conversion({convert::NoteKind::kSafety}, check)},
   };
 }

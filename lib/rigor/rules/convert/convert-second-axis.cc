@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -25,40 +24,6 @@ Rule rule() {
           "A revolute or prismatic joint turns about `<axis>`; SDF readers pass over `<axis2>`, "
           "and so does the conversion.",
       .what_to_do = "Take it away, or make the joint a universal one.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <link name='tip'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <joint name='elbow' type='revolute'>
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-          <effort>5</effort>
-          <velocity>2</velocity>
-        </limit>
-      </axis>
-      <«axis2»>
-        <xyz>0 1 0</xyz>
-      </axis2>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfArm}},
       .checks = {on_conversion({convert::NoteKind::kSecondAxis}, check)},
   };
 }

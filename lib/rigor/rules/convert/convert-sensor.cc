@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -23,21 +22,6 @@ Rule rule() {
           "URDF has no sensors. A `<gazebo>` block carries the sensor as it is, which Gazebo "
           "reads; all else sees none.",
       .what_to_do = "Nothing for Gazebo; describe it to other tools in their own way.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-      <«sensor» name='imu' type='imu'>
-        <update_rate>100</update_rate>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kSensor}, check)},
   };
 }

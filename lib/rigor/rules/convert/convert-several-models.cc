@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -24,18 +23,6 @@ Rule rule() {
           "A URDF file holds one robot. Taking the first model of a world would be a guess, and "
           "converting all of them would weld strangers together.",
       .what_to_do = "Name the model: `--model NAME`.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <world name='lab'>
-    <model name='arm'>
-      <link name='base'/>
-    </model>
-    <«model» name='table'>
-      <link name='top'/>
-    </model>
-  </world>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kSeveralModels}, check)},
   };
 }

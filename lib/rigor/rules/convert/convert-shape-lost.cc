@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -26,26 +25,6 @@ Rule rule() {
       .what_to_do =
           "Convert with `--shapes mesh`, which writes mesh files, or choose a shape that both "
           "formats have.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-      <collision name='v'>
-        <geometry>
-          <«plane»>
-            <normal>0 0 1</normal>
-            <size>1 1</size>
-          </plane>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kShapeLost}, check)},
   };
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -24,26 +23,6 @@ Rule rule() {
           "URDF 1.0 has boxes, cylinders, spheres and meshes. A capsule is exactly a cylinder and "
           "two spheres; other shapes become mesh files.",
       .what_to_do = "Nothing where the substitute is exact; else choose a shape that both have.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-      <collision name='v'>
-        <geometry>
-          <«capsule»>
-            <radius>0.1</radius>
-            <length>0.5</length>
-          </capsule>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kShape}, check)},
   };
 }

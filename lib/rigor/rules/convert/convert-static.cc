@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -25,19 +24,6 @@ Rule rule() {
           "URDF has no word for a model that never moves. A fixed joint to a link named world says "
           "the same; a `<gazebo>` block says it to Gazebo alone.",
       .what_to_do = "Nothing, or fix it to the world for all: `--static world-link`.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <static>«true»</static>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kStatic}, check)},
   };
 }

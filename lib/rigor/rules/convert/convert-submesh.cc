@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -26,28 +25,6 @@ Rule rule() {
       .why = "URDF takes mesh files whole. A submesh by name cannot be told.",
       .what_to_do =
           "Write the part to a file of its own: `rigor mesh-check FILE --split material -o PART`.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-      <visual name='v'>
-        <geometry>
-          <«mesh»>
-            <uri>meshes/hull.obj</uri>
-            <submesh>
-              <name>lid</name>
-            </submesh>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kSubmesh}, check)},
   };
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -24,30 +23,6 @@ Rule rule() {
           "URDF has no friction and no contact. A `<gazebo>` block holds one set for a whole link, "
           "so what differs between its collisions, and what the block has no key for, is lost.",
       .what_to_do = "Give all collisions of a link one surface, or set it in the simulator.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-      <collision name='v'>
-        <geometry>
-          <box>
-            <size>1 1 1</size>
-          </box>
-        </geometry>
-        <«surface»>
-          <bounce>
-            <restitution_coefficient>0.5</restitution_coefficient>
-          </bounce>
-        </surface>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kSurface}, check)},
   };
 }

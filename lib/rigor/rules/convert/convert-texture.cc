@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -24,24 +23,6 @@ Rule rule() {
           "URDF lays a picture over a shape; SDF 1.9 does that only through a material of "
           "physically based rendering.",
       .what_to_do = "Put the texture into a mesh file.",
-      .bad = {{.text = R"(<robot name='arm'>
-  <link name='base'>
-    <inertial>
-      <mass value='1'/>
-      <inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>
-    </inertial>
-    <visual>
-      <geometry>
-        <box size='1 1 1'/>
-      </geometry>
-      <material name='wood'>
-        <«texture» filename='wood.png'/>
-      </material>
-    </visual>
-  </link>
-</robot>
-)"}},
-      .good = {{.text = kUrdfLink}},
       .checks = {on_conversion({convert::NoteKind::kTexture}, check)},
   };
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -24,25 +23,6 @@ Rule rule() {
           "Where a part of the model cannot be found or placed, any robot that is written would be "
           "another one.",
       .what_to_do = "Put the reference right; `rigor validate` says what was tried.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <link name='tip'>
-      <pose relative_to='«elbw»'>0 0 1 0 0 0</pose>
-    </link>
-    <joint name='elbow' type='fixed'>
-      <parent>base</parent>
-      <child>tip</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfArm}},
       .checks = {on_conversion({convert::NoteKind::kUnresolved}, check)},
   };
 }

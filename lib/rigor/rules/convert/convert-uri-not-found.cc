@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -24,25 +23,6 @@ Rule rule() {
           "The file is nowhere where rigor looked, so the result names it as the source does, and "
           "nobody has seen it.",
       .what_to_do = "Say where to search: `--model-path DIR` or `--package NAME=DIR`.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-      <visual name='v'>
-        <geometry>
-          <mesh>
-            <uri>«model://nowhere/meshes/hull.obj»</uri>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kUriNotFound}, check)},
   };
 }

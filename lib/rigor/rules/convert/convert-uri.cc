@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -21,25 +20,6 @@ Rule rule() {
       .summary = "a mesh is named in the target's own way",
       .why = "ROS tools find meshes by `package://`, Gazebo by `model://`.",
       .what_to_do = "Choose with `--mesh-uri package://NAME`, `file` or `keep`.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-      <visual name='v'>
-        <geometry>
-          <mesh>
-            <uri>«model://arm/meshes/hull.obj»</uri>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kUri}, check)},
   };
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -22,26 +21,6 @@ Rule rule() {
       .summary = "what a visual says to the renderer is lost",
       .why = "Shadows, layers, visibility flags and retro-reflection have no place in URDF.",
       .what_to_do = "Set them in the simulator where they matter.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-      <«visual» name='v'>
-        <geometry>
-          <box>
-            <size>1 1 1</size>
-          </box>
-        </geometry>
-        <cast_shadows>false</cast_shadows>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kVisualExtra}, check)},
   };
 }

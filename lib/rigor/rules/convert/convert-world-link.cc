@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -24,22 +23,6 @@ Rule rule() {
           "In SDF a joint may have the world as its parent. By habit URDF has a massless link of "
           "that name, which ROS tools know.",
       .what_to_do = "Nothing: the robot is the same.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='arm'>
-    <link name='base'>
-      <inertial>
-        <mass>2</mass>
-        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
-      </inertial>
-    </link>
-    <joint name='mount' type='fixed'>
-      <parent>«world»</parent>
-      <child>base</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kWorldLink}, check)},
   };
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/convert/sample.h>
 #include <rigor/rules/convert/told.h>
 #include <rigor/rules/rule.h>
 
@@ -26,16 +25,6 @@ Rule rule() {
           "URDF describes one robot and nothing around it: gravity, lights, physics and other "
           "models of the world stay behind.",
       .what_to_do = "Keep the world file, and include the robot from it.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <world name='moon'>
-    <«gravity»>0 0 -1.6</gravity>
-    <model name='arm'>
-      <link name='base'/>
-    </model>
-  </world>
-</sdf>
-)"}},
-      .good = {{.text = kSdfLink}},
       .checks = {on_conversion({convert::NoteKind::kWorld}, check)},
   };
 }

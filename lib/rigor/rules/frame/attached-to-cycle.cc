@@ -25,22 +25,6 @@ Rule rule() {
       .summary = "frames are attached to each other in a circle",
       .why = "libsdformat refuses the file: no frame of the circle reaches a link.",
       .what_to_do = "Attach one of the frames to a link.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <frame name="a" attached_to="«b»"/>
-    <frame name="b" attached_to="a"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <frame name="a" attached_to="base"/>
-    <frame name="b" attached_to="a"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_frames({model::FrameProblemKind::kAttachedToCycle}, check)},
   };
 }

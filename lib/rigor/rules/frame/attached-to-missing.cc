@@ -29,27 +29,6 @@ Rule rule() {
       .summary = "a frame is attached to something that does not exist",
       .why = "libsdformat refuses the file: a frame moves with what it is attached to.",
       .what_to_do = "Name a link, joint, frame or model of the same scope.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <frame name="tool" attached_to="«bse»"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <frame name="tool" attached_to="base"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <frame name="tool" attached_to="base"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_frames({model::FrameProblemKind::kAttachedToMissing}, check)},
   };
 }

@@ -32,62 +32,6 @@ Rule rule() {
       .what_to_do =
           "Name a link, joint, frame or model of the same scope; __model__ is the model "
           "itself.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz expressed_in="«bse»">0 0 1</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz expressed_in="base">0 0 1</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz expressed_in="base">0 0 1</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz expressed_in="__model__">0 0 1</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on_frames({model::FrameProblemKind::kExpressedInMissing}, check)},
   };
 }

@@ -26,22 +26,6 @@ Rule rule() {
           "Names with two underscores before and behind are kept for the parser; libsdformat "
           "refuses a reference to any but __model__.",
       .what_to_do = "Refer to __model__, to world (in the world), or to a frame of your own.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose relative_to="«__root__»"/>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose relative_to="__model__"/>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_frames({model::FrameProblemKind::kReservedReference}, check)},
   };
 }

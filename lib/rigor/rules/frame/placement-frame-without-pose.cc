@@ -35,49 +35,6 @@ Rule rule() {
           "The pose of the include is where the placement frame is put. libsdformat refuses "
           "the file: \"<pose> is required when specifying the placement_frame element\".",
       .what_to_do = "Write the pose; 0 0 0 0 0 0 puts the frame at the origin.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>crate.sdf</uri>
-      <placement_frame>«lid»</placement_frame>
-    </include>
-  </world>
-</sdf>
-=== crate.sdf
-<sdf version="1.9">
-  <model name="crate">
-    <static>true</static>
-    <link name="lid"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>crate.sdf</uri>
-      <placement_frame>lid</placement_frame>
-      <pose>0 0 0 0 0 0</pose>
-    </include>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>crate.sdf</uri>
-      <placement_frame>lid</placement_frame>
-      <pose>0 0 0 0 0 0</pose>
-    </include>
-  </world>
-</sdf>
-=== crate.sdf
-<sdf version="1.9">
-  <model name="crate">
-    <static>true</static>
-    <link name="lid"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Include>(check)},
   };
 }

@@ -58,48 +58,6 @@ Rule rule() {
           "Taken as radians, 90 is fourteen turns and some: the part stands askew, and nobody "
           "complains.",
       .what_to_do = "Convert the angle to radians, or write degrees=\"true\" in an SDF 1.9 pose.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose>«0 0 1 0 0 90»</pose>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="fixed">
-    <origin xyz="0 0 1" rpy="«180 0 0»"/>
-    <parent link="base"/>
-    <child link="tip"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose degrees="true">0 0 1 0 0 90</pose>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose>0 0 1 0 0 1.5707</pose>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose>0 0 1 0 0 6.597345</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = on_poses<check_pose>(),
   };
 }

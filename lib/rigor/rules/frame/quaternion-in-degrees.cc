@@ -38,38 +38,6 @@ Rule rule() {
           "A quaternion has no unit. libsdformat refuses the file: degrees=\"true\" does not "
           "apply to quaternions.",
       .what_to_do = "Take degrees=\"true\" out, or write roll, pitch and yaw.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose rotation_format="quat_xyzw" degrees="«true»">0 0 1 0 0 0 1</pose>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose rotation_format="quat_xyzw">0 0 1 0 0 0 1</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose rotation_format="quat_xyzw">0 0 1 0 0 0 1</pose>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose rotation_format="quat_xyzw" degrees="false">0 0 1 0 0 0 1</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = on_poses<check_pose>(),
   };
 }

@@ -73,38 +73,6 @@ Rule rule() {
           "without a word; a mistyped number becomes another rotation, and who does not "
           "divide gets a body that is sheared.",
       .what_to_do = "Write x y z w so that their squares sum up to 1; w comes last.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose rotation_format="quat_xyzw">«0 0 1 0 0 3 4»</pose>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose rotation_format="quat_xyzw">0 0 1 0 0 0.6 0.8</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose rotation_format="quat_xyzw">0 0 1 0 0 0.7071 0.7071</pose>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose rotation_format="quat_xyzw">0 0 1 0 0 0 1</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = on_poses<check_pose>(),
   };
 }

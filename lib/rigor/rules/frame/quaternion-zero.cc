@@ -51,30 +51,6 @@ Rule rule() {
           "A rotation is a quaternion of length one. libsdformat takes the zero one for no "
           "rotation, without a word.",
       .what_to_do = "Write 0 0 0 1 where nothing is turned; w comes last.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose rotation_format="quat_xyzw">«1 0 0 0 0 0 0»</pose>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose rotation_format="quat_xyzw">1 0 0 0 0 0 1</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose rotation_format="quat_xyzw">1 0 0 0 0 0 1</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = on_poses<check_pose>(),
   };
 }

@@ -27,26 +27,6 @@ Rule rule() {
       .what_to_do =
           "Give one of the frames a pose relative to something outside the circle, such "
           "as __model__.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="a">
-      <pose relative_to="«b»"/>
-    </link>
-    <link name="b">
-      <pose relative_to="a"/>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="a"/>
-    <link name="b">
-      <pose relative_to="a"/>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_frames({model::FrameProblemKind::kRelativeToCycle}, check)},
   };
 }

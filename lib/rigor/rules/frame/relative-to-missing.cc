@@ -51,33 +51,6 @@ Rule rule() {
       .what_to_do =
           "Name a link, joint, frame or model of the same scope. The world can be named "
           "only from a pose that stands in the world itself.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip">
-      <pose relative_to="«bse»">1 0 0 0 0 0</pose>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip">
-      <pose relative_to="base">1 0 0 0 0 0</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip">
-      <pose relative_to="base">1 0 0 0 0 0</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_frames({model::FrameProblemKind::kRelativeToMissing}, check)},
   };
 }

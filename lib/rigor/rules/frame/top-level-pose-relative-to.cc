@@ -42,36 +42,6 @@ Rule rule() {
           "libsdformat refuses the file: relative_to must be left empty there, even for "
           "\"world\".",
       .what_to_do = "Take relative_to out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <pose relative_to="«world»">0 0 1 0 0 0</pose>
-    <link name="base"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <pose>0 0 1 0 0 0</pose>
-    <link name="base"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <pose>0 0 1 0 0 0</pose>
-    <link name="base"/>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <world name="lab">
-    <model name="arm">
-      <pose relative_to="world">0 0 1 0 0 0</pose>
-      <link name="base"/>
-    </model>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Model>(check)},
   };
 }

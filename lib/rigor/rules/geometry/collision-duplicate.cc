@@ -101,69 +101,6 @@ Rule rule() {
           "well. "
           "The part that the copy was meant for has none.",
       .what_to_do = "Give the copy its own pose and size, or take it out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="table">
-    <static>true</static>
-    <link name="body">
-      <collision name="left_leg">
-        <pose>0 0.5 0.4 0 0 0</pose>
-        <geometry><box><size>0.1 0.1 0.8</size></box></geometry>
-      </collision>
-      <«collision» name="right_leg">
-        <pose>0 0.5 0.4 0 0 0</pose>
-        <geometry><box><size>0.1 0.1 0.8</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="table">
-    <static>true</static>
-    <link name="body">
-      <collision name="left_leg">
-        <pose>0 0.5 0.4 0 0 0</pose>
-        <geometry><box><size>0.1 0.1 0.8</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="table">
-  <link name="body">
-    <collision>
-      <geometry><sphere radius="0.1"/></geometry>
-    </collision>
-    <«collision»>
-      <geometry><sphere radius="0.1"/></geometry>
-    </collision>
-  </link>
-</robot>
-)",
-               R"(<robot name="table">
-  <link name="body">
-    <collision>
-      <geometry><sphere radius="0.1"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="table">
-    <static>true</static>
-    <link name="body">
-      <collision name="left_leg">
-        <pose>0 0.5 0.4 0 0 0</pose>
-        <geometry><box><size>0.1 0.1 0.8</size></box></geometry>
-      </collision>
-      <collision name="right_leg">
-        <pose>0 -0.5 0.4 0 0 0</pose>
-        <geometry><box><size>0.1 0.1 0.8</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

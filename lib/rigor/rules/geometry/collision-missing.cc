@@ -54,66 +54,6 @@ Rule rule() {
           "without "
           "any collision.",
       .what_to_do = "Add a collision, best a simple shape about the visual.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <«link» name="body">
-      <visual name="hull">
-        <geometry>
-          <box><size>1 2 3</size></box>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base">
-    <collision>
-      <geometry><box size="1 1 0.1"/></geometry>
-    </collision>
-  </link>
-  <«link» name="body">
-    <visual>
-      <geometry><box size="0.1 0.1 0.5"/></geometry>
-    </visual>
-  </link>
-  <joint name="waist" type="continuous">
-    <parent link="base"/>
-    <child link="body"/>
-    <axis xyz="0 0 1"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <visual name="hull">
-        <geometry>
-          <box><size>1 2 3</size></box>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<robot name="arm">
-  <link name="base">
-    <collision>
-      <geometry><box size="1 1 0.1"/></geometry>
-    </collision>
-  </link>
-  <link name="badge">
-    <visual>
-      <geometry><box size="0.1 0.1 0.001"/></geometry>
-    </visual>
-  </link>
-  <joint name="rivet" type="fixed">
-    <parent link="base"/>
-    <child link="badge"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Link>(check), on<model::Model>(check_robot)},
   };
 }

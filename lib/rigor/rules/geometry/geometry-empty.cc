@@ -36,51 +36,6 @@ Rule rule() {
       .what_to_do =
           "Put a shape in, or take the visual or collision out. Where nothing is meant, "
           "SDF has <empty/>.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <collision name="hull">
-        <«geometry»/>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base">
-    <collision>
-      <«geometry»/>
-    </collision>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <collision name="hull">
-        <geometry>
-          <box><size>1 2 3</size></box>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <collision name="hull">
-        <geometry>
-          <empty/>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };
 }

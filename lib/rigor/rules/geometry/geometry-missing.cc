@@ -39,30 +39,6 @@ Rule rule() {
       .summary = "a collision or visual has no <geometry>",
       .why = "libsdformat takes it for a part without a shape: nothing is touched, or seen.",
       .what_to_do = "Add the <geometry> with its shape, or take the part out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <«collision» name="hull">
-        <pose>0 0 1 0 0 0</pose>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <collision name="hull">
-        <geometry>
-          <box><size>1 2 3</size></box>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };
 }

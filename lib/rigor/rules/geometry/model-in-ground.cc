@@ -1,7 +1,6 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
 #include <map>
 #include <string>
 #include <string_view>
@@ -123,65 +122,6 @@ Rule rule() {
           "Raise the model by that much with its <pose>. `rigor simulate` shows how it lands. "
           "Boxes, "
           "balls, cylinders and the like are looked at, meshes are not.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <model name="floor">
-      <static>true</static>
-      <link name="slab">
-        <collision name="ground">
-          <geometry><plane><normal>0 0 1</normal></plane></geometry>
-        </collision>
-      </link>
-    </model>
-    <«model» name="crate">
-      <link name="body">
-        <collision name="wood">
-          <geometry><box><size>0.5 0.5 0.5</size></box></geometry>
-        </collision>
-      </link>
-    </model>
-  </world>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>https://fuel.gazebosim.org/1.0/OpenRobotics/models/Ground Plane</uri>
-    </include>
-    <«model» name="ball">
-      <pose>0 0 0.1 0 0 0</pose>
-      <link name="body">
-        <collision name="skin">
-          <geometry><sphere><radius>0.2</radius></sphere></geometry>
-        </collision>
-      </link>
-    </model>
-  </world>
-</sdf>
-)"}},
-      .good = {{
-          R"(<sdf version="1.9">
-  <world name="lab">
-    <model name="floor">
-      <static>true</static>
-      <link name="slab">
-        <collision name="ground">
-          <geometry><plane><normal>0 0 1</normal></plane></geometry>
-        </collision>
-      </link>
-    </model>
-    <model name="crate">
-      <pose>0 0 0.25 0 0 0</pose>
-      <link name="body">
-        <collision name="wood">
-          <geometry><box><size>0.5 0.5 0.5</size></box></geometry>
-        </collision>
-      </link>
-    </model>
-  </world>
-</sdf>
-)",
-      }},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -120,50 +120,6 @@ Rule rule() {
           "Move one of them by its <pose>: what stands on the other has its lowest point on the "
           "other's "
           "highest.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <model name="table">
-      <static>true</static>
-      <link name="top">
-        <collision name="board">
-          <geometry><box><size>1 1 0.8</size></box></geometry>
-        </collision>
-      </link>
-    </model>
-    <«model» name="cup">
-      <pose>0.2 0.1 0.4 0 0 0</pose>
-      <link name="body">
-        <collision name="wall">
-          <geometry><cylinder><radius>0.04</radius><length>0.1</length></cylinder></geometry>
-        </collision>
-      </link>
-    </model>
-  </world>
-</sdf>
-)"}},
-      .good = {{
-          R"(<sdf version="1.9">
-  <world name="lab">
-    <model name="table">
-      <static>true</static>
-      <link name="top">
-        <collision name="board">
-          <geometry><box><size>1 1 0.8</size></box></geometry>
-        </collision>
-      </link>
-    </model>
-    <model name="cup">
-      <pose>0.2 0.1 0.45 0 0 0</pose>
-      <link name="body">
-        <collision name="wall">
-          <geometry><cylinder><radius>0.04</radius><length>0.1</length></cylinder></geometry>
-        </collision>
-      </link>
-    </model>
-  </world>
-</sdf>
-)",
-      }},
       .checks = {on<model::Root>(check)},
   };
 }

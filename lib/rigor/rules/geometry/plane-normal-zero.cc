@@ -35,45 +35,6 @@ Rule rule() {
           "nothing rests "
           "on the plane.",
       .what_to_do = "Write the direction the plane faces; 0 0 1 for a floor.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="ground">
-    <static>true</static>
-    <link name="slab">
-      <collision name="top">
-        <geometry>
-          <plane><normal>«0 0 0»</normal></plane>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="ground">
-    <static>true</static>
-    <link name="slab">
-      <collision name="top">
-        <geometry>
-          <plane><normal>0 0 1</normal></plane>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="ramp">
-    <static>true</static>
-    <link name="slab">
-      <collision name="top">
-        <geometry>
-          <plane><normal>1 0 3</normal></plane>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };
 }

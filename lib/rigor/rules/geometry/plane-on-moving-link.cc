@@ -56,44 +56,6 @@ Rule rule() {
           "body, MuJoCo refuses one, and a ground that is not static falls.",
       .what_to_do =
           "Add <static>true</static> to the model when it is the ground, else use a thin box.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="ground">
-    <link name="slab">
-      <collision name="top">
-        <geometry>
-          <«plane»><normal>0 0 1</normal></plane>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="ground">
-    <static>true</static>
-    <link name="slab">
-      <collision name="top">
-        <geometry>
-          <plane><normal>0 0 1</normal></plane>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="ground">
-    <static>true</static>
-    <link name="slab">
-      <collision name="top">
-        <geometry>
-          <plane><normal>0 0 1</normal></plane>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Collision>(check)},
   };
 }

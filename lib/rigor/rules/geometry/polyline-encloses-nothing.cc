@@ -55,61 +55,6 @@ Rule rule() {
           "Write the corners one after another in the order in which they follow each other round "
           "the "
           "outline. A hole is a second <polyline> in the same geometry.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="plate">
-    <static>true</static>
-    <link name="body">
-      <visual name="steel">
-        <geometry>
-          <«polyline»>
-            <point>0 0</point>
-            <point>1 1</point>
-            <point>1 0</point>
-            <point>0 1</point>
-            <height>0.01</height>
-          </polyline>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="plate">
-    <static>true</static>
-    <link name="body">
-      <collision name="steel">
-        <geometry>
-          <«polyline»>
-            <point>0 0</point>
-            <point>1 1</point>
-            <height>0.01</height>
-          </polyline>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="plate">
-    <static>true</static>
-    <link name="body">
-      <visual name="steel">
-        <geometry>
-          <polyline>
-            <point>0 0</point>
-            <point>1 0</point>
-            <point>1 1</point>
-            <point>0 1</point>
-            <height>0.01</height>
-          </polyline>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };
 }

@@ -34,22 +34,6 @@ Rule rule() {
       .what_to_do =
           "Write version=\"1.1\" at <robot> where urdfdom is new enough, or a cylinder and two "
           "spheres.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base">
-    <collision>
-      <geometry><«capsule» radius="0.1" length="0.5"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm" version="1.1">
-  <link name="base">
-    <collision>
-      <geometry><capsule radius="0.1" length="0.5"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };
 }

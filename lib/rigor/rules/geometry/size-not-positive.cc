@@ -74,42 +74,6 @@ Rule rule() {
           "ign sdf -k and check_urdf take it. Newer libsdformat puts a size of its own in its "
           "place, MuJoCo refuses the model, and ODE stops at an assertion.",
       .what_to_do = "Write a size above zero, in metres. For a thin plate write its thickness.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <collision name="hull">
-        <geometry>
-          <box><size>«1 0 3»</size></box>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base">
-    <visual>
-      <geometry>
-        <sphere radius="«0»"/>
-      </geometry>
-    </visual>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <collision name="hull">
-        <geometry>
-          <box><size>1 2 3</size></box>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };
 }

@@ -57,41 +57,6 @@ Rule rule() {
           "it throws "
           "all else about, and no camera sees its outside.",
       .what_to_do = "Write the size in metres. What stands fast may be as large as it likes.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="brick">
-    <link name="body">
-      <collision name="clay">
-        <geometry>
-          <«box»><size>200 100 50</size></box>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="brick">
-  <link name="body">
-    <visual>
-      <geometry>
-        <«cylinder» radius="60" length="40"/>
-      </geometry>
-    </visual>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="hall">
-    <static>true</static>
-    <link name="body">
-      <collision name="floor">
-        <geometry>
-          <box><size>200 100 1</size></box>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };
 }

@@ -48,42 +48,6 @@ Rule rule() {
           "the "
           "number means nothing. Mostly it is in per cent, or the opacity was meant.",
       .what_to_do = "Write a number from 0 to 1; half transparent is 0.5.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="window">
-    <static>true</static>
-    <link name="body">
-      <visual name="pane">
-        <transparency>«50»</transparency>
-        <geometry><box><size>1 0.01 1</size></box></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="window">
-    <static>true</static>
-    <link name="body">
-      <visual name="pane">
-        <transparency>0.5</transparency>
-        <geometry><box><size>1 0.01 1</size></box></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="window">
-    <static>true</static>
-    <link name="body">
-      <visual name="pane">
-        <transparency>0.5</transparency>
-        <geometry><box><size>1 0.01 1</size></box></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Visual>(check)},
   };
 }

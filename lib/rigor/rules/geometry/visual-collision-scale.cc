@@ -165,57 +165,6 @@ Rule rule() {
           "or reaches through what it "
           "touches. Two different meshes are not compared.",
       .what_to_do = "Write the size or the mesh's <scale> of the wrong one as in the other.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="brick">
-    <static>true</static>
-    <«link» name="body">
-      <visual name="clay">
-        <geometry><box><size>0.2 0.1 0.05</size></box></geometry>
-      </visual>
-      <collision name="solid">
-        <geometry><box><size>200 100 50</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="ball">
-  <«link» name="body">
-    <visual>
-      <geometry><sphere radius="0.1"/></geometry>
-    </visual>
-    <collision>
-      <geometry><sphere radius="1"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="brick">
-    <static>true</static>
-    <link name="body">
-      <visual name="clay">
-        <geometry><box><size>0.2 0.1 0.05</size></box></geometry>
-      </visual>
-      <collision name="solid">
-        <geometry><box><size>0.22 0.1 0.06</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-               // A foot: the collision is a small part of what is seen.
-               {R"(<robot name="leg">
-  <link name="shank">
-    <visual>
-      <geometry><cylinder radius="0.04" length="0.5"/></geometry>
-    </visual>
-    <collision>
-      <geometry><sphere radius="0.03"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
       .checks = {on<model::Link>(check), on<MeshFile>(check_mesh)},
   };
 }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <optional>
 #include <variant>
 
 #include <fmt/core.h>
@@ -88,70 +87,6 @@ Rule rule() {
           "Write the axis along the cylinder's z, in the frame that the axis is in; `rigor "
           "inspect` "
           "prints both in one frame.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="cart">
-    <link name="body"/>
-    <link name="wheel">
-      <pose>0 0.2 0.1 -1.5708 0 0</pose>
-      <collision name="tyre">
-        <geometry><cylinder><radius>0.1</radius><length>0.04</length></cylinder></geometry>
-      </collision>
-    </link>
-    <joint name="axle" type="revolute">
-      <parent>body</parent>
-      <child>wheel</child>
-      <axis><xyz>«0 1 0»</xyz></axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="cart">
-  <link name="body"/>
-  <link name="wheel">
-    <collision>
-      <geometry><cylinder radius="0.1" length="0.04"/></geometry>
-    </collision>
-  </link>
-  <joint name="axle" type="continuous">
-    <parent link="body"/>
-    <child link="wheel"/>
-    <axis xyz="«0 1 0»"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="cart">
-    <link name="body"/>
-    <link name="wheel">
-      <pose>0 0.2 0.1 -1.5708 0 0</pose>
-      <collision name="tyre">
-        <geometry><cylinder><radius>0.1</radius><length>0.04</length></cylinder></geometry>
-      </collision>
-    </link>
-    <joint name="axle" type="revolute">
-      <parent>body</parent>
-      <child>wheel</child>
-      <axis><xyz>0 0 1</xyz></axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-               // A pendulum: the bob is beside the axis.
-               {R"(<robot name="clock">
-  <link name="body"/>
-  <link name="bob">
-    <collision>
-      <origin xyz="0 0 -1"/>
-      <geometry><cylinder radius="0.1" length="0.04"/></geometry>
-    </collision>
-  </link>
-  <joint name="pivot" type="continuous">
-    <parent link="body"/>
-    <child link="bob"/>
-    <axis xyz="0 1 0"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

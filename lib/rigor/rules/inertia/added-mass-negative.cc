@@ -43,39 +43,6 @@ Rule rule() {
           "the same coefficients as xDotU, where they are negative: they are easily copied as they "
           "are.",
       .what_to_do = "Write the entry without the minus sign.",
-      .bad = {{R"(<sdf version="1.10">
-  <model name="glider">
-    <link name="hull">
-      <inertial>
-        <mass>12</mass>
-        <inertia><ixx>0.1</ixx><iyy>1.2</iyy><izz>1.2</izz></inertia>
-        <fluid_added_mass>
-          <xx>«-0.6»</xx>
-          <yy>14</yy>
-          <zz>14</zz>
-        </fluid_added_mass>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.10">
-  <model name="glider">
-    <link name="hull">
-      <inertial>
-        <mass>12</mass>
-        <inertia><ixx>0.1</ixx><iyy>1.2</iyy><izz>1.2</izz></inertia>
-        <fluid_added_mass>
-          <xx>0.6</xx>
-          <yy>14</yy>
-          <yr>-2</yr>
-          <zz>14</zz>
-        </fluid_added_mass>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <cstdint>
-#include <string>
-#include <vector>
 
 #include <fmt/core.h>
 
@@ -56,39 +54,6 @@ Rule rule() {
           "twice.",
       .what_to_do =
           "Let the collisions touch instead of overlap, or give one of them a smaller <density>.",
-      .bad = {{R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="true">
-        <density>1240</density>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-      <«collision» name="rim">
-        <geometry><box><size>0.2 0.25 0.02</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="true">
-        <density>1240</density>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-      <collision name="lid">
-        <pose>0 0 0.06 0 0 0</pose>
-        <geometry><box><size>0.2 0.25 0.02</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

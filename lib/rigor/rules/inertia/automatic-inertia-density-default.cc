@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
-#include <string>
 
 #include <rigor/rules/inertia/automatic.h>
 #include <rigor/rules/rule.h>
@@ -39,30 +38,6 @@ Rule rule() {
       .what_to_do =
           "Write <density> in the <inertial>, in kg/m³; from libsdformat 15.2 on, <mass> does "
           "as well.",
-      .bad = {{R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="«true»"/>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="true">
-        <density>7850</density>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

@@ -48,50 +48,6 @@ Rule rule() {
           "and warn that the written ones are overwritten. A written mass is used from 15.2 on. "
           "libsdformat 13 and older do the opposite: they do not know auto=\"true\".",
       .what_to_do = "Remove what is not used, or auto=\"true\".",
-      .bad = {{R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="«true»">
-        <density>1240</density>
-        <inertia>
-          <ixx>0.1</ixx>
-          <iyy>0.1</iyy>
-          <izz>0.1</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="true">
-        <density>1240</density>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="true">
-        <mass>3</mass>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

@@ -48,39 +48,6 @@ Rule rule() {
           "Use another shape, or write mass and tensor: `rigor inertia MODEL --write` computes "
           "those "
           "of a polyline.",
-      .bad = {{R"(<sdf version="1.11">
-  <model name="plate">
-    <link name="body">
-      <inertial auto="true">
-        <density>2700</density>
-      </inertial>
-      <collision name="outline">
-        <geometry>
-          <«polyline»>
-            <point>0 0</point>
-            <point>0.2 0</point>
-            <point>0 0.1</point>
-            <height>0.01</height>
-          </polyline>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.11">
-  <model name="plate">
-    <link name="body">
-      <inertial auto="true">
-        <density>2700</density>
-      </inertial>
-      <collision name="outline">
-        <geometry><box><size>0.2 0.1 0.01</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Collision>(check)},
   };
 }

@@ -31,30 +31,6 @@ Rule rule() {
       .what_to_do =
           "Give the link a collision, or write mass and tensor: `rigor inertia MODEL --write` "
           "computes them from the visuals too.",
-      .bad = {{R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="«true»"/>
-      <visual name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="true">
-        <density>1240</density>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

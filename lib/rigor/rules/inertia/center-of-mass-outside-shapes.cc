@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
 #include <fmt/core.h>
 
@@ -97,34 +96,6 @@ Rule rule() {
       .what_to_do =
           "Give it in the link's frame, or let it stand where shapes are simpler than the body. "
           "`rigor inertia MODEL` shows where that of the shapes is.",
-      .bad = {{R"(<robot name="arm">
-  <link name="rod">
-    <inertial>
-      <«origin» xyz="0 0 0.9"/>
-      <mass value="1.5"/>
-      <inertia ixx="0.0201" ixy="0" ixz="0" iyy="0.0201" iyz="0" izz="0.0001"/>
-    </inertial>
-    <collision>
-      <origin xyz="0 0 0.2"/>
-      <geometry><box size="0.02 0.02 0.4"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="rod">
-    <inertial>
-      <origin xyz="0 0 0.39"/>
-      <mass value="1.5"/>
-      <inertia ixx="0.0201" ixy="0" ixz="0" iyy="0.0201" iyz="0" izz="0.0001"/>
-    </inertial>
-    <collision>
-      <origin xyz="0 0 0.2"/>
-      <geometry><box size="0.02 0.02 0.4"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -41,43 +41,6 @@ Rule rule() {
           "The mass of such a shape would be zero or negative. libsdformat 14 and later cannot "
           "compute the inertial and refuse the link.",
       .what_to_do = "Write the density in kg/m³: water has 1000, steel 7850.",
-      .bad = {{R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="true"/>
-      <collision name="hull">
-        <density>«-1000»</density>
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="true">
-        <density>«0»</density>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="true"/>
-      <collision name="hull">
-        <density>1000</density>
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

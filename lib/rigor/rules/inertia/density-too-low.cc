@@ -56,42 +56,6 @@ Rule rule() {
           "Weigh the body, or let `rigor inertia MODEL --density KG_PER_M3` compute its mass. What "
           "is "
           "hollow or blown up may be right as it is.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="crate">
-    <link name="body">
-      <inertial>
-        <mass>«1»</mass>
-        <inertia>
-          <ixx>0.166667</ixx>
-          <iyy>0.166667</iyy>
-          <izz>0.166667</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>1 1 1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="crate">
-    <link name="body">
-      <inertial>
-        <mass>60</mass>
-        <inertia>
-          <ixx>10</ixx>
-          <iyy>10</iyy>
-          <izz>10</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>1 1 1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

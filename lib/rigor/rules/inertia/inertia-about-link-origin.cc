@@ -41,49 +41,6 @@ Rule rule() {
       .what_to_do =
           "Take the tensor about the center of mass: from ixx subtract m (y² + z²), to ixy add "
           "m x y, and so on. `rigor inertia MODEL --write` computes it from the shapes.",
-      .bad = {{R"(<robot name="arm">
-  <link name="rod">
-    <inertial>
-      <origin xyz="0 0 0.2"/>
-      <mass value="3"/>
-      <«inertia» ixx="0.1602" ixy="0" ixz="0" iyy="0.1602" iyz="0" izz="0.00045"/>
-    </inertial>
-    <collision>
-      <origin xyz="0 0 0.2"/>
-      <geometry><box size="0.03 0.03 0.4"/></geometry>
-    </collision>
-  </link>
-</robot>
-)",
-               // 3/12 (0.03² + 0.4²), not 3/12 (…) + 3 · 0.2².
-               R"(<robot name="arm">
-  <link name="rod">
-    <inertial>
-      <origin xyz="0 0 0.2"/>
-      <mass value="3"/>
-      <inertia ixx="0.040225" ixy="0" ixz="0" iyy="0.040225" iyz="0" izz="0.00045"/>
-    </inertial>
-    <collision>
-      <origin xyz="0 0 0.2"/>
-      <geometry><box size="0.03 0.03 0.4"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="rod">
-    <inertial>
-      <origin xyz="0 0 0.2"/>
-      <mass value="3"/>
-      <inertia ixx="0.0402" ixy="0" ixz="0" iyy="0.0402" iyz="0" izz="0.00045"/>
-    </inertial>
-    <collision>
-      <origin xyz="0 0 0.2"/>
-      <geometry><box size="0.03 0.03 0.4"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

@@ -58,65 +58,6 @@ Rule rule() {
           "turned, or the formula's axes are others, the moments must move with it. As it stands "
           "a wheel turns about its own axle with the moment of another axis.",
       .what_to_do = "Exchange the moments.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="cart">
-    <link name="wheel">
-      <inertial>
-        <mass>2</mass>
-        <«inertia»>
-          <ixx>0.00541667</ixx>
-          <iyy>0.00541667</iyy>
-          <izz>0.01</izz>
-        </inertia>
-      </inertial>
-      <collision name="tyre">
-        <pose>0 0 0 1.570796 0 0</pose>
-        <geometry><cylinder><radius>0.1</radius><length>0.05</length></cylinder></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               // m/2 r² about its own axis, which is y; m/12 (3 r² + h²) about the others.
-               R"(<sdf version="1.9">
-  <model name="cart">
-    <link name="wheel">
-      <inertial>
-        <mass>2</mass>
-        <inertia>
-          <ixx>0.00541667</ixx>
-          <iyy>0.01</iyy>
-          <izz>0.00541667</izz>
-        </inertia>
-      </inertial>
-      <collision name="tyre">
-        <pose>0 0 0 1.570796 0 0</pose>
-        <geometry><cylinder><radius>0.1</radius><length>0.05</length></cylinder></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="cart">
-    <link name="wheel">
-      <inertial>
-        <pose>0 0 0 1.570796 0 0</pose>
-        <mass>2</mass>
-        <inertia>
-          <ixx>0.00541667</ixx>
-          <iyy>0.00541667</iyy>
-          <izz>0.01</izz>
-        </inertia>
-      </inertial>
-      <collision name="tyre">
-        <pose>0 0 0 1.570796 0 0</pose>
-        <geometry><cylinder><radius>0.1</radius><length>0.05</length></cylinder></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

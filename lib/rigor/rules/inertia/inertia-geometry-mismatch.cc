@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
-#include <string>
 
 #include <fmt/core.h>
 
@@ -59,61 +58,6 @@ Rule rule() {
           "`rigor inertia MODEL` shows what the mass has in the link's shapes, in kg·m², and "
           "writes it "
           "with --write.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-      <inertial>
-        <mass>2</mass>
-        <«inertia»>
-          <ixx>8333</ixx>
-          <iyy>16667</iyy>
-          <izz>21667</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)",
-               // 2 kg / 12 (y² + z²) = (0.04 + 0.01) / 6, and so on.
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-      <inertial>
-        <mass>2</mass>
-        <inertia>
-          <ixx>0.00833333333</ixx>
-          <iyy>0.0166666667</iyy>
-          <izz>0.0216666667</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-      <inertial>
-        <mass>2</mass>
-        <inertia>
-          <ixx>0.008333</ixx>
-          <iyy>0.016667</iyy>
-          <izz>0.021667</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

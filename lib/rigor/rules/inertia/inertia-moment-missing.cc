@@ -42,57 +42,6 @@ Rule rule() {
           "no body's tensor, and it refuses the model without a word of what is missing (error "
           "18).",
       .what_to_do = "Write all of ixx, iyy and izz. Often one of them stands twice.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>6</mass>
-        <«inertia»>
-          <ixx>0.16</ixx>
-          <iyy>0.58</iyy>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>1 0.4 0.4</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               // A solid box has m / 12 (y² + z²) and so on.
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>6</mass>
-        <inertia>
-          <ixx>0.16</ixx>
-          <iyy>0.58</iyy>
-          <izz>0.58</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>1 0.4 0.4</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>6</mass>
-        <inertia>
-          <ixx>0.02</ixx>
-          <iyy>0.04</iyy>
-          <izz>0.03</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

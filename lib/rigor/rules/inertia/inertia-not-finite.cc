@@ -53,36 +53,6 @@ Rule rule() {
       .what_to_do =
           "Write the moment in kg·m². A link that must not turn is fixed to the world, "
           "or made kinematic.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>«nan»</ixx>
-          <iyy>0.01</iyy>
-          <izz>0.01</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>0.01</ixx>
-          <iyy>0.01</iyy>
-          <izz>0.01</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

@@ -52,61 +52,6 @@ Rule rule() {
       .what_to_do =
           "Compute the tensor again from the mass and the shapes. "
           "Mind the order ixx ixy ixz iyy iyz izz and the units.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <«inertia»>
-          <ixx>1</ixx>
-          <ixy>2</ixy>
-          <iyy>1</iyy>
-          <izz>1</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               // A solid box has m / 12 (y² + z²) and so on.
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>0.00416666667</ixx>
-          <ixy>0</ixy>
-          <iyy>0.00833333333</iyy>
-          <izz>0.0108333333</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>1</ixx>
-          <ixy>0.2</ixy>
-          <iyy>1</iyy>
-          <izz>1</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

@@ -72,36 +72,6 @@ Rule rule() {
           "written it takes 1 for the moments and 0 for the others.",
       .what_to_do =
           "Write all six entries, and as many digits as there are, or round the largest down.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <«inertial»>
-        <mass>1</mass>
-        <inertia>
-          <ixx>0.1</ixx>
-          <iyy>0.2</iyy>
-          <izz>0.30000000000001</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>0.1</ixx>
-          <iyy>0.2</iyy>
-          <izz>0.3</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check), on<model::Model>(check_robot)},
   };
 }

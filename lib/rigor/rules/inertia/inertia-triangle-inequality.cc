@@ -69,58 +69,6 @@ Rule rule() {
       .what_to_do =
           "Compute the tensor again from the mass and the shapes. "
           "Where it is missed by little, write more digits.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>0.0002</ixx>
-          <iyy>0.001</iyy>
-          <izz>«0.004»</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               // A solid box has m / 12 (y² + z²) and so on.
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>0.00416666667</ixx>
-          <iyy>0.00833333333</iyy>
-          <izz>0.0108333333</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>0.0032</ixx>
-          <iyy>0.001</iyy>
-          <izz>0.004</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

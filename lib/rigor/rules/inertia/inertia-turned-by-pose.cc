@@ -45,48 +45,6 @@ Rule rule() {
           "that was copied there from the visual or collision turns a tensor that had been right "
           "along the link's axes.",
       .what_to_do = "Take the rotation out of the inertial, and leave the position.",
-      .bad = {{R"(<robot name="arm">
-  <link name="rod">
-    <inertial>
-      <«origin» xyz="0 0.2 0" rpy="1.570796 0 0"/>
-      <mass value="3"/>
-      <inertia ixx="0.0402" ixy="0" ixz="0" iyy="0.0006" iyz="0" izz="0.0402"/>
-    </inertial>
-    <collision>
-      <origin xyz="0 0.2 0" rpy="1.570796 0 0"/>
-      <geometry><cylinder radius="0.02" length="0.4"/></geometry>
-    </collision>
-  </link>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="rod">
-    <inertial>
-      <origin xyz="0 0.2 0"/>
-      <mass value="3"/>
-      <inertia ixx="0.0402" ixy="0" ixz="0" iyy="0.0006" iyz="0" izz="0.0402"/>
-    </inertial>
-    <collision>
-      <origin xyz="0 0.2 0" rpy="1.570796 0 0"/>
-      <geometry><cylinder radius="0.02" length="0.4"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="rod">
-    <inertial>
-      <origin xyz="0 0.2 0" rpy="1.570796 0 0"/>
-      <mass value="3"/>
-      <inertia ixx="0.0402" ixy="0" ixz="0" iyy="0.0402" iyz="0" izz="0.0006"/>
-    </inertial>
-    <collision>
-      <origin xyz="0 0.2 0" rpy="1.570796 0 0"/>
-      <geometry><cylinder radius="0.02" length="0.4"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

@@ -36,36 +36,6 @@ Rule rule() {
       .what_to_do =
           "Write the mass in kg. What must not move is made static, or fixed to the "
           "world.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>«inf»</mass>
-        <inertia>
-          <ixx>0.01</ixx>
-          <iyy>0.01</iyy>
-          <izz>0.01</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>0.01</ixx>
-          <iyy>0.01</iyy>
-          <izz>0.01</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

@@ -1,8 +1,6 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <string>
-
 #include <fmt/core.h>
 
 #include <rigor/read/values.h>
@@ -57,50 +55,6 @@ Rule rule() {
       .what_to_do =
           "Write the mass in kilograms. `rigor inertia MODEL --mass LINK=KG --write` computes a "
           "tensor that fits.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <«inertial»>
-        <inertia>
-          <ixx>0.02</ixx>
-          <iyy>0.02</iyy>
-          <izz>0.02</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <«mass»></mass>
-        <inertia>
-          <ixx>0.02</ixx>
-          <iyy>0.02</iyy>
-          <izz>0.02</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>3</mass>
-        <inertia>
-          <ixx>0.02</ixx>
-          <iyy>0.02</iyy>
-          <izz>0.02</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

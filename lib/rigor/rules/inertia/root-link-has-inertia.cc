@@ -46,40 +46,6 @@ Rule rule() {
       .what_to_do =
           "Put an empty link before it: <link name=\"base_footprint\"/> and a fixed joint from "
           "that to this link. Simulators merge the two.",
-      .bad = {{R"(<robot name="cart">
-  <link name="base">
-    <«inertial»>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <link name="wheel">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <joint name="axle" type="continuous">
-    <parent link="base"/>
-    <child link="wheel"/>
-    <axis xyz="0 1 0"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="cart">
-  <link name="base_footprint"/>
-  <link name="base">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <joint name="weld" type="fixed">
-    <parent link="base_footprint"/>
-    <child link="base"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Model>(check)},
   };
 }

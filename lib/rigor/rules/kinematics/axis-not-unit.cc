@@ -52,54 +52,6 @@ Rule rule() {
           "libsdformat makes its length one. Readers of URDF differ: some scale the joint's "
           "speed by the length.",
       .what_to_do = "Divide the axis by its length.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>«0 1 1»</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="«0 -2 0»"/>
-  </joint>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 -1 0"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0.7071 0.7071</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -57,55 +57,6 @@ Rule rule() {
           "Drake and MuJoCo when it is zero. urdfdom takes it, and what then turns about nothing "
           "depends on the simulator.",
       .what_to_do = "Give the axis a direction, such as 0 0 1.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>«0 0 0»</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="«0 0 0»"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="fixed">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 0 0"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

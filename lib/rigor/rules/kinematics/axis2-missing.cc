@@ -34,51 +34,6 @@ Rule rule() {
           "not there at all: the joint turns another way than was meant, or about one axis "
           "only.",
       .what_to_do = "Write <axis2>, or make the joint revolute.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="«universal»">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="universal">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-      <axis2>
-        <xyz>0 1 0</xyz>
-      </axis2>
-    </joint>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

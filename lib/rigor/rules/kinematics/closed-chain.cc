@@ -66,42 +66,6 @@ Rule rule() {
           "it. DART and other engines of trees drop or cut such a joint, and URDF has no way "
           "to say it.",
       .what_to_do = "Nothing, if the loop is meant and the engine can do it.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="a"/>
-    <link name="b"/>
-    <link name="c"/>
-    <joint name="ab" type="fixed">
-      <parent>a</parent>
-      <child>b</child>
-    </joint>
-    <joint name="bc" type="fixed">
-      <parent>b</parent>
-      <child>c</child>
-    </joint>
-    <«joint» name="ac" type="fixed">
-      <parent>a</parent>
-      <child>c</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="a"/>
-    <link name="b"/>
-    <link name="c"/>
-    <joint name="ab" type="fixed">
-      <parent>a</parent>
-      <child>b</child>
-    </joint>
-    <joint name="bc" type="fixed">
-      <parent>b</parent>
-      <child>c</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

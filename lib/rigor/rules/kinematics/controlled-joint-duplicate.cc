@@ -59,53 +59,6 @@ Rule rule() {
           "motor a controller moves; most often one of them was copied and should name "
           "another joint.",
       .what_to_do = "Let one block drive the joint.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <ros2_control name="arm" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-    <joint name="elbow">
-      <command_interface name="position"/>
-    </joint>
-    <joint name="«elbow»">
-      <command_interface name="position"/>
-    </joint>
-  </ros2_control>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <ros2_control name="arm" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-    <joint name="elbow">
-      <command_interface name="position"/>
-    </joint>
-  </ros2_control>
-  <ros2_control name="sensors" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-    <joint name="elbow">
-      <state_interface name="position"/>
-    </joint>
-  </ros2_control>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -38,64 +38,6 @@ Rule rule() {
       .what_to_do =
           "Write the motor's greatest effort. For no limit, leave it out of an SDF; in "
           "a URDF write a large one.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-          <effort>«0»</effort>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="«0»" velocity="2"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-          <effort>30</effort>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -32,42 +32,6 @@ Rule rule() {
       .summary = "a fixed joint has an axis",
       .why = "Nobody reads it. It is harmless, unless the joint was meant to move.",
       .what_to_do = "Take the axis out, or give the joint the type that was meant.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="fixed">
-      <parent>base</parent>
-      <child>tip</child>
-      <«axis»>
-        <xyz>0 0 1</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="fixed">
-      <parent>base</parent>
-      <child>tip</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="fixed">
-      <parent>base</parent>
-      <child>tip</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

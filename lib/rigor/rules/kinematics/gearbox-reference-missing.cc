@@ -53,62 +53,6 @@ Rule rule() {
       .what_to_do =
           "Write <gearbox_reference_body> with the name of the link that both gears turn "
           "in.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="gears" type="«gearbox»">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-      <axis2>
-        <xyz>0 0 1</xyz>
-      </axis2>
-      <gearbox_ratio>3</gearbox_ratio>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="gears" type="gearbox">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-      <axis2>
-        <xyz>0 0 1</xyz>
-      </axis2>
-      <gearbox_ratio>3</gearbox_ratio>
-      <gearbox_reference_body>«baes»</gearbox_reference_body>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="gears" type="gearbox">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-      <axis2>
-        <xyz>0 0 1</xyz>
-      </axis2>
-      <gearbox_ratio>3</gearbox_ratio>
-      <gearbox_reference_body>base</gearbox_reference_body>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -49,57 +49,6 @@ Rule rule() {
           "simulation explodes. Drake refuses it: \"Joint damping must be a non-negative "
           "number\". libsdformat says nothing.",
       .what_to_do = "Write a number of at least 0.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <dynamics>
-          <damping>«-0.5»</damping>
-        </dynamics>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <dynamics>
-          <damping>0.5</damping>
-        </dynamics>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <dynamics>
-          <damping>0.5</damping>
-        </dynamics>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

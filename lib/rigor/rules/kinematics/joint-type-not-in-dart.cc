@@ -33,52 +33,6 @@ Rule rule() {
           "Write a revolute2 joint as two revolute joints with a small link between them, or as a "
           "universal joint where both axes meet at right angles; in place of a gearbox let one "
           "joint <mimic> the other.",
-      .bad = {{R"(<sdf version="1.7">
-  <model name="car">
-    <link name="base">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-    </link>
-    <link name="wheel">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-    </link>
-    <joint name="steer" type="«revolute2»">
-      <parent>base</parent>
-      <child>wheel</child>
-      <axis><xyz>0 0 1</xyz></axis>
-      <axis2><xyz>0 1 0</xyz></axis2>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.7">
-  <model name="car">
-    <link name="base">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-    </link>
-    <link name="wheel">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-    </link>
-    <joint name="steer" type="universal">
-      <parent>base</parent>
-      <child>wheel</child>
-      <axis><xyz>0 0 1</xyz></axis>
-      <axis2><xyz>0 1 0</xyz></axis2>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -1,8 +1,6 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <string>
-
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::joint_type_not_in_sdf {
@@ -40,41 +38,6 @@ Rule rule() {
       .what_to_do =
           "For a planar joint take two prismatic ones and a revolute one. What floats is a model "
           "of its own.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <link name="puck">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <joint name="slides" type="«planar»">
-    <parent link="base"/>
-    <child link="puck"/>
-    <axis xyz="0 0 1"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <link name="puck"/>
-  <joint name="slides" type="planar">
-    <parent link="base"/>
-    <child link="puck"/>
-    <axis xyz="0 0 1"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Model>(check)},
   };
 }

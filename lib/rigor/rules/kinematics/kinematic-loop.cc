@@ -62,38 +62,6 @@ Rule rule() {
           "A URDF is a tree. urdfdom takes the loop, and what walks the tree then never ends: "
           "check_urdf hangs, libsdformat overflows its stack.",
       .what_to_do = "Take one of the joints out. URDF cannot close a chain; SDF can.",
-      .bad = {{R"(<robot name="arm">
-  <link name="a"/>
-  <link name="b"/>
-  <link name="c"/>
-  <joint name="ab" type="fixed">
-    <parent link="a"/>
-    <child link="b"/>
-  </joint>
-  <joint name="bc" type="fixed">
-    <parent link="b"/>
-    <child link="c"/>
-  </joint>
-  <joint name="cb" type="fixed">
-    <parent link="c"/>
-    <child link="«b»"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="a"/>
-  <link name="b"/>
-  <link name="c"/>
-  <joint name="ab" type="fixed">
-    <parent link="a"/>
-    <child link="b"/>
-  </joint>
-  <joint name="bc" type="fixed">
-    <parent link="b"/>
-    <child link="c"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Model>(check)},
   };
 }

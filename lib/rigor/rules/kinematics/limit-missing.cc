@@ -36,34 +36,6 @@ Rule rule() {
       .what_to_do =
           "Add <limit lower=\"…\" upper=\"…\" effort=\"…\" velocity=\"…\"/>, or make a "
           "revolute joint continuous.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <«joint» name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -39,46 +39,6 @@ Rule rule() {
       .what_to_do =
           "Write lower and upper; a revolute joint that may turn without end is a "
           "continuous one.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <«limit» effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit upper="1" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

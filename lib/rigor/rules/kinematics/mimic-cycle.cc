@@ -73,41 +73,6 @@ Rule rule() {
           "ends with \"Found an infinite recursive mimic chain\"; MoveIt ignores every mimic "
           "of the robot.",
       .what_to_do = "Let one joint lead, and take its <mimic> out.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="«elbow»"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="knuckle"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="knuckle"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -31,40 +31,6 @@ Rule rule() {
       .what_to_do =
           "Write the ratio of the two joints; 1 when they move alike, -1 when they move "
           "against each other.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="knuckle" multiplier="«0»"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="knuckle" multiplier="-1"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

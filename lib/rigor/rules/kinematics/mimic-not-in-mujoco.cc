@@ -32,58 +32,6 @@ Rule rule() {
           "Save the robot as MJCF and add <equality><joint joint1=\"follower\" joint2=\"leader\" "
           "polycoef=\"0 1 0 0 0\"/></equality>: the first number is the offset, the second the "
           "multiplier.",
-      .bad = {{R"(<robot name="hand">
-  <link name="palm">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <link name="left">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <link name="right">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <joint name="left" type="continuous">
-    <parent link="palm"/>
-    <child link="left"/>
-    <axis xyz="0 0 1"/>
-  </joint>
-  <joint name="right" type="continuous">
-    <parent link="palm"/>
-    <child link="right"/>
-    <axis xyz="0 0 1"/>
-    <«mimic» joint="left" multiplier="-1"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="hand">
-  <link name="palm">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <link name="left">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <joint name="left" type="continuous">
-    <parent link="palm"/>
-    <child link="left"/>
-    <axis xyz="0 0 1"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

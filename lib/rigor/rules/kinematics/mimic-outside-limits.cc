@@ -63,57 +63,6 @@ Rule rule() {
       .what_to_do =
           "Make the limits of the follower multiplier · leader + offset, or narrow those of "
           "the leader.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="0" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="0" upper="1" effort="5" velocity="2"/>
-    <«mimic» joint="knuckle" multiplier="1.5" offset="0.2"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="0" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="0" upper="1.7" effort="5" velocity="2"/>
-    <mimic joint="knuckle" multiplier="1.5" offset="0.2"/>
-  </joint>
-</robot>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="0" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-0.8" upper="0.2" effort="5" velocity="2"/>
-    <mimic joint="knuckle" multiplier="-1" offset="0.2"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

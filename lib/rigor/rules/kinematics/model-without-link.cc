@@ -40,27 +40,6 @@ Rule rule() {
           "hold "
           "plugins or frames.",
       .what_to_do = "Give the model a link, or make it static.",
-      .bad = {{R"(<sdf version="1.9">
-  <«model» name="clock">
-    <plugin name="time" filename="libtime.so"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="clock">
-    <static>true</static>
-    <plugin name="time" filename="libtime.so"/>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="clock">
-    <model name="face">
-      <link name="glass"/>
-    </model>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Model>(check)},
   };
 }

@@ -58,35 +58,6 @@ Rule rule() {
           "the robot, and version 12 refuses a model without links (error 16).",
       .what_to_do =
           "Give the root an <inertial>, or attach a link that has one to it by a fixed joint.",
-      .bad = {{R"(<«robot» name="arm">
-  <link name="base"/>
-  <link name="tip">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 0 1"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="body">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <joint name="mount" type="fixed">
-    <parent link="base"/>
-    <child link="body"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Model>(check)},
   };
 }

@@ -43,48 +43,6 @@ Rule rule() {
       .what_to_do =
           "Take <static> out and fix the model to the world by a joint, or take the joints "
           "out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>«true»</static>
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>false</static>
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="fixed">
-      <parent>base</parent>
-      <child>tip</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Model>(check)},
   };
 }

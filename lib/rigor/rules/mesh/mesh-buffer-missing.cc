@@ -39,68 +39,6 @@ Rule rule() {
       .what_to_do =
           "Put the file, mostly a .bin, where the .gltf says it is, or export the mesh as .glb, "
           "which is one file and holds all.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>«meshes/shell.gltf»</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.gltf
-{
-  "asset": {"version": "2.0"},
-  "scene": 0,
-  "scenes": [{"nodes": [0]}],
-  "nodes": [{"mesh": 0}],
-  "meshes": [{"primitives": [{"attributes": {"POSITION": 1}, "indices": 0}]}],
-  "accessors": [
-    {"bufferView": 0, "componentType": 5123, "count": 12, "type": "SCALAR"},
-    {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3",
-     "min": [0, 0, 0], "max": [1, 1, 1]}
-  ],
-  "bufferViews": [
-    {"buffer": 0, "byteLength": 24},
-    {"buffer": 0, "byteOffset": 24, "byteLength": 48}
-  ],
-  "buffers": [
-    {"byteLength": 72, "uri": "shell.bin"}
-  ]
-}
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.gltf</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.gltf
-{
-  "asset": {"version": "2.0"},
-  "scene": 0,
-  "scenes": [{"nodes": [0]}],
-  "nodes": [{"mesh": 0}],
-  "meshes": [{"primitives": [{"attributes": {"POSITION": 1}, "indices": 0}]}],
-  "accessors": [
-    {"bufferView": 0, "componentType": 5123, "count": 12, "type": "SCALAR"},
-    {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3",
-     "min": [0, 0, 0], "max": [1, 1, 1]}
-  ],
-  "bufferViews": [
-    {"buffer": 0, "byteLength": 24},
-    {"buffer": 0, "byteOffset": 24, "byteLength": 48}
-  ],
-  "buffers": [
-    {"byteLength": 72, "uri": "data:application/octet-stream;base64,AAACAAEAAAABAAMAAAADAAIAAQACAAMAAAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/"}
-  ]
-}
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

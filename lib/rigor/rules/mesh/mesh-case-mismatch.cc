@@ -61,69 +61,6 @@ Rule rule() {
           "It opens on Windows and macOS, and is not found on Linux, where the simulators "
           "mostly run.",
       .what_to_do = "Write the name as the file has it.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <visual name="hull">
-        <geometry>
-          <mesh>
-            <uri>«meshes/Hull.obj»</uri>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/hull.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <visual name="hull">
-        <geometry>
-          <mesh>
-            <uri>meshes/hull.obj</uri>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <visual name="hull">
-        <geometry>
-          <mesh>
-            <uri>meshes/hull.obj</uri>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/hull.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshUse>(check)},
   };
 }

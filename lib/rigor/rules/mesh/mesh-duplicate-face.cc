@@ -34,48 +34,6 @@ Rule rule() {
           "Drawn, the two flicker; in a volume they cancel or count twice; in contacts they "
           "cost twice.",
       .what_to_do = "Keep one of each: `rigor mesh-check FILE --repair -o OUT`.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-# the last triangle is the one before it again
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-f 2 3 4
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -33,53 +33,6 @@ Rule rule() {
           "The importer is built on urdf-usd-converter, which reads OBJ, DAE and STL: any other "
           "mesh is left out.",
       .what_to_do = "Convert the mesh: `rigor mesh-check FILE -o FILE.obj`.",
-      .bad = {{R"(<robot name="lift">
-  <link name="car">
-    <collision>
-      <geometry>
-        <mesh filename="«car.ply»"/>
-      </geometry>
-    </collision>
-  </link>
-</robot>
-=== car.ply
-ply
-format ascii 1.0
-element vertex 4
-property float x
-property float y
-property float z
-element face 4
-property list uchar int vertex_indices
-end_header
-0 0 0
-1 0 0
-0 1 0
-0 0 1
-3 0 2 1
-3 0 1 3
-3 0 3 2
-3 1 2 3
-)"}},
-      .good = {{R"(<robot name="lift">
-  <link name="car">
-    <collision>
-      <geometry>
-        <mesh filename="car.obj"/>
-      </geometry>
-    </collision>
-  </link>
-</robot>
-=== car.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshUse>(check)},
   };
 }

@@ -24,26 +24,6 @@ Rule rule() {
           "Collada, glTF, PLY and other scenes are read by assimp, which rigor looks for when "
           "it runs. Without it nothing is known of the mesh, neither good nor bad.",
       .what_to_do = "Install assimp 5 (Debian and Ubuntu: libassimp5).",
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -36,47 +36,6 @@ Rule rule() {
       .what_to_do =
           "Turn the triangles the same way: `rigor mesh-check FILE --repair -o OUT`, or "
           "\"recalculate normals outside\" in the tool that made it.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-# the last triangle is turned
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 4 3
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -35,49 +35,6 @@ Rule rule() {
       .what_to_do =
           "Keep touching bodies apart, and give walls a thickness. `rigor mesh-check FILE "
           "--repair -o OUT` takes away triangles that are there twice, a common cause.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-# a fin on an edge of a tetrahedron
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-v 1 -1 0
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-f 1 2 5
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -29,50 +29,6 @@ Rule rule() {
       .what_to_do =
           "Write them: `rigor mesh-check FILE --normals 30 -o OUT.dae` makes edges of less "
           "than 30° look round.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-vn 0 0 -1
-vn 0 -1 0
-vn -1 0 0
-vn 0.577 0.577 0.577
-f 1//1 3//1 2//1
-f 1//2 2//2 4//2
-f 1//3 4//3 3//3
-f 2//4 3//4 4//4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -57,69 +57,6 @@ Rule rule() {
           "Add <mujoco><compiler meshdir=\"../meshes\"/></mujoco> to the <robot>, or with "
           "relative file names <compiler strippath=\"false\"/>. Others pass over the <mujoco> "
           "element. It is told once in a file.",
-      .bad = {{R"(<robot name="lift">
-  <link name="car">
-    <collision>
-      <geometry>
-        <mesh filename="«meshes/car.obj»"/>
-      </geometry>
-    </collision>
-  </link>
-</robot>
-=== meshes/car.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
-      .good = {{R"(<robot name="lift">
-  <mujoco>
-    <compiler meshdir="meshes"/>
-  </mujoco>
-  <link name="car">
-    <collision>
-      <geometry>
-        <mesh filename="meshes/car.obj"/>
-      </geometry>
-    </collision>
-  </link>
-</robot>
-=== meshes/car.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"},
-               {R"(<robot name="lift">
-  <mujoco>
-    <compiler strippath="false"/>
-  </mujoco>
-  <link name="car">
-    <collision>
-      <geometry>
-        <mesh filename="meshes/car.obj"/>
-      </geometry>
-    </collision>
-  </link>
-</robot>
-=== meshes/car.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

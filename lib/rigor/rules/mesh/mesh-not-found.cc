@@ -51,54 +51,6 @@ Rule rule() {
           "Mend the path, or say where the files are: --model-path and --package, "
           "rigor.toml, GZ_SIM_RESOURCE_PATH, ROS_PACKAGE_PATH. rigor resolve URI prints "
           "the search.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <visual name="hull">
-        <geometry>
-          <mesh>
-            <uri>«meshes/hul.obj»</uri>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/hull.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <visual name="hull">
-        <geometry>
-          <mesh>
-            <uri>meshes/hull.obj</uri>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/hull.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshUse>(check)},
   };
 }

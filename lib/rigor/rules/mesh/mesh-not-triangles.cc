@@ -30,47 +30,6 @@ Rule rule() {
           "with less than three corners. About one Collada file in ten has some, mostly from "
           "SketchUp.",
       .what_to_do = "Write the mesh anew, which drops them: `rigor mesh-check FILE -o OUT.stl`.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-l 1 2
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -34,56 +34,6 @@ Rule rule() {
           "Mirror the mesh file itself, with its triangles turned the right way round, and take "
           "the "
           "minus signs out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <visual name="hull">
-        <geometry>
-          <mesh>
-            <uri>meshes/hull.obj</uri>
-            <scale>«1 -1 1»</scale>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/hull.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <visual name="hull">
-        <geometry>
-          <mesh>
-            <uri>meshes/hull.obj</uri>
-            <scale>1 1 1</scale>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/hull.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshUse>(check)},
   };
 }

@@ -41,56 +41,6 @@ Rule rule() {
           "A sphere becomes an ellipsoid, and an inertia of the mesh cannot be scaled by one "
           "number. A slip of one digit in one factor looks just like it.",
       .what_to_do = "Apply the scale to the file and write `1 1 1`.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry>
-          <mesh>
-            <uri>meshes/shell.obj</uri>
-            <scale>«1 1 2»</scale>
-          </mesh>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry>
-          <mesh>
-            <uri>meshes/shell.obj</uri>
-            <scale>2 2 2</scale>
-          </mesh>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshUse>(check)},
   };
 }

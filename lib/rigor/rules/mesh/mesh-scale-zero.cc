@@ -27,56 +27,6 @@ Rule rule() {
           "The mesh becomes a plane, a line or a point. It cannot be seen or touched, and "
           "engines that build a hull of it stop.",
       .what_to_do = "Write the factor from the file's unit to metres: 0.001 for millimetres.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <visual name="hull">
-        <geometry>
-          <mesh>
-            <uri>meshes/hull.obj</uri>
-            <scale>«1 1 0»</scale>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/hull.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <visual name="hull">
-        <geometry>
-          <mesh>
-            <uri>meshes/hull.obj</uri>
-            <scale>0.001 0.001 0.001</scale>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/hull.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshUse>(check)},
   };
 }

@@ -33,26 +33,6 @@ Rule rule() {
           "They make the file larger, and programs that take bounds or a hull from all vertices "
           "get other ones than are seen.",
       .what_to_do = "Write the mesh anew, which leaves them out: `rigor mesh-check FILE -o OUT`.",
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

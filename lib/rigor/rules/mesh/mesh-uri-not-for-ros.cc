@@ -78,62 +78,6 @@ Rule rule() {
           "and http:// URLs: a relative path or model:// leads nowhere. It loads by curl, and "
           "curl from 7.78 refuses a space.",
       .what_to_do = "Write package://NAME/PATH, with the name from the package.xml.",
-      .bad = {{R"(<robot name="lift">
-  <link name="car">
-    <collision>
-      <geometry>
-        <mesh filename="«../meshes/car.obj»"/>
-      </geometry>
-    </collision>
-  </link>
-</robot>
-=== ../meshes/car.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-=== ../package.xml
-<package format="3">
-  <name>lift_description</name>
-</package>
-)",
-               R"(<robot name="lift">
-  <link name="car">
-    <collision>
-      <geometry>
-        <mesh filename="package://lift_description/meshes/car.obj"/>
-      </geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<robot name="lift">
-  <link name="car">
-    <collision>
-      <geometry>
-        <mesh filename="package://lift_description/meshes/car.obj"/>
-      </geometry>
-    </collision>
-  </link>
-</robot>
-=== ../meshes/car.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-=== ../package.xml
-<package format="3">
-  <name>lift_description</name>
-</package>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -40,32 +40,6 @@ Rule rule() {
           "written. Its check (ign sdf -k) refuses both, and a visual with the name of its "
           "collision too, which simulators load all the same.",
       .what_to_do = "Rename one of them, as to elbow_joint.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <frame name="«body»"/>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.6">
-  <model name="arm">
-    <link name="elbow"/>
-    <joint name="«elbow»" type="fixed">
-      <parent>world</parent>
-      <child>elbow</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <frame name="lid"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

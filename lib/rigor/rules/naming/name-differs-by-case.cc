@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <string>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -60,21 +59,6 @@ Rule rule() {
       .what_to_do =
           "Give them names that are told apart at a glance, or the same name where one "
           "thing is meant.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="wheel"/>
-    <link name="base"/>
-    <link name="«Wheel»"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="wheel"/>
-    <link name="base"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Model>(check)},
   };
 }

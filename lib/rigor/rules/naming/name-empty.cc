@@ -39,25 +39,6 @@ Rule rule() {
           "libsdformat refuses the file. urdfdom takes it, and then nothing can refer to the "
           "part.",
       .what_to_do = "Give it a name.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    «<link name="">»
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="box">
-  «<link name=""/>»
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::World>(check), on<model::Model>(check), on<model::Link>(check),
                  on<model::Joint>(check), on<model::Frame>(check), on<model::Collision>(check),
                  on<model::Visual>(check), on<model::Sensor>(check), on<model::Light>(check),

@@ -40,24 +40,6 @@ Rule rule() {
           "from it, and '/' and ':' separate names there; USD takes letters, digits and "
           "underscores only.",
       .what_to_do = "Write letters, digits and underscores.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="«the lid»"/>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="box">
-  <link name="«box/body»"/>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="the_lid"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check), on<model::Joint>(check), on<model::Frame>(check),
                  on<model::Sensor>(check)},
   };

@@ -76,23 +76,6 @@ Rule rule() {
           "ask for the joint by its name in the URDF do not find it, and two names may become one.",
       .what_to_do =
           "Write letters, digits and underscores; its documentation advises to do so in the URDF.",
-      .bad = {{R"(<robot name="box">
-  <link name="«left-body»"/>
-</robot>
-)"},
-              {R"(<robot name="box">
-  <link name="body_1"/>
-  <link name="«body.1»"/>
-  <joint name="weld" type="fixed">
-    <parent link="body_1"/>
-    <child link="body.1"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="box">
-  <link name="left_body"/>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

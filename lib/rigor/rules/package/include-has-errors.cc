@@ -33,60 +33,6 @@ Rule rule() {
       .what_to_do =
           "Check the included file by itself and put it right there. What is wrong inside "
           "it is told only then, so that one fault is not told by every world that uses it.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>«model://cart»</uri>
-    </include>
-  </world>
-</sdf>
-=== model.config
-<model>
-  <name>lab</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== ../cart/model.config
-<model>
-  <name>cart</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== ../cart/model.sdf
-<sdf version="1.9">
-  <model name="cart">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri></uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>model://cart</uri>
-    </include>
-  </world>
-</sdf>
-=== model.config
-<model>
-  <name>lab</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== ../cart/model.config
-<model>
-  <name>cart</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== ../cart/model.sdf
-<sdf version="1.9">
-  <model name="cart">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_read({read::FactKind::kIncludeHasErrors}, check)},
   };
 }

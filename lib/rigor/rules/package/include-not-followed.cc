@@ -42,43 +42,6 @@ Rule rule() {
           "the Fuel cache. What refers to its parts cannot be checked.",
       .what_to_do =
           "Download it once, as with gz fuel download -u URI, and it will be found in the cache.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>«https://fuel.gazebosim.org/1.0/OpenRobotics/models/Crate»</uri>
-    </include>
-  </world>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>«https://fuel.gazebosim.org/1.0/OpenRobotics/models/Crate»</uri>
-    </include>
-    <include>
-      <name>second</name>
-      <uri>https://fuel.gazebosim.org/1.0/OpenRobotics/models/Crate</uri>
-    </include>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>box</uri>
-    </include>
-  </world>
-</sdf>
-=== box/model.config
-<model><name>box</name><sdf version="1.9">model.sdf</sdf></model>
-=== box/model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_read({read::FactKind::kUnfollowedInclude}, check)},
   };
 }

@@ -31,31 +31,6 @@ Rule rule() {
       .what_to_do =
           "Correct the URI, or say where the model is: --model-path, the paths in rigor.toml, "
           "GZ_SIM_RESOURCE_PATH, or for package:// --package and ROS_PACKAGE_PATH.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>«model://crate»</uri>
-    </include>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>box</uri>
-    </include>
-  </world>
-</sdf>
-=== box/model.config
-<model><name>box</name><sdf version="1.9">model.sdf</sdf></model>
-=== box/model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_read({read::FactKind::kIncludeNotFound}, check)},
   };
 }

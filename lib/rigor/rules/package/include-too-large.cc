@@ -26,23 +26,6 @@ Rule rule() {
           "No robot needs 32 levels of includes or 200,000 parts; a simulator will run out of "
           "memory or time. What lies beyond is not checked.",
       .what_to_do = "Look for an include that multiplies itself.",
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>box</uri>
-    </include>
-  </world>
-</sdf>
-=== box/model.config
-<model><name>box</name><sdf version="1.9">model.sdf</sdf></model>
-=== box/model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_read({read::FactKind::kTooMuchIncluded, read::FactKind::kIncludeTooDeep},
                          check)},
   };

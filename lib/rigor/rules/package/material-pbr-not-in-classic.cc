@@ -37,43 +37,6 @@ Rule rule() {
       .what_to_do =
           "Add <ambient> and <diffuse>, or a material <script>: gz-sim goes on using the <pbr> "
           "beside them.",
-      .bad = {{R"(<sdf version="1.7">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <«pbr»>
-            <metal>
-              <roughness>0.4</roughness>
-            </metal>
-          </pbr>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.7">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <diffuse>0.5 0.3 0.1 1</diffuse>
-          <pbr>
-            <metal>
-              <roughness>0.4</roughness>
-            </metal>
-          </pbr>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Visual>(check)},
   };
 }

@@ -49,39 +49,6 @@ Rule rule() {
       .what_to_do =
           "Write <uri> and <name>, or colours in place of the script: new Gazebo reads no "
           "scripts.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <«script»>
-            <name>Box/Red</name>
-          </script>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <script>
-            <uri>file://media/materials/scripts/gazebo.material</uri>
-            <name>Box/Red</name>
-          </script>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

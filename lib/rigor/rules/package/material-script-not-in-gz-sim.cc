@@ -45,41 +45,6 @@ Rule rule() {
       .what_to_do =
           "Add <ambient> and <diffuse> for a colour, or <pbr><metal><albedo_map> for a texture. "
           "Gazebo classic goes on reading the <script> beside them.",
-      .bad = {{R"(<sdf version="1.6">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <script>
-            <uri>file://media/materials/scripts/box.material</uri>
-            <name>«Box/Wood»</name>
-          </script>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.6">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <script>
-            <uri>file://media/materials/scripts/box.material</uri>
-            <name>Box/Wood</name>
-          </script>
-          <diffuse>0.5 0.3 0.1 1</diffuse>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Visual>(check)},
   };
 }

@@ -126,60 +126,6 @@ Rule rule() {
       .what_to_do =
           "Take the file away, unless another model names it. A file counts as used when its name "
           "stands in any text of the folder: an .sdf, a xacro file, a script.",
-      .bad = {{R"(<«model»>
-  <name>box</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><mesh><uri>meshes/box.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/box.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-=== meshes/box_old.obj
-v 0 0 0
-)"}},
-      .good = {{R"(<model>
-  <name>box</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><mesh><uri>meshes/box.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/box.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-=== thumbnails/1.png
-PNG
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

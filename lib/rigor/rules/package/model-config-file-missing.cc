@@ -28,31 +28,6 @@ Rule rule() {
       .summary = "a file in model.config does not exist",
       .why = "Whoever includes the folder gets an error: the file cannot be loaded.",
       .what_to_do = "Correct the name; it is relative to the folder of model.config.",
-      .bad = {{R"(<model>
-  <name>box</name>
-  <sdf version="1.9">«Model.sdf»</sdf>
-</model>
-=== model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<?xml version="1.0"?>
-<model>
-  <name>box</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_config({read::ConfigFactKind::kFileMissing}, check)},
   };
 }

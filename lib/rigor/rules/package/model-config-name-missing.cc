@@ -21,30 +21,6 @@ Rule rule() {
       .summary = "a model.config has no name",
       .why = "Gazebo shows the model under no name, and a Fuel server does not take it.",
       .what_to_do = "Write <name>, as a person would call the model.",
-      .bad = {{R"(«<model>»
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<?xml version="1.0"?>
-<model>
-  <name>box</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_config({read::ConfigFactKind::kNameMissing}, check)},
   };
 }

@@ -45,47 +45,6 @@ Rule rule() {
           "without "
           "a model, as one of meshes that others use, that is told only where it is included.",
       .what_to_do = "Write the file to load, as in <sdf version=\"1.9\">model.sdf</sdf>.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>«box»</uri>
-    </include>
-  </world>
-</sdf>
-=== box/readme.txt
-a box
-)"},
-              {R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>«box»</uri>
-    </include>
-  </world>
-</sdf>
-=== box/model.config
-<model><name>box</name></model>
-)"}},
-      .good = {{R"(<?xml version="1.0"?>
-<model>
-  <name>box</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-               {R"(<?xml version="1.0"?>
-<model>
-  <name>meshes of all robots</name>
-</model>
-=== meshes/wheel.stl
-solid wheel
-endsolid wheel
-)"}},
       .checks = {on_config({read::ConfigFactKind::kNoSdf}, check),
                  on_read({read::FactKind::kConfigWithoutSdf}, check_included)},
   };

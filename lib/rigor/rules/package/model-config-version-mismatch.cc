@@ -39,36 +39,6 @@ Rule rule() {
           "libsdformat chooses among several files by what model.config says, and reads the file "
           "by what the file says.",
       .what_to_do = "Write the version that the file has.",
-      .bad = {{R"(<model>
-  <name>box</name>
-  <sdf version="«1.6»">model.sdf</sdf>
-</model>
-=== model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<model>
-  <name>box</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-)"}},
-      .good = {{R"(<?xml version="1.0"?>
-<model>
-  <name>box</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_config({read::ConfigFactKind::kVersionMismatch}, check)},
   };
 }

@@ -23,31 +23,6 @@ Rule rule() {
       .why = "libsdformat chooses the file by it, and warns.",
       .what_to_do =
           "Write the version that the file has, as in <sdf version=\"1.9\">model.sdf</sdf>.",
-      .bad = {{R"(<model>
-  <name>box</name>
-  «<sdf>»model.sdf</sdf>
-</model>
-=== model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<?xml version="1.0"?>
-<model>
-  <name>box</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_config({read::ConfigFactKind::kVersionMissing}, check)},
   };
 }

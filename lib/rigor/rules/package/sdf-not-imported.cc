@@ -29,17 +29,6 @@ Rule rule() {
       .what_to_do =
           "Convert it: `rigor sdf2urdf model.sdf -o robot.urdf`. What URDF cannot say is told "
           "then.",
-      .bad = {{R"(<«sdf» version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<robot name="box">
-  <link name="body"/>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

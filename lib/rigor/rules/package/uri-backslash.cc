@@ -40,57 +40,6 @@ Rule rule() {
       .what_to_do =
           "Write slashes instead. The fix is an unsafe one where links or their mass come with the "
           "file: in an include.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <script>
-            <uri>«materials\box.material»</uri>
-            <name>Box/Red</name>
-          </script>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <script>
-            <uri>materials/box.material</uri>
-            <name>Box/Red</name>
-          </script>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <script>
-            <uri>materials/box.material</uri>
-            <name>Box/Red</name>
-          </script>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

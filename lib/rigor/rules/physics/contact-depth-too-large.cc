@@ -61,36 +61,6 @@ Rule rule() {
           "Gazebo classic corrects a penetration only beyond min_depth (metres). The body sinks in "
           "by that much, and a wheel rolls with a smaller radius than it has.",
       .what_to_do = "Write a millimetre or less, in metres.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="crate">
-    <link name="body">
-      <inertial>
-        <mass>0.1</mass>
-        <inertia><ixx>1e-5</ixx><iyy>1e-5</iyy><izz>1e-5</izz></inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.03 0.03 0.03</size></box></geometry>
-        <surface><contact><ode><min_depth>«0.01»</min_depth></ode></contact></surface>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="crate">
-    <link name="body">
-      <inertial>
-        <mass>0.1</mass>
-        <inertia><ixx>1e-5</ixx><iyy>1e-5</iyy><izz>1e-5</izz></inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.03 0.03 0.03</size></box></geometry>
-        <surface><contact><ode><min_depth>0.001</min_depth></ode></contact></surface>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Collision>(check)},
   };
 }

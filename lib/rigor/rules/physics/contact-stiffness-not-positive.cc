@@ -44,36 +44,6 @@ Rule rule() {
           "nothing is corrected and the body sinks, and negative ones leave the range that ODE "
           "can solve. No checker looks at them.",
       .what_to_do = "Leave them out (1e12 and 1), or write the stiffness of the material in N/m.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="crate">
-    <link name="body">
-      <inertial>
-        <mass>60</mass>
-        <inertia><ixx>10</ixx><iyy>10</iyy><izz>10</izz></inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>1 1 1</size></box></geometry>
-        <surface><contact><ode><kp>«0»</kp><kd>10</kd></ode></contact></surface>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="crate">
-    <link name="body">
-      <inertial>
-        <mass>60</mass>
-        <inertia><ixx>10</ixx><iyy>10</iyy><izz>10</izz></inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>1 1 1</size></box></geometry>
-        <surface><contact><ode><kp>1e6</kp><kd>0</kd></ode></contact></surface>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Collision>(check)},
   };
 }

@@ -118,56 +118,6 @@ Rule rule() {
           "Let fdir1 be the axle in the collision's frame, 0 0 1 for a cylinder; mu is then the "
           "friction sideways, mu2 the one that drives. gz:expressed_in names a frame that does not "
           "turn.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="cart">
-    <link name="chassis">
-      <inertial><mass>8</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia></inertial>
-    </link>
-    <link name="wheel">
-      <inertial><mass>1</mass><inertia><ixx>0.003</ixx><iyy>0.005</iyy><izz>0.003</izz></inertia></inertial>
-      <collision name="tyre">
-        <pose>0 0 0 1.5707963 0 0</pose>
-        <geometry><cylinder><radius>0.1</radius><length>0.05</length></cylinder></geometry>
-        <surface>
-          <friction>
-            <ode><mu>0.5</mu><mu2>1</mu2><fdir1>«1 0 0»</fdir1></ode>
-          </friction>
-        </surface>
-      </collision>
-    </link>
-    <joint name="axle" type="revolute">
-      <parent>chassis</parent>
-      <child>wheel</child>
-      <axis><xyz>0 1 0</xyz></axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="cart">
-    <link name="chassis">
-      <inertial><mass>8</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia></inertial>
-    </link>
-    <link name="wheel">
-      <inertial><mass>1</mass><inertia><ixx>0.003</ixx><iyy>0.005</iyy><izz>0.003</izz></inertia></inertial>
-      <collision name="tyre">
-        <pose>0 0 0 1.5707963 0 0</pose>
-        <geometry><cylinder><radius>0.1</radius><length>0.05</length></cylinder></geometry>
-        <surface>
-          <friction>
-            <ode><mu>0.5</mu><mu2>1</mu2><fdir1>0 0 1</fdir1></ode>
-          </friction>
-        </surface>
-      </collision>
-    </link>
-    <joint name="axle" type="revolute">
-      <parent>chassis</parent>
-      <child>wheel</child>
-      <axis><xyz>0 1 0</xyz></axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

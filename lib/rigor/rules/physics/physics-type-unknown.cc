@@ -45,42 +45,6 @@ Rule rule() {
       .what_to_do =
           "Write ode, bullet, simbody or dart; new Gazebo chooses the engine by its "
           "physics plugin or on its command line.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="«bulet»">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="bullet">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="bullet">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="ignored">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Physics>(check)},
   };
 }

@@ -1,11 +1,8 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -151,44 +148,6 @@ Rule rule() {
       .what_to_do =
           "Take less damping or a smaller step, give the link a real tensor, or write "
           "<implicit_spring_damper>true</implicit_spring_damper> in the joint's <physics><ode>.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="cart">
-    <link name="chassis">
-      <inertial><mass>8</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia></inertial>
-    </link>
-    <link name="lever">
-      <inertial><mass>0.01</mass><inertia><ixx>1e-6</ixx><iyy>1e-6</iyy><izz>1e-6</izz></inertia></inertial>
-    </link>
-    <joint name="pivot" type="revolute">
-      <parent>chassis</parent>
-      <child>lever</child>
-      <axis>
-        <xyz>0 1 0</xyz>
-        <dynamics><damping>«0.1»</damping></dynamics>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="cart">
-    <link name="chassis">
-      <inertial><mass>8</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia></inertial>
-    </link>
-    <link name="lever">
-      <inertial><mass>0.01</mass><inertia><ixx>1e-6</ixx><iyy>1e-6</iyy><izz>1e-6</izz></inertia></inertial>
-    </link>
-    <joint name="pivot" type="revolute">
-      <parent>chassis</parent>
-      <child>lever</child>
-      <axis>
-        <xyz>0 1 0</xyz>
-        <dynamics><damping>0.001</damping></dynamics>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -45,24 +45,6 @@ Rule rule() {
       .what_to_do =
           "Name the class: <hardware><plugin>mock_components/GenericSystem</plugin></hardware> "
           "without hardware, gz_ros2_control/GazeboSimSystem in gz-sim.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <ros2_control name="arm" type="system">
-    <«hardware»>
-      <param name="port">0</param>
-    </hardware>
-  </ros2_control>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <ros2_control name="arm" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-  </ros2_control>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <string>
 #include <tuple>
 
@@ -59,40 +58,6 @@ Rule rule() {
           "commanded. Two motors with one number turn alike, and the speed meant for one of "
           "them goes nowhere: the vehicle tips over when it takes off.",
       .what_to_do = "Number the motors from 0, each with its own number.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::MulticopterMotorModel" filename="gz-sim-multicopter-motor-model-system">
-      <jointName>rotor_0</jointName>
-      <linkName>base</linkName>
-      <motorNumber>0</motorNumber>
-    </plugin>
-    <plugin name="gz::sim::systems::MulticopterMotorModel" filename="gz-sim-multicopter-motor-model-system">
-      <jointName>rotor_1</jointName>
-      <linkName>base</linkName>
-      <motorNumber>«0»</motorNumber>
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::MulticopterMotorModel" filename="gz-sim-multicopter-motor-model-system">
-      <jointName>rotor_0</jointName>
-      <linkName>base</linkName>
-      <motorNumber>0</motorNumber>
-    </plugin>
-    <plugin name="gz::sim::systems::MulticopterMotorModel" filename="gz-sim-multicopter-motor-model-system">
-      <jointName>rotor_1</jointName>
-      <linkName>base</linkName>
-      <motorNumber>1</motorNumber>
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -63,33 +63,6 @@ Rule rule() {
           "counts the turns of wheels, the other looks where the model is: who listens gets "
           "both, mixed.",
       .what_to_do = "Give one of them an odom_topic of its own, or take it out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">
-      <left_joint>left_axle</left_joint>
-      <right_joint>right_axle</right_joint>
-    </plugin>
-    <«plugin» name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">
-      <left_joint>left_axle</left_joint>
-      <right_joint>right_axle</right_joint>
-    </plugin>
-    <plugin name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
-      <odom_topic>truth</odom_topic>
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -72,33 +72,6 @@ Rule rule() {
       .what_to_do =
           "Write the class, such as gz::sim::systems::DiffDrive for "
           "gz-sim-diff-drive-system.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="«poses»" filename="gz-sim-pose-publisher-system">
-    </plugin>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::PosePublisher" filename="gz-sim-pose-publisher-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::PosePublisher" filename="gz-sim-pose-publisher-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Plugin>(check)},
   };
 }

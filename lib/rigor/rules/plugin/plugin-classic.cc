@@ -38,22 +38,6 @@ Rule rule() {
       .what_to_do =
           "Use the system of new Gazebo that does the same, such as "
           "gz-sim-diff-drive-system for libgazebo_ros_diff_drive.so.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <plugin name="drive" filename="«libgazebo_ros_diff_drive.so»">
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <plugin name="drive" filename="gz-sim-diff-drive-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Plugin>(check)},
   };
 }

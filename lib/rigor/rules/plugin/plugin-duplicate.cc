@@ -45,32 +45,6 @@ Rule rule() {
           "Both run: commands are carried out twice, topics are published twice, or the second "
           "one fails to advertise them.",
       .what_to_do = "Take one of them out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <plugin name="drive" filename="gz-sim-pose-publisher-system">
-    </plugin>
-    <«plugin» name="drive" filename="gz-sim-pose-publisher-system">
-    </plugin>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <plugin name="drive" filename="gz-sim-pose-publisher-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <plugin name="drive" filename="gz-sim-pose-publisher-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

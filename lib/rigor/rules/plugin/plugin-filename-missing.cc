@@ -31,29 +31,6 @@ Rule rule() {
           "required, and "
           "must not be empty.",
       .what_to_do = "Name the library, such as gz-sim-diff-drive-system, or take the plugin out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <«plugin» name="drive" filename="">
-    </plugin>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo>
-    <«plugin» name="drive"/>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <plugin name="drive" filename="gz-sim-diff-drive-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Plugin>(check)},
   };
 }

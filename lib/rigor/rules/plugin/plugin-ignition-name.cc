@@ -64,33 +64,6 @@ Rule rule() {
           "names of classes are aliases that are to be taken out. Fortress and older know "
           "only the old names.",
       .what_to_do = "Write the new names, if the file is not for Fortress.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="ignition::gazebo::systems::PosePublisher" filename="«ignition-gazebo-pose-publisher-system»">
-    </plugin>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::PosePublisher" filename="gz-sim-pose-publisher-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::PosePublisher" filename="gz-sim-pose-publisher-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Plugin>(check)},
   };
 }

@@ -92,57 +92,6 @@ Rule rule() {
           "The plugin finds nothing to drive: it says so in a line of the simulator's log, if "
           "at all, and does nothing.",
       .what_to_do = "Name a joint or link of the model that the plugin stands in.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="left_wheel" type="continuous">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-    </joint>
-    <plugin name="drive" filename="gz-sim-diff-drive-system">
-      <left_joint>«left_whel»</left_joint>
-    </plugin>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="left_wheel" type="continuous">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-    </joint>
-    <plugin name="drive" filename="gz-sim-diff-drive-system">
-      <left_joint>left_wheel</left_joint>
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="left_wheel" type="continuous">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-    </joint>
-    <plugin name="drive" filename="gz-sim-diff-drive-system">
-      <left_joint>left_wheel</left_joint>
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -96,47 +96,6 @@ Rule rule() {
           "Names that are not near to those of gz-sim or gazebo_ros_pkgs are somebody's own, "
           "and nothing is said of them.",
       .what_to_do = "Write the name of the library.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::PosePublisher" filename="«gz-sim-pose-publiser-system»">
-    </plugin>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::PosePublisher" filename="gz-sim-pose-publisher-system">
-    </plugin>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo>
-    <plugin name="states" filename="«libgazebo_ros_join_state_publisher.so»"/>
-  </gazebo>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo>
-    <plugin name="states" filename="libgazebo_ros_joint_state_publisher.so"/>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="ours::Sorter" filename="gz-sim-parcel-sorter-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Plugin>(check)},
   };
 }

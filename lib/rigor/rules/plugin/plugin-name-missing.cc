@@ -33,20 +33,6 @@ Rule rule() {
       .what_to_do =
           "Give it a name: for new Gazebo the class, such as gz::sim::systems::DiffDrive; for "
           "Gazebo classic any.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo>
-    <«plugin» filename="gz-sim-pose-publisher-system"/>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo>
-    <plugin filename="gz-sim-pose-publisher-system" name="gz::sim::systems::PosePublisher"/>
-  </gazebo>
-</robot>
-)"}},
       .checks = {on<model::Plugin>(check)},
   };
 }

@@ -38,42 +38,6 @@ Rule rule() {
           "Use the system of gz-sim that does the same, with its class as name: "
           "filename=\"gz-sim-diff-drive-system\" name=\"gz::sim::systems::DiffDrive\" for "
           "libgazebo_ros_diff_drive.so. Its parameters have other names.",
-      .bad = {{R"(<sdf version="1.6">
-  <model name="arm">
-    <link name="base">
-      <collision name="c">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-      </collision>
-    </link>
-    <plugin name="drive" filename="«libDiffDrivePlugin.so»">
-    </plugin>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.4" ixy="0" ixz="0" iyy="0.4" iyz="0" izz="0.4"/>
-    </inertial>
-  </link>
-  <gazebo>
-    <plugin name="control" filename="«libgazebo_ros_control.so»"/>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.6">
-  <model name="arm">
-    <link name="base">
-      <collision name="c">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-      </collision>
-    </link>
-    <plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Plugin>(check)},
   };
 }

@@ -63,36 +63,6 @@ Rule rule() {
           "In a world they write \"should be attached to a model entity. Failed to initialize.\" "
           "to the log, and do nothing.",
       .what_to_do = "Move the plugin into the model that it is to drive.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="hall">
-    <physics name="default" type="ode">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-    <«plugin» filename="gz-sim-pose-publisher-system" name="gz::sim::systems::PosePublisher">
-    </plugin>
-    <model name="arm">
-      <static>true</static>
-      <link name="base"/>
-    </model>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="hall">
-    <physics name="default" type="ode">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-    <model name="arm">
-      <static>true</static>
-      <link name="base"/>
-      <plugin filename="gz-sim-pose-publisher-system" name="gz::sim::systems::PosePublisher">
-      </plugin>
-    </model>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Plugin>(check)},
   };
 }

@@ -50,25 +50,6 @@ Rule rule() {
           "they write a line to the log, if at all, and do nothing: commands that are sent to "
           "them have no effect.",
       .what_to_do = "Name the joint or link, or take the plugin out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <«plugin» name="gz::sim::systems::JointController" filename="gz-sim-joint-controller-system">
-      <initial_velocity>1</initial_velocity>
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::JointStatePublisher" filename="gz-sim-joint-state-publisher-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Plugin>(check)},
   };
 }

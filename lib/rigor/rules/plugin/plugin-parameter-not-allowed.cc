@@ -1,7 +1,6 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -61,32 +60,6 @@ Rule rule() {
           "ccw, dimensions of OdometryPublisher is 2 or 3. Other values are an error in the "
           "log, and the default is used: a rotor that was to turn the other way does not.",
       .what_to_do = "Write one of the values.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::MulticopterMotorModel" filename="gz-sim-multicopter-motor-model-system">
-      <jointName>rotor_0</jointName>
-      <linkName>base</linkName>
-      <motorNumber>0</motorNumber>
-      <turningDirection>«clockwise»</turningDirection>
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::MulticopterMotorModel" filename="gz-sim-multicopter-motor-model-system">
-      <jointName>rotor_0</jointName>
-      <linkName>base</linkName>
-      <motorNumber>0</motorNumber>
-      <turningDirection>cw</turningDirection>
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Plugin>(check)},
   };
 }

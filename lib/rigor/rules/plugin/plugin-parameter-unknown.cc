@@ -119,48 +119,6 @@ Rule rule() {
           "parameters of the commonest systems of Gazebo, and speaks only where the name is "
           "nearly one of them, or one of the plugin of gazebo_ros that did the same.",
       .what_to_do = "Write the name as the documentation of the plugin has it.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
-      <«odom_publisher_frequency»>20</odom_publisher_frequency>
-    </plugin>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
-      <odom_publish_frequency>20</odom_publish_frequency>
-    </plugin>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
-      <«body_name»>base</body_name>
-      <update_rate>20</update_rate>
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
-      <odom_publish_frequency>20</odom_publish_frequency>
-      <later_parameter>1</later_parameter>
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Plugin>(check)},
   };
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <string>
 #include <string_view>
 
 #include <fmt/core.h>
@@ -46,36 +45,6 @@ Rule rule() {
           "Plugins that look whether the rate is above 0 run at every step, as for 0; nothing says "
           "that others do, and nobody measures a negative number of times.",
       .what_to_do = "Write the rate in Hz; 0 is every step for most plugins.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
-      <odom_publish_frequency>«-1»</odom_publish_frequency>
-    </plugin>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
-      <odom_publish_frequency>0</odom_publish_frequency>
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
-      <odom_publish_frequency>20</odom_publish_frequency>
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Plugin>(check)},
   };
 }

@@ -87,59 +87,6 @@ Rule rule() {
           "makes a valid name of it (a space becomes '_', the others vanish), the topic is not the "
           "one that others listen on; where it does not, nothing is published.",
       .what_to_do = "Use letters, digits, '_' and single '/'.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base">
-      <sensor name="level" type="imu">
-        <topic>«arm imu»</topic>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base">
-      <sensor name="level" type="imu">
-        <topic>arm_imu</topic>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
-      <odom_topic>«/arm//odom»</odom_topic>
-    </plugin>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
-      <odom_topic>/arm/odom</odom_topic>
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base">
-      <sensor name="level" type="imu">
-        <topic>~/arm/imu</topic>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Sensor>(check_sensor), on<model::Plugin>(check_plugin)},
   };
 }

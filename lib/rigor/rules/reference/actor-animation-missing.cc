@@ -60,69 +60,6 @@ Rule rule() {
           "the actor has none of that name, it glides along the path without moving its legs, "
           "or stays where it is.",
       .what_to_do = "Name one of the actor's animations.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="street">
-    <actor name="walker">
-      <skin>
-        <filename>walk.dae</filename>
-      </skin>
-      <animation name="walking">
-        <filename>walk.dae</filename>
-      </animation>
-      <script>
-        <trajectory id="0" type="«walkin»">
-          <waypoint>
-            <time>0</time>
-            <pose>0 0 1 0 0 0</pose>
-          </waypoint>
-        </trajectory>
-      </script>
-    </actor>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="street">
-    <actor name="walker">
-      <skin>
-        <filename>walk.dae</filename>
-      </skin>
-      <animation name="walking">
-        <filename>walk.dae</filename>
-      </animation>
-      <script>
-        <trajectory id="0" type="walking">
-          <waypoint>
-            <time>0</time>
-            <pose>0 0 1 0 0 0</pose>
-          </waypoint>
-        </trajectory>
-      </script>
-    </actor>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="street">
-    <actor name="walker">
-      <skin>
-        <filename>walk.dae</filename>
-      </skin>
-      <animation name="walking">
-        <filename>walk.dae</filename>
-      </animation>
-      <script>
-        <trajectory id="0" type="walking">
-          <waypoint>
-            <time>0</time>
-            <pose>0 0 1 0 0 0</pose>
-          </waypoint>
-        </trajectory>
-      </script>
-    </actor>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -30,24 +30,6 @@ Rule rule() {
       .what_to_do =
           "Name a link of the model, or leave the attribute out: the first link is "
           "taken then.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm" canonical_link="«bas»">
-    <link name="base"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm" canonical_link="base">
-    <link name="base"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm" canonical_link="base">
-    <link name="base"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_frames({model::FrameProblemKind::kCanonicalLinkMissing}, check)},
   };
 }

@@ -52,51 +52,6 @@ Rule rule() {
           "Gazebo looks for the name among the collisions of the sensor's own link, finds "
           "none, and the sensor never reports a contact.",
       .what_to_do = "Name a collision of the same link.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="foot">
-      <collision name="sole">
-        <geometry><sphere><radius>0.1</radius></sphere></geometry>
-      </collision>
-      <sensor name="touch" type="contact">
-        <contact>
-          <collision>«soles»</collision>
-        </contact>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="foot">
-      <collision name="sole">
-        <geometry><sphere><radius>0.1</radius></sphere></geometry>
-      </collision>
-      <sensor name="touch" type="contact">
-        <contact>
-          <collision>sole</collision>
-        </contact>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="foot">
-      <collision name="sole">
-        <geometry><sphere><radius>0.1</radius></sphere></geometry>
-      </collision>
-      <sensor name="touch" type="contact">
-        <contact>
-          <collision>sole</collision>
-        </contact>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Sensor>(check)},
   };
 }

@@ -39,57 +39,6 @@ Rule rule() {
           "The controller manager finds no such joint when it starts: it drops the interface, "
           "or does not start at all.",
       .what_to_do = "Name a joint of the robot.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <transmission name="drive">
-    <type>transmission_interface/SimpleTransmission</type>
-    <joint name="«elbo»">
-      <hardwareInterface>EffortJointInterface</hardwareInterface>
-    </joint>
-    <actuator name="motor"/>
-  </transmission>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <transmission name="drive">
-    <type>transmission_interface/SimpleTransmission</type>
-    <joint name="elbow">
-      <hardwareInterface>EffortJointInterface</hardwareInterface>
-    </joint>
-    <actuator name="motor"/>
-  </transmission>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <transmission name="drive">
-    <type>transmission_interface/SimpleTransmission</type>
-    <joint name="elbow">
-      <hardwareInterface>EffortJointInterface</hardwareInterface>
-    </joint>
-    <actuator name="motor"/>
-  </transmission>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

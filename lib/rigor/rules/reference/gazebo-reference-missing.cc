@@ -45,27 +45,6 @@ Rule rule() {
           "Gazebo drops the block without a word: its material, friction, sensors and plugins "
           "are not there.",
       .what_to_do = "Name a link or a joint of the robot, or take the block out.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="«bas»">
-    <mu1>0.2</mu1>
-  </gazebo>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="base">
-    <mu1>0.2</mu1>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="base">
-    <mu1>0.2</mu1>
-  </gazebo>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

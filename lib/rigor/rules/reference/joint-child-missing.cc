@@ -32,39 +32,6 @@ Rule rule() {
           "libsdformat and urdfdom refuse the whole model: a joint without a child moves "
           "nothing.",
       .what_to_do = "Name a link, joint, frame or nested model of the same model.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="fixed">
-      <parent>base</parent>
-      <child>«tipp»</child>
-    </joint>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="fixed">
-      <parent>base</parent>
-      <child>tip</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="fixed">
-      <parent>base</parent>
-      <child>tip</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on_frames({model::FrameProblemKind::kChildMissing}, check)},
   };
 }

@@ -26,26 +26,6 @@ Rule rule() {
           "libsdformat refuses the model: the child is what the joint moves, and the world "
           "does not move.",
       .what_to_do = "Swap the two: the world as parent, the link as child.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <joint name="elbow" type="fixed">
-      <parent>base</parent>
-      <child>«world»</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <joint name="elbow" type="fixed">
-      <parent>world</parent>
-      <child>base</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on_frames({model::FrameProblemKind::kChildIsWorld}, check)},
   };
 }

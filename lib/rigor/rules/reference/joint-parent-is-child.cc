@@ -51,27 +51,6 @@ Rule rule() {
           "check_urdf "
           "does not return.",
       .what_to_do = "Name two links. If the two were meant to be one body, take the joint out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <joint name="elbow" type="fixed">
-      <parent>base</parent>
-      <child>«base»</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="fixed">
-      <parent>base</parent>
-      <child>tip</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on_frames({model::FrameProblemKind::kParentIsChild}, check)},
   };
 }

@@ -54,54 +54,6 @@ Rule rule() {
           "the viewer likes. Gazebo's own material names (Gazebo/Orange) belong into a "
           "<gazebo> block.",
       .what_to_do = "Define the material with a colour, in the visual or once under <robot>.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base">
-    <visual>
-      <geometry><box size="1 1 1"/></geometry>
-      <material name="«blu»"/>
-    </visual>
-  </link>
-  <material name="blue">
-    <color rgba="0 0 1 1"/>
-  </material>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="base">
-    <visual>
-      <geometry><box size="1 1 1"/></geometry>
-      <material name="blue"/>
-    </visual>
-  </link>
-  <material name="blue">
-    <color rgba="0 0 1 1"/>
-  </material>
-</robot>
-)"},
-              {R"(<robot name="arm">
-  <material name="grey">
-    <color/>
-  </material>
-  <link name="base">
-    <visual>
-      <geometry><box size="1 1 1"/></geometry>
-      <material name="«grey»"/>
-    </visual>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base">
-    <visual>
-      <geometry><box size="1 1 1"/></geometry>
-      <material name="blue"/>
-    </visual>
-  </link>
-  <material name="blue">
-    <color rgba="0 0 1 1"/>
-  </material>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -55,57 +55,6 @@ Rule rule() {
           "robot_state_publisher leave the joint where it is, Drake and newer libsdformat "
           "refuse the model.",
       .what_to_do = "Name a joint of the same model.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="«knukle»"/>
-  </joint>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="knuckle"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="knuckle"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -30,34 +30,6 @@ Rule rule() {
           "A position that is computed from itself has no value: newer libsdformat and Drake "
           "refuse it, others leave the joint unmoved or follow the reference for ever.",
       .what_to_do = "Name the joint that leads, or take the mimic out.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="«elbow»"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="knuckle"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

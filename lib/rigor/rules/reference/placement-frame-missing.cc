@@ -30,30 +30,6 @@ Rule rule() {
           "libsdformat refuses the model: its pose is that of the placement frame, which has "
           "none.",
       .what_to_do = "Name a frame, link or joint of the model.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm" placement_frame="«toool»">
-    <pose>1 0 0 0 0 0</pose>
-    <link name="base"/>
-    <frame name="tool"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm" placement_frame="tool">
-    <pose>1 0 0 0 0 0</pose>
-    <link name="base"/>
-    <frame name="tool"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm" placement_frame="tool">
-    <pose>1 0 0 0 0 0</pose>
-    <link name="base"/>
-    <frame name="tool"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_frames({model::FrameProblemKind::kPlacementFrameMissing}, check)},
   };
 }

@@ -75,51 +75,6 @@ Rule rule() {
           "robot_state_publisher publishes the links of the URDF. What comes in an unknown "
           "frame, RViz drops, and navigation waits for, unless something else publishes it.",
       .what_to_do = "Name a link of the robot: mostly the one that carries the sensor.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="camera_link"/>
-  <joint name="mount" type="fixed">
-    <parent link="base"/>
-    <child link="camera_link"/>
-  </joint>
-  <gazebo reference="camera_link">
-    <sensor name="level" type="imu">
-      <update_rate>100</update_rate>
-      <gz_frame_id>«camera_lnk»</gz_frame_id>
-    </sensor>
-  </gazebo>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="base"/>
-  <link name="camera_link"/>
-  <joint name="mount" type="fixed">
-    <parent link="base"/>
-    <child link="camera_link"/>
-  </joint>
-  <gazebo reference="camera_link">
-    <sensor name="level" type="imu">
-      <update_rate>100</update_rate>
-      <gz_frame_id>camera_link</gz_frame_id>
-    </sensor>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="camera_link"/>
-  <joint name="mount" type="fixed">
-    <parent link="base"/>
-    <child link="camera_link"/>
-  </joint>
-  <gazebo reference="camera_link">
-    <sensor name="level" type="imu">
-      <update_rate>100</update_rate>
-      <gz_frame_id>camera_link</gz_frame_id>
-    </sensor>
-  </gazebo>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -46,33 +46,6 @@ Rule rule() {
           "libsdformat, urdfdom and Gazebo look for it in the start tag and pass over the element "
           "without a word: what it says has no effect.",
       .what_to_do = "Write it into the start tag.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <frame name="lid">
-      <«attached_to»>body</attached_to>
-    </frame>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <frame name="lid" attached_to="body">
-    </frame>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <frame name="lid" attached_to="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kAttributeAsElement}, check)},
   };
 }

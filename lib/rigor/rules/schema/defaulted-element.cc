@@ -48,28 +48,6 @@ Rule rule() {
           "The format asks for the element; libsdformat puts in its default without a word. For a "
           "shape's size or a sensor's picture that is rarely what was meant.",
       .what_to_do = "Write the element, if only to say that the default is meant.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry>«<sphere/>»</geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kMissingElement}, check)},
   };
 }

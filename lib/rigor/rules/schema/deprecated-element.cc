@@ -40,28 +40,6 @@ Rule rule() {
       .summary = "an element or attribute is deprecated in this version",
       .why = "It still has its effect, and will lose it in a later version of the format.",
       .what_to_do = "Write what the message names in its place.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 0 1"/>
-    <«joint_properties» damping="0.1"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 0 1"/>
-    <dynamics damping="0.1"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kDeprecated}, check)},
   };
 }

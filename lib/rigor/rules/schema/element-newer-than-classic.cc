@@ -88,29 +88,6 @@ Rule rule() {
       .what_to_do =
           "Write it as SDF 1.7 has it: a cylinder for a capsule, radians for degrees, the parts "
           "themselves for an include that merges. Each name is told once in a file.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <pose «degrees»="true">0 0 0 0 0 90</pose>
-      <collision name="shape">
-        <geometry><«capsule»><radius>1</radius><length>1</length></capsule></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.7">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><cylinder><radius>1</radius><length>1</length></cylinder></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

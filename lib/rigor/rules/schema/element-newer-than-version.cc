@@ -39,56 +39,6 @@ Rule rule() {
           "A reader that goes by the version of the file passes over it; libsdformat goes by the "
           "newest version that it knows, so the effect depends on who reads.",
       .what_to_do = "Raise the version of the file, or write what the older version has.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <inertial «auto»="true">
-        <mass>1</mass>
-        <inertia>
-          <ixx>1</ixx>
-          <iyy>1</iyy>
-          <izz>1</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>1</ixx>
-          <iyy>1</iyy>
-          <izz>1</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.4">
-  <world name="lab">
-    <include>
-      <uri>box</uri>
-      <pose>0 0 9 0 0 0</pose>
-    </include>
-  </world>
-</sdf>
-=== box/model.config
-<model><name>box</name><sdf version="1.4">model.sdf</sdf></model>
-=== box/model.sdf
-<sdf version="1.4">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kNewerThanVersion}, check)},
   };
 }

@@ -58,25 +58,6 @@ Rule rule() {
       .what_to_do =
           "Write out the models of a <population>, and the poses of a <state> into the models. A "
           "road can be a mesh; what grips is a DetachableJoint system.",
-      .bad = {{R"(<sdf version="1.7">
-  <world name="lab">
-    <«road» name="street">
-      <width>3</width>
-      <point>0 0 0</point>
-      <point>9 0 0</point>
-    </road>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.7">
-  <world name="lab">
-    <model name="street">
-      <static>true</static>
-      <link name="body"/>
-    </model>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

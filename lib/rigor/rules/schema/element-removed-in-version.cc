@@ -50,42 +50,6 @@ Rule rule() {
           "libsdformat passes over it without a word: what it says has no effect. Often the "
           "version was raised and the rest of the file was not.",
       .what_to_do = "Write what the version has in its place, or lower the version of the file.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <link name="lid">
-      <pose «frame»="body">0 0 1 0 0 0</pose>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <world name="lab">
-    <light name="lamp" type="point">
-      <diffuse «rgba»="1 0 0 1"/>
-    </light>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <light name="lamp" type="point">
-      <diffuse>1 0 0 1</diffuse>
-    </light>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <link name="lid">
-      <pose relative_to="body">0 0 1 0 0 0</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kRemovedInVersion}, check)},
   };
 }

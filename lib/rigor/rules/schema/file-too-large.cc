@@ -22,13 +22,6 @@ Rule rule() {
           "Reading it would take some twenty times its size in memory; it is not checked. The "
           "largest known world has 3 MB, the bound is 64 MiB.",
       .what_to_do = "Split the file and include its parts; or look whether it is a mesh or a log.",
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_read({read::FactKind::kFileTooLarge}, check)},
   };
 }

@@ -21,13 +21,6 @@ Rule rule() {
       .summary = "a file cannot be read",
       .why = "Nothing is known of it, and no simulator can load it either.",
       .what_to_do = "Look at its permissions, and whether it is a broken link.",
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_read({read::FactKind::kFileUnreadable}, check)},
   };
 }

@@ -98,49 +98,6 @@ Rule rule() {
           "copies every other element as it is into the link, the joint or the model. Gazebo "
           "passes over what SDF does not know there, so a slip in a name is lost without a word.",
       .what_to_do = "Write the name that was meant; letter case counts.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="base">
-    <«selfCollid»>true</selfCollid>
-    <«turngravityoff»>true</turngravityoff>
-  </gazebo>
-  <gazebo>
-    <«statc»>true</statc>
-  </gazebo>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="base">
-    <selfCollide>true</selfCollide>
-    <turnGravityOff>true</turnGravityOff>
-  </gazebo>
-  <gazebo>
-    <static>true</static>
-  </gazebo>
-</robot>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="base">
-    <«mu»>0.3</mu>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="base">
-    <selfCollide>true</selfCollide>
-    <mu1>0.3</mu1>
-    <enable_wind>true</enable_wind>
-    <ours:note>weighed in May</ours:note>
-  </gazebo>
-  <gazebo>
-    <static>true</static>
-    <self_collide>true</self_collide>
-  </gazebo>
-</robot>
-)"}},
       .checks = {on<model::GazeboBlock>(check)},
   };
 }

@@ -56,37 +56,6 @@ Rule rule() {
           "newer libsdformat with a warning, the others without a word: what it says has no "
           "effect.",
       .what_to_do = "Move it to the element that the message names.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <«mass»>3</mass>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="box">
-  <link name="body">
-    <«mass» value="3"/>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <inertial>
-        <mass>3</mass>
-        <inertia>
-          <ixx>1</ixx>
-          <iyy>1</iyy>
-          <izz>1</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kUnknownElement}, check)},
   };
 }

@@ -28,27 +28,6 @@ Rule rule() {
       .summary = "the root element is <gazebo>, as before SDF 1.3",
       .why = "libsdformat refuses the file today: it looks for <sdf>.",
       .what_to_do = "Upgrade the file to a current version.",
-      .bad = {{R"(<«gazebo» version="1.2">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</gazebo>
-)",
-               R"(<sdf version="1.2">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_read({read::FactKind::kOldRoot}, check)},
   };
 }

@@ -143,40 +143,6 @@ Rule rule() {
           "word: half of what the file says has no effect. Where all say the same, nothing is lost "
           "and nothing is said.",
       .what_to_do = "Keep one of them.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <pose>0 0 1 0 0 0</pose>
-    <«pose»>0 0 2 0 0 0</pose>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <pose>0 0 1 0 0 0</pose>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <pose>0 0 1 0 0 0</pose>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <pose>0 0 1 0 0 0</pose>
-    <pose>0 0 1.0 0 -0 0</pose>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kRepeatedElement}, check)},
   };
 }

@@ -1,8 +1,6 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <string>
-
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sdf_newer_than_classic {
@@ -35,20 +33,6 @@ Rule rule() {
           "Write version=\"1.7\" when the file uses nothing newer (element-newer-than-classic "
           "names what is), or keep a file for each simulator and name both in model.config: each "
           "takes the newest that it can read.",
-      .bad = {{R"(<sdf version="«1.9»">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.7">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -55,58 +55,6 @@ Rule rule() {
       .summary = "the root element has no version",
       .why = "libsdformat and Gazebo refuse the file: what it means depends on the version.",
       .what_to_do = "Write the version that the file was made for, as in <sdf version=\"1.9\">.",
-      .bad = {{R"(«<sdf>»
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.12">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-              // The last version that has the element is 1.6.
-              {R"(«<sdf>»
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <use_parent_model_frame>true</use_parent_model_frame>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.6">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <use_parent_model_frame>true</use_parent_model_frame>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_read({read::FactKind::kVersionMissing}, check)},
   };
 }

@@ -28,20 +28,6 @@ Rule rule() {
           "What the version added is not known here, so findings about unknown elements may be "
           "wrong.",
       .what_to_do = "Use a newer rigor; or, if the number is a mistake, correct it.",
-      .bad = {{R"(<sdf version="«1.99»">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_read({read::FactKind::kVersionTooNew}, check)},
   };
 }

@@ -35,20 +35,6 @@ Rule rule() {
           "libsdformat cannot convert the file and reads it as if it were the newest version; "
           "some words make it crash.",
       .what_to_do = "Write a version that exists: 1.0, and 1.2 to 1.12.",
-      .bad = {{R"(<sdf version="«1.1»">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_read({read::FactKind::kVersionUnknown}, check)},
   };
 }

@@ -25,24 +25,6 @@ Rule rule() {
       .summary = "a file has more than one model, actor or light at its top",
       .why = "libsdformat takes the first and reports an error for the rest.",
       .what_to_do = "Put the others into files of their own, or all of them into a <world>.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-  <«model» name="lid">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_read({read::FactKind::kMoreAtTopLevel}, check)},
   };
 }

@@ -102,62 +102,6 @@ Rule rule() {
       .what_to_do =
           "Remove the characters, or make them a comment. Numbers go into the element that is "
           "meant.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">«the box itself»</link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"></link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>5<!-- or -->«6»</radius></sphere></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>«0 1 0»</axis>
-    </joint>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis><xyz>0 1 0</xyz></axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"><!-- the box itself --></link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kLostText}, check)},
   };
 }

@@ -67,56 +67,6 @@ Rule rule() {
       .what_to_do =
           "Write the name that was meant. Elements of your own take a prefix, as <mine:note>, and "
           "are left alone.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <«visul» name="shape"/>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape"/>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="box">
-  <link name="body">
-    <«colission»/>
-  </link>
-</robot>
-)",
-               R"(<robot name="box">
-  <link name="body">
-    <collision/>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <mine:note xmlns:mine="urn:mine">ours</mine:note>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <sensor name="eye" type="imu">
-        <gz_frame_id>eye</gz_frame_id>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kUnknownElement}, check)},
   };
 }

@@ -33,12 +33,6 @@ Rule rule() {
       .what_to_do =
           "Wrap the content in the root element of its format. A <world> or <model> goes into "
           "<sdf version=\"1.9\">.",
-      .bad = {{R"(<«world» name="lab"/>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab"/>
-</sdf>
-)"}},
       .checks = {on_read({read::FactKind::kUnknownRoot}, check)},
   };
 }

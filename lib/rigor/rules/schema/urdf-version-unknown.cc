@@ -26,18 +26,6 @@ Rule rule() {
       .summary = "no such version of URDF exists",
       .why = "urdfdom refuses the robot: it knows 1.0 and, in its newest release, 1.2.",
       .what_to_do = "Write version=\"1.0\", or leave the attribute out.",
-      .bad = {{R"(<robot name="box" version="«2.0»">
-  <link name="body"/>
-</robot>
-)",
-               R"(<robot name="box" version="1.0">
-  <link name="body"/>
-</robot>
-)"}},
-      .good = {{R"(<robot name="box" version="1.0">
-  <link name="body"/>
-</robot>
-)"}},
       .checks = {on_read({read::FactKind::kVersionUnknown}, check)},
   };
 }

@@ -30,30 +30,6 @@ Rule rule() {
           "libsdformat refuses the file; urdfdom drops the material. Parts from 0 to 255 are "
           "written so in other formats.",
       .what_to_do = "Divide the parts by 255.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material><diffuse>«255» 0 0 1</diffuse></material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material><diffuse>1 0 0 1</diffuse></material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
   };
 }

@@ -60,32 +60,6 @@ Rule rule() {
       .summary = "a value is empty, and its default counts",
       .why = "libsdformat takes the default, as if the element were not there.",
       .what_to_do = "Write the value, or remove the element.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <«self_collide»></self_collide>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <self_collide>true</self_collide>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
   };
 }

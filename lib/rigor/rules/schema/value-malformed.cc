@@ -57,45 +57,6 @@ Rule rule() {
           "libsdformat refuses the file. urdfdom refuses the robot, or leaves the link without "
           "the part.",
       .what_to_do = "Write a value of the kind that the message names.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>«wide»</radius></sphere></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <pose>0 0 0 0 0 0 «1»</pose>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <self_collide>«yes»</self_collide>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
   };
 }

@@ -35,36 +35,6 @@ Rule rule() {
           "this part and all that follow are not there. A colour of less than four numbers it "
           "takes for black.",
       .what_to_do = "Write all the numbers, with spaces between them.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><box><size>«1 1»</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="box">
-  <link name="body">
-    <collision>
-      <geometry><box size="«1 1»"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><box><size>1 1 1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
   };
 }

@@ -36,28 +36,6 @@ Rule rule() {
           "urdfdom takes it. A simulator reads a negative effort or velocity limit as none, as "
           "zero, or refuses it; negative damping pushes the joint ever faster.",
       .what_to_do = "Write a number of at least 0.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 0 1"/>
-    <dynamics damping="«-0.1»"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 0 1"/>
-    <dynamics damping="0.1"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kOutOfRange}, check)},
   };
 }

@@ -41,38 +41,6 @@ Rule rule() {
       .what_to_do =
           "Raise the version of the file, so that it says what it needs; where an older reader has "
           "to take it, write what the older version has.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="plane">
-    <static>true</static>
-    <link name="wing">
-      <sensor name="pitot" type="«air_speed»">
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <world name="moon">
-    <spherical_coordinates>
-      <surface_model>«MOON_SCS»</surface_model>
-      <latitude_deg>0</latitude_deg>
-      <longitude_deg>0</longitude_deg>
-      <elevation>0</elevation>
-      <heading_deg>0</heading_deg>
-    </spherical_coordinates>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.10">
-  <model name="plane">
-    <static>true</static>
-    <link name="wing">
-      <sensor name="pitot" type="air_speed">
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check)},
   };
 }

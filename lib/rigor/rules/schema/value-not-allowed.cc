@@ -31,43 +31,6 @@ Rule rule() {
       .why =
           "libsdformat refuses the file. Here the case of letters counts too: Point is not point.",
       .what_to_do = "Write one of the values that the message names.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <light name="lamp" type="«Point»"/>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <light name="lamp" type="point"/>
-    </link>
-  </model>
-</sdf>
-)"},
-              // libsdformat looks with its newest schema, in a file of 1.8 too.
-              {R"(<sdf version="1.8">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <pose rotation_format="«quat»">0 0 0 0 0 0</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <light name="lamp" type="point"/>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check)},
   };
 }

@@ -40,32 +40,6 @@ Rule rule() {
           "and every comparison with it fails from then on. urdfdom refuses both, and numbers in "
           "hexadecimal, and with them the joint, the link or the robot.",
       .what_to_do = "Write a finite number.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <pose>«inf» 0 0 0 0 0</pose>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="«nan»" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <pose>1000 0 0 0 0 0</pose>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
   };
 }

@@ -40,68 +40,6 @@ Rule rule() {
           "libsdformat passes it on as it is; the simulator does not know it and takes its "
           "default, or leaves the feature out.",
       .what_to_do = "Write one of the values that the message names.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="ode">
-      <ode>
-        <solver>
-          <type>«quik»</type>
-        </solver>
-      </ode>
-    </physics>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="ode">
-      <ode>
-        <solver>
-          <type>quick</type>
-        </solver>
-      </ode>
-    </physics>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="ode">
-      <ode>
-        <solver>
-          <type>quick</type>
-        </solver>
-      </ode>
-    </physics>
-  </world>
-</sdf>
-)"},
-               {R"(<sdf version="1.5">
-  <model name="scanner">
-    <static>true</static>
-    <link name="head">
-      <sensor name="laser" type="ray">
-        <ray>
-          <scan>
-            <horizontal>
-              <samples>640</samples>
-              <min_angle>-1</min_angle>
-              <max_angle>1</max_angle>
-            </horizontal>
-          </scan>
-          <range>
-            <min>0.1</min>
-            <max>10</max>
-          </range>
-          <noise>
-            <type>custom</type>
-          </noise>
-        </ray>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check)},
   };
 }

@@ -78,60 +78,6 @@ Rule rule() {
           "so small that they cannot be told from zero. A negative number where none can be wraps "
           "round: a width of -1 is 4294967295.",
       .what_to_do = "Write a number within the bounds that the message names.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <surface>
-          <contact><collide_bitmask>«-1»</collide_bitmask></contact>
-        </surface>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>«90»</horizontal_fov>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>«1e-400»</radius></sphere></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <sensor name="eye" type="camera">
-        <camera>
-          <image>
-            <width>640</width>
-            <height>480</height>
-          </image>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kBadValue, read::SchemaFactKind::kOutOfRange},
                            check)},
   };

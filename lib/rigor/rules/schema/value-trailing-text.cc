@@ -82,55 +82,6 @@ Rule rule() {
           "the rest: 1.5kg is 1.5, 1e is 1. urdfdom refuses the value. Numbers carry no unit: "
           "lengths are metres, angles radians, masses kilograms.",
       .what_to_do = "Write the number alone, in the unit that the format has.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>1.5«m»</radius></sphere></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>1.5</radius></sphere></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <pose>1«,» 2, 3, 0, 0, 0</pose>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <pose>1 2 3 0 0 0</pose>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>1.5</radius></sphere></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
   };
 }

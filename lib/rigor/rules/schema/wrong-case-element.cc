@@ -55,51 +55,6 @@ Rule rule() {
       .what_to_do =
           "Write the name as the message has it. The fix makes effective what had no effect "
           "before, so it is an unsafe one.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <«Light» name="lamp" type="point">
-      </Light >
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <light name="lamp" type="point">
-      </light >
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <frame name="lid" «Attached_To»="body"/>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <frame name="lid" attached_to="body"/>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <light name="lamp" type="point"/>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kWrongCase}, check)},
   };
 }

@@ -39,48 +39,6 @@ Rule rule() {
       .what_to_do =
           "Write the width and height in pixels, as the camera that is meant has them: 640 and "
           "480, or 1920 and 1080.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>1.05</horizontal_fov>
-          <image>
-            <width>«64000»</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>0.1</near>
-            <far>100</far>
-          </clip>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>1.05</horizontal_fov>
-          <image>
-            <width>1920</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>0.1</near>
-            <far>100</far>
-          </clip>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Sensor>(check)},
   };
 }

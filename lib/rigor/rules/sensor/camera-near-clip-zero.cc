@@ -38,69 +38,6 @@ Rule rule() {
       .what_to_do =
           "Write a small distance, such as 0.01 m; the smaller it is, the coarser are the "
           "depths far away.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>1</horizontal_fov>
-          <image>
-            <width>640</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>«0»</near>
-            <far>100</far>
-          </clip>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>1</horizontal_fov>
-          <image>
-            <width>640</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>0.01</near>
-            <far>100</far>
-          </clip>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>1</horizontal_fov>
-          <image>
-            <width>640</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>0.01</near>
-            <far>100</far>
-          </clip>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Sensor>(check)},
   };
 }

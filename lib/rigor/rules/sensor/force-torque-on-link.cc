@@ -1,8 +1,6 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <string>
-
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::force_torque_on_link {
@@ -32,47 +30,6 @@ Rule rule() {
       .what_to_do =
           "Move it into the joint whose load it is to measure; in a URDF, into the <gazebo> "
           "whose reference is the joint.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base">
-      <sensor name="load" type="«force_torque»">
-        <update_rate>100</update_rate>
-      </sensor>
-    </link>
-    <link name="tip"/>
-    <joint name="wrist" type="fixed">
-      <parent>base</parent>
-      <child>tip</child>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="base">
-    <sensor name="load" type="«force_torque»">
-      <update_rate>100</update_rate>
-    </sensor>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base">
-    </link>
-    <link name="tip"/>
-    <joint name="wrist" type="fixed">
-      <parent>base</parent>
-      <child>tip</child>
-      <sensor name="load" type="force_torque">
-        <update_rate>100</update_rate>
-      </sensor>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Sensor>(check)},
   };
 }

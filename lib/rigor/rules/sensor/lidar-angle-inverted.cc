@@ -1,8 +1,6 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <string>
-
 #include <fmt/core.h>
 
 #include <rigor/read/values.h>
@@ -48,75 +46,6 @@ Rule rule() {
           "field of view as well: a scan is drawn mirrored, or nothing is, and what sums up the "
           "steps of a scan message walks the wrong way.",
       .what_to_do = "Write the smaller angle, in radians, as min_angle.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="scanner" type="gpu_lidar">
-        <lidar>
-          <scan>
-            <horizontal>
-              <samples>360</samples>
-              <min_angle>«1.5»</min_angle>
-              <max_angle>-1.5</max_angle>
-            </horizontal>
-          </scan>
-          <range>
-            <min>0.1</min>
-            <max>30</max>
-          </range>
-        </lidar>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="scanner" type="gpu_lidar">
-        <lidar>
-          <scan>
-            <horizontal>
-              <samples>360</samples>
-              <min_angle>-1.5</min_angle>
-              <max_angle>1.5</max_angle>
-            </horizontal>
-          </scan>
-          <range>
-            <min>0.1</min>
-            <max>30</max>
-          </range>
-        </lidar>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="scanner" type="gpu_lidar">
-        <lidar>
-          <scan>
-            <horizontal>
-              <samples>360</samples>
-              <min_angle>-1.5</min_angle>
-              <max_angle>1.5</max_angle>
-            </horizontal>
-          </scan>
-          <range>
-            <min>0.1</min>
-            <max>30</max>
-          </range>
-        </lidar>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Sensor>(check)},
   };
 }

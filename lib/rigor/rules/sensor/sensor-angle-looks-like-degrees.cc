@@ -58,66 +58,6 @@ Rule rule() {
           "These angles are in radians. Taken as such, 80 is thirteen turns: the lidar looks round "
           "more than once, with rays far apart, and the light is no cone.",
       .what_to_do = "Convert the angle to radians: 80° is 1.39626.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="scanner" type="gpu_lidar">
-        <lidar>
-          <scan>
-            <horizontal>
-              <samples>360</samples>
-              <resolution>1</resolution>
-              <min_angle>-1.4</min_angle>
-              <max_angle>«80»</max_angle>
-            </horizontal>
-          </scan>
-          <range>
-            <min>0.1</min>
-            <max>30</max>
-          </range>
-        </lidar>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <world name="lab">
-    <light name="lamp" type="spot">
-      <spot>
-        <inner_angle>«10»</inner_angle>
-        <outer_angle>30</outer_angle>
-        <falloff>1</falloff>
-      </spot>
-    </light>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="scanner" type="gpu_lidar">
-        <lidar>
-          <scan>
-            <horizontal>
-              <samples>360</samples>
-              <resolution>1</resolution>
-              <min_angle>-1.4</min_angle>
-              <max_angle>1.4</max_angle>
-            </horizontal>
-          </scan>
-          <range>
-            <min>0.1</min>
-            <max>30</max>
-          </range>
-        </lidar>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Sensor>(check_sensor), on<model::Light>(check_light)},
   };
 }

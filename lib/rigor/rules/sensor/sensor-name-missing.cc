@@ -27,20 +27,6 @@ Rule rule() {
       .summary = "a sensor in the <gazebo> of a URDF has no name",
       .why = "libsdformat refuses the whole robot: the name is required (error 4).",
       .what_to_do = "Give it a name that no other sensor of the link has.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="base">
-    <«sensor» type="imu"/>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="base">
-    <sensor name="level" type="imu"/>
-  </gazebo>
-</robot>
-)"}},
       .checks = {on<model::Sensor>(check)},
   };
 }

@@ -39,34 +39,6 @@ Rule rule() {
       .summary = "two sensors publish on the same topic",
       .why = "Whoever listens gets the measurements of both, mixed.",
       .what_to_do = "Give each sensor a topic of its own.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="left" type="imu">
-        <topic>imu</topic>
-      </sensor>
-      <sensor name="right" type="imu">
-        <topic>«imu»</topic>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="left" type="imu">
-        <topic>imu/left</topic>
-      </sensor>
-      <sensor name="right" type="imu">
-        <topic>imu/right</topic>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

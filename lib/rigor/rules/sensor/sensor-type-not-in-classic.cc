@@ -53,28 +53,6 @@ Rule rule() {
           "air_pressure are those of gz-sim, and some have another name there, as gpu_lidar for "
           "gpu_ray.",
       .what_to_do = "Write the type that Gazebo classic has, if there is one.",
-      .bad = {{R"(<sdf version="1.7">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="«rgbd_camera»">
-        <camera/>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.7">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="depth">
-        <camera/>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Sensor>(check)},
   };
 }

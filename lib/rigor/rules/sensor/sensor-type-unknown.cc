@@ -98,43 +98,6 @@ Rule rule() {
       .what_to_do =
           "Write one of the types, such as camera, gpu_lidar, imu, contact or "
           "force_torque; type=\"custom\" is for your own.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="«gpu_ladar»">
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="gpu_lidar">
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="head"/>
-  <gazebo reference="head">
-    <sensor name="eye" type="«rangefinder»"/>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="imu">
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check),
                  on<model::Sensor>(check_sensor)},
   };

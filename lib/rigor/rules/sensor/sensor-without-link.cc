@@ -1,8 +1,6 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <string>
-
 #include <rigor/rules/plugin/gazebo_block.h>
 #include <rigor/rules/rule.h>
 
@@ -34,24 +32,6 @@ Rule rule() {
       .what_to_do =
           "Give the <gazebo> the link that carries the sensor: <gazebo "
           "reference=\"camera_link\">.",
-      .bad = {{R"(<robot name="arm">
-  <link name="head"/>
-  <gazebo>
-    <«sensor» name="level" type="imu">
-      <update_rate>100</update_rate>
-    </sensor>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="head"/>
-  <gazebo reference="head">
-    <sensor name="level" type="imu">
-      <update_rate>100</update_rate>
-    </sensor>
-  </gazebo>
-</robot>
-)"}},
       .checks = {on<model::Sensor>(check)},
   };
 }

@@ -1,8 +1,6 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
-
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
@@ -45,40 +43,6 @@ Rule rule() {
           "in a second measures once in each, so less often than it was asked to, and nothing "
           "says so.",
       .what_to_do = "Lower the update_rate, or make the max_step_size of <physics> smaller.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="hall">
-    <physics name="default" type="ode">
-      <max_step_size>0.01</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-    <model name="arm">
-      <static>true</static>
-      <link name="head">
-        <sensor name="level" type="imu">
-          <update_rate>«500»</update_rate>
-        </sensor>
-      </link>
-    </model>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="hall">
-    <physics name="default" type="ode">
-      <max_step_size>0.01</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-    <model name="arm">
-      <static>true</static>
-      <link name="head">
-        <sensor name="level" type="imu">
-          <update_rate>100</update_rate>
-        </sensor>
-      </link>
-    </model>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -32,39 +32,6 @@ Rule rule() {
           "ign sdf -k calls it valid; simulators differ: some never measure, some measure at "
           "every step.",
       .what_to_do = "Write the measurements in one second, or 0 for every step.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="imu">
-        <update_rate>«-5»</update_rate>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="imu">
-        <update_rate>0</update_rate>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="imu">
-        <update_rate>50</update_rate>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Sensor>(check)},
   };
 }

@@ -6,7 +6,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_assertion {
@@ -26,35 +25,6 @@ Rule rule() {
       .summary = "an assertion of the scenario does not hold",
       .why = "The author of the scenario demanded it, and the model does not keep to it.",
       .what_to_do = "Mend the model, or the assertion.",
-      .bad = {{.text = R"(<!-- rigor simulate --scenario go.scenario.toml -->
-<sdf version='1.9'>
-  <model name='crate'>
-    <link name='body'>
-      <pose>0 0 0.2 0 0 0</pose>
-      <inertial>
-        <mass>6</mass>
-        <inertia><ixx>0.04</ixx><iyy>0.04</iyy><izz>0.04</izz></inertia>
-      </inertial>
-      <collision name='c'>
-        <geometry><box><size>0.4 0.4 0.4</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== go.scenario.toml
-schema = 1
-
-[[step]]
-name = "stand"
-until = 0.5
-
-[[assert]]
-name = "it fits under the shelf"
-position = "body"
-axis = "z"
-max = 0.15
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kAssertion}, check)},
   };
 }

@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_axis_zero {
@@ -32,27 +31,6 @@ Rule rule() {
       .summary = "an axis has no direction",
       .why = "A hinge about 0 0 0 turns about nothing; ODE ends the process on it.",
       .what_to_do = "Write the direction that the joint turns about or slides along.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='crane'>
-    <link name='arm'>
-      <pose>0 0 1 0 0 0</pose>
-      <inertial>
-        <pose>0.2 0 0 0 0 0</pose>
-        <mass>1</mass>
-        <inertia><ixx>0.001</ixx><iyy>0.02</iyy><izz>0.02</izz></inertia>
-      </inertial>
-    </link>
-    <joint name='shoulder' type='revolute'>
-      <parent>world</parent>
-      <child>arm</child>
-      <axis>
-        <xyz>«0 0 0»</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kArm}},
       .checks = {on_simulation({simulate::FactKind::kAxisZero}, check)},
   };
 }

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_cause_default_inertia {
@@ -29,18 +28,6 @@ Rule rule() {
           "Nothing was written, so the simulator takes a body of 1 kg whose moments are those of "
           "a ball three metres wide.",
       .what_to_do = "Run `rigor inertia MODEL --write`.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='crate'>
-    <link name='«body»'>
-      <pose>0 0 0.1 0 0 0</pose>
-      <collision name='c'>
-        <geometry><box><size>0.2 0.2 0.2</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kCauseDefaultInertia}, check)},
   };
 }

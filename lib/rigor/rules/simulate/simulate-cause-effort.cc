@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_cause_effort {
@@ -25,29 +24,6 @@ Rule rule() {
       .summary = "a joint's effort limit is below what it carries",
       .why = "At its limit the joint cannot hold the weight that hangs on it.",
       .what_to_do = "Raise `<effort>`, or make what it carries lighter.",
-      .bad = {{.text = R"(<!-- rigor simulate --test hold -->
-<sdf version='1.9'>
-  <model name='crane'>
-    <link name='arm'>
-      <pose>0 0 1 0 0 0</pose>
-      <inertial>
-        <pose>0.2 0 0 0 0 0</pose>
-        <mass>1</mass>
-        <inertia><ixx>0.001</ixx><iyy>0.02</iyy><izz>0.02</izz></inertia>
-      </inertial>
-    </link>
-    <joint name='shoulder' type='revolute'>
-      <parent>world</parent>
-      <child>arm</child>
-      <axis>
-        <xyz>0 1 0</xyz>
-        <«limit»><effort>1</effort></limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kArm}},
       .checks = {on_simulation({simulate::FactKind::kCauseEffort}, check)},
   };
 }

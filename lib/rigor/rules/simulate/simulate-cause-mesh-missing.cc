@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_cause_mesh_missing {
@@ -30,22 +29,6 @@ Rule rule() {
       .what_to_do =
           "Put the files where the URIs lead; `rigor resolve URI` lists every place that was "
           "tried.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='«crate»'>
-    <link name='body'>
-      <pose>0 0 0.1 0 0 0</pose>
-      <inertial>
-        <mass>6</mass>
-        <inertia><ixx>0.04</ixx><iyy>0.04</iyy><izz>0.04</izz></inertia>
-      </inertial>
-      <collision name='c'>
-        <geometry><mesh><uri>crate.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kCauseMeshMissing}, check)},
   };
 }

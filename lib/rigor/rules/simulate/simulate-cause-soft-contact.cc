@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_cause_soft_contact {
@@ -27,23 +26,6 @@ Rule rule() {
           "A simulator that honours `<kp>` lets the model sink by its weight over the stiffness "
           "of its contacts, and wheels stick.",
       .what_to_do = "Raise `<kp>` of the contact, or take it out: the default is as good as rigid.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='crate'>
-    <link name='body'>
-      <pose>0 0 0.1 0 0 0</pose>
-      <inertial>
-        <mass>6</mass>
-        <inertia><ixx>0.04</ixx><iyy>0.04</iyy><izz>0.04</izz></inertia>
-      </inertial>
-      <collision name='c'>
-        <geometry><«box»><size>0.2 0.2 0.2</size></box></geometry>
-        <surface><contact><ode><kp>200</kp></ode></contact></surface>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kCauseSoftContact}, check)},
   };
 }

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_cause_top_heavy {
@@ -25,19 +24,6 @@ Rule rule() {
       .summary = "the centre of mass is high above a narrow stance",
       .why = "The slope that tips it is the ratio of the stance to the height.",
       .what_to_do = "Lower the centre of mass, or widen the stance.",
-      .bad = {{.text = R"(<sdf version='1.11'>
-  <model name='«post»'>
-    <link name='body'>
-      <pose>0 0 0.5 0 0 0</pose>
-      <inertial auto='true'/>
-      <collision name='c'>
-        <geometry><box><size>0.05 0.05 1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kCauseTopHeavy}, check)},
   };
 }

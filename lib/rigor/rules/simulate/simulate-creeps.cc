@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_creeps {
@@ -29,29 +28,6 @@ Rule rule() {
       .what_to_do =
           "Check that what it stands on is symmetric, that wheels are not driven by a spring "
           "or by gravity, and the friction of its contacts.",
-      .bad = {{.text = R"(<sdf version='1.11'>
-  <world name='slope'>
-    <model name='ground'>
-      <static>true</static>
-      <link name='l'>
-        <collision name='c'>
-          <geometry><plane><normal>0.05 0 1</normal></plane></geometry>
-        </collision>
-      </link>
-    </model>
-    <model name='«ball»'>
-      <link name='body'>
-        <pose>0 0 0.1 0 0 0</pose>
-        <inertial auto='true'/>
-        <collision name='c'>
-          <geometry><sphere><radius>0.1</radius></sphere></geometry>
-        </collision>
-      </link>
-    </model>
-  </world>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kCreeps}, check)},
   };
 }

@@ -7,7 +7,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_element_ignored {
@@ -36,23 +35,6 @@ Rule rule() {
           "What the element asks for exists in Gazebo's own engine only, or in none; "
           "docs/simulate.md lists what is honoured, approximated and ignored.",
       .what_to_do = "Nothing, if the behaviour without it is what you want to see.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='crate'>
-    <link name='body'>
-      <pose>0 0 0.1 0 0 0</pose>
-      <inertial>
-        <mass>6</mass>
-        <inertia><ixx>0.04</ixx><iyy>0.04</iyy><izz>0.04</izz></inertia>
-      </inertial>
-      <collision name='c'>
-        <geometry><box><size>0.2 0.2 0.2</size></box></geometry>
-      </collision>
-      <enable_wind>«true»</enable_wind>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation(
           {simulate::FactKind::kElementIgnored, simulate::FactKind::kDampingAsNone}, check)},
   };

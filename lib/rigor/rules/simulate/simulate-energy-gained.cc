@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_energy_gained {
@@ -27,28 +26,6 @@ Rule rule() {
       .what_to_do =
           "Mend what overlaps at the start; give small links their true inertia; use a "
           "smaller time step.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='«crane»'>
-    <link name='arm'>
-      <pose>0 0 1 0 0 0</pose>
-      <inertial>
-        <pose>0.2 0 0 0 0 0</pose>
-        <mass>1</mass>
-        <inertia><ixx>0.001</ixx><iyy>0.02</iyy><izz>0.02</izz></inertia>
-      </inertial>
-    </link>
-    <joint name='shoulder' type='prismatic'>
-      <parent>world</parent>
-      <child>arm</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit><lower>1</lower><upper>2</upper></limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kArm}},
       .checks = {on_simulation({simulate::FactKind::kEnergyGained}, check)},
   };
 }

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_engine_refused {
@@ -26,24 +25,6 @@ Rule rule() {
       .what_to_do =
           "Try another solver (`--solver`) or another step (`--time-step`); look at the "
           "joints and contacts that are active then.",
-      .bad = {{.text = R"(<sdf version='1.11'>
-  <world name='w'>
-    <physics type='ode'>
-      <max_step_size>1e-9</max_step_size>
-    </physics>
-    <model name='crate'>
-      <link name='body'>
-        <pose>0 0 0.1 0 0 0</pose>
-        <inertial auto='true'/>
-        <collision name='c'>
-          <geometry><box><size>0.2 0.2 0.2</size></box></geometry>
-        </collision>
-      </link>
-    </model>
-  </world>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kEngineRefused}, check)},
   };
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_falls_through {
@@ -19,19 +18,6 @@ Rule rule() {
       .summary = "nothing holds the model: it falls",
       .why = "No shape of it touches the ground, so it falls for ever.",
       .what_to_do = "Give the links that should touch the ground a collision.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='«crate»'>
-    <link name='body'>
-      <pose>0 0 0.1 0 0 0</pose>
-      <inertial>
-        <mass>6</mass>
-        <inertia><ixx>0.04</ixx><iyy>0.04</iyy><izz>0.04</izz></inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kFalls}, check)},
   };
 }

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_inertia_impossible {
@@ -27,22 +26,6 @@ Rule rule() {
           "motions that gain energy.",
       .what_to_do =
           "Run `rigor inertia MODEL --diff`: it shows the tensor that the link's shapes have.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='crate'>
-    <link name='body'>
-      <pose>0 0 0.1 0 0 0</pose>
-      <inertial>
-        <mass>6</mass>
-        «<inertia><ixx>0.4</ixx><iyy>0.04</iyy><izz>0.04</izz></inertia>»
-      </inertial>
-      <collision name='c'>
-        <geometry><box><size>0.2 0.2 0.2</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kInertiaImpossible}, check)},
   };
 }

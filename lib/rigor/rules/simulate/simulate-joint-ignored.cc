@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_joint_ignored {
@@ -25,31 +24,6 @@ Rule rule() {
           "as if it were not there.",
       .what_to_do =
           "Give the joint a type and two links; `rigor validate` says what is wrong with it.",
-      .bad = {{.text = R"(<robot name='table'>
-  <link name='base'>
-    <inertial>
-      <mass value='6'/>
-      <inertia ixx='0.04' ixy='0' ixz='0' iyy='0.04' iyz='0' izz='0.04'/>
-    </inertial>
-    <collision>
-      <origin xyz='0 0 0.1'/>
-      <geometry><box size='0.2 0.2 0.2'/></geometry>
-    </collision>
-  </link>
-  <link name='slab'>
-    <inertial>
-      <mass value='6'/>
-      <inertia ixx='0.04' ixy='0' ixz='0' iyy='0.04' iyz='0' izz='0.04'/>
-    </inertial>
-  </link>
-  <joint name='slide' type='«planar»'>
-    <parent link='base'/>
-    <child link='slab'/>
-    <axis xyz='0 0 1'/>
-  </joint>
-</robot>
-)"}},
-      .good = {{.text = kArm}},
       .checks = {on_simulation({simulate::FactKind::kJointIgnored}, check)},
   };
 }

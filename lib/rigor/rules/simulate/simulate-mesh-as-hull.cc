@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_mesh_as_hull {
@@ -28,31 +27,6 @@ Rule rule() {
       .what_to_do =
           "Nothing, where the hull is good enough; else `rigor mesh-check FILE --convex-"
           "pieces 16` makes convex pieces of it.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='wedge'>
-    <link name='body'>
-      <pose>0 0 0.1 0 0 0</pose>
-      <inertial>
-        <mass>6</mass>
-        <inertia><ixx>0.04</ixx><iyy>0.04</iyy><izz>0.04</izz></inertia>
-      </inertial>
-      <collision name='c'>
-        <geometry><«mesh»><uri>wedge.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== wedge.obj
-v -0.1 -0.1 -0.1
-v 0.2 -0.1 -0.1
-v -0.1 0.2 -0.1
-v -0.1 -0.1 0.2
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kMeshAsHull}, check)},
   };
 }

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_mesh_as_primitive {
@@ -29,37 +28,6 @@ Rule rule() {
       .what_to_do =
           "Write the primitive as the collision: `rigor mesh-check FILE --fit best` gives its"
           " size and pose. `--meshes triangles` simulates the mesh as it is.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='crate'>
-    <link name='body'>
-      <pose>0 0 0.1 0 0 0</pose>
-      <inertial>
-        <mass>6</mass>
-        <inertia><ixx>0.04</ixx><iyy>0.04</iyy><izz>0.04</izz></inertia>
-      </inertial>
-      <collision name='c'>
-        <geometry><«mesh»><uri>crate.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== crate.obj
-v -0.1 -0.1 -0.1
-v 0.1 -0.1 -0.1
-v 0.1 0.1 -0.1
-v -0.1 0.1 -0.1
-v -0.1 -0.1 0.1
-v 0.1 -0.1 0.1
-v 0.1 0.1 0.1
-v -0.1 0.1 0.1
-f 4 3 2 1
-f 5 6 7 8
-f 1 2 6 5
-f 2 3 7 6
-f 3 4 8 7
-f 4 1 5 8
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kMeshAsPrimitive}, check)},
   };
 }

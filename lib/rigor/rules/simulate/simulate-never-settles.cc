@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_never_settles {
@@ -26,23 +25,6 @@ Rule rule() {
       .what_to_do =
           "Give joints that swing freely some damping; check inertias with `rigor inertia "
           "MODEL`.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='«ball»'>
-    <link name='body'>
-      <pose>0 0 0.1 0 0 0</pose>
-      <inertial>
-        <pose>0.02 0 0 0 0 0</pose>
-        <mass>6</mass>
-        <inertia><ixx>0.04</ixx><iyy>0.04</iyy><izz>0.04</izz></inertia>
-      </inertial>
-      <collision name='c'>
-        <geometry><sphere><radius>0.1</radius></sphere></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kNeverSettles}, check)},
   };
 }

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_no_mass {
@@ -32,22 +31,6 @@ Rule rule() {
       .what_to_do =
           "Give the link a mass: `rigor inertia MODEL --write` computes it from the link's "
           "shapes.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='crate'>
-    <link name='body'>
-      <pose>0 0 0.1 0 0 0</pose>
-      <inertial>
-        <mass>«0»</mass>
-        <inertia><ixx>0.04</ixx><iyy>0.04</iyy><izz>0.04</izz></inertia>
-      </inertial>
-      <collision name='c'>
-        <geometry><box><size>0.2 0.2 0.2</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kNoMass}, check)},
   };
 }

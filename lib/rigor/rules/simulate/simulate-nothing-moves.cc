@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_nothing_moves {
@@ -23,19 +22,6 @@ Rule rule() {
           "whatever the model's masses and contacts are, they were not looked at.",
       .what_to_do =
           "Simulate a model that moves, or take out `<static>` where it was left by mistake.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='«crate»'>
-    <static>true</static>
-    <link name='body'>
-      <pose>0 0 0.1 0 0 0</pose>
-      <collision name='c'>
-        <geometry><box><size>0.2 0.2 0.2</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kNothingMoves}, check)},
   };
 }

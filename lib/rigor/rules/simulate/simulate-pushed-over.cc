@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_pushed_over {
@@ -24,20 +23,6 @@ Rule rule() {
           "The push is a fifth of the momentum of falling by its own size: a person who bumps"
           " into it.",
       .what_to_do = "Lower the centre of mass, or widen the stance.",
-      .bad = {{.text = R"(<!-- rigor simulate --test push -->
-<sdf version='1.11'>
-  <model name='«post»'>
-    <link name='body'>
-      <pose>0 0 0.5 0 0 0</pose>
-      <inertial auto='true'/>
-      <collision name='c'>
-        <geometry><box><size>0.05 0.05 1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kPushedOver}, check)},
   };
 }

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_restless {
@@ -31,29 +30,6 @@ Rule rule() {
       .what_to_do =
           "Replace mesh collisions of what stands on the ground by primitives, and give small"
           " links their true inertia.",
-      .bad = {{.text = R"(<sdf version='1.11'>
-  <world name='slope'>
-    <model name='ground'>
-      <static>true</static>
-      <link name='l'>
-        <collision name='c'>
-          <geometry><plane><normal>0.05 0 1</normal></plane></geometry>
-        </collision>
-      </link>
-    </model>
-    <model name='ball'>
-      <link name='«body»'>
-        <pose>0 0 0.1 0 0 0</pose>
-        <inertial auto='true'/>
-        <collision name='c'>
-          <geometry><sphere><radius>0.1</radius></sphere></geometry>
-        </collision>
-      </link>
-    </model>
-  </world>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kRestless}, check)},
   };
 }

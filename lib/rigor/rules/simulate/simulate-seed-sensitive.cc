@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_seed_sensitive {
@@ -25,36 +24,6 @@ Rule rule() {
           "The model is chaotic, or the solver does not converge on it: tests of it will be "
           "flaky.",
       .what_to_do = "Give the solver more iterations; look for redundant contacts and mass ratios.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='«pendulum»'>
-    <link name='rod'>
-      <pose>0 0 2 0 0 0</pose>
-      <inertial>
-        <pose>0 0 -0.2 0 0 0</pose>
-        <mass>0.001</mass>
-        <inertia><ixx>1e-5</ixx><iyy>1e-5</iyy><izz>1e-5</izz></inertia>
-      </inertial>
-    </link>
-    <link name='bob'>
-      <pose>0 0 1.6 0 0 0</pose>
-      <inertial>
-        <pose>0 0 -0.2 0 0 0</pose>
-        <mass>1000</mass>
-        <inertia><ixx>10</ixx><iyy>10</iyy><izz>10</izz></inertia>
-      </inertial>
-    </link>
-    <joint name='pivot' type='ball'>
-      <parent>world</parent>
-      <child>rod</child>
-    </joint>
-    <joint name='hinge' type='ball'>
-      <parent>rod</parent>
-      <child>bob</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kSeedSensitive}, check)},
   };
 }

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_self_overlap {
@@ -25,33 +24,6 @@ Rule rule() {
           "When they collide, the engine pushes them apart with all it has: this is what "
           "makes robots explode when they are spawned.",
       .what_to_do = "Move one of them, make a collision smaller, or connect them by a joint.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='crate'>
-    <self_collide>true</self_collide>
-    <link name='body'>
-      <pose>0 0 0.1 0 0 0</pose>
-      <inertial>
-        <mass>6</mass>
-        <inertia><ixx>0.04</ixx><iyy>0.04</iyy><izz>0.04</izz></inertia>
-      </inertial>
-      <collision name='c'>
-        <geometry><box><size>0.2 0.2 0.2</size></box></geometry>
-      </collision>
-    </link>
-    <link name='lid'>
-      <pose>0 0 0.25 0 0 0</pose>
-      <inertial>
-        <mass>6</mass>
-        <inertia><ixx>0.04</ixx><iyy>0.04</iyy><izz>0.04</izz></inertia>
-      </inertial>
-      <collision name='c'>
-        <geometry><«box»><size>0.2 0.2 0.2</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kSelfOverlap}, check)},
   };
 }

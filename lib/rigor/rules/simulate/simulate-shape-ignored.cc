@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_shape_ignored {
@@ -24,25 +23,6 @@ Rule rule() {
       .what_to_do =
           "Use a box, sphere, cylinder, capsule, mesh or plane; for a heightmap a square PNG of "
           "2^n + 1 pixels along a side.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='crate'>
-    <link name='body'>
-      <pose>0 0 0.1 0 0 0</pose>
-      <inertial>
-        <mass>6</mass>
-        <inertia><ixx>0.04</ixx><iyy>0.04</iyy><izz>0.04</izz></inertia>
-      </inertial>
-      <collision name='c'>
-        <geometry><box><size>0.2 0.2 0.2</size></box></geometry>
-      </collision>
-      <collision name='floor'>
-        <geometry><«plane»><normal>0 0 1</normal></plane></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kShapeIgnored}, check)},
   };
 }

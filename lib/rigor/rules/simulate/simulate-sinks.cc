@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_sinks {
@@ -24,22 +23,6 @@ Rule rule() {
       .what_to_do =
           "Check the mass (kg, not g), and lower the `<cfm>` of the world's `<constraints>`; with "
           "`--profile gazebo` raise the contact's `<kp>`.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='crate'>
-    <link name='body'>
-      <pose>0 0 0.1 0 0 0</pose>
-      <inertial>
-        <mass>6000</mass>
-        <inertia><ixx>40</ixx><iyy>40</iyy><izz>40</izz></inertia>
-      </inertial>
-      <collision name='c'>
-        <geometry><«box»><size>0.2 0.2 0.2</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kSinks}, check)},
   };
 }

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_solver_setting {
@@ -31,24 +30,6 @@ Rule rule() {
           "Take it out of `<physics>`, or write a usual one: `<max_step_size>` 0.001 s, `<iters>` "
           "50, "
           "`<sor>` 1.3, `<erp>` 0.2, `<cfm>` 0.",
-      .bad = {{.text = R"(<sdf version='1.11'>
-  <world name='w'>
-    <physics type='ode'>
-      <max_step_size>«0»</max_step_size>
-    </physics>
-    <model name='crate'>
-      <link name='body'>
-        <pose>0 0 0.1 0 0 0</pose>
-        <inertial auto='true'/>
-        <collision name='c'>
-          <geometry><box><size>0.2 0.2 0.2</size></box></geometry>
-        </collision>
-      </link>
-    </model>
-  </world>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kStep}, check)},
   };
 }

@@ -8,7 +8,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_spawned_above {
@@ -37,22 +36,6 @@ Rule rule() {
           "fall. In a world, a model that falls for long is not judged by rest.",
       .what_to_do =
           "Lower the model's or the link's pose by the gap; give a world something to stand on.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='«crate»'>
-    <link name='body'>
-      <pose>0 0 0.5 0 0 0</pose>
-      <inertial>
-        <mass>6</mass>
-        <inertia><ixx>0.04</ixx><iyy>0.04</iyy><izz>0.04</izz></inertia>
-      </inertial>
-      <collision name='c'>
-        <geometry><box><size>0.2 0.2 0.2</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kSpawnedAbove}, check)},
   };
 }

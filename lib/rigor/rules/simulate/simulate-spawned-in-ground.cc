@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_spawned_in_ground {
@@ -24,22 +23,6 @@ Rule rule() {
           "The engine pushes it out: with SDFormat's default of 100 m/s a centimetre becomes "
           "a jump of metres; with Gazebo's own limit it rises slowly and shakes.",
       .what_to_do = "Raise the model's or the link's pose by the depth.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='crate'>
-    <link name='body'>
-      <pose>0 0 0.05 0 0 0</pose>
-      <inertial>
-        <mass>6</mass>
-        <inertia><ixx>0.04</ixx><iyy>0.04</iyy><izz>0.04</izz></inertia>
-      </inertial>
-      <collision name='c'>
-        <geometry><«box»><size>0.2 0.2 0.2</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kSpawnedInGround}, check)},
   };
 }

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_step_sensitive {
@@ -26,36 +25,6 @@ Rule rule() {
           "The model is at the edge of what can be computed with this step: small changes "
           "will break it.",
       .what_to_do = "Use a smaller `<max_step_size>`; look for stiff springs and small inertias.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='«pendulum»'>
-    <link name='rod'>
-      <pose>0 0 2 0 0 0</pose>
-      <inertial>
-        <pose>0 0 -0.2 0 0 0</pose>
-        <mass>0.001</mass>
-        <inertia><ixx>1e-5</ixx><iyy>1e-5</iyy><izz>1e-5</izz></inertia>
-      </inertial>
-    </link>
-    <link name='bob'>
-      <pose>0 0 1.6 0 0 0</pose>
-      <inertial>
-        <pose>0 0 -0.2 0 0 0</pose>
-        <mass>1000</mass>
-        <inertia><ixx>10</ixx><iyy>10</iyy><izz>10</izz></inertia>
-      </inertial>
-    </link>
-    <joint name='pivot' type='ball'>
-      <parent>world</parent>
-      <child>rod</child>
-    </joint>
-    <joint name='hinge' type='ball'>
-      <parent>rod</parent>
-      <child>bob</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kStepSensitive}, check)},
   };
 }

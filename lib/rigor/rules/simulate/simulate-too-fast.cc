@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_too_fast {
@@ -30,28 +29,6 @@ Rule rule() {
       .what_to_do =
           "Look for overlaps at the start (`rigor validate`), and for inertias that are too "
           "small.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='crane'>
-    <link name='«arm»'>
-      <pose>0 0 1 0 0 0</pose>
-      <inertial>
-        <pose>0.2 0 0 0 0 0</pose>
-        <mass>1</mass>
-        <inertia><ixx>0.001</ixx><iyy>0.02</iyy><izz>0.02</izz></inertia>
-      </inertial>
-    </link>
-    <joint name='shoulder' type='revolute'>
-      <parent>world</parent>
-      <child>arm</child>
-      <axis>
-        <xyz>0 1 0</xyz>
-        <limit><lower>0.5</lower><upper>1</upper></limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kArm}},
       .checks = {on_simulation({simulate::FactKind::kTooFast}, check)},
   };
 }

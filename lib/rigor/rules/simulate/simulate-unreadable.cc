@@ -4,7 +4,6 @@
 #include <string>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/simulate/sample.h>
 #include <rigor/rules/simulate/told.h>
 
 namespace rigor::rules::simulate_unreadable {
@@ -41,27 +40,6 @@ Rule rule() {
       .what_to_do =
           "Run `rigor validate` on the file: it says which reference is wrong and where it "
           "was looked for.",
-      .bad = {{.text = R"(<sdf version='1.9'>
-  <model name='crate'>
-    <link name='body'>
-      <pose>0 0 0.1 0 0 0</pose>
-      <inertial>
-        <mass>6</mass>
-        <inertia><ixx>0.04</ixx><iyy>0.04</iyy><izz>0.04</izz></inertia>
-      </inertial>
-      <collision name='c'>
-        <geometry><box><size>0.2 0.2 0.2</size></box></geometry>
-      </collision>
-    </link>
-    <joint name='j' type='revolute'>
-      <parent>body</parent>
-      <child>«arm»</child>
-      <axis><xyz>0 0 1</xyz></axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{.text = kStandingBox}},
       .checks = {on_simulation({simulate::FactKind::kUnreadable}, check)},
   };
 }

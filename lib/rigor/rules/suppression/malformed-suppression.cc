@@ -57,36 +57,6 @@ Rule rule() {
       .what_to_do =
           "Write `<!-- rigor: ignore[rule, category] why -->` before the element that it is for, "
           "`ignore-next[…]` for its start tag alone, or `file-ignore[…]` before the root.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <!-- rigor: «ignroe»[unknown-element] -->
-    <launcher/>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <!-- rigor: «ignore» this link -->
-    <link name="body"/>
-    <!-- rigor: ignore[«all»] -->
-    <launcher/>
-    <!-- rigor: «file-ignore»[unknown-element] -->
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<!-- rigor checks this file: the launcher is ours -->
-<!-- rigor: file-ignore[unknown-element] read by our launcher -->
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <launcher/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_suppression({Kind::kMalformed, Kind::kNoNames, Kind::kUnclosedList,
                                  Kind::kEveryRule, Kind::kMisplaced},
                                 check)},

@@ -35,24 +35,6 @@ Rule rule() {
       .summary = "a comment suppresses a rule that does not exist",
       .why = "The name is misspelt, or its rule is gone: the comment has no effect.",
       .what_to_do = "Write the name as `rigor rules` lists it, or remove it.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <!-- rigor: ignore[«unknown-elemnt»] read by our launcher -->
-    <launcher/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <!-- rigor: ignore[unknown-element] read by our launcher -->
-    <launcher/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_suppression({SuppressionFactKind::kUnknownRule}, check)},
   };
 }

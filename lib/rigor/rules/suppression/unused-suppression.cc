@@ -42,63 +42,6 @@ Rule rule() {
           "Remove the name, or the comment when it was the only one. An `ignore` covers the "
           "element "
           "that follows it among its siblings: move it if it was meant for another.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <!-- rigor: ignore[«axis-zero»] the motor is chosen later -->
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <!-- rigor: ignore[«axis-zero», unknown-element, «pose-looks-like-degrees»] read by our launcher -->
-    <launcher/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <!-- rigor: ignore[unknown-element] read by our launcher -->
-    <launcher/>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    «<!-- rigor: ignore[axis-zero] -->»
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <!-- rigor: ignore[unknown-element] read by our launcher -->
-    <launcher/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_suppression({SuppressionFactKind::kUnused, SuppressionFactKind::kNoElement},
                                 check)},
   };

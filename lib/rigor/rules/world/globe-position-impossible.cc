@@ -59,42 +59,6 @@ Rule rule() {
           "degrees.",
       .what_to_do =
           "Write degrees north (at most 90) in latitude_deg and degrees east in longitude_deg.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="harbour">
-    <spherical_coordinates>
-      <surface_model>EARTH_WGS84</surface_model>
-      <latitude_deg>«151.2»</latitude_deg>
-      <longitude_deg>-33.7</longitude_deg>
-      <elevation>0</elevation>
-      <heading_deg>0</heading_deg>
-    </spherical_coordinates>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="harbour">
-    <spherical_coordinates>
-      <surface_model>EARTH_WGS84</surface_model>
-      <latitude_deg>-33.7</latitude_deg>
-      <longitude_deg>151.2</longitude_deg>
-      <elevation>0</elevation>
-      <heading_deg>0</heading_deg>
-    </spherical_coordinates>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="harbour">
-    <spherical_coordinates>
-      <surface_model>EARTH_WGS84</surface_model>
-      <latitude_deg>-33.7</latitude_deg>
-      <longitude_deg>151.2</longitude_deg>
-      <elevation>0</elevation>
-      <heading_deg>0</heading_deg>
-    </spherical_coordinates>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::World>(check)},
   };
 }

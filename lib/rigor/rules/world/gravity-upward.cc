@@ -44,30 +44,6 @@ Rule rule() {
           "The world's z axis points up, against gravity. With the sign forgotten everything that "
           "is not static leaves the ground at the first step, in every simulator.",
       .what_to_do = "Write the vector with a minus sign: 0 0 -9.8.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <gravity>«0 0 9.8»</gravity>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <gravity>0 0 -9.8</gravity>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <gravity>0 0 -9.8</gravity>
-  </world>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <world name="orbit">
-    <gravity>0 0 0</gravity>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::World>(check)},
   };
 }

@@ -34,30 +34,6 @@ Rule rule() {
           "becomes "
           "nan: the scene is dark, or lit from anywhere.",
       .what_to_do = "Write the direction in the light's own frame; 0 0 -1 is down.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <light name="sun" type="directional">
-      <direction>«0 0 0»</direction>
-    </light>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <light name="sun" type="directional">
-      <direction>0 0 -1</direction>
-    </light>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <light name="bulb" type="point">
-      <direction>0 0 0</direction>
-    </light>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Light>(check)},
   };
 }

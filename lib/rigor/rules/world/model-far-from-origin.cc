@@ -43,24 +43,6 @@ Rule rule() {
       .what_to_do =
           "Put the model back where it belongs. A world on the globe has its place in "
           "<spherical_coordinates>, and its models near 0 0 0.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="shop">
-    <model name="book">
-      <pose>«1.17 1.19 343582.7 0 0 0»</pose>
-      <link name="body"/>
-    </model>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="field">
-    <model name="mast">
-      <pose>900 -1200 0 0 0 0</pose>
-      <link name="body"/>
-    </model>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Model>(check), on<model::Include>(check)},
   };
 }

@@ -43,45 +43,6 @@ Rule rule() {
           "libsdformat takes the "
           "first that says so; what the others say has no effect.",
       .what_to_do = "Leave default=\"true\" with the one that is meant.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fine" type="ode" default="true">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-    <physics name="coarse" type="ode" default="«true»">
-      <max_step_size>0.004</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fine" type="ode" default="true">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-    <physics name="coarse" type="ode">
-      <max_step_size>0.004</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fine" type="ode" default="true">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-    <physics name="coarse" type="ode">
-      <max_step_size>0.004</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Physics>(check)},
   };
 }

@@ -33,33 +33,6 @@ Rule rule() {
           "Gazebo Sim makes "
           "the pause between steps of it, and a negative one is no pause that anybody meant.",
       .what_to_do = "Write 1 for real time, 0.5 for half of it, 0 for as fast as can be.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="ode">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>«-1»</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="ode">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="ode">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>0</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Physics>(check)},
   };
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
-#include <set>
 #include <string>
 #include <string_view>
 
@@ -153,61 +152,6 @@ Rule rule() {
           "Add the system's <plugin> to the world. Where the launch file or a server.config of "
           "your own "
           "loads it, ignore the rule.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>
-    <model name="robot">
-      <link name="body">
-        <«sensor» name="balance" type="imu">
-          <update_rate>100</update_rate>
-        </sensor>
-      </link>
-    </model>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>
-    <plugin filename="gz-sim-imu-system" name="gz::sim::systems::Imu"/>
-    <model name="robot">
-      <link name="body">
-        <sensor name="balance" type="imu">
-          <update_rate>100</update_rate>
-        </sensor>
-      </link>
-    </model>
-  </world>
-</sdf>
-)"}},
-      .good = {{
-                   R"(<sdf version="1.9">
-  <world name="lab">
-    <plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>
-    <plugin filename="gz-sim-imu-system" name="gz::sim::systems::Imu"/>
-    <model name="robot">
-      <link name="body">
-        <sensor name="balance" type="imu">
-          <update_rate>100</update_rate>
-        </sensor>
-      </link>
-    </model>
-  </world>
-</sdf>
-)",
-               },
-               {R"(<sdf version="1.6">
-  <world name="classic">
-    <model name="robot">
-      <link name="body">
-        <sensor name="balance" type="imu">
-          <update_rate>100</update_rate>
-        </sensor>
-      </link>
-    </model>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::World>(check)},
   };
 }

@@ -42,42 +42,6 @@ Rule rule() {
           "inner one "
           "outside, the fading runs the wrong way: the light has a hard edge, or a dark middle.",
       .what_to_do = "Swap the two; both are in radians.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <light name="lamp" type="spot">
-      <spot>
-        <inner_angle>«0.9»</inner_angle>
-        <outer_angle>0.5</outer_angle>
-        <falloff>1</falloff>
-      </spot>
-    </light>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <light name="lamp" type="spot">
-      <spot>
-        <inner_angle>0.5</inner_angle>
-        <outer_angle>0.9</outer_angle>
-        <falloff>1</falloff>
-      </spot>
-    </light>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <light name="lamp" type="spot">
-      <spot>
-        <inner_angle>0.5</inner_angle>
-        <outer_angle>0.9</outer_angle>
-        <falloff>1</falloff>
-      </spot>
-    </light>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Light>(check)},
   };
 }

@@ -1,7 +1,6 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
 #include <set>
 #include <string>
 #include <string_view>
@@ -66,51 +65,6 @@ Rule rule() {
           "its state: "
           "it has no effect, and the renamed one begins elsewhere than it was saved.",
       .what_to_do = "Give the state the model's new name, or take it out.",
-      .bad = {{R"(<sdf version="1.6">
-  <world name="lab">
-    <model name="table">
-      <static>true</static>
-      <link name="body"/>
-    </model>
-    <state world_name="lab">
-      <model name="table">
-        <pose>1 0 0 0 0 0</pose>
-      </model>
-      <model name="«desk»">
-        <pose>2 0 0 0 0 0</pose>
-      </model>
-    </state>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.6">
-  <world name="lab">
-    <model name="table">
-      <static>true</static>
-      <link name="body"/>
-    </model>
-    <state world_name="lab">
-      <model name="table">
-        <pose>1 0 0 0 0 0</pose>
-      </model>
-    </state>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.6">
-  <world name="lab">
-    <model name="table">
-      <static>true</static>
-      <link name="body"/>
-    </model>
-    <state world_name="lab">
-      <model name="table">
-        <pose>1 0 0 0 0 0</pose>
-      </model>
-    </state>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::World>(check)},
   };
 }

@@ -51,33 +51,6 @@ Rule rule() {
           "number is "
           "in seconds; 1 is mostly a millisecond.",
       .what_to_do = "Write 0.001, or at most 0.005 where contacts matter.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="ode">
-      <max_step_size>«1»</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="ode">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="sea">
-    <physics name="slow" type="ode">
-      <max_step_size>0.02</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Physics>(check)},
   };
 }

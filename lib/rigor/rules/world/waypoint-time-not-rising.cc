@@ -54,34 +54,6 @@ Rule rule() {
           "Gazebo sorts waypoints by their time, so the actor takes another way than the file "
           "shows; of two with one time it takes the last.",
       .what_to_do = "Write times that rise, in seconds since the script started.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <actor name="guard">
-      <script>
-        <trajectory id="0" type="walk">
-          <waypoint><time>0</time><pose>0 0 0 0 0 0</pose></waypoint>
-          <waypoint><time>4</time><pose>4 0 0 0 0 0</pose></waypoint>
-          <waypoint><time>«3»</time><pose>4 4 0 0 0 0</pose></waypoint>
-        </trajectory>
-      </script>
-    </actor>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <actor name="guard">
-      <script>
-        <trajectory id="0" type="walk">
-          <waypoint><time>0</time><pose>0 0 0 0 0 0</pose></waypoint>
-          <waypoint><time>4</time><pose>4 0 0 0 0 0</pose></waypoint>
-          <waypoint><time>8</time><pose>4 4 0 0 0 0</pose></waypoint>
-        </trajectory>
-      </script>
-    </actor>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

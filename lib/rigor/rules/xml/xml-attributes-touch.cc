@@ -25,33 +25,6 @@ Rule rule() {
       .summary = "no space stands between two attributes",
       .why = "tinyxml2 (libsdformat, Gazebo, urdfdom) takes it; strict parsers refuse the file.",
       .what_to_do = "Put a space between them.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <light name="lamp"«type="point"»/>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <light name="lamp" type="point"/>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <light name="lamp" type="point"/>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kNoSpaceBetween}, check)},
   };
 }

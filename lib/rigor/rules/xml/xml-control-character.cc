@@ -46,17 +46,6 @@ Rule rule() {
           "XML forbids them. tinyxml2 (libsdformat, Gazebo, urdfdom) takes all but zero bytes; "
           "strict parsers refuse the file.",
       .what_to_do = "Remove the character; it cannot be seen in most editors.",
-      .bad = {{"<!-- a box«\x1B» -->\n<sdf version=\"1.9\">\n  <model name=\"box\">\n    <link "
-               "name=\"body\"/>\n  </model>\n</sdf>\n",
-               "<!-- a box -->\n<sdf version=\"1.9\">\n  <model name=\"box\">\n    <link "
-               "name=\"body\"/>\n  </model>\n</sdf>\n"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kControlCharacter}, check)},
   };
 }

@@ -27,40 +27,6 @@ Rule rule() {
       .what_to_do =
           "Write <?xml version=\"1.0\"?>, with an encoding behind the version if you like, or "
           "remove it: XML without one is UTF-8 already.",
-      .bad = {{R"(«<?xml verison="1.0"?>»
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<?xml version="1.0"?>
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-              {R"(«<?xml encoding="utf-8" version="1.0"?>»
-<robot name="box">
-  <link name="body"/>
-</robot>
-)",
-               R"(<?xml version="1.0"?>
-<robot name="box">
-  <link name="body"/>
-</robot>
-)"}},
-      .good = {{R"(<?xml version='1.0' encoding="UTF-8" standalone = "yes" ?>
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kBadDeclaration}, check)},
   };
 }

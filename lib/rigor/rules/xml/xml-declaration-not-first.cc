@@ -47,40 +47,6 @@ Rule rule() {
       .what_to_do =
           "Move the declaration to the first line, or remove it: XML without one is UTF-8 "
           "already.",
-      .bad = {{R"(
-«<?xml version="1.0"?>»
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<?xml version="1.0"?>
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-              {R"(<!-- a box -->
-«<?xml version="1.0"?>»
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<?xml version="1.0"?>
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kDeclarationNotFirst}, check)},
   };
 }

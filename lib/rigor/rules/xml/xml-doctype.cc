@@ -31,28 +31,6 @@ Rule rule() {
           "Neither SDF nor URDF has one. tinyxml2 (libsdformat, Gazebo, urdfdom) passes over it, "
           "so that an entity which it defines is never replaced.",
       .what_to_do = "Remove it, and write out the entities that it defines.",
-      .bad = {{R"(«<!DOCTYPE sdf>»
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kDoctype}, check)},
   };
 }

@@ -55,54 +55,6 @@ Rule rule() {
           "tinyxml2 (libsdformat, Gazebo, urdfdom) takes it; strict parsers, Python's among them, "
           "refuse the whole file, and with them the ROS tools that are written in Python.",
       .what_to_do = "Write another line of characters, as in <!-- ===== wheels ===== -->.",
-      .bad = {{R"(<!-- a box «--» with a lid -->
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<!-- a box == with a lid -->
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <!--«--» wheels --- -->
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <!--== wheels === -->
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-              {R"(<!-- started with «--»verbose -->
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<!-- a box == with a lid -->
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kHyphensInComment}, check)},
   };
 }

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include <rigor/read/values.h>
@@ -53,34 +52,6 @@ Rule rule() {
           "tinyxml2, which libsdformat, Gazebo and urdfdom read with, refuses the file at this "
           "tag.",
       .what_to_do = "Keep one of the two.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body" «name»="body"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body" «name»="lid"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kDuplicateAttribute}, check)},
   };
 }

@@ -23,15 +23,6 @@ Rule rule() {
           "libsdformat, Gazebo and urdfdom find nothing to load and refuse it. Often a generator "
           "failed and left an empty file behind.",
       .what_to_do = "Write the model, or remove the file.",
-      .bad = {{R"(«»<!-- a model is going to stand here -->
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kEmpty}, check)},
   };
 }

@@ -101,45 +101,6 @@ Rule rule() {
           "a word, so that links and joints are missing, and read '${…}' as text where a number "
           "is due.",
       .what_to_do = "Run xacro and check what it writes, or name the file .xacro.",
-      .bad =
-          {{R"(<robot name="box" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <«xacro:property» name="size" value="1"/>
-  <link name="body"/>
-</robot>
-)"},
-           {R"(<robot name="box">
-  <link name="body">
-    <collision>
-      <geometry><box size="«${size} 1 1»"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"},
-           // What follows from it is not told: parts that are missing, names and files not found.
-           {R"(<robot name="box">
-  <link name="body">
-    <inertial>
-      <«xacro:cuboid_inertia»/>
-    </inertial>
-    <visual>
-      <geometry><mesh filename="$(find boxes)/box.stl"/></geometry>
-    </visual>
-  </link>
-  <link name="lid"/>
-  <joint name="hinge" type="revolute">
-    <xacro:insert_block name="ends"/>
-    <mimic joint="${prefix}hinge"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="box">
-  <link name="body">
-    <collision>
-      <geometry><box size="1 1 1"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

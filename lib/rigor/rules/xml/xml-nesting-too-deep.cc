@@ -28,24 +28,6 @@ Rule rule() {
           "tinyxml2, which libsdformat, Gazebo and urdfdom read with, gives up at the 100th "
           "level, so that a hostile file cannot exhaust its stack. Real models have about 15.",
       .what_to_do = "Nest models through <include>, or look for the generator that repeats itself.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <plugin name="p" filename="p">
-      <a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a>
-      <a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a>
-      <a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a>
-      <a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a>
-      «<a»>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kTooDeep}, check)},
   };
 }

@@ -66,32 +66,6 @@ Rule rule() {
           "or a Windows code page. A declaration that names UTF-16 in a file of single bytes they "
           "refuse as well.",
       .what_to_do = "Save the file as UTF-8.",
-      .bad = {{"<!-- gr«\xFC»n -->\n<sdf version=\"1.9\">\n  <model name=\"box\">\n    <link "
-               "name=\"body\"/>\n  </model>\n</sdf>\n"},
-              {R"(<?xml version="1.0" encoding="«UTF-16»"?>
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<?xml version="1.0" encoding="UTF-8"?>
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<!-- grün -->
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kNotUtf8}, check), on<model::Root>(check_declaration)},
   };
 }

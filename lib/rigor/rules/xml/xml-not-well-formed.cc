@@ -63,43 +63,6 @@ Rule rule() {
           "at this place. What stands behind it is not checked.",
       .what_to_do =
           "Put the tag right that the message names; the place where it was opened is shown too.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <link name="body">
-  «</model>»
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <link «name»/>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    «<» 3 links -->
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <link name="body"/>
-  </model>
-«»)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-«that is all»)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({Kind::kBadTag, Kind::kBadAttribute, Kind::kUnclosedValue,
                          Kind::kUnclosedTag, Kind::kUnclosedMarkup, Kind::kMismatchedEnd,
                          Kind::kUnexpectedEnd, Kind::kUnclosedElement, Kind::kRefused},

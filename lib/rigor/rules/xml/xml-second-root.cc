@@ -29,21 +29,6 @@ Rule rule() {
           "over the rest without a word; strict parsers refuse the file.",
       .what_to_do =
           "Put what belongs together into one root element, and the rest into files of its own.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-<«sdf» version="1.9"/>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kSecondRoot}, check)},
   };
 }

@@ -29,28 +29,6 @@ Rule rule() {
           "tinyxml2 (libsdformat, Gazebo, urdfdom) drops them; strict parsers refuse the file. "
           "Behind the root element tinyxml2 refuses them too, and the file is not well-formed.",
       .what_to_do = "Remove the characters, or make them a comment.",
-      .bad = {{R"(«a box»<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<!-- a box -->
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kTextOutsideRoot}, check)},
   };
 }

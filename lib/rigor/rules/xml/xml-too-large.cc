@@ -30,13 +30,6 @@ Rule rule() {
           "stands behind this place is not checked.",
       .what_to_do =
           "Split the file and include its parts, or look for the generator that repeats itself.",
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kTooMany}, check)},
   };
 }

@@ -28,24 +28,6 @@ Rule rule() {
           "written in Python.",
       .what_to_do =
           "Declare the prefix in the root element, as xmlns:gz=\"http://gazebosim.org/schema\".",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <«gz»:colour>red</gz:colour>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9" xmlns:gz="http://gazebosim.org/schema">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <gz:colour>red</gz:colour>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kUnboundPrefix}, check)},
   };
 }

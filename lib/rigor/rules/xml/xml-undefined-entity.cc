@@ -45,41 +45,6 @@ Rule rule() {
       .what_to_do =
           "Write &amp; for the character '&'; what an entity was meant to stand for is written "
           "out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="nuts «&» bolts"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="nuts &amp; bolts"/>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="lid«&eacute;»"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="lid&amp;eacute;"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="nuts &amp; bolts"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kUndefinedEntity}, check)},
   };
 }

@@ -29,14 +29,6 @@ Rule rule() {
           "refuses the file, whatever its declaration says. Windows tools write UTF-16 where they "
           "are not told otherwise.",
       .what_to_do = "Save the file as UTF-8.",
-      .bad = {{"«\xFF\xFE»<\0s\0d\0f\0/\0>\0"sv}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kUtf16}, check)},
   };
 }
