@@ -14,7 +14,7 @@
 
 #include <rigor/convert/documents.h>
 #include <rigor/convert/sdf_to_urdf.h>
-#include <rigor/convert/urdf_robot.h>
+#include <rigor/convert/urdf/robot.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>
 #include <rigor/read/resolver.h>

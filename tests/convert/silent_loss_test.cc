@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/convert/sdf_robot.h>
+#include <rigor/convert/sdf/robot.h>
 #include <rigor/convert/urdf_to_sdf.h>
 
 #include "convert/converted.h"

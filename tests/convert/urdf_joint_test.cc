@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/convert/urdf_joint.h>
+#include <rigor/convert/urdf/joint.h>
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include <rigor/convert/urdf_robot.h>
+#include <rigor/convert/urdf/robot.h>
 #include <rigor/model/frames.h>
 
 #include "convert/converted.h"

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/convert/urdf_draft.h>
+#include <rigor/convert/urdf/draft.h>
 #include <rigor/environment.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>

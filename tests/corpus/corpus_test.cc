@@ -23,7 +23,7 @@
 
 #include <rigor/environment.h>
 #include <rigor/read/load.h>
-#include <rigor/report/inspect.h>
+#include <rigor/report/inspect/inspect.h>
 #include <rigor/rules/validate.h>
 
 #include "support/corpus.h"

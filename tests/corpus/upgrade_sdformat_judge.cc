@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include <rigor/author/upgrade.h>
+#include <rigor/author/upgrade/upgrade.h>
 #include <rigor/environment.h>
 #include <rigor/read/load.h>
 

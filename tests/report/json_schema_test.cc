@@ -16,7 +16,7 @@
 
 #include <report/found.h>
 #include <rigor/environment.h>
-#include <rigor/report/json.h>
+#include <rigor/report/json/json.h>
 #include <rigor/report/jsonl.h>
 #include <support/corpus.h>
 

@@ -12,7 +12,7 @@
 
 #include <report/found.h>
 #include <rigor/environment.h>
-#include <rigor/report/json.h>
+#include <rigor/report/json/json.h>
 
 namespace rigor::report {
 namespace {

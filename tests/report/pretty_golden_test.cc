@@ -12,7 +12,7 @@
 #include <string>
 
 #include <rigor/environment.h>
-#include <rigor/report/pretty.h>
+#include <rigor/report/terminal/pretty.h>
 #include <rigor/rules/validate.h>
 
 #include "support/corpus.h"

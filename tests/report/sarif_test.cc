@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/report/sarif.h>
+#include <rigor/report/sarif/sarif.h>
 
 #include <algorithm>
 #include <set>

@@ -18,7 +18,7 @@
 #include <gtest/gtest.h>
 
 #include <rigor/environment.h>
-#include <rigor/mass/mesh_facts.h>
+#include <rigor/mass/mesh/facts.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>

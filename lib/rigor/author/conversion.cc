@@ -14,7 +14,7 @@
 #include <rigor/convert/robot.h>
 #include <rigor/convert/robot_lookups.h>
 #include <rigor/convert/urdfdom.h>
-#include <rigor/mass/mesh_survey.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/rules/mesh_finder.h>
 #include <rigor/rules/runner.h>
 #include <rigor/rules/suppression.h>

@@ -9,7 +9,7 @@
 #include <initializer_list>
 
 #include <rigor/convert/documents.h>
-#include <rigor/convert/urdf_robot.h>
+#include <rigor/convert/urdf/robot.h>
 #include <rigor/model/field.h>
 #include <rigor/model/model.h>
 #include <rigor/model/pose.h>

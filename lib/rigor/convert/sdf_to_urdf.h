@@ -22,7 +22,7 @@
 
 #include <rigor/convert/documents.h>
 #include <rigor/convert/ledger.h>
-#include <rigor/convert/urdf_robot.h>
+#include <rigor/convert/urdf/robot.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
 #include <rigor/read/resolver.h>

@@ -14,7 +14,7 @@
 #include <utility>
 #include <variant>
 
-#include <rigor/convert/urdf_draft.h>
+#include <rigor/convert/urdf/draft.h>
 #include <rigor/read/values.h>
 #include <rigor/schema/value.h>
 #include <rigor/write/numbers.h>

@@ -7,7 +7,7 @@
 //   if (body.complete()) MassProperties water = of_densities(body, 1000);
 //
 // Each shape is a solid of even density; a mesh is what it encloses, or its convex hull when it is no
-// solid (mesh_survey.h). Shapes that overlap count twice, as they do for libsdformat and MuJoCo;
+// solid (mass/mesh/survey.h). Shapes that overlap count twice, as they do for libsdformat and MuJoCo;
 // `overlaps_in` names them.
 
 #pragma once
@@ -19,7 +19,7 @@
 #include <vector>
 
 #include <rigor/mass/mass_properties.h>
-#include <rigor/mass/mesh_survey.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/mass/overlap.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>

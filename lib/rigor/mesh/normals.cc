@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <rigor/mesh/groups.h>
-#include <rigor/mesh/weld.h>
+#include <rigor/mesh/topology/groups.h>
+#include <rigor/mesh/topology/weld.h>
 
 namespace rigor::mesh {
 namespace {

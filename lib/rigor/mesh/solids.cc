@@ -8,11 +8,11 @@
 #include <cstdint>
 #include <utility>
 
-#include <rigor/mesh/edge_balance.h>
-#include <rigor/mesh/groups.h>
-#include <rigor/mesh/principal_axes.h>
-#include <rigor/mesh/rings.h>
-#include <rigor/mesh/weld.h>
+#include <rigor/mesh/primitive/principal_axes.h>
+#include <rigor/mesh/topology/edge_balance.h>
+#include <rigor/mesh/topology/groups.h>
+#include <rigor/mesh/topology/rings.h>
+#include <rigor/mesh/topology/weld.h>
 
 namespace rigor::mesh {
 namespace {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include <rigor/environment.h>
-#include <rigor/mass/mesh_facts.h>
+#include <rigor/mass/mesh/facts.h>
 #include <rigor/model/pose.h>
 #include <rigor/read/discover.h>
 #include <rigor/rules/validate.h>

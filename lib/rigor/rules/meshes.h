@@ -5,8 +5,8 @@
 
 #pragma once
 
-#include <rigor/mass/mesh_facts.h>
-#include <rigor/mass/mesh_survey.h>
+#include <rigor/mass/mesh/facts.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/text/turns.h>
 
 namespace rigor::rules {

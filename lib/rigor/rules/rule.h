@@ -29,7 +29,7 @@
 #include <vector>
 
 #include <rigor/convert/note.h>
-#include <rigor/mass/mesh_facts.h>
+#include <rigor/mass/mesh/facts.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
 #include <rigor/read/conformance.h>

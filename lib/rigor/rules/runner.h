@@ -16,7 +16,7 @@
 
 #include <rigor/convert/note.h>
 #include <rigor/environment.h>
-#include <rigor/mass/mesh_facts.h>
+#include <rigor/mass/mesh/facts.h>
 #include <rigor/read/load.h>
 #include <rigor/rules/compat.h>
 #include <rigor/rules/meshes.h>

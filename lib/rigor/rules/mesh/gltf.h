@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include <rigor/mesh/asset.h>
+#include <rigor/mesh/asset/asset.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules {
