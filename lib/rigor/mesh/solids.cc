@@ -10,9 +10,9 @@
 
 #include <rigor/mesh/primitive/principal_axes.h>
 #include <rigor/mesh/topology/edge_balance.h>
-#include <rigor/mesh/topology/groups.h>
 #include <rigor/mesh/topology/rings.h>
 #include <rigor/mesh/topology/weld.h>
+#include <rigor/text/disjoint_sets.h>
 
 namespace rigor::mesh {
 namespace {
@@ -31,7 +31,7 @@ struct Numbers {
 /// Triangles that share a place, each group with positions of its own.
 std::vector<TriangleMesh> connected(const TriangleMesh& mesh) {
   const Weld welded = weld(mesh.positions);
-  Groups groups(welded.places());
+  DisjointSets groups(welded.places());
   for (const Triangle& t : mesh.triangles) {
     const Triangle places = places_of(welded, t);
     groups.join(places[0], places[1]);

@@ -10,9 +10,9 @@
 
 #include <rigor/mesh/repair/clean.h>
 #include <rigor/mesh/repair/loop_filling.h>
-#include <rigor/mesh/topology/groups.h>
 #include <rigor/mesh/topology/holes.h>
 #include <rigor/mesh/topology/rings.h>
+#include <rigor/text/disjoint_sets.h>
 
 namespace rigor::mesh {
 namespace {
@@ -103,7 +103,7 @@ class Filler {
 
   /// Of triangles that edges join.
   void measure_patches() {
-    patches_ = Groups(work_.size());
+    patches_ = DisjointSets(work_.size());
     patch_area_.assign(work_.size(), 0);
     for (std::uint32_t vertex = 0; vertex < work_.vertices(); ++vertex) {
       for (const std::uint32_t face : work_.faces_at(vertex)) {
@@ -155,7 +155,7 @@ class Filler {
   HoleLimits limits_;
   HolesFilled done_;
   std::uint64_t best_work_ = 0;
-  Groups patches_{0};
+  DisjointSets patches_{0};
   std::vector<double> patch_area_;  // at the first triangle of each
 };
 

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-#include <rigor/mesh/topology/groups.h>
+#include <rigor/text/disjoint_sets.h>
 
 namespace rigor::mesh {
 namespace {
@@ -40,7 +40,7 @@ std::size_t fans(const std::vector<Places>& ring, std::uint32_t place) {
     }
   }
   std::sort(spokes.begin(), spokes.end());
-  Groups groups(ring.size());
+  DisjointSets groups(ring.size());
   std::size_t apart = ring.size();
   for (std::size_t i = 1; i < spokes.size(); ++i) {
     const bool same = spokes[i].first == spokes[i - 1].first;

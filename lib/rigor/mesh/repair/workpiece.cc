@@ -7,8 +7,8 @@
 #include <utility>
 
 #include <rigor/mesh/select.h>
-#include <rigor/mesh/topology/groups.h>
 #include <rigor/mesh/topology/thinness.h>
+#include <rigor/text/disjoint_sets.h>
 
 namespace rigor::mesh {
 namespace {
@@ -190,7 +190,7 @@ void Workpiece::count_at(std::uint32_t vertex, std::uint64_t by) {
   std::sort(spokes_.begin(), spokes_.end(), [](const Spoke& a, const Spoke& b) {
     return std::pair(a.to, a.face) < std::pair(b.to, b.face);
   });
-  Groups fan(ring.size());
+  DisjointSets fan(ring.size());
   std::size_t fans = ring.size();
   for (std::size_t begin = 0, end = 0; begin < spokes_.size(); begin = end) {
     for (; end < spokes_.size() && spokes_[end].to == spokes_[begin].to; ++end) {

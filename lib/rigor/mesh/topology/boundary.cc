@@ -12,7 +12,7 @@ Boundary boundary_of(const TriangleMesh& mesh, const Weld& welded,
                      const std::vector<BadEdge>& edges) {
   Boundary boundary;
   if (edges.empty()) return boundary;
-  Groups loops(welded.places());
+  DisjointSets loops(welded.places());
   for (const BadEdge& edge : edges) {
     if (edge.defect == Defect::kBoundaryEdge) loops.join(edge.low, edge.high);
   }

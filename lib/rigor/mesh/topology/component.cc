@@ -30,7 +30,7 @@ void add(const Facet& facet, const Vector3& from, Component& to) {
 }
 
 /// Numbers the groups in the order of their first triangles.
-Components label(const TriangleMesh& mesh, const Weld& welded, Groups& groups) {
+Components label(const TriangleMesh& mesh, const Weld& welded, DisjointSets& groups) {
   Components found;
   found.of_face.assign(mesh.triangles.size(), kNoComponent);
   std::uint32_t count = 0;

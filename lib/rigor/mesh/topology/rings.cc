@@ -73,7 +73,7 @@ class RingPass {
  public:
   RingPass(const TriangleMesh& mesh, const Weld& welded, DefectTally& tally)
       : mesh_(mesh), welded_(welded), tally_(tally) {
-    rings_.faces = Groups(mesh.triangles.size());
+    rings_.faces = DisjointSets(mesh.triangles.size());
   }
 
   Rings run() {
@@ -128,7 +128,7 @@ class RingPass {
     std::sort(spokes_.begin(), spokes_.end(), [](const Spoke& a, const Spoke& b) {
       return std::pair(a.to, a.corner) < std::pair(b.to, b.corner);
     });
-    Groups fan(ring.size());
+    DisjointSets fan(ring.size());
     std::size_t fans = ring.size();
     for (std::size_t begin = 0; begin < spokes_.size();) {
       std::size_t end = begin;

@@ -16,9 +16,9 @@
 #include <vector>
 
 #include <rigor/mesh/topology/defect.h>
-#include <rigor/mesh/topology/groups.h>
 #include <rigor/mesh/topology/weld.h>
 #include <rigor/mesh/triangle_mesh.h>
+#include <rigor/text/disjoint_sets.h>
 
 namespace rigor::mesh {
 
@@ -34,7 +34,7 @@ struct Rings {
   std::uint64_t vertices = 0;  ///< places with triangles
   std::uint64_t edges = 0;
   std::vector<BadEdge> bad_edges;
-  Groups faces{0};  ///< the triangles, joined across edges
+  DisjointSets faces{0};  ///< the triangles, joined across edges
 };
 
 /// The corners of a triangle as places, and whether these are three.

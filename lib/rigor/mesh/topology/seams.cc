@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/mesh/topology/groups.h>
 #include <rigor/mesh/topology/holes.h>
 #include <rigor/mesh/topology/rings.h>
+#include <rigor/text/disjoint_sets.h>
 
 namespace rigor::mesh {
 namespace {
@@ -72,7 +72,7 @@ std::vector<std::vector<Join>> seams(const Workpiece& work) {
   const double distance = kSeamDistance * reach(work);
   std::uint32_t holes = 0;
   for (const SeamSide& b : border) holes = std::max(holes, b.hole + 1);
-  Groups together(holes);
+  DisjointSets together(holes);
   std::vector<bool> gone(work.vertices());
   std::vector<Join> joins;
   for (std::size_t i = 0; i < border.size(); ++i) {

@@ -7,11 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <cstdint>
 #include <string>
 
 #include <rigor/mass/resolve.h>
 #include <rigor/simulate/scene/draft.h>
+#include <rigor/text/disjoint_sets.h>
 
 namespace rigor::simulate {
 namespace {
@@ -26,30 +27,10 @@ constexpr double kRoundedTensor = 0.01;
 /// √(moment / mass) below this is no body's that has a size: a tensor of 1e-30 kg·m² ends in 10²⁷ rad/s.
 constexpr double kLeastGyration = 1e-6;  // m
 
-/// Sets of links; the last one is the world.
-class LinkSets {
- public:
-  explicit LinkSets(std::size_t links) : parent_(links + 1) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-
-  std::uint32_t world() const { return static_cast<std::uint32_t>(parent_.size() - 1); }
-
-  std::uint32_t find(std::uint32_t at) {
-    while (parent_[at] != at) at = parent_[at] = parent_[parent_[at]];
-    return at;
-  }
-
-  void join(std::uint32_t a, std::uint32_t b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 class BodyBuilder {
  public:
   explicit BodyBuilder(SceneDraft& draft)
-      : draft_(draft), root_(draft.root), scene_(draft.scene), sets_(root_.links.size()) {}
+      : draft_(draft), root_(draft.root), scene_(draft.scene), sets_(root_.links.size() + 1) {}
 
   void build() {
     read_flags();
@@ -70,6 +51,8 @@ class BodyBuilder {
   }
 
  private:
+  std::uint32_t world() const { return static_cast<std::uint32_t>(root_.links.size()); }
+
   /// What must be alike for two links to be one body.
   struct Flags {
     bool gravity = true;
@@ -136,7 +119,7 @@ class BodyBuilder {
       if (ends.child) is_child[ends.child.value] = true;
       if (root_.joints[i].type != JointType::kFixed || !ends.child) continue;
       if (ends.parent_is_world) {
-        sets_.join(ends.child.value, sets_.world());
+        sets_.join(ends.child.value, world());
       } else if (ends.parent && flags_[ends.parent.value] == flags_[ends.child.value]) {
         sets_.join(ends.child.value, ends.parent.value);
       }
@@ -147,7 +130,7 @@ class BodyBuilder {
       // libsdformat takes a URDF's root of this name for the world itself.
       const bool named_world = root_[link.model].format == model::Format::kUrdf &&
                                link.name.value == "world" && !is_child[i];
-      if (draft_.is_static[link.model.value] || named_world) sets_.join(i, sets_.world());
+      if (draft_.is_static[link.model.value] || named_world) sets_.join(i, world());
     }
     body_of_set_.resize(root_.links.size() + 1, kWorld);
   }
@@ -166,7 +149,7 @@ class BodyBuilder {
                   .where = place(link),
                   .model = draft_.model_of[link.model.value]};
     const std::uint32_t set = sets_.find(id.value);
-    if (set != sets_.find(sets_.world())) {
+    if (set != sets_.find(world())) {
       std::uint32_t& body = body_of_set_[set];
       const bool first = body == kWorld;
       if (first) {
@@ -341,7 +324,7 @@ class BodyBuilder {
   SceneDraft& draft_;
   const model::Root& root_;
   Scene& scene_;
-  LinkSets sets_;
+  DisjointSets sets_;  // of links that are one body; the last is the world
   std::vector<Flags> flags_;
   std::vector<std::uint32_t> body_of_set_;
 };

@@ -1,12 +1,12 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which of many numbered things hang together, learnt pair by pair. The least of a group stands for it.
+// Which of many numbered things are connected, learned pair by pair. The least of a set represents it.
 // (Union-find with path halving: R. Tarjan, J. van Leeuwen, 1984.)
 //
-//   Groups groups(triangles.size());
-//   groups.join(a, b);
-//   if (groups.find(c) == groups.find(a)) together();
+//   DisjointSets sets(triangles.size());
+//   sets.join(a, b);
+//   if (sets.find(c) == sets.find(a)) together();
 
 #pragma once
 
@@ -15,19 +15,24 @@
 #include <numeric>
 #include <vector>
 
-namespace rigor::mesh {
+namespace rigor {
 
-class Groups {
+class DisjointSets {
  public:
-  explicit Groups(std::size_t count) : parent_(count) {
+  explicit DisjointSets(std::size_t count) : parent_(count) {
     std::iota(parent_.begin(), parent_.end(), 0U);
   }
 
+  /// What represents the set that `i` is in.
   std::uint32_t find(std::uint32_t i) {
     while (parent_[i] != i) {
       parent_[i] = parent_[parent_[i]];
       i = parent_[i];
     }
+    return i;
+  }
+  std::uint32_t find(std::uint32_t i) const {
+    while (parent_[i] != i) i = parent_[i];
     return i;
   }
 
@@ -48,4 +53,4 @@ class Groups {
   std::vector<std::uint32_t> parent_;
 };
 
-}  // namespace rigor::mesh
+}  // namespace rigor
