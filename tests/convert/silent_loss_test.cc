@@ -20,8 +20,8 @@
 #include <rigor/convert/urdf_to_sdf.h>
 
 #include "convert/converted.h"
-#include "convert/robots.h"
 #include "convert/schema_fixture.h"
+#include "robot/robots.h"
 
 namespace rigor::convert {
 namespace {

@@ -73,7 +73,7 @@ struct UrdfPart {
   convert::UrdfOptions options;
   read::Loaded loaded;
   model::Frames frames;
-  convert::Documents documents;
+  read::Documents documents;
   convert::Source source;
   convert::Ledger ledger;
   convert::UrdfDraft draft;

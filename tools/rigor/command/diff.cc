@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include <rigor/convert/compare.h>
 #include <rigor/environment.h>
 #include <rigor/report/robot_diff/robot_diff.h>
 #include <rigor/report/terminal/summary.h>
+#include <rigor/robot/compare.h>
 
 #include "command/command.h"
 #include "model/robot_file.h"
@@ -56,15 +56,15 @@ class Diff final : public Command {
     RobotFiles files(environment, sources, workspace);
     const read::Loaded loaded_a = files.load(a_);
     const read::Loaded loaded_b = files.load(b_);
-    const std::optional<convert::Robot> a = files.robot(loaded_a, model_);
-    const std::optional<convert::Robot> b = files.robot(loaded_b, model_);
+    const std::optional<robot::Robot> a = files.robot(loaded_a, model_);
+    const std::optional<robot::Robot> b = files.robot(loaded_b, model_);
     if (!a || !b) return kFindings;
     if (!model_.empty() && a->name != model_ && b->name != model_) {
       throw UsageError("no model is called " + model_ + did_you_mean(model_, {a->name, b->name}));
     }
-    const convert::Correspondence all{.helpers = convert::Helpers::kTold,
-                                      .placement = convert::Placement::kTold};
-    std::vector<convert::Difference> differences = convert::compare(*a, *b, all);
+    const robot::Correspondence all{.helpers = robot::Helpers::kTold,
+                                    .placement = robot::Placement::kTold};
+    std::vector<robot::Difference> differences = robot::compare(*a, *b, all);
     const auto settings = files.settings(loaded_a, model_, loaded_b, model_);
     if (settings) differences.insert(differences.end(), settings->begin(), settings->end());
     const report::RobotDiff diff{

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <system_error>
 
-#include <rigor/convert/compare.h>
 #include <rigor/read/load.h>
 #include <rigor/report/conversion.h>
 #include <rigor/report/robot_diff/robot_diff.h>
@@ -15,6 +14,7 @@
 #include <rigor/report/terminal/pretty.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
+#include <rigor/robot/compare.h>
 #include <rigor/text/path.h>
 
 #include "model/model_file.h"
@@ -151,9 +151,9 @@ int ConversionCommand::check(const Environment& environment, Sources& sources,
   const auto a = files.robot(loaded, loaded.root[result.model].name.value);
   const auto b = files.robot(kept, {});
   if (!a || !b) return kFindings;
-  convert::Correspondence names = result.names;
-  names.placement = convert::Placement::kTold;
-  std::vector<convert::Difference> differences = convert::compare(*a, *b, names);
+  robot::Correspondence names = result.names;
+  names.placement = robot::Placement::kTold;
+  std::vector<robot::Difference> differences = robot::compare(*a, *b, names);
   bool settings_left_out = true;
   if (result.text) {
     const read::File& file =
@@ -162,7 +162,7 @@ int ConversionCommand::check(const Environment& environment, Sources& sources,
         read::load({workspace, environment.resolver, environment.sdf, environment.urdf}, file);
     auto settings = files.settings(converted, {}, kept, {});
     settings_left_out = !settings;
-    for (convert::Difference& d : settings.value_or(std::vector<convert::Difference>{})) {
+    for (robot::Difference& d : settings.value_or(std::vector<robot::Difference>{})) {
       d.span_a = {};  // in a text that nobody has
       differences.push_back(std::move(d));
     }

@@ -9,12 +9,12 @@
 #include <system_error>
 #include <vector>
 
-#include <rigor/convert/documents.h>
-#include <rigor/convert/robot_lookups.h>
 #include <rigor/convert/settings.h>
+#include <rigor/read/documents.h>
 #include <rigor/report/inspect/inspect.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
+#include <rigor/robot/lookups.h>
 #include <rigor/rules/mesh_finder.h>
 #include <rigor/text/path.h>
 
@@ -65,18 +65,17 @@ read::Loaded RobotFiles::load(const std::string& path) {
   return read::load(reader, open_model(workspace_, path));
 }
 
-std::optional<convert::Robot> RobotFiles::robot(const read::Loaded& loaded,
-                                                const std::string& model) {
+std::optional<robot::Robot> RobotFiles::robot(const read::Loaded& loaded,
+                                              const std::string& model) {
   std::string why = unreadable(loaded);
   if (why.empty()) {
-    convert::RobotLookups lookups =
-        convert::lookups_in(loaded.root, workspace_, environment_.resolver);
+    robot::Lookups lookups = robot::lookups_in(loaded.root, workspace_, environment_.resolver);
     lookups.find_mesh = rules::mesh_finder(environment_.resolver, sources_, surveys_);
     lookups.find_file = [find = lookups.find_file](const std::string& uri, SourceId from) {
       return whole_path(find(uri, from));
     };
     const model::Frames frames(loaded.root);
-    convert::Robot robot = convert::robot_of(loaded.root, frames, chosen(loaded, model), lookups);
+    robot::Robot robot = robot::robot_of(loaded.root, frames, chosen(loaded, model), lookups);
     if (robot.unknown.empty()) return robot;
     why = ": " + robot.unknown.front();
   }
@@ -84,18 +83,18 @@ std::optional<convert::Robot> RobotFiles::robot(const read::Loaded& loaded,
   return std::nullopt;
 }
 
-std::optional<std::vector<convert::Difference>> RobotFiles::settings(const read::Loaded& a,
-                                                                     const std::string& model_a,
-                                                                     const read::Loaded& b,
-                                                                     const std::string& model_b) {
-  const convert::Documents documents(workspace_);
+std::optional<std::vector<robot::Difference>> RobotFiles::settings(const read::Loaded& a,
+                                                                   const std::string& model_a,
+                                                                   const read::Loaded& b,
+                                                                   const std::string& model_b) {
+  const read::Documents documents(workspace_);
   const auto source = [&](const read::Loaded& loaded, const std::string& model) {
     return convert::SettingsSource{loaded.root, documents, environment_.sdf, chosen(loaded, model)};
   };
   const convert::SettingsSource x = source(a, model_a), y = source(b, model_b);
   if (x.root[x.model].format == y.root[y.model].format) return convert::compare_settings(x, y);
   if (convert::has_settings(x) || convert::has_settings(y)) return std::nullopt;
-  return std::vector<convert::Difference>{};
+  return std::vector<robot::Difference>{};
 }
 
 }  // namespace rigor::tool

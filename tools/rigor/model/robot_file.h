@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include <rigor/convert/compare.h>
-#include <rigor/convert/robot.h>
 #include <rigor/environment.h>
 #include <rigor/mass/mesh/survey.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
+#include <rigor/robot/compare.h>
+#include <rigor/robot/robot.h>
 #include <rigor/text/sources.h>
 
 namespace rigor::tool {
@@ -32,14 +32,14 @@ class RobotFiles {
 
   /// Of several models the one that is named; the only one whatever it is called. Nothing, and said on
   /// stderr, when the file does not say where all of it is. A UsageError when none is meant.
-  std::optional<convert::Robot> robot(const read::Loaded& loaded, const std::string& model);
+  std::optional<robot::Robot> robot(const read::Loaded& loaded, const std::string& model);
 
   /// What the two models tell simulators differently (convert/settings.h). Nothing where they are of two
   /// formats and one of them tells something. Both are files that `robot` takes.
-  std::optional<std::vector<convert::Difference>> settings(const read::Loaded& a,
-                                                           const std::string& model_a,
-                                                           const read::Loaded& b,
-                                                           const std::string& model_b);
+  std::optional<std::vector<robot::Difference>> settings(const read::Loaded& a,
+                                                         const std::string& model_a,
+                                                         const read::Loaded& b,
+                                                         const std::string& model_b);
 
  private:
   const Environment& environment_;

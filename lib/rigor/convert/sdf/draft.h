@@ -74,7 +74,7 @@ bool is_massless(const model::Link& link);
 std::optional<SdfTree> sdf_tree(const Source& source, const SdfOptions& options, Ledger& ledger);
 
 /// `<origin>` with its author's digits.
-UrdfOrigin urdf_written_origin(const Documents& documents, const model::PoseField& pose);
+UrdfOrigin urdf_written_origin(const read::Documents& documents, const model::PoseField& pose);
 
 /// Fills `links` (link.cc): inertials, visuals, collisions.
 void add_sdf_links(SdfDraft& draft);

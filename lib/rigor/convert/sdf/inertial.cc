@@ -63,7 +63,7 @@ Pose pose_in_holder(const SdfDraft& draft, Id<Link> id) {
 }
 
 UrdfInertial as_written(const SdfDraft& draft, const model::Inertial& inertial) {
-  const Documents& documents = draft.source.documents;
+  const read::Documents& documents = draft.source.documents;
   UrdfInertial result;
   result.comments = remarks_on(documents, inertial.site, CommentsFor::kSdf);
   result.origin = urdf_written_origin(documents, inertial.pose);

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include <rigor/convert/number_text.h>
-#include <rigor/convert/robot.h>
 #include <rigor/convert/sdf/draft.h>
 #include <rigor/convert/written_number.h>
 #include <rigor/model/subject.h>
+#include <rigor/robot/robot.h>
 #include <rigor/write/numbers.h>
 
 namespace rigor::convert {
@@ -135,7 +135,7 @@ class SdfJointConverter {
          "two prismatic joints and a revolute one, with links of next to no mass between");
     const model::Vector3 normal = joint_.axes[0].xyz.value;
     const double size = length(normal);
-    const auto axes = planar_axes(size > 0 ? (1 / size) * normal : model::Vector3{1, 0, 0});
+    const auto axes = robot::planar_axes(size > 0 ? (1 / size) * normal : model::Vector3{1, 0, 0});
     // What else it says of moving stays in the account as lost.
     ledger_.take(joint_.axes[0].xyz, Outcome::kSubstituted);
     ledger_.take(joint_.axes[0].site, Outcome::kSubstituted);
@@ -252,7 +252,7 @@ class SdfJointConverter {
       return;
     }
     ledger_.take_all(mimic.site);
-    const Documents& documents = draft_.source.documents;
+    const read::Documents& documents = draft_.source.documents;
     result.mimic = UrdfMimic{draft_.tree.joint_names[leader.value],
                              written_number(documents, mimic.multiplier),
                              written_number(documents, mimic.offset)};

@@ -255,7 +255,7 @@ class SdfLinkConverter {
 
 }  // namespace
 
-UrdfOrigin urdf_written_origin(const Documents& documents, const model::PoseField& pose) {
+UrdfOrigin urdf_written_origin(const read::Documents& documents, const model::PoseField& pose) {
   if (!pose.pose.written || pose.site.span.nowhere()) return {};
   const xml::Element origin = documents.element(pose.site);
   if (origin.attribute("quat_xyzw")) return origin_of(pose.pose.value);

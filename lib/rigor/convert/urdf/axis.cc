@@ -9,9 +9,9 @@
 
 #include <rigor/convert/digits.h>
 #include <rigor/convert/number_text.h>
-#include <rigor/convert/robot.h>
 #include <rigor/convert/written_number.h>
 #include <rigor/model/subject.h>
+#include <rigor/robot/robot.h>
 #include <rigor/write/numbers.h>
 #include <rigor/xml/document.h>
 
@@ -120,7 +120,7 @@ class UrdfAxisWriter {
 
   // --- Limits ---
 
-  static bool is_endless(double limit) { return !(std::abs(limit) < kUnlimited); }
+  static bool is_endless(double limit) { return !(std::abs(limit) < robot::kUnlimited); }
 
   bool is_unlimited(const Field<double>& field) const {
     return !(field.value >= 0) || is_endless(field.value) ||
@@ -206,7 +206,7 @@ class UrdfAxisWriter {
   }
 
   UrdfDraft& draft_;
-  const Documents& documents_;
+  const read::Documents& documents_;
   Ledger& ledger_;
   Id<model::Joint> id_;
   const model::Joint& joint_;
@@ -218,8 +218,8 @@ class UrdfAxisWriter {
   static Axis default_axis() {
     Axis axis;
     axis.xyz.value = {0, 0, 1};
-    axis.lower.value = -kUnlimited;
-    axis.upper.value = axis.effort.value = axis.velocity.value = kUnlimited;
+    axis.lower.value = -robot::kUnlimited;
+    axis.upper.value = axis.effort.value = axis.velocity.value = robot::kUnlimited;
     return axis;
   }
 };

@@ -173,7 +173,7 @@ void carry_spring(UrdfDraft& draft, const model::Joint& joint, BlockMaker& block
   draft.ledger.take(axis.spring_stiffness, outcome);
   draft.ledger.take(axis.spring_reference, outcome);
   if (none) return;
-  const Documents& documents = draft.source.documents;
+  const read::Documents& documents = draft.source.documents;
   const std::string stiffness = to_text(written_number(documents, axis.spring_stiffness));
   const std::string reference = to_text(written_number(documents, axis.spring_reference));
   block.add_key("springReference", reference);

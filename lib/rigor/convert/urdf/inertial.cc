@@ -122,7 +122,7 @@ class InertialConverter {
   /// The tensor stays along the inertial's own axes, which URDF has, too.
   UrdfInertial written() const {
     const model::Inertial& i = link_.inertial;
-    const Documents& documents = draft_.source.documents;
+    const read::Documents& documents = draft_.source.documents;
     UrdfInertial result{.origin = is_identity(X_JL_) ? written_origin(documents, i.pose)
                                                      : origin_of(compose(X_JL_, i.pose.pose.value)),
                         .mass = written_number(documents, i.mass),

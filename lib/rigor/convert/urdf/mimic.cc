@@ -123,7 +123,7 @@ class MimicAdder {
     draft_.ledger.note(std::move(note));
   }
 
-  const Documents& documents() const { return draft_.source.documents; }
+  const read::Documents& documents() const { return draft_.source.documents; }
 
   UrdfDraft& draft_;
   const JointNames& names_;

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include <rigor/convert/documents.h>
+#include <rigor/read/documents.h>
 
 namespace rigor::convert {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <rigor/convert/turned_joints.h>
+#include <rigor/robot/swapped_joints.h>
 
 namespace rigor::convert {
 namespace {
@@ -59,29 +59,30 @@ class UrdfTreeBuilder {
       tree_.gearboxes.push_back(joint);
     } else {
       joints_.push_back(joint);
-      limbs_.push_back(
-          {parent_is_world ? world() : parent.value, child.value, can_turn(root_[joint].type)});
+      edges_.push_back({parent_is_world ? world() : parent.value, child.value,
+                        robot::can_turn(root_[joint].type)});
     }
   }
 
   std::uint32_t world() const { return static_cast<std::uint32_t>(root_.links.size()); }
 
   void hang() {
-    const std::vector<Limb::Hang> hangs = hang_limbs(limbs_, root_.links.size() + 1, world());
-    for (std::size_t i = 0; i < limbs_.size(); ++i) {
-      if (hangs[i] == Limb::Hang::kLeftOut) continue;
-      const bool turned = hangs[i] == Limb::Hang::kTurned;
-      const bool on_world = limbs_[i].parent == world();
-      Id<model::Link> parent = on_world ? Id<model::Link>{} : Id<model::Link>{limbs_[i].parent};
-      Id<model::Link> child{limbs_[i].child};
+    const std::vector<robot::Edge::Direction> directions =
+        robot::edge_directions(edges_, root_.links.size() + 1, world());
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      if (directions[i] == robot::Edge::Direction::kLeftOut) continue;
+      const bool turned = directions[i] == robot::Edge::Direction::kTurned;
+      const bool on_world = edges_[i].parent == world();
+      Id<model::Link> parent = on_world ? Id<model::Link>{} : Id<model::Link>{edges_[i].parent};
+      Id<model::Link> child{edges_[i].child};
       if (turned) std::swap(parent, child);
       tree_.edges.push_back({joints_[i], parent, child, turned});
       tree_.carriers[child.value] = joints_[i];
       tree_.on_world |= on_world;
     }
-    for (std::size_t i = 0; i < limbs_.size(); ++i) {
-      if (hangs[i] != Limb::Hang::kLeftOut) continue;
-      const Id<model::Joint> carrier = tree_.carriers[limbs_[i].child];
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      if (directions[i] != robot::Edge::Direction::kLeftOut) continue;
+      const Id<model::Joint> carrier = tree_.carriers[edges_[i].child];
       tree_.left_out.push_back(
           {joints_[i], carrier ? UrdfTree::Flaw::kSecondParent : UrdfTree::Flaw::kCycle, carrier});
     }
@@ -93,7 +94,7 @@ class UrdfTreeBuilder {
   const model::Frames& frames_;
   std::vector<bool> inside_;
   std::vector<Id<model::Joint>> joints_;  // of each limb
-  std::vector<Limb> limbs_;
+  std::vector<robot::Edge> edges_;
   UrdfTree tree_;
 };
 

@@ -9,8 +9,8 @@
 namespace rigor::report {
 namespace {
 
-using convert::Difference;
-using convert::DifferenceValue;
+using robot::Difference;
+using robot::DifferenceValue;
 
 Json diff_value(const DifferenceValue& value) {
   if (value.numbers.empty()) return value.text.empty() ? Json(nullptr) : Json(value.text);

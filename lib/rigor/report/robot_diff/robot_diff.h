@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include <rigor/convert/compare.h>
+#include <rigor/robot/compare.h>
 #include <rigor/text/sources.h>
 
 namespace rigor::report {
@@ -19,12 +19,12 @@ namespace rigor::report {
 /// One of the two.
 struct DiffSide {
   std::string path;
-  const convert::Robot& robot;
+  const robot::Robot& robot;
 };
 
 struct RobotDiff {
   DiffSide a, b;
-  const std::vector<convert::Difference>& differences;
+  const std::vector<robot::Difference>& differences;
   const Sources& sources;
   bool settings_left_out = false;  ///< there are such, and they were not compared (settings.h)
 };
@@ -40,6 +40,6 @@ std::string robot_diff_text(const RobotDiff& diff);
 std::string robot_diff_json(const RobotDiff& diff);
 
 /// "joint elbow moved by 1 mm", in words, without where.
-std::string in_words(const convert::Difference& difference);
+std::string in_words(const robot::Difference& difference);
 
 }  // namespace rigor::report

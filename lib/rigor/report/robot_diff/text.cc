@@ -17,9 +17,9 @@
 namespace rigor::report {
 namespace {
 
-using convert::Difference;
-using convert::DifferenceKind;
-using convert::DifferenceValue;
+using robot::Difference;
+using robot::DifferenceKind;
+using robot::DifferenceValue;
 
 /// Longer lists (the outline of a polyline) are cut.
 constexpr std::size_t kMostNumbers = 12;

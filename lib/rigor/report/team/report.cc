@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/mesh/triangle_budget.h>
 #include <rigor/report/html/finding_list.h>
 #include <rigor/report/html/markup.h>
 #include <rigor/report/html/page.h>
@@ -17,7 +18,6 @@
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
 #include <rigor/report/tool.h>
-#include <rigor/rules/mesh/triangle_budget.h>
 #include <rigor/text/base64.h>
 #include <rigor/text/path.h>
 
@@ -73,7 +73,7 @@ std::string files_left_out(const rules::ValidateResult& result) {
 TriangleCount triangles_of(const ReportedModel& model, bool collision,
                            const TriangleBudget& budget) {
   const std::uint64_t of_mesh =
-      collision ? rules::kMostCollisionTriangles : rules::kMostVisualTriangles;
+      collision ? mesh::kMostCollisionTriangles : mesh::kMostVisualTriangles;
   const auto& of_model = collision ? budget.collision : budget.visual;
   TriangleCount count;
   for (const MeshUse& use : model.meshes) {

@@ -8,13 +8,13 @@
 
 #include <fmt/format.h>
 
+#include <rigor/mesh/triangle_budget.h>
 #include <rigor/report/html/finding_list.h>
 #include <rigor/report/html/markup.h>
 #include <rigor/report/number.h>
 #include <rigor/report/simulation/run.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
-#include <rigor/rules/mesh/triangle_budget.h>
 
 namespace rigor::report {
 namespace {
@@ -70,7 +70,7 @@ std::string top_models_table(const std::vector<TopModel>& models) {
 }
 
 std::uint64_t budget_of(const MeshUse& use) {
-  return use.collision ? rules::kMostCollisionTriangles : rules::kMostVisualTriangles;
+  return use.collision ? mesh::kMostCollisionTriangles : mesh::kMostVisualTriangles;
 }
 
 bool is_over(const MeshUse& use) { return use.triangles.value_or(0) > budget_of(use); }

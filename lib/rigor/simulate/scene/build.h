@@ -20,12 +20,12 @@
 #include <string>
 #include <vector>
 
-#include <rigor/convert/documents.h>
 #include <rigor/mass/link_body.h>
 #include <rigor/mesh/image/height_picture.h>
 #include <rigor/mesh/read.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
+#include <rigor/read/documents.h>
 #include <rigor/simulate/fact.h>
 #include <rigor/simulate/scene/scene.h>
 
@@ -44,7 +44,7 @@ using LoadHeights = std::function<const LoadedHeights&(const model::Heightmap&)>
 struct SceneInput {
   const model::Root& root;
   const model::Frames& frames;  ///< at the joint positions that the run begins with
-  const convert::Documents& documents;
+  const read::Documents& documents;
   mass::FindMesh find_mesh;  ///< for masses
   LoadMesh load_mesh;        ///< for shapes
   LoadHeights load_heights;

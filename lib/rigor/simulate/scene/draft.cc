@@ -24,7 +24,7 @@ bool GazeboBlocks::Less::operator()(const Key& a, const Key& b) const {
          std::tie(b.first.source, b.first.begin, b.second);
 }
 
-GazeboBlocks::GazeboBlocks(const model::Root& root, const convert::Documents& documents) {
+GazeboBlocks::GazeboBlocks(const model::Root& root, const read::Documents& documents) {
   std::vector<Span> robots;
   for (const model::Model& model : root.models) {
     if (model.format == model::Format::kUrdf) robots.push_back(model.site.span);

@@ -29,7 +29,7 @@ inline constexpr double kFarthest = 1e6;  // m
 /// URDF's `<gazebo reference="…">` blocks, by the robot that they stand in.
 class GazeboBlocks {
  public:
-  GazeboBlocks(const model::Root& root, const convert::Documents& documents);
+  GazeboBlocks(const model::Root& root, const read::Documents& documents);
 
   /// Their children of these names, in document order; an empty reference speaks of the robot.
   std::vector<xml::Element> find(const model::Model& robot, const std::string& reference,

@@ -13,10 +13,10 @@
 #include <memory>
 #include <string>
 
-#include <rigor/convert/documents.h>
 #include <rigor/mass/mesh/survey.h>
 #include <rigor/mesh/read.h>
 #include <rigor/model/frames.h>
+#include <rigor/read/documents.h>
 #include <rigor/read/load.h>
 #include <rigor/read/resolver.h>
 #include <rigor/read/workspace.h>
@@ -45,7 +45,7 @@ class SceneFiles {
   const read::Resolver& resolver_;
   Start start_;
   model::Frames frames_;
-  convert::Documents documents_;
+  read::Documents documents_;
   mass::MeshSurveys surveys_;
   std::map<std::string, std::unique_ptr<mesh::LoadedMesh>> meshes_;
   std::map<std::string, LoadedHeights> heights_;

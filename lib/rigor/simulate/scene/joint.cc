@@ -11,7 +11,7 @@
 #include <string>
 #include <variant>
 
-#include <rigor/convert/robot.h>
+#include <rigor/robot/robot.h>
 #include <rigor/simulate/scene/draft.h>
 
 namespace rigor::simulate {
@@ -169,8 +169,8 @@ class JointBuilder {
   }
 
   void add_limits(SceneAxis& axis, const model::Axis& written, const model::Joint& joint) {
-    axis.lower = convert::without_sentinel(written.lower.value);
-    axis.upper = convert::without_sentinel(written.upper.value);
+    axis.lower = robot::without_sentinel(written.lower.value);
+    axis.upper = robot::without_sentinel(written.upper.value);
     const bool shut =
         axis.lower > axis.upper || axis.lower == kInfinity || axis.upper == -kInfinity;
     if (!shut) return;
@@ -184,7 +184,7 @@ class JointBuilder {
     const bool old = joint.model && root_[joint.model].format == model::Format::kSdf &&
                      root_[joint.model].version <= 3;
     if (!field.written || (old && field.value == 0)) return kInfinity;
-    return convert::ceiling(field.value);
+    return robot::ceiling(field.value);
   }
 
   /// A negative one would drive the joint.

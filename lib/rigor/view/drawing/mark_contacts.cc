@@ -12,7 +12,7 @@
 #include <vector>
 
 #include <rigor/mass/convex.h>
-#include <rigor/rules/geometry/overlapping_links.h>
+#include <rigor/robot/link_overlaps.h>
 #include <rigor/view/drawing/mark_painter.h>
 
 namespace rigor::view {
@@ -99,8 +99,8 @@ void MarkPainter::touch_each_other(const Mark& mark) {
         X_WC ? mass::ConvexShape::of(collision->geometry.shape, *X_WC) : std::nullopt;
     return shape ? std::optional(shape->bounds()) : std::nullopt;
   };
-  for (const auto& [top, pairs] : rules::overlapping_links(root_, frames_)) {
-    for (const rules::LinkOverlap& pair : pairs) {
+  for (const auto& [top, pairs] : robot::overlapping_links(root_, frames_)) {
+    for (const robot::LinkOverlap& pair : pairs) {
       const auto a = bounds(pair.a);
       const auto b = bounds(pair.b);
       if (!a || !b) continue;
