@@ -42,15 +42,14 @@ const std::map<std::string, Names>& rooms() {
        {"text", "xml", "schema", "model", "config", "process", "read", "mesh", "mass", "robot"}},
       {"rules",
        {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "robot", "convert",
-        "simulate", "environment"}},
-      {"environment", {"text", "schema", "read", "rules"}},
+        "simulate"}},
       {"author",
        {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "robot", "convert",
-        "simulate", "rules", "environment"}},
+        "simulate", "rules"}},
       {"view", {"text", "xml", "schema", "model", "read", "mesh", "mass", "robot"}},
       {"report",
        {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "robot", "convert",
-        "simulate", "rules", "author", "view", "environment"}},
+        "simulate", "rules", "author", "view"}},
   };
   return kRooms;
 }
@@ -77,11 +76,8 @@ const std::map<std::string, Names>& third_parties() {
   return kParties;
 }
 
-/// `rules/xml/a.cc` is of room rules; `environment.h` is a room of its own.
-std::string room_of(const std::string& path) {
-  const std::size_t slash = path.find('/');
-  return slash == std::string::npos ? path.substr(0, path.find('.')) : path.substr(0, slash);
-}
+/// The first folder: `rules/xml/a.cc` is of room rules.
+std::string room_of(const std::string& path) { return path.substr(0, path.find('/')); }
 
 struct File {
   std::string name;  ///< "read/load.cc"; tools as "tools/main.cc"

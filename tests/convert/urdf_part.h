@@ -14,10 +14,10 @@
 #include <vector>
 
 #include <rigor/convert/urdf/draft.h>
-#include <rigor/environment.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
+#include <rigor/rules/environment.h>
 #include <rigor/text/disk.h>
 #include <rigor/text/sources.h>
 

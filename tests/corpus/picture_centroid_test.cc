@@ -15,10 +15,10 @@
 #include <variant>
 #include <vector>
 
-#include <rigor/environment.h>
 #include <rigor/mass/mesh/reads.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/environment.h>
 #include <rigor/view/drawing/files.h>
 #include <rigor/view/trace.h>
 

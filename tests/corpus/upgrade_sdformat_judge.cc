@@ -19,8 +19,8 @@
 #include <vector>
 
 #include <rigor/author/upgrade/upgrade.h>
-#include <rigor/environment.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/environment.h>
 
 #include "support/corpus.h"
 

@@ -17,9 +17,9 @@
 #include <vector>
 
 #include <rigor/author/upgrade/upgrade.h>
-#include <rigor/environment.h>
 #include <rigor/read/load.h>
 #include <rigor/report/inspect/inspect.h>
+#include <rigor/rules/environment.h>
 
 #include "support/corpus.h"
 

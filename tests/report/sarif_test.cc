@@ -12,8 +12,8 @@
 #include <nlohmann/json.hpp>
 
 #include <report/found.h>
-#include <rigor/environment.h>
 #include <rigor/report/tool.h>
+#include <rigor/rules/environment.h>
 
 namespace rigor::report {
 namespace {

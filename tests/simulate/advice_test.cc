@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <rigor/environment.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
+#include <rigor/rules/environment.h>
 #include <rigor/simulate/advice/parts.h>
 #include <rigor/simulate/scene/input.h>
 #include <rigor/text/disk.h>

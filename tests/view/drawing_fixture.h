@@ -9,10 +9,10 @@
 #include <string>
 #include <utility>
 
-#include <rigor/environment.h>
 #include <rigor/mass/mesh/reads.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/environment.h>
 #include <rigor/view/drawing/drawing.h>
 #include <rigor/view/drawing/files.h>
 

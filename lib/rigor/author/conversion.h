@@ -19,10 +19,10 @@
 
 #include <rigor/convert/sdf_to_urdf.h>
 #include <rigor/convert/urdf_to_sdf.h>
-#include <rigor/environment.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
 #include <rigor/robot/compare.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/text/sources.h>

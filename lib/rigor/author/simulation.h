@@ -16,10 +16,10 @@
 #include <string>
 #include <vector>
 
-#include <rigor/environment.h>
 #include <rigor/mass/mesh/survey.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 #include <rigor/simulate/plan.h>
 #include <rigor/simulate/scene/build.h>

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include <rigor/environment.h>
 #include <rigor/report/robot_diff/robot_diff.h>
 #include <rigor/report/terminal/summary.h>
 #include <rigor/robot/compare.h>
+#include <rigor/rules/environment.h>
 
 #include "command/command.h"
 #include "model/robot_file.h"

@@ -10,12 +10,12 @@
 #include <utility>
 
 #include <rigor/author/model_inertia.h>
-#include <rigor/environment.h>
 #include <rigor/mass/total.h>
 #include <rigor/read/load.h>
 #include <rigor/report/inertia/inertia.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/mesh_finder.h>
 #include <rigor/text/diff.h>
 #include <rigor/text/path.h>

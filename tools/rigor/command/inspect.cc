@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <utility>
 
-#include <rigor/environment.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/mesh_finder.h>
 
 #include "command/command.h"

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include <rigor/author/mesh_operations.h>
-#include <rigor/environment.h>
 #include <rigor/mass/mesh/facts.h>
 #include <rigor/report/mesh_check/mesh_check.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/mesh_check.h>
 #include <rigor/text/sources.h>
 

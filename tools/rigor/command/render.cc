@@ -12,9 +12,9 @@
 #include <system_error>
 #include <vector>
 
-#include <rigor/environment.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
+#include <rigor/rules/environment.h>
 #include <rigor/text/path.h>
 #include <rigor/view/image/compose.h>
 

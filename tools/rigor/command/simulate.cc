@@ -9,11 +9,11 @@
 #include <vector>
 
 #include <rigor/author/simulation.h>
-#include <rigor/environment.h>
 #include <rigor/read/load.h>
 #include <rigor/report/simulation/simulation.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
+#include <rigor/rules/environment.h>
 
 #include "command/command.h"
 #include "model/model_file.h"

@@ -14,12 +14,12 @@
 #include <fmt/core.h>
 
 #include <rigor/author/upgrade/upgrade.h>
-#include <rigor/environment.h>
 #include <rigor/read/discover.h>
 #include <rigor/read/load.h>
 #include <rigor/read/values.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
+#include <rigor/rules/environment.h>
 #include <rigor/text/diff.h>
 #include <rigor/text/path.h>
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include <rigor/author/conversion.h>
-#include <rigor/environment.h>
+#include <rigor/rules/environment.h>
 #include <rigor/text/disk.h>
 
 #include "command/command.h"

@@ -10,12 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/environment.h>
 #include <rigor/mass/mesh/cache.h>
 #include <rigor/mass/mesh/facts.h>
 #include <rigor/mass/mesh/reads.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/mesh_finder.h>
 #include <rigor/rules/validate.h>
 #include <rigor/text/path.h>

@@ -15,9 +15,9 @@
 #include <string>
 #include <vector>
 
-#include <rigor/environment.h>
 #include <rigor/mass/mesh/reads.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/environment.h>
 #include <rigor/view/drawing/drawing.h>
 #include <rigor/view/trace.h>
 

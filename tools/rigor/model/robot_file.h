@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include <rigor/environment.h>
 #include <rigor/mass/mesh/survey.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
 #include <rigor/robot/compare.h>
 #include <rigor/robot/robot.h>
+#include <rigor/rules/environment.h>
 #include <rigor/text/sources.h>
 
 namespace rigor::tool {

@@ -18,8 +18,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include <rigor/environment.h>
 #include <rigor/rules/baseline.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 #include <rigor/text/disk.h>
 

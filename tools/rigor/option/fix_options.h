@@ -14,7 +14,7 @@
 #include <CLI/CLI.hpp>
 
 #include <rigor/author/fix.h>
-#include <rigor/environment.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/text/sources.h>

@@ -15,10 +15,10 @@
 #include <string>
 #include <vector>
 
-#include <rigor/environment.h>
 #include <rigor/mass/mesh/facts.h>
 #include <rigor/mass/mesh/reads.h>
 #include <rigor/mass/mesh/survey.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 #include <rigor/text/disk.h>
 

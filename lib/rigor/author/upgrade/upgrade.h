@@ -20,8 +20,8 @@
 #include <string_view>
 #include <vector>
 
-#include <rigor/environment.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/environment.h>
 #include <rigor/schema/version.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/text/edit.h>
