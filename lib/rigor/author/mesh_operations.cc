@@ -14,6 +14,7 @@
 #include <rigor/mesh/convex/pieces.h>
 #include <rigor/mesh/normals.h>
 #include <rigor/mesh/primitive/primitive_mesh.h>
+#include <rigor/mesh/read.h>
 #include <rigor/mesh/reduce.h>
 #include <rigor/mesh/repair/repair.h>
 #include <rigor/mesh/select.h>

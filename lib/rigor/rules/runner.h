@@ -22,6 +22,7 @@
 #include <rigor/rules/meshes.h>
 #include <rigor/rules/registry.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/suppression_fact.h>
 #include <rigor/rules/validate.h>
 #include <rigor/simulate/fact.h>
 #include <rigor/text/diagnostic.h>

@@ -9,7 +9,9 @@
 #include <utility>
 #include <variant>
 
+#include <rigor/convert/note.h>
 #include <rigor/rules/rule.h>
+#include <rigor/simulate/fact.h>
 
 namespace rigor::report {
 namespace {

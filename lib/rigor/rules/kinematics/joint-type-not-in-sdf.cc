@@ -4,6 +4,7 @@
 #include <string>
 
 #include <rigor/rules/rule.h>
+#include <rigor/rules/sdformat_robot.h>
 
 namespace rigor::rules::joint_type_not_in_sdf {
 namespace {

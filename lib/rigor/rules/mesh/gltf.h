@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include <rigor/mass/mesh/facts.h>
 #include <rigor/mesh/asset/asset.h>
 #include <rigor/rules/rule.h>
 
