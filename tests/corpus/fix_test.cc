@@ -19,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include <rigor/author/fix.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/read/load.h>
 #include <rigor/report/inspect/inspect.h>
 #include <rigor/rules/environment.h>

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <rigor/author/model_inertia.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/read/load.h>
 #include <rigor/rules/environment.h>
 #include <rigor/text/edit.h>

@@ -31,6 +31,10 @@
 #include <rigor/text/edit.h>
 #include <rigor/text/sources.h>
 
+namespace rigor::mass {
+class MeshSurveys;
+}  // namespace rigor::mass
+
 namespace rigor::author {
 
 /// Which links' inertials are computed anew.

@@ -16,7 +16,6 @@
 #include <string>
 #include <vector>
 
-#include <rigor/mass/mesh/survey.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
 #include <rigor/rules/environment.h>

@@ -13,21 +13,18 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <rigor/mass/find_mesh.h>
 #include <rigor/mass/mass_properties.h>
-#include <rigor/mass/mesh/survey.h>
+#include <rigor/mass/mesh/state.h>
 #include <rigor/mass/overlap.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
 
 namespace rigor::mass {
-
-/// The survey of the mesh that a shape names; null when its file is not found, or not to be opened.
-using FindMesh = std::function<const MeshSurvey*(const model::Mesh&)>;
 
 enum class From : std::uint8_t { kCollisions, kVisuals };
 

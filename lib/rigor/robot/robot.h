@@ -25,7 +25,7 @@
 #include <string>
 #include <vector>
 
-#include <rigor/mass/link_body.h>
+#include <rigor/mass/find_mesh.h>
 #include <rigor/mass/mass_properties.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>

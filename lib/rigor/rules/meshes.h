@@ -5,9 +5,13 @@
 
 #pragma once
 
-#include <rigor/mass/mesh/facts.h>
-#include <rigor/mass/mesh/survey.h>
-#include <rigor/text/turns.h>
+namespace rigor {
+class Turns;
+}  // namespace rigor
+namespace rigor::mass {
+class MeshFiles;
+class MeshSurveys;
+}  // namespace rigor::mass
 
 namespace rigor::rules {
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include <rigor/mass/mesh/reads.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/read/discover.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>

@@ -10,6 +10,7 @@
 #include <rigor/convert/urdf/take.h>
 #include <rigor/convert/urdf/uri.h>
 #include <rigor/convert/written_number.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/mass/resolve.h>
 #include <rigor/model/subject.h>
 

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include <rigor/mass/mesh/facts.h>
+#include <rigor/mass/mesh/state.h>
 #include <rigor/mass/polyhedron.h>
 #include <rigor/mass/shapes.h>
 #include <rigor/mesh/read.h>
@@ -73,22 +74,8 @@ class MeshSurveys {
   FoundOnce<std::tuple<std::string, std::string, bool>, MeshSurvey> known_;
 };
 
-/// What a mesh is good for.
-enum class MeshState : std::uint8_t {
-  kSolid,        ///< closed, wound outward, and counts every place once
-  kInverted,     ///< closed, but wound inside out
-  kOpen,         ///< not closed
-  kOverlapping,  ///< closed, but counts more than kMaxDoubled of its inside twice
-  kMixed,        ///< closed, but more than kMaxDoubled of it is inside out, and not all
-  kFlat,         ///< encloses nothing
-  kUnusable,     ///< could not be read
-};
-
 /// Overlap up to this share of the inside is taken for the modeller's way to join parts.
 inline constexpr double kMaxDoubled = 0.01;
-
-/// Where the body comes from.
-enum class BodyFrom : std::uint8_t { kMesh, kTurnedMesh, kHull };
 
 struct MeshBody {
   MeshState state = MeshState::kUnusable;

@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-#include <rigor/mass/link_body.h>
+#include <rigor/mass/find_mesh.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
 #include <rigor/text/diagnostic.h>

@@ -4,6 +4,7 @@
 // Causes in masses and inertias: those that are not of the link's own shapes, and bodies of very
 // different mass in one joint.
 
+#include <rigor/mass/shapes.h>
 #include <rigor/simulate/advice/parts.h>
 
 #include <algorithm>

@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-#include <rigor/mass/link_body.h>
+#include <rigor/mass/find_mesh.h>
 #include <rigor/mesh/image/height_picture.h>
 #include <rigor/mesh/read.h>
 #include <rigor/model/frames.h>
