@@ -149,6 +149,42 @@ TEST(Architecture, NoTwoFilesFormACircle) {
   for (const auto& [name, next] : std::map(includes)) visit(name);
 }
 
+/// What lib/public_headers.cmake lists, as "read/load.h".
+Names public_headers() {
+  const std::string list =
+      test::read_file(fs::path(RIGOR_SOURCE_DIR) / "lib" / "public_headers.cmake");
+  const std::regex header("^  rigor/([^)\\s]+)", std::regex::multiline);
+  Names names;
+  for (std::sregex_iterator it(list.begin(), list.end(), header), end; it != end; ++it) {
+    names.insert((*it)[1]);
+  }
+  return names;
+}
+
+TEST(Architecture, PublicHeadersIncludeNoOthers) {
+  const Names listed = public_headers();
+  ASSERT_GT(listed.size(), 40U);
+  std::map<std::string, Names> includes;
+  for (const File& file : all_files()) includes[file.name] = file.rigor;
+  for (const std::string& header : listed) {
+    ASSERT_TRUE(includes.contains(header)) << header << " does not exist";
+    for (const std::string& name : includes[header]) {
+      EXPECT_TRUE(listed.contains(name)) << header << " includes " << name;
+    }
+  }
+}
+
+TEST(Architecture, FoldersAreSmall) {
+  constexpr int kMostFiles = 40;  // more are split by noun
+  std::map<std::string, int> files;
+  for (const File& file : all_files()) {
+    const fs::path folder = fs::path(file.name).parent_path();
+    // A rule is one file, and its category is where people look for it.
+    if (folder.parent_path() != "rules") ++files[folder.generic_string()];
+  }
+  for (const auto& [folder, count] : files) EXPECT_LE(count, kMostFiles) << folder;
+}
+
 TEST(Architecture, FilesHaveOneSubject) {
   for (const char* top : {"lib", "tools", "tests"}) {
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(RIGOR_SOURCE_DIR) / top)) {
