@@ -13,10 +13,10 @@
 #include <rigor/convert/comments.h>
 #include <rigor/convert/digits.h>
 #include <rigor/convert/number_text.h>
-#include <rigor/convert/urdf/between.h>
 #include <rigor/convert/urdf/draft.h>
-#include <rigor/convert/urdf/joint.h>
-#include <rigor/convert/urdf/mimic.h>
+#include <rigor/convert/urdf/joint/between.h>
+#include <rigor/convert/urdf/joint/joint.h>
+#include <rigor/convert/urdf/joint/mimic.h>
 #include <rigor/convert/urdf/naming.h>
 #include <rigor/convert/urdf/places.h>
 #include <rigor/convert/urdf/take.h>

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/convert/urdf/joint.h>
+#include <rigor/convert/urdf/joint/joint.h>
 #include <rigor/model/subject.h>
 
 namespace rigor::convert {

@@ -10,7 +10,7 @@
 
 #include <rigor/convert/ledger.h>
 #include <rigor/convert/sdf_to_urdf.h>
-#include <rigor/convert/urdf/mimic.h>
+#include <rigor/convert/urdf/joint/mimic.h>
 #include <rigor/convert/urdf/names.h>
 #include <rigor/convert/urdf/tree.h>
 #include <rigor/model/model.h>

@@ -16,7 +16,7 @@
 #include <string>
 
 #include <rigor/convert/urdf/draft.h>
-#include <rigor/convert/urdf/mimic.h>
+#include <rigor/convert/urdf/joint/mimic.h>
 #include <rigor/convert/urdf/robot.h>
 #include <rigor/model/model.h>
 

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/convert/urdf/joint.h>
+#include <rigor/convert/urdf/joint/joint.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include <rigor/convert/urdf/axis.h>
+#include <rigor/convert/urdf/joint/axis.h>
 #include <rigor/model/subject.h>
 #include <rigor/read/values.h>
 #include <rigor/write/numbers.h>

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/convert/urdf/between.h>
+#include <rigor/convert/urdf/joint/between.h>
 
 #include <algorithm>
 #include <array>
