@@ -55,7 +55,7 @@ if(NODE AND FILES)
     file(READ ${WORK}/out/page_live.html live)
   endif()
 endif()
-file(WRITE ${SOURCE} "#include <rigor/report/embedded_page.h>\n\nnamespace rigor::report {\n
+file(WRITE ${SOURCE} "#include <rigor/report/page/embedded_page.h>\n\nnamespace rigor::report {\n
 std::string_view embedded_page() {\n  return R\"RIGORPAGE(" "${page}" ")RIGORPAGE\";\n}\n
 std::string_view embedded_live_page() {\n  return R\"RIGORPAGE(" "${live}" ")RIGORPAGE\";\n}\n
 }  // namespace rigor::report\n")

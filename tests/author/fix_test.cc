@@ -14,10 +14,10 @@
 
 #include <rigor/author/edit_set.h>
 #include <rigor/author/patched_text.h>
-#include <rigor/environment.h>
-#include <rigor/mass/mesh_survey.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/read/load.h>
-#include <rigor/report/inspect.h>
+#include <rigor/report/inspect/inspect.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/example.h>
 #include <rigor/rules/validate.h>
 

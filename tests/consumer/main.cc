@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/environment.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 
 int main(int argc, char** argv) {

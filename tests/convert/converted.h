@@ -12,10 +12,10 @@
 #include <variant>
 #include <vector>
 
-#include <rigor/convert/documents.h>
 #include <rigor/convert/sdf_to_urdf.h>
-#include <rigor/convert/urdf_robot.h>
+#include <rigor/convert/urdf/robot.h>
 #include <rigor/model/frames.h>
+#include <rigor/read/documents.h>
 #include <rigor/read/load.h>
 #include <rigor/read/resolver.h>
 #include <rigor/read/workspace.h>
@@ -50,7 +50,7 @@ struct ReadRobot {
   read::Workspace workspace;
   read::Loaded loaded;
   model::Frames frames;
-  convert::Documents documents;
+  read::Documents documents;
 };
 
 /// `files["robot.sdf"]`, converted.

@@ -10,9 +10,9 @@
 #include <utility>
 #include <variant>
 
-#include <rigor/convert/documents.h>
 #include <rigor/convert/sdf_to_urdf.h>
 #include <rigor/model/frames.h>
+#include <rigor/read/documents.h>
 #include <rigor/read/load.h>
 #include <rigor/read/resolver.h>
 #include <rigor/read/workspace.h>
@@ -53,7 +53,7 @@ class LoadedRobot {
   read::Workspace workspace_;
   read::Loaded loaded_;
   model::Frames frames_;
-  convert::Documents documents_;
+  read::Documents documents_;
   std::string path_;
 };
 

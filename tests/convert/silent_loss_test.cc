@@ -16,12 +16,12 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/convert/sdf_robot.h>
+#include <rigor/convert/sdf/robot.h>
 #include <rigor/convert/urdf_to_sdf.h>
 
 #include "convert/converted.h"
-#include "convert/robots.h"
 #include "convert/schema_fixture.h"
+#include "robot/robots.h"
 
 namespace rigor::convert {
 namespace {

@@ -13,11 +13,11 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/convert/urdf_draft.h>
-#include <rigor/environment.h>
+#include <rigor/convert/urdf/draft.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
+#include <rigor/rules/environment.h>
 #include <rigor/text/disk.h>
 #include <rigor/text/sources.h>
 
@@ -73,7 +73,7 @@ struct UrdfPart {
   convert::UrdfOptions options;
   read::Loaded loaded;
   model::Frames frames;
-  convert::Documents documents;
+  read::Documents documents;
   convert::Source source;
   convert::Ledger ledger;
   convert::UrdfDraft draft;

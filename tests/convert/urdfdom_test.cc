@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include <convert/robots.h>
+#include <robot/robots.h>
 #include "support/corpus.h"
 
 namespace rigor::test {
@@ -82,7 +82,7 @@ TEST(Urdfdom, AgreesOverTheCorpus) {
     }
     ++read;
     const auto found =
-        compare(robot_from(text), *verdict.robot, {.helpers = convert::Helpers::kTold});
+        compare(robot_from(text), *verdict.robot, {.helpers = robot::Helpers::kTold});
     EXPECT_EQ(told(found), Lines{}) << path;
   }
   EXPECT_GT(read, refused);

@@ -3,7 +3,7 @@
 //
 // Models of the corpus, drawn with everything that can be shown of them.
 
-#include <rigor/view/drawing.h>
+#include <rigor/view/drawing/drawing.h>
 
 #include <gtest/gtest.h>
 
@@ -17,12 +17,12 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/environment.h>
-#include <rigor/mass/mesh_reads.h>
+#include <rigor/mass/mesh/reads.h>
 #include <rigor/mass/shapes.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>
-#include <rigor/view/drawing_files.h>
+#include <rigor/rules/environment.h>
+#include <rigor/view/drawing/files.h>
 #include <rigor/view/trace.h>
 
 #include "support/corpus.h"

@@ -15,11 +15,11 @@
 #include <variant>
 #include <vector>
 
-#include <rigor/environment.h>
-#include <rigor/mass/mesh_reads.h>
+#include <rigor/mass/mesh/reads.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>
-#include <rigor/view/drawing_files.h>
+#include <rigor/rules/environment.h>
+#include <rigor/view/drawing/files.h>
 #include <rigor/view/trace.h>
 
 #include "corpus/link_silhouettes.h"

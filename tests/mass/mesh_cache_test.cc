@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/mass/mesh_cache.h>
+#include <rigor/mass/mesh/cache.h>
 
 #include <cstring>
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mass/mesh_facts_code.h>
+#include <rigor/mass/mesh/facts_code.h>
 
 #include <cli/program.h>
 

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/mass/mesh_reads.h>
+#include <rigor/mass/mesh/reads.h>
 
 #include <atomic>
 #include <thread>
@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mass/mesh_facts.h>
-#include <rigor/mass/mesh_survey.h>
+#include <rigor/mass/mesh/facts.h>
+#include <rigor/mass/mesh/survey.h>
 
 namespace rigor::mass {
 namespace {

@@ -3,7 +3,7 @@
 //
 // What a glTF file leans on, held against byte counts that are worked out by hand.
 
-#include <rigor/mesh/asset.h>
+#include <rigor/mesh/asset/asset.h>
 
 #include <array>
 #include <cstddef>

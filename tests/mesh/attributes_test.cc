@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include <rigor/mesh/assimp.h>
-#include <rigor/mesh/flat.h>
+#include <rigor/mesh/importer/assimp.h>
+#include <rigor/mesh/importer/flat.h>
 #include <rigor/mesh/normals.h>
 #include <rigor/process/child.h>
 #include <rigor/text/path.h>

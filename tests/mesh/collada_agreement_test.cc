@@ -14,10 +14,10 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mesh/assimp.h>
-#include <rigor/mesh/collada.h>
-#include <rigor/mesh/flat.h>
-#include <rigor/mesh/scene.h>
+#include <rigor/mesh/collada/collada.h>
+#include <rigor/mesh/importer/assimp.h>
+#include <rigor/mesh/importer/flat.h>
+#include <rigor/mesh/importer/scene.h>
 #include <rigor/process/child.h>
 #include <rigor/text/path.h>
 

@@ -3,7 +3,7 @@
 //
 // Scenes small enough to say by hand where each corner must come to lie.
 
-#include <rigor/mesh/scene.h>
+#include <rigor/mesh/importer/scene.h>
 
 #include <sys/wait.h>
 
@@ -15,7 +15,7 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mesh/flat.h>
+#include <rigor/mesh/importer/flat.h>
 
 namespace rigor::mesh {
 namespace {

@@ -10,9 +10,9 @@
 #include <map>
 #include <string>
 
-#include <rigor/environment.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/sdf_reader.h>
+#include <rigor/rules/environment.h>
 
 namespace rigor::read {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/report/explain.h>
+#include <rigor/report/rules/explain.h>
 
 namespace rigor::rules {
 namespace {

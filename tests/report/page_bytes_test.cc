@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/report/page_bytes.h>
+#include <rigor/report/page/bytes.h>
 
 #include <cmath>
 #include <random>

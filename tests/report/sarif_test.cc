@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/report/sarif.h>
+#include <rigor/report/sarif/sarif.h>
 
 #include <algorithm>
 #include <set>
@@ -12,8 +12,8 @@
 #include <nlohmann/json.hpp>
 
 #include <report/found.h>
-#include <rigor/environment.h>
 #include <rigor/report/tool.h>
+#include <rigor/rules/environment.h>
 
 namespace rigor::report {
 namespace {

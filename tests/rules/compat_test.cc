@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/environment.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/example.h>
 #include <rigor/rules/sdformat_inertia.h>
 #include <rigor/rules/validate.h>

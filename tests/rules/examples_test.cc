@@ -15,8 +15,8 @@
 #include <rigor/author/conversion.h>
 #include <rigor/author/simulation.h>
 #include <rigor/config/scenario.h>
-#include <rigor/environment.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/example.h>
 #include <rigor/rules/runner.h>
 #include <rigor/rules/validate.h>

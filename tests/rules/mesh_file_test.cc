@@ -17,12 +17,12 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/environment.h>
-#include <rigor/mass/mesh_facts.h>
+#include <rigor/mass/mesh/facts.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
 #include <rigor/rules/context.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/runner.h>
 #include <rigor/rules/validate.h>
 

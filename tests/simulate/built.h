@@ -16,8 +16,8 @@
 
 #include <rigor/read/load.h>
 #include <rigor/schema/embedded.h>
-#include <rigor/simulate/build.h>
-#include <rigor/simulate/scene_input.h>
+#include <rigor/simulate/scene/build.h>
+#include <rigor/simulate/scene/input.h>
 
 namespace rigor::test {
 

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include <rigor/environment.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
-#include <rigor/simulate/scene_input.h>
+#include <rigor/rules/environment.h>
+#include <rigor/simulate/scene/input.h>
 #include <rigor/text/disk.h>
 #include <rigor/text/sources.h>
 

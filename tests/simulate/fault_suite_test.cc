@@ -15,9 +15,9 @@
 #include <functional>
 #include <memory>
 
-#include <rigor/simulate/advice.h>
+#include <rigor/simulate/advice/advice.h>
 #include <rigor/simulate/simulate.h>
-#include <rigor/simulate/tests.h>
+#include <rigor/simulate/test/tests.h>
 #include <rigor/simulate/wheels.h>
 
 namespace rigor {

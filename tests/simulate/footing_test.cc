@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include <rigor/simulate/simulate.h>
-#include <rigor/simulate/tests.h>
+#include <rigor/simulate/test/tests.h>
 
 #include "simulate/built.h"
 

@@ -19,7 +19,7 @@
 
 #include <rigor/simulate/run.h>
 #include <rigor/simulate/stage.h>
-#include <rigor/simulate/tests.h>
+#include <rigor/simulate/test/tests.h>
 #include <rigor/simulate/wheels.h>
 #include <simulate/fault_suite.h>
 

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/simulate/assertion.h>
 #include <rigor/simulate/confirm.h>
-#include <rigor/simulate/metric_parts.h>
-#include <rigor/simulate/tests.h>
+#include <rigor/simulate/metric/assertion.h>
+#include <rigor/simulate/metric/parts.h>
+#include <rigor/simulate/test/tests.h>
 
 #include "simulate/hand_robot.h"
 #include "simulate/hand_scene.h"

@@ -9,12 +9,12 @@
 #include <string>
 #include <utility>
 
-#include <rigor/environment.h>
-#include <rigor/mass/mesh_reads.h>
+#include <rigor/mass/mesh/reads.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>
-#include <rigor/view/drawing.h>
-#include <rigor/view/drawing_files.h>
+#include <rigor/rules/environment.h>
+#include <rigor/view/drawing/drawing.h>
+#include <rigor/view/drawing/files.h>
 
 namespace rigor::view {
 

@@ -11,10 +11,10 @@
 #include <string>
 #include <string_view>
 
-#include <rigor/mesh/asset.h>
-#include <rigor/mesh/collada.h>
+#include <rigor/mesh/asset/asset.h>
+#include <rigor/mesh/collada/collada.h>
 #include <rigor/mesh/read.h>
-#include <rigor/mesh/topology.h>
+#include <rigor/mesh/topology/topology.h>
 #include <rigor/text/disk.h>
 
 #include "sound.h"

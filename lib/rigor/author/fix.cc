@@ -6,8 +6,8 @@
 #include <optional>
 
 #include <rigor/author/file_fixer.h>
-#include <rigor/mass/mesh_facts.h>
-#include <rigor/mass/mesh_survey.h>
+#include <rigor/mass/mesh/facts.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/read/workspace.h>
 
 namespace rigor::author {

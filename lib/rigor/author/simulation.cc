@@ -8,8 +8,8 @@
 
 #include <rigor/rules/runner.h>
 #include <rigor/rules/suppression.h>
-#include <rigor/simulate/advice.h>
-#include <rigor/simulate/scene_input.h>
+#include <rigor/simulate/advice/advice.h>
+#include <rigor/simulate/scene/input.h>
 
 namespace rigor::author {
 namespace {

@@ -20,11 +20,11 @@
 #include <string>
 #include <vector>
 
-#include <rigor/convert/documents.h>
 #include <rigor/convert/ledger.h>
-#include <rigor/convert/urdf_robot.h>
+#include <rigor/convert/urdf/robot.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
+#include <rigor/read/documents.h>
 #include <rigor/read/resolver.h>
 #include <rigor/schema/schema.h>
 
@@ -70,7 +70,7 @@ struct UrdfOptions {
 struct Source {
   const model::Root& root;
   const model::Frames& frames;
-  const Documents& documents;
+  const read::Documents& documents;
   const read::Resolver& resolver;
   const schema::Schema& schema;  ///< of the source's format
   std::string path;              ///< of the file

@@ -19,7 +19,7 @@
 #include <string_view>
 #include <vector>
 
-#include <rigor/convert/robot.h>
+#include <rigor/robot/robot.h>
 
 namespace rigor::convert {
 
@@ -28,7 +28,7 @@ inline constexpr unsigned kUrdfdomSeconds = 2;
 
 struct UrdfdomVerdict {
   /// Nothing when it refused the file, or did not come back.
-  std::optional<Robot> robot;
+  std::optional<robot::Robot> robot;
   /// What it said: errors and warnings in their order; how it ended when it did not come back. It
   /// reads some files with errors, and leaves out what they speak of.
   std::vector<std::string> messages;

@@ -8,9 +8,9 @@
 #include <memory>
 #include <utility>
 
-#include <rigor/mesh/obj.h>
-#include <rigor/mesh/scene.h>
-#include <rigor/mesh/stl.h>
+#include <rigor/mesh/importer/scene.h>
+#include <rigor/mesh/obj/obj.h>
+#include <rigor/mesh/stl/stl.h>
 #include <rigor/mesh/text_cursor.h>
 #include <rigor/text/path.h>
 

@@ -4,7 +4,7 @@
 // Reads a mesh file of any known format into memory, within bounds.
 //
 // STL and OBJ are read by rigor itself, since the file is what is checked; Collada, glTF, PLY and
-// what else there is by an importer in a child process (scene.h), because importers crash.
+// what else there is by an importer in a child process (mesh/importer/scene.h), because importers crash.
 //
 //   LoadedMesh loaded = read_mesh(disk, "meshes/wheel.stl");
 //   if (!loaded.usable()) explain(loaded.faults);

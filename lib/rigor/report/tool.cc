@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <rigor/mesh/engines.h>
-#include <rigor/simulate/ode_version.h>
+#include <rigor/simulate/engine/ode_version.h>
 #include <rigor/xml/engine.h>
 
 namespace rigor::report {

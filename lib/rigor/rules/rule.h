@@ -28,22 +28,43 @@
 #include <variant>
 #include <vector>
 
-#include <rigor/convert/note.h>
-#include <rigor/mass/mesh_facts.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
-#include <rigor/read/conformance.h>
-#include <rigor/read/fact.h>
-#include <rigor/read/model_config.h>
 #include <rigor/rules/compat.h>
 #include <rigor/rules/context.h>
-#include <rigor/rules/suppression_fact.h>
 #include <rigor/rules/target.h>
-#include <rigor/simulate/fact.h>
 #include <rigor/text/diagnostic.h>
-#include <rigor/xml/fault.h>
+
+// Facts that lower rooms find. Only a rule that turns a kind of them into words includes their header, so
+// that a new kind is compiled into those rules and no others.
+namespace rigor::xml {
+struct Fault;
+enum class FaultKind : std::uint8_t;
+}  // namespace rigor::xml
+namespace rigor::read {
+struct SchemaFact;
+enum class SchemaFactKind : std::uint8_t;
+struct Fact;
+enum class FactKind : std::uint8_t;
+struct ConfigFact;
+enum class ConfigFactKind : std::uint8_t;
+}  // namespace rigor::read
+namespace rigor::mass {
+struct MeshFacts;
+}  // namespace rigor::mass
+namespace rigor::convert {
+struct Note;
+enum class NoteKind : std::uint8_t;
+}  // namespace rigor::convert
+namespace rigor::simulate {
+struct Fact;
+enum class FactKind : std::uint8_t;
+}  // namespace rigor::simulate
 
 namespace rigor::rules {
+
+struct SuppressionFact;
+enum class SuppressionFactKind : std::uint8_t;
 
 enum class Category : std::uint8_t {
   kXml,

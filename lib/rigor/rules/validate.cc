@@ -10,7 +10,8 @@
 #include <set>
 #include <utility>
 
-#include <rigor/mass/mesh_reads.h>
+#include <rigor/mass/mesh/reads.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/read/discover.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>

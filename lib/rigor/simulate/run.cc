@@ -10,7 +10,7 @@
 #include <utility>
 
 #include <rigor/simulate/commander.h>
-#include <rigor/simulate/engine.h>
+#include <rigor/simulate/engine/engine.h>
 #include <rigor/text/digest.h>
 
 namespace rigor::simulate {

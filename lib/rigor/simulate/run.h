@@ -20,10 +20,10 @@
 #include <vector>
 
 #include <rigor/process/child.h>
-#include <rigor/simulate/measure.h>
+#include <rigor/simulate/engine/state.h>
+#include <rigor/simulate/metric/measure.h>
 #include <rigor/simulate/scenario.h>
-#include <rigor/simulate/scene.h>
-#include <rigor/simulate/state.h>
+#include <rigor/simulate/scene/scene.h>
 
 namespace rigor::simulate {
 

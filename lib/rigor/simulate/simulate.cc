@@ -12,10 +12,10 @@
 #include <utility>
 
 #include <rigor/process/child.h>
-#include <rigor/simulate/advice.h>
-#include <rigor/simulate/assertion.h>
+#include <rigor/simulate/advice/advice.h>
 #include <rigor/simulate/confirm.h>
-#include <rigor/simulate/metric_parts.h>
+#include <rigor/simulate/metric/assertion.h>
+#include <rigor/simulate/metric/parts.h>
 #include <rigor/simulate/stage.h>
 
 namespace rigor::simulate {

@@ -20,10 +20,10 @@
 #include <vector>
 
 #include <rigor/simulate/fact.h>
-#include <rigor/simulate/metric.h>
+#include <rigor/simulate/metric/metric.h>
 #include <rigor/simulate/run.h>
 #include <rigor/simulate/scenario.h>
-#include <rigor/simulate/scene.h>
+#include <rigor/simulate/scene/scene.h>
 #include <rigor/simulate/wheels.h>
 
 namespace rigor::simulate {
@@ -33,7 +33,7 @@ enum class Confirm : std::uint8_t { kNo, kFailures };
 /// A scene in its scenarios. What is referred to outlives the call.
 struct Task {
   const Scene& scene;
-  const Facts& causes;  ///< see advice.h: facts of runs come with those that explain them
+  const Facts& causes;  ///< advice/advice.h: facts of runs come with those that explain them
   std::vector<Scenario> scenarios;
   const DriveTrain& wheels;
   SolverSettings solver;  ///< usually the scene's; its seed is the run's

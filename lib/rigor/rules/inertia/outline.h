@@ -17,7 +17,7 @@
 #include <variant>
 #include <vector>
 
-#include <rigor/mass/mesh_survey.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/mass/shapes.h>
 #include <rigor/model/geometry.h>
 #include <rigor/rules/context.h>

@@ -8,6 +8,7 @@
 
 #include <rigor/rules/kinematics/motion.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/sdformat_robot.h>
 
 namespace rigor::rules::axis_zero {
 namespace {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <rigor/rules/rule.h>
+#include <rigor/rules/sdformat_robot.h>
 
 namespace rigor::rules::joint_type_not_in_sdf {
 namespace {

@@ -7,6 +7,7 @@
 
 #include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/sdformat_robot.h>
 
 namespace rigor::rules::no_link_left_in_sdf {
 namespace {

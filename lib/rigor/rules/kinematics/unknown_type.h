@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <rigor/read/conformance.h>
 #include <rigor/read/values.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>

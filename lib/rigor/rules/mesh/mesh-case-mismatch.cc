@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include <rigor/read/resolver.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/uri_fix.h>
 

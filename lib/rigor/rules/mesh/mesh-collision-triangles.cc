@@ -3,19 +3,20 @@
 
 #include <fmt/core.h>
 
+#include <rigor/mesh/triangle_budget.h>
 #include <rigor/rules/mesh/places.h>
-#include <rigor/rules/mesh/triangle_budget.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_collision_triangles {
 namespace {
 
 void check(const MeshFile& file, Context& context) {
-  if (!file.collision() || takes_part(file) || file.facts.triangles <= kMostCollisionTriangles)
+  if (!file.collision() || takes_part(file) ||
+      file.facts.triangles <= mesh::kMostCollisionTriangles)
     return;
   report_mesh(file, context,
               fmt::format("the mesh has {} triangles, over {}: much for collisions",
-                          file.facts.triangles, kMostCollisionTriangles));
+                          file.facts.triangles, mesh::kMostCollisionTriangles));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include <rigor/read/resolver.h>
 #include <rigor/rules/mesh/mujoco_compiler.h>
 #include <rigor/rules/rule.h>
 #include <rigor/text/path.h>

@@ -12,6 +12,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/rules/mesh/places.h>
 #include <rigor/rules/rule.h>
 

@@ -3,18 +3,19 @@
 
 #include <fmt/core.h>
 
+#include <rigor/mesh/triangle_budget.h>
 #include <rigor/rules/mesh/places.h>
-#include <rigor/rules/mesh/triangle_budget.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_visual_triangles {
 namespace {
 
 void check(const MeshFile& file, Context& context) {
-  if (!file.visual() || takes_part(file) || file.facts.triangles <= kMostVisualTriangles) return;
+  if (!file.visual() || takes_part(file) || file.facts.triangles <= mesh::kMostVisualTriangles)
+    return;
   report_mesh(file, context,
               fmt::format("the mesh has {} triangles, over {}", file.facts.triangles,
-                          kMostVisualTriangles));
+                          mesh::kMostVisualTriangles));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include <rigor/mass/mesh_survey.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::submesh_not_in_file {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include <rigor/rules/rule.h>
+#include <rigor/rules/sdformat_robot.h>
 
 namespace rigor::rules::name_not_in_sdf {
 namespace {

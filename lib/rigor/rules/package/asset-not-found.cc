@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include <rigor/read/resolver.h>
 #include <rigor/read/values.h>
 #include <rigor/rules/package/assets.h>
 #include <rigor/rules/rule.h>

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include <rigor/read/fact.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::include_cycle {

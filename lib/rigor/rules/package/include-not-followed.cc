@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include <rigor/read/fact.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::include_not_followed {

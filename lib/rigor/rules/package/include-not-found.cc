@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include <rigor/read/fact.h>
+#include <rigor/read/resolver.h>
 #include <rigor/rules/package/tried.h>
 #include <rigor/rules/rule.h>
 

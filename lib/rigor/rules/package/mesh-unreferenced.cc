@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <rigor/rules/rule.h>
+#include <rigor/text/disk.h>
 #include <rigor/text/letter_case.h>
 #include <rigor/text/path.h>
 

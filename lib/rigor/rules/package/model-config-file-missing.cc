@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include <rigor/read/model_config.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::model_config_file_missing {

@@ -4,7 +4,10 @@
 #include <string>
 #include <string_view>
 
+#include <rigor/read/fact.h>
+#include <rigor/read/model_config.h>
 #include <rigor/rules/rule.h>
+#include <rigor/text/disk.h>
 
 namespace rigor::rules::model_config_no_sdf {
 namespace {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include <rigor/read/model_config.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 

@@ -6,6 +6,7 @@
 
 #include <rigor/rules/rule.h>
 #include <rigor/rules/uris.h>
+#include <rigor/text/disk.h>
 #include <rigor/text/path.h>
 
 namespace rigor::rules::uri_leaves_model {

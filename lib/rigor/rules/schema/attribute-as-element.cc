@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include <rigor/read/values.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/place.h>

@@ -14,6 +14,7 @@
 #include <rigor/rules/schema/gazebo_content.h>
 #include <rigor/rules/schema/refused_value.h>
 #include <rigor/rules/schema/value_text.h>
+#include <rigor/rules/sdformat_robot.h>
 #include <rigor/text/letter_case.h>
 
 namespace rigor::rules::gazebo_value_malformed {

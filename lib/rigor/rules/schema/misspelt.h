@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include <rigor/rules/context.h>
+#include <rigor/schema/schema.h>
 #include <rigor/schema/suggest.h>
 #include <rigor/xml/document.h>
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <rigor/read/conformance.h>
+#include <rigor/read/fact.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 

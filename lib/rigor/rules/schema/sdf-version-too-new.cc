@@ -3,7 +3,9 @@
 
 #include <string>
 
+#include <rigor/read/fact.h>
 #include <rigor/rules/rule.h>
+#include <rigor/schema/version.h>
 
 namespace rigor::rules::sdf_version_too_new {
 namespace {

@@ -3,7 +3,9 @@
 
 #include <string_view>
 
+#include <rigor/read/fact.h>
 #include <rigor/rules/rule.h>
+#include <rigor/schema/version.h>
 
 namespace rigor::rules::sdf_version_unknown {
 namespace {

@@ -1,6 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <rigor/read/fact.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::several_at_top_level {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <rigor/read/values.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/place.h>

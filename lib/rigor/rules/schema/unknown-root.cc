@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include <rigor/read/fact.h>
 #include <rigor/rules/rule.h>
 #include <rigor/schema/suggest.h>
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <rigor/rules/rule.h>
+#include <rigor/rules/suppression_fact.h>
 
 namespace rigor::rules::unused_suppression {
 namespace {

@@ -1,0 +1,26 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Where facts of large meshes are kept between runs: `$XDG_CACHE_HOME/rigor`, else `~/.cache/rigor`.
+// `--no-cache` and RIGOR_CACHE=off turn that off; without a home there is none.
+
+#pragma once
+
+#include <optional>
+
+#include <rigor/mass/mesh/cache.h>
+#include <CLI/CLI.hpp>
+
+namespace rigor::tool {
+
+class CacheOption {
+ public:
+  void declare(CLI::App& app);
+
+  std::optional<mass::MeshCache> cache() const;
+
+ private:
+  bool off_ = false;
+};
+
+}  // namespace rigor::tool
