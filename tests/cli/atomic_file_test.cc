@@ -6,6 +6,8 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
+#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -63,8 +65,18 @@ TEST_F(AtomicFile, IsOnTheDiskBeforeItHasItsName) {
 }
 
 TEST_F(AtomicFile, StaysWhenTheDiskFails) {
+  // How many files are closed up to the one that is written.
+  ASSERT_EQ(replace("-e trace=close").exit, 0);
+  std::istringstream calls(folder_.get("calls.txt"));
+  int closed = 0;
+  for (std::string line; std::getline(calls, line);) {
+    ++closed;
+    if (line.find("into/all.jsonl.") != std::string::npos) break;
+  }
+  folder_.put("into/all.jsonl", "old\n");
   // A full disk is told when the bytes are synchronized; NFS tells it when the file is closed.
-  for (const std::string failure : {"fsync:error=ENOSPC", "close:error=EDQUOT"}) {
+  for (const std::string& failure :
+       {std::string("fsync:error=ENOSPC"), "close:error=EDQUOT:when=" + std::to_string(closed)}) {
     const Ran ran = replace("-e inject=" + failure);
     EXPECT_EQ(ran.exit, 2) << failure << ran.err;
     EXPECT_NE(ran.err.find("cannot be written"), std::string::npos) << failure << ran.err;
