@@ -52,7 +52,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME rigor)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 # Opened when a Collada, glTF or PLY mesh is first read, so that no dependency shows.
-string(REPLACE ".so." "" rigor_assimp_package ${RIGOR_ASSIMP_SONAME})
+string(REPLACE ".so." "" rigor_assimp_package "${RIGOR_ASSIMP_SONAME}")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "${rigor_assimp_package}, libembree3-3")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
 "rigor tells what is wrong with a robot model (SDFormat, URDF) before a
