@@ -52,7 +52,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME rigor)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 # Opened when a Collada, glTF or PLY mesh is first read, so that no dependency shows.
-string(REPLACE ".so." "" rigor_assimp_package ${RIGOR_ASSIMP_SONAME})
+string(REPLACE ".so." "" rigor_assimp_package "${RIGOR_ASSIMP_SONAME}")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "${rigor_assimp_package}, libembree3-3")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
 "rigor tells what is wrong with a robot model (SDFormat, URDF) before a
@@ -67,7 +67,7 @@ set(CPACK_DEBIAN_DEV_PACKAGE_NAME librigor-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
     "libconsole-bridge-dev, libeigen3-dev, libfmt-dev, libmeshoptimizer-dev, libode-dev, libpng-dev, libqhull-dev, \
-libtinyxml2-dev, libturbojpeg0-dev, liburdfdom-dev, zlib1g-dev")
+libtinyxml2-dev, libturbojpeg0-dev, liburdfdom-dev, libxxhash-dev, zlib1g-dev")
 set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "${rigor_assimp_package}, libembree3-3")
 set(CPACK_COMPONENT_DEV_DESCRIPTION
 "rigor tells what is wrong with a robot model (SDFormat, URDF) before a

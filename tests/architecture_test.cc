@@ -60,8 +60,9 @@ const std::map<std::string, Names>& third_parties() {
       {"tinyxml2.h", {"xml", "tools"}},
       {"Eigen/", {"mass", "report"}},
       {"fmt/", {"convert", "rules", "author", "report", "tools"}},
-      {"nlohmann/", {"report", "tools"}},
+      {"nlohmann/", {"mesh", "report", "tools"}},
       {"CLI/", {"tools"}},
+      {"httplib.h", {"tools"}},
       {"toml++", {"config"}},
       {"assimp/", {"mesh"}},
       {"libqhull", {"mesh"}},
@@ -72,6 +73,7 @@ const std::map<std::string, Names>& third_parties() {
       {"embree3/", {"view"}},
       {"png.h", {"view", "mesh"}},
       {"turbojpeg.h", {"view"}},
+      {"xxhash.h", {"text"}},
       {"zlib.h", {"report"}}};
   return kParties;
 }

@@ -82,7 +82,7 @@ constexpr RequiredField kRequired[] = {
     {"runs[].results[].locations[].physicalLocation.region.endLine", 0},
     {"runs[].results[].locations[].physicalLocation.region.endColumn", 0},
     {"runs[].results[].partialFingerprints.primaryLocationLineHash", 100},
-    {"runs[].results[].partialFingerprints.rigorId/v1", 100},
+    {"runs[].results[].partialFingerprints.rigorId/v2", 100},
 };
 
 TEST(Sarif, HasEveryFieldThatCodeScanningRequires) {

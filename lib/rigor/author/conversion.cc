@@ -259,6 +259,7 @@ class Prover {
   void ask_urdfdom(const read::Loaded& source, const robot::Robot& before,
                    const robot::Robot& after, const Told& told, Notes& notes) {
     convert::UrdfdomVerdict verdict = convert::judge_by_urdfdom(*result_.text);
+    if (!verdict.asked) return;
     if (!verdict.robot) {
       notes.push_back({.kind = NoteKind::kRefused,
                        .where = source.root.site.tag,

@@ -33,6 +33,7 @@ struct UrdfdomVerdict {
   /// reads some files with errors, and leaves out what they speak of.
   std::vector<std::string> messages;
   bool died = false;  ///< crashed, or ran out of time or memory
+  bool asked = true;  ///< false in a build without urdfdom
 };
 
 /// Links and joints come sorted by name, as urdfdom keeps them; nothing has a span. A mesh's `path` is

@@ -22,7 +22,7 @@ std::vector<Engine> engines() {
       {"fmt",
        fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
       {"meshoptimizer", mesh::meshoptimizer_version()},
-      {"ODE", simulate::ode_version()},
+      {"ODE", simulate::ode_version().empty() ? "(built without)" : simulate::ode_version()},
       {"Qhull", mesh::qhull_version()},
       {"tinyxml2", xml::tinyxml2_version()},
   };

@@ -19,7 +19,7 @@
 namespace rigor::simulate {
 namespace {
 
-constexpr std::string_view kRecordWord = "rigrec01";
+constexpr std::string_view kRecordWord = "rigrec02";
 
 /// Copied as they are: they have no gaps between their members.
 template <class T>

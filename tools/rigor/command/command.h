@@ -6,6 +6,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -26,6 +27,11 @@ class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// Of a command that needs a library which was left out of this build.
+[[noreturn]] inline void refuse_without(const std::string& library, const std::string& command) {
+  throw UsageError("rigor was built without " + library + ": " + command + " is not available");
+}
 
 class Command {
  public:
@@ -64,6 +70,9 @@ std::unique_ptr<Command> version_command();
 /// Makes the help of a program or subcommand open with examples, one a line.
 void examples_first(CLI::App& app, const std::vector<std::string>& examples);
 
+/// Those of `examples_first`.
+std::vector<std::string> examples_of(const CLI::App& app);
+
 /// A subcommand whose help opens with examples, one a line.
 CLI::App* add_command(CLI::App& program, const std::string& name, const std::string& description,
                       const std::vector<std::string>& examples);
@@ -71,9 +80,19 @@ CLI::App* add_command(CLI::App& program, const std::string& name, const std::str
 /// `; did you mean "axis-zero"?`, or nothing when no candidate is near.
 std::string did_you_mean(std::string_view name, const std::vector<std::string_view>& candidates);
 
+using Names = std::span<const std::string_view>;
+
 /// The index of `name` among `known`; a UsageError that names `what` when it is none of them.
-std::size_t choice(std::string_view what, std::string_view name,
-                   const std::vector<std::string_view>& known);
+std::size_t choice(std::string_view what, std::string_view name, Names known);
+
+/// Lets completions offer the names as values of the option, whose value the command checks by `choice`.
+CLI::Option* offer(CLI::Option* option, Names known);
+
+/// Those of `offer`; none where any value may stand.
+std::vector<std::string> offered_by(CLI::Option& option);
+
+/// The name of an option's value, "N", without what CLI11 adds of its checks.
+std::string value_name(CLI::Option& option);
 
 /// "a, b, c"
 std::string listed(const std::vector<std::string_view>& names);

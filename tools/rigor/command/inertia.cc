@@ -69,10 +69,12 @@ class InertiaCommand final : public Command {
 
   void declare_model(CLI::App& app) {
     const std::string group = "Of a model";
-    word(app, "--only", a_.only, "missing, implausible or all links; else those with a finding",
-         "WHICH", group);
-    word(app, "--from", a_.from, "collision or visual shapes; else whichever have an answer",
-         "SHAPES", group);
+    offer(word(app, "--only", a_.only,
+               "missing, implausible or all links; else those with a finding", "WHICH", group),
+          kOnlyNames);
+    offer(word(app, "--from", a_.from, "collision or visual shapes; else whichever have an answer",
+               "SHAPES", group),
+          kFromNames);
     app.add_flag("--bake", a_.bake, "Also turn <inertial auto=\"true\"> into numbers")
         ->group(group);
     app.add_option("--joint", a_.joints, "Position of a joint, rad or m, for the totals")
@@ -83,10 +85,10 @@ class InertiaCommand final : public Command {
     app.add_flag("--write", a_.write, "Write the inertials into the file")->group(group);
   }
 
-  static void word(CLI::App& app, const std::string& name, std::string& value,
-                   const std::string& description, const std::string& type,
-                   const std::string& group) {
-    app.add_option(name, value, description)->type_name(type)->group(group);
+  static CLI::Option* word(CLI::App& app, const std::string& name, std::string& value,
+                           const std::string& description, const std::string& type,
+                           const std::string& group) {
+    return app.add_option(name, value, description)->type_name(type)->group(group);
   }
 
   static void numbers(CLI::App& app, const std::string& name, std::vector<std::string>& value,

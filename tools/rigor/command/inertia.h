@@ -7,12 +7,17 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "option/search.h"
 #include "output/output.h"
 
 namespace rigor::tool {
+
+/// What `--only` and `--from` take.
+inline constexpr std::string_view kOnlyNames[] = {"missing", "implausible", "all"};
+inline constexpr std::string_view kFromNames[] = {"collision", "visual"};
 
 struct InertiaArguments {
   std::string what;  ///< a shape's name, or a model's path

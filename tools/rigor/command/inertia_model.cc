@@ -59,10 +59,10 @@ InertiaOptions options_of(const InertiaArguments& a) {
   if (!a.only.empty()) {
     constexpr author::Only kOnly[] = {author::Only::kMissing, author::Only::kImplausible,
                                       author::Only::kAll};
-    options.only = kOnly[choice("--only value", a.only, {"missing", "implausible", "all"})];
+    options.only = kOnly[choice("--only value", a.only, kOnlyNames)];
   }
   if (!a.from.empty()) {
-    const bool visual = choice("--from value", a.from, {"collision", "visual"}) == 1;
+    const bool visual = choice("--from value", a.from, kFromNames) == 1;
     options.from = visual ? mass::From::kVisuals : mass::From::kCollisions;
   }
   for (const std::string& text : a.masses) {

@@ -80,8 +80,9 @@ class New final : public Command {
     app->add_option("name", name_, "The model's name, and its folder, which must not be there yet")
         ->required()
         ->type_name("NAME");
-    app->add_option("--template", template_, "What it begins as: " + templates_and_default())
-        ->type_name("WHICH");
+    offer(app->add_option("--template", template_, "What it begins as: " + templates_and_default())
+              ->type_name("WHICH"),
+          author::template_names());
     return app;
   }
 

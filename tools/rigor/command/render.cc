@@ -75,17 +75,19 @@ class Render final : public Command {
     app->add_option("-o,--out", out_, "The picture, a PNG; with --view thumbnails, the folder")
         ->required()
         ->type_name("FILE");
-    app->add_option("--view", view_,
-                    "perspective (the default), front, side, top, back, all or "
-                    "thumbnails")
-        ->type_name("VIEW");
+    offer(app->add_option("--view", view_,
+                          "perspective (the default), front, side, top, back, all or "
+                          "thumbnails")
+              ->type_name("VIEW"),
+          known_views());
     app->add_option("--size", size_,
                     "Of the picture, in pixels, default 960x640; of each on a "
                     "sheet, 320x240")
         ->type_name("WxH");
-    app->add_option("--show", show_,
-                    "Layers, default visual,ground; known are " + listed(view::layer_names()))
-        ->type_name("LAYERS");
+    offer(app->add_option("--show", show_,
+                          "Layers, default visual,ground; known are " + listed(view::layer_names()))
+              ->type_name("LAYERS"),
+          view::layer_names());
     app->add_option("--joint", joints_, "Position of a joint, rad or m; VALUE,VALUE for two axes")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);

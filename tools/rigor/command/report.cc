@@ -19,6 +19,7 @@
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
 #include <rigor/simulate/test/tests.h>
+#include <rigor/simulate/engine/ode_version.h>
 #include <rigor/text/for_each_index.h>
 #include <rigor/text/path.h>
 #include <rigor/view/trace.h>
@@ -36,6 +37,8 @@ namespace rigor::tool {
 namespace {
 
 using report::TeamReportForm;
+
+constexpr std::string_view kBudgetKinds[] = {"visual", "collision"};
 
 /// So many models are in memory at a time, with their trajectories.
 constexpr std::size_t kModelsAtATime = 64;
@@ -67,9 +70,11 @@ class Report final : public Command {
     app->add_option("-o,--out", out_, "FILE.html, or FOLDER/ for a page a model")
         ->required()
         ->type_name("FILE");
-    app->add_option("--test", tests_,
-                    "What is simulated: settle (the default), drop, drive, turn, brake, push, "
-                    "joint-sweep, hold, tilt-table")
+    offer(
+        app->add_option("--test", tests_,
+                        "What is simulated: settle (the default), drop, drive, turn, brake, push, "
+                        "joint-sweep, hold, tilt-table"),
+        simulate::kTestNames)
         ->type_name("NAME,...")
         ->delimiter(',')
         ->allow_extra_args(false);
@@ -95,6 +100,9 @@ class Report final : public Command {
   int run() override {
     if (std::count(a_.paths.begin(), a_.paths.end(), "-") > 0) {
       throw UsageError("report reads files and folders, not stdin");
+    }
+    if (!no_simulate_ && simulate::ode_version().empty()) {
+      refuse_without("ODE", "report without --no-simulate");
     }
     const TeamReportForm form = asked_form();
     report::TeamReportOptions options{form, a_.paths, budget()};
@@ -132,7 +140,7 @@ class Report final : public Command {
     report::TriangleBudget budget;
     for (const std::string& text : budget_) {
       const auto [kind, count] = split_assignment("--budget", text);
-      const bool visual = choice("--budget kind", kind, {"visual", "collision"}) == 0;
+      const bool visual = choice("--budget kind", kind, kBudgetKinds) == 0;
       (visual ? budget.visual : budget.collision) = triangle_count("--budget", count);
     }
     return budget;
@@ -140,8 +148,7 @@ class Report final : public Command {
 
   author::SimulationOptions simulation_options() const {
     author::SimulationOptions options;
-    const auto& known = simulate::kTestNames;
-    for (const std::string& test : tests_) choice("test", test, {known.begin(), known.end()});
+    for (const std::string& test : tests_) choice("test", test, simulate::kTestNames);
     options.plan.tests = tests_.empty() ? std::vector<std::string>{"settle"} : tests_;
     options.jobs = a_.jobs > 0 ? a_.jobs : std::max(1U, std::thread::hardware_concurrency());
     // What --select names are rules on files; those on simulations go with the tests.

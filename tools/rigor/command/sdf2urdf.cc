@@ -10,6 +10,15 @@
 namespace rigor::tool {
 namespace {
 
+constexpr std::string_view kUrdfVersions[] = {"1.0", "1.1"};
+// The first is the default.
+constexpr std::string_view kLoopNames[] = {"cut", "comment"};
+constexpr std::string_view kShapePolicies[] = {"lose", "mesh"};
+constexpr std::string_view kFramePolicies[] = {"links", "drop"};
+constexpr std::string_view kModelPoses[] = {"drop", "world-link"};
+constexpr std::string_view kStaticPolicies[] = {"block", "world-link"};
+constexpr std::string_view kRootPolicies[] = {"refuse", "add"};
+
 class SdfToUrdf final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
@@ -23,22 +32,25 @@ class SdfToUrdf final : public Command {
     app->add_option("--mesh-uri", mesh_uri_,
                     "What meshes are named by: package://NAME, file or keep")
         ->type_name("HOW");
-    app->add_option("--urdf-version", urdf_version_,
-                    "1.0 (the default) or 1.1, which has capsules that an older urdfdom leaves out")
-        ->type_name("VERSION");
+    offer(app->add_option(
+                 "--urdf-version", urdf_version_,
+                 "1.0 (the default) or 1.1, which has capsules that an older urdfdom leaves out")
+              ->type_name("VERSION"),
+          kUrdfVersions);
     app->add_option("--root", how_.root,
                     "Add a root link without mass, such as base_footprint: ROS wants none with one")
         ->type_name("NAME");
     const std::string group = "Where URDF leaves a choice (the first is the default)";
-    app->add_option("--loop", loop_, "A joint that closes a loop: cut, comment")->group(group);
-    app->add_option("--shapes", shapes_, "Shapes that URDF lacks: lose, mesh")->group(group);
-    app->add_option("--frames", frames_, "Frames: links, drop")->group(group);
-    app->add_option("--model-pose", model_pose_, "Pose of the model: drop, world-link")
-        ->group(group);
-    app->add_option("--static", static_, "A static model: block (for Gazebo), world-link")
-        ->group(group);
-    app->add_option("--roots", roots_, "Several trees: refuse, add (one root for all)")
-        ->group(group);
+    const auto policy = [&](const std::string& name, std::string& value, const char* what,
+                            Names known) {
+      offer(app->add_option(name, value, what)->group(group), known);
+    };
+    policy("--loop", loop_, "A joint that closes a loop: cut, comment", kLoopNames);
+    policy("--shapes", shapes_, "Shapes that URDF lacks: lose, mesh", kShapePolicies);
+    policy("--frames", frames_, "Frames: links, drop", kFramePolicies);
+    policy("--model-pose", model_pose_, "Pose of the model: drop, world-link", kModelPoses);
+    policy("--static", static_, "A static model: block (for Gazebo), world-link", kStaticPolicies);
+    policy("--roots", roots_, "Several trees: refuse, add (one root for all)", kRootPolicies);
     app->add_flag("--keep-link-frames", keep_link_frames_,
                   "Links stay where they are, beside the frames of their joints")
         ->group(group);
@@ -60,9 +72,8 @@ class SdfToUrdf final : public Command {
   }
 
  private:
-  static bool second(const char* option, const std::string& value, std::string_view first,
-                     std::string_view other) {
-    return !value.empty() && choice(option, value, {first, other}) == 1;
+  static bool second(const char* option, const std::string& value, Names known) {
+    return !value.empty() && choice(option, value, known) == 1;
   }
 
   static convert::MeshUri mesh_uri_of(const std::string& text) {
@@ -80,21 +91,20 @@ class SdfToUrdf final : public Command {
   convert::UrdfOptions options() const {
     convert::UrdfOptions how = how_;
     how.mesh_uri = mesh_uri_of(mesh_uri_);
-    if (second("--loop value", loop_, "cut", "comment")) how.loop = convert::LoopPolicy::kComment;
-    if (second("--shapes value", shapes_, "lose", "mesh")) how.shapes = convert::ShapePolicy::kMesh;
-    if (second("--frames value", frames_, "links", "drop"))
-      how.frames = convert::FramePolicy::kDrop;
-    if (second("--model-pose value", model_pose_, "drop", "world-link")) {
+    if (second("--loop value", loop_, kLoopNames)) how.loop = convert::LoopPolicy::kComment;
+    if (second("--shapes value", shapes_, kShapePolicies)) how.shapes = convert::ShapePolicy::kMesh;
+    if (second("--frames value", frames_, kFramePolicies)) how.frames = convert::FramePolicy::kDrop;
+    if (second("--model-pose value", model_pose_, kModelPoses)) {
       how.model_pose = convert::ModelPosePolicy::kWorldLink;
     }
-    if (second("--static value", static_, "block", "world-link")) {
+    if (second("--static value", static_, kStaticPolicies)) {
       how.static_model = convert::StaticPolicy::kWorldLink;
     }
-    if (second("--roots value", roots_, "refuse", "add")) how.roots = convert::RootPolicy::kAddRoot;
+    if (second("--roots value", roots_, kRootPolicies)) how.roots = convert::RootPolicy::kAddRoot;
     if (keep_link_frames_) how.link_frames = convert::LinkFramePolicy::kKeepLinks;
     if (!unlimited_.empty()) how.unlimited = positive_number("--unlimited", unlimited_, "");
     if (!urdf_version_.empty()) {
-      how.urdf_version = static_cast<int>(choice("URDF version", urdf_version_, {"1.0", "1.1"}));
+      how.urdf_version = static_cast<int>(choice("URDF version", urdf_version_, kUrdfVersions));
     }
     return how;
   }

@@ -14,6 +14,7 @@
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
 #include <rigor/rules/environment.h>
+#include <rigor/simulate/engine/ode_version.h>
 
 #include "command/command.h"
 #include "model/model_file.h"
@@ -56,6 +57,7 @@ class Simulate final : public Command {
   }
 
   int run() override {
+    if (simulate::ode_version().empty()) refuse_without("ODE", "simulate");
     const std::vector<Target> targets = output_.targets();
     const RealDisk disk;
     const Environment environment(disk, search_.paths());

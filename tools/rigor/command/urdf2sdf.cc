@@ -8,6 +8,10 @@
 namespace rigor::tool {
 namespace {
 
+constexpr std::string_view kSdfVersions[] = {"1.9", "1.10", "1.11"};
+constexpr std::string_view kFixedNames[] = {"keep", "lump"};
+constexpr std::string_view kMasslessNames[] = {"link", "frame"};
+
 class UrdfToSdf final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
@@ -19,16 +23,21 @@ class UrdfToSdf final : public Command {
     app->add_option("--mesh-uri", mesh_uri_,
                     "What meshes are named by: model://NAME, package://NAME, file or keep")
         ->type_name("HOW");
-    app->add_option("--sdf-version", version_,
-                    "1.9 to 1.11 (default: 1.9, or 1.11 for mimic joints)")
-        ->type_name("VERSION");
+    offer(app->add_option("--sdf-version", version_,
+                          "1.9 to 1.11 (default: 1.9, or 1.11 for mimic joints)")
+              ->type_name("VERSION"),
+          kSdfVersions);
     const std::string group = "Where SDF leaves a choice (the first is the default)";
-    app->add_option("--fixed", fixed_, "Links on fixed joints: keep, lump (into what carries them)")
-        ->group(group);
-    app->add_option("--massless", massless_,
-                    "Links without mass that are fixed: link (a frame when it has no shapes), "
-                    "frame (its shapes go to what carries it)")
-        ->group(group);
+    offer(app->add_option("--fixed", fixed_,
+                          "Links on fixed joints: keep, lump (into what carries them)")
+              ->group(group),
+          kFixedNames);
+    offer(
+        app->add_option("--massless", massless_,
+                        "Links without mass that are fixed: link (a frame when it has no shapes), "
+                        "frame (its shapes go to what carries it)")
+            ->group(group),
+        kMasslessNames);
     return app;
   }
 
@@ -58,12 +67,12 @@ class UrdfToSdf final : public Command {
     convert::SdfOptions how;
     how.mesh_uri = mesh_uri_of(mesh_uri_);
     if (!version_.empty()) {
-      how.version = 9 + static_cast<int>(choice("SDF version", version_, {"1.9", "1.10", "1.11"}));
+      how.version = 9 + static_cast<int>(choice("SDF version", version_, kSdfVersions));
     }
-    if (!fixed_.empty() && choice("--fixed value", fixed_, {"keep", "lump"}) == 1) {
+    if (!fixed_.empty() && choice("--fixed value", fixed_, kFixedNames) == 1) {
       how.fixed = convert::FixedPolicy::kLump;
     }
-    if (!massless_.empty() && choice("--massless value", massless_, {"link", "frame"}) == 1) {
+    if (!massless_.empty() && choice("--massless value", massless_, kMasslessNames) == 1) {
       how.massless = convert::MasslessPolicy::kFrame;
     }
     return how;

@@ -37,10 +37,9 @@ constexpr std::string_view kPageTitle = "<title>rigor view</title>";
 constexpr std::uint64_t kWhereTheTitleIs = 4096;
 
 constexpr const char* kNoPage =
-    "this rigor was built without its page, which takes node and npm: install them (Debian: apt "
-    "install "
-    "nodejs npm), and build rigor anew, or take a released one; `rigor render` makes pictures "
-    "meanwhile";
+    "rigor was built without its page (RIGOR_PAGE=OFF): view is not available. Build rigor with "
+    "node and npm "
+    "(Debian: apt install nodejs npm), or use a released one; `rigor render` makes images";
 
 class ViewPage final : public Command {
  public:

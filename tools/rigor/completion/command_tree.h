@@ -20,7 +20,7 @@ struct OptionFacts {
   std::string value;               ///< "N"; empty where it takes none
   std::string description;
   std::string group;                 ///< "Options" where the command names none
-  std::vector<std::string> choices;  ///< the values, where the description lists them
+  std::vector<std::string> choices;  ///< the values, where it takes one of some
   bool repeatable = false;
   bool required = false;
 };
@@ -34,11 +34,7 @@ struct CommandFacts {
 };
 
 /// In the order of `--help`; without the commands that it hides.
-std::vector<CommandFacts> command_tree(const CLI::App& program);
-
-/// The values that a description lists: "auto, always or never" and "What to print: json, text" have
-/// some, "Side lengths of a box, m" has none. So help is the one place that says them.
-std::vector<std::string> listed_choices(std::string description);
+std::vector<CommandFacts> command_tree(CLI::App& program);
 
 /// "validate [OPTIONS] [PATH...]"
 std::string synopsis(const CommandFacts& command);

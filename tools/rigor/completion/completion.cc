@@ -23,6 +23,12 @@ struct Shell {
 constexpr Shell kShells[] = {
     {"bash", bash_completion}, {"zsh", zsh_completion}, {"fish", fish_completion}};
 
+std::vector<std::string_view> shell_names() {
+  std::vector<std::string_view> names;
+  for (const Shell& shell : kShells) names.push_back(shell.name);
+  return names;
+}
+
 class Completion final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
@@ -32,14 +38,13 @@ class Completion final : public Command {
                     {"rigor completion bash > ~/.local/share/bash-completion/completions/rigor",
                      "rigor completion zsh > ~/.zfunc/_rigor",
                      "rigor completion fish > ~/.config/fish/completions/rigor.fish"});
-    app->add_option("shell", shell_, "bash, zsh or fish")->required()->type_name("SHELL");
+    offer(app->add_option("shell", shell_, "bash, zsh or fish")->required()->type_name("SHELL"),
+          shell_names());
     return app;
   }
 
   int run() override {
-    std::vector<std::string_view> names;
-    for (const Shell& shell : kShells) names.push_back(shell.name);
-    const std::size_t chosen = choice("shell", shell_, names);
+    const std::size_t chosen = choice("shell", shell_, shell_names());
     CompletionFacts facts{command_tree(*program_), {}, {}};
     const rules::Registry registry;
     std::set<std::string> categories;
@@ -53,7 +58,7 @@ class Completion final : public Command {
   }
 
  private:
-  const CLI::App* program_ = nullptr;
+  CLI::App* program_ = nullptr;
   std::string shell_;
 };
 

@@ -153,6 +153,8 @@ std::string markdown_command(const CommandFacts& command) {
 
 // ---- The command
 
+constexpr std::string_view kManualFormats[] = {"roff", "markdown"};
+
 /// Hidden: for those who package rigor and write its reference.
 class Manual final : public Command {
  public:
@@ -163,15 +165,16 @@ class Manual final : public Command {
                                  "rigor man --format markdown"});
     app->group("");
     app->add_option("command", command_, "The command; else rigor itself")->type_name("COMMAND");
-    app->add_option("--format", format_, "roff, or markdown: one page of all commands")
-        ->type_name("NAME");
+    offer(app->add_option("--format", format_, "roff, or markdown: one page of all commands")
+              ->type_name("NAME"),
+          kManualFormats);
     app->add_option("-o,--out", folder_, "Write all pages there, a file each")->type_name("DIR");
     return app;
   }
 
   int run() override {
     const std::vector<CommandFacts> commands = command_tree(*program_);
-    if (choice("format", format_, {"roff", "markdown"}) == 1) {
+    if (choice("format", format_, kManualFormats) == 1) {
       write({0, {}}, commands_markdown(commands));
     } else if (!folder_.empty()) {
       write({0, folder_ + "/rigor.1"}, program_man_page(commands));
@@ -189,7 +192,7 @@ class Manual final : public Command {
   }
 
  private:
-  const CLI::App* program_ = nullptr;
+  CLI::App* program_ = nullptr;
   std::string command_;
   std::string format_ = "roff";
   std::string folder_;

@@ -95,7 +95,7 @@ void require_model(const std::string& name, const std::vector<const model::Root*
       names.push_back(scoped_name(*root, model::Id<model::Model>{i}));
     }
   }
-  choice("--model", name, {names.begin(), names.end()});
+  choice("--model", name, std::vector<std::string_view>(names.begin(), names.end()));
 }
 
 std::size_t lost_includes(const read::Loaded& loaded) {

@@ -22,10 +22,19 @@ constexpr std::pair<std::string_view, double> kUnits[] = {
     {"km", 1000},     {"inch", 0.0254}, {"in", 0.0254},  {"ft", 0.3048},
     {"foot", 0.3048}, {"um", 1e-6},     {"mil", 2.54e-5}};
 
-double metres_of(const std::string& unit) {
+constexpr std::string_view kUpAxes[] = {"y", "z"};
+constexpr std::string_view kCenterNames[] = {"none", "com", "bounds", "bottom"};
+constexpr std::string_view kFitNames[] = {"box", "sphere", "cylinder", "capsule", "best"};
+constexpr std::string_view kSplitNames[] = {"component", "material"};
+
+std::vector<std::string_view> unit_names() {
   std::vector<std::string_view> names;
   for (const auto& [name, metres] : kUnits) names.push_back(name);
-  return kUnits[choice("--unit", unit, names)].second;
+  return names;
+}
+
+double metres_of(const std::string& unit) {
+  return kUnits[choice("--unit", unit, unit_names())].second;
 }
 
 std::uint64_t count_of(const std::string& option, const std::string& text) {
@@ -51,20 +60,22 @@ void reduce_to(const std::string& text, MeshOperations& operations) {
 void MeshOperationOptions::declare(CLI::App& app) {
   const std::string group = "What is done, in this order";
   const auto word = [&](const char* name, std::string& value, const char* what, const char* type) {
-    app.add_option(name, value, what)->type_name(type)->group(group);
+    return app.add_option(name, value, what)->type_name(type)->group(group);
   };
   app.add_flag("--weld", weld_, "Make vertices of equal coordinates one")->group(group);
   app.add_flag("--repair", repair_,
                "Drop degenerate and duplicate faces, wind consistently and outward, fill small "
                "holes, drop specks")
       ->group(group);
-  word("--unit", unit_, "What a unit of the file is: mm, cm, m, inch, ft…", "UNIT");
+  offer(word("--unit", unit_, "What a unit of the file is: mm, cm, m, inch, ft…", "UNIT"),
+        unit_names());
   app.add_option("--scale", scale_, "Factor: one, or one per axis")
       ->type_name("S | X Y Z")
       ->expected(1, 3)
       ->group(group);
-  word("--up", up_, "The file's axis that points up: y or z", "AXIS");
-  word("--center", center_, "Move to the origin: com, bounds, bottom, or none", "WHAT");
+  offer(word("--up", up_, "The file's axis that points up: y or z", "AXIS"), kUpAxes);
+  offer(word("--center", center_, "Move to the origin: com, bounds, bottom, or none", "WHAT"),
+        kCenterNames);
   word("--normals", normals_, "Normals anew, smooth across edges of fewer degrees; 0 is flat",
        "DEGREES");
   word("--reduce", reduce_, "To so many triangles, or that share of them", "N|RATIO");
@@ -74,8 +85,9 @@ void MeshOperationOptions::declare(CLI::App& app) {
       ->group(group);
   app.add_flag("--convex-hull", convex_hull_, "The convex hull")->group(group);
   word("--convex-pieces", convex_pieces_, "At most so many convex pieces", "N");
-  word("--fit", fit_, "The box, sphere, cylinder or capsule around it, or the best", "SHAPE");
-  word("--split", split_, "One file for each component or material", "BY");
+  offer(word("--fit", fit_, "The box, sphere, cylinder or capsule around it, or the best", "SHAPE"),
+        kFitNames);
+  offer(word("--split", split_, "One file for each component or material", "BY"), kSplitNames);
 }
 
 std::string MeshOperationOptions::given() const {
@@ -105,13 +117,12 @@ MeshOperations MeshOperationOptions::operations() const {
   operations.repair = repair_;
   if (!unit_.empty()) operations.unit = metres_of(unit_);
   if (!scale_.empty()) operations.scale = scale_factors(scale_);
-  if (!up_.empty() && choice("--up axis", up_, {"y", "z"}) == 0) operations.up = mesh::UpAxis::kY;
+  if (!up_.empty() && choice("--up axis", up_, kUpAxes) == 0) operations.up = mesh::UpAxis::kY;
   if (!center_.empty()) {
     using author::MeshCenter;
     constexpr MeshCenter kCenters[] = {MeshCenter::kNone, MeshCenter::kCom, MeshCenter::kBounds,
                                        MeshCenter::kBottom};
-    operations.center =
-        kCenters[choice("--center value", center_, {"none", "com", "bounds", "bottom"})];
+    operations.center = kCenters[choice("--center value", center_, kCenterNames)];
   }
   if (!normals_.empty()) {
     const double degrees = finite_number("--normals", normals_);
@@ -145,11 +156,10 @@ void MeshOperationOptions::set_product(MeshOperations& operations) const {
     constexpr FitKind kKinds[] = {FitKind::kBox, FitKind::kSphere, FitKind::kCylinder,
                                   FitKind::kCapsule, FitKind::kBest};
     operations.product = MeshProduct::kPrimitive;
-    operations.primitive =
-        kKinds[choice("--fit shape", fit_, {"box", "sphere", "cylinder", "capsule", "best"})];
+    operations.primitive = kKinds[choice("--fit shape", fit_, kFitNames)];
   }
   if (!split_.empty()) {
-    const bool by_material = choice("--split value", split_, {"component", "material"}) == 1;
+    const bool by_material = choice("--split value", split_, kSplitNames) == 1;
     operations.product = by_material ? MeshProduct::kMaterials : MeshProduct::kComponents;
   }
 }

@@ -15,31 +15,38 @@
 namespace rigor::tool {
 namespace {
 
+constexpr std::string_view kFailOnLevels[] = {"error", "warning", "info", "never"};
+
 Severity severity_named(const std::string& name) {
   constexpr Severity kAll[] = {Severity::kError, Severity::kWarning, Severity::kInfo};
-  return kAll[choice("severity", name, {"error", "warning", "info"})];
+  return kAll[choice("severity", name, Names(kFailOnLevels).first(3))];
 }
 
-void list_option(CLI::App& app, const std::string& name, std::vector<std::string>& list,
-                 const std::string& type, const std::string& description) {
-  app.add_option(name, list, description)->type_name(type)->delimiter(',')->allow_extra_args(false);
+CLI::Option* list_option(CLI::App& app, const std::string& name, std::vector<std::string>& list,
+                         const std::string& type, const std::string& description) {
+  return app.add_option(name, list, description)
+      ->type_name(type)
+      ->delimiter(',')
+      ->allow_extra_args(false);
 }
 
 }  // namespace
 
 void SelectionOptions::declare(CLI::App& app) {
-  app.add_option("--fail-on", fail_on_,
-                 "Least severity that makes the exit code 1: "
-                 "error (default), warning, info, never")
-      ->type_name("LEVEL");
+  offer(app.add_option("--fail-on", fail_on_,
+                       "Least severity that makes the exit code 1: "
+                       "error (default), warning, info, never")
+            ->type_name("LEVEL"),
+        kFailOnLevels);
   list_option(app, "--select", select_, "RULE,...", "Only these rules or categories");
   list_option(app, "--ignore", ignore_, "RULE,...", "Not these rules or categories");
   app.add_option("--severity", severity_,
                  "Give a rule or category another severity: error, warning, info")
       ->type_name("RULE=LEVEL")
       ->allow_extra_args(false);
-  list_option(app, "--target", targets_, "NAME,...",
-              "Run the rules for these consumers as well: " + listed(rules::target_names()));
+  offer(list_option(app, "--target", targets_, "NAME,...",
+                    "Run the rules for these consumers as well: " + listed(rules::target_names())),
+        rules::target_names());
 }
 
 rules::Selection SelectionOptions::selection() const {
@@ -71,7 +78,7 @@ bool SelectionOptions::fails(const Diagnostics& diagnostics) const {
 std::optional<Severity> fail_on_level(const std::string& name) {
   constexpr std::optional<Severity> kLevels[] = {Severity::kError, Severity::kWarning,
                                                  Severity::kInfo, std::nullopt};
-  return kLevels[choice("--fail-on level", name, {"error", "warning", "info", "never"})];
+  return kLevels[choice("--fail-on level", name, kFailOnLevels)];
 }
 
 std::vector<std::string_view> names_of_rules(const rules::Registry& registry) {

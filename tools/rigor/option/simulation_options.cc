@@ -18,6 +18,11 @@
 namespace rigor::tool {
 namespace {
 
+constexpr std::string_view kSolverNames[] = {"quick", "dantzig"};
+constexpr std::string_view kProfileNames[] = {"rigor", "gazebo"};
+constexpr std::string_view kMeshesNames[] = {"auto", "triangles", "hull"};
+constexpr std::string_view kCommandNames[] = {"effort", "velocity", "position"};
+
 /// Scenario files are written by hand.
 constexpr std::uint64_t kMaxScenarioBytes = std::uint64_t{1} << 20U;
 
@@ -47,16 +52,14 @@ std::pair<config::CommandKind, double> commanded_value(const std::string& text) 
   }
   constexpr config::CommandKind kKinds[] = {
       config::CommandKind::kEffort, config::CommandKind::kVelocity, config::CommandKind::kPosition};
-  const std::size_t kind =
-      choice("--command kind", text.substr(0, colon), {"effort", "velocity", "position"});
+  const std::size_t kind = choice("--command kind", text.substr(0, colon), kCommandNames);
   return {kKinds[kind], finite_number("--command", text.substr(colon + 1))};
 }
 
 /// "friction=0.2:1.0:9", or a single value.
 simulate::GridAxis grid_axis(const std::string& text) {
   auto [name, range] = split_assignment("--grid", text);
-  const auto& known = simulate::kParameters;
-  choice("--grid parameter", name, {known.begin(), known.end()});
+  choice("--grid parameter", name, simulate::kParameters);
   std::vector<std::string> parts;
   std::size_t begin = 0;
   while (begin <= range.size()) {
@@ -96,10 +99,13 @@ config::ScenarioFile scenario_from(const Disk& disk, const std::string& path) {
 }  // namespace
 
 void SimulationChoices::declare(CLI::App& app) {
-  app.add_option(
-         "--test", tests_,
-         "What is tried: settle (the default), drop, drive, turn, brake, push, joint-sweep, "
-         "hold, tilt-table, or all")
+  std::vector<std::string_view> tests(simulate::kTestNames.begin(), simulate::kTestNames.end());
+  tests.emplace_back("all");
+  offer(app.add_option(
+            "--test", tests_,
+            "What is tried: settle (the default), drop, drive, turn, brake, push, joint-sweep, "
+            "hold, tilt-table, or all"),
+        tests)
       ->type_name("NAME,...")
       ->delimiter(',')
       ->allow_extra_args(false);
@@ -125,16 +131,20 @@ void SimulationChoices::declare(CLI::App& app) {
   app.add_option("--time-step", time_step_, "s (the world's, else 0.001)")
       ->type_name("S")
       ->group(solver);
-  app.add_option("--solver", solver_, "quick or dantzig")->type_name("NAME")->group(solver);
+  offer(app.add_option("--solver", solver_, "quick or dantzig")->type_name("NAME")->group(solver),
+        kSolverNames);
   app.add_option("--iterations", iterations_, "Of the quick solver")->type_name("N")->group(solver);
   app.add_option("--gravity", gravity_, "m/s², in the world")
       ->type_name("X Y Z")
       ->expected(1, 3)
       ->group(solver);
-  app.add_option("--profile", profile_, "Solver settings: rigor (the default) or gazebo")
+  offer(app.add_option("--profile", profile_, "Solver settings: rigor (the default) or gazebo"),
+        kProfileNames)
       ->type_name("NAME")
       ->group(solver);
-  app.add_option("--meshes", meshes_, "Meshes collide as: auto (the default), triangles or hull")
+  offer(app.add_option("--meshes", meshes_,
+                       "Meshes collide as: auto (the default), triangles or hull"),
+        kMeshesNames)
       ->type_name("HOW")
       ->group(solver);
   app.add_flag("--no-confirm", no_confirm_, "Believe a failure without running it again")
@@ -160,7 +170,7 @@ simulate::Plan SimulationChoices::plan(const Disk& disk) const {
     if (test == "all") {
       plan.tests.insert(plan.tests.end(), known.begin(), known.end());
     } else {
-      choice("test", test, {known.begin(), known.end()});
+      choice("test", test, known);
       plan.tests.push_back(test);
     }
   }
@@ -195,18 +205,18 @@ author::SimulationOptions SimulationChoices::options(const Disk& disk) const {
   author::SimulationOptions options;
   options.plan = plan(disk);
   options.scene.model = model_;
-  if (!profile_.empty() && choice("--profile value", profile_, {"rigor", "gazebo"}) == 1) {
+  if (!profile_.empty() && choice("--profile value", profile_, kProfileNames) == 1) {
     options.scene.profile = simulate::SceneOptions::Profile::kGazebo;
   }
   if (!meshes_.empty()) {
     constexpr simulate::MeshAs kHow[] = {simulate::MeshAs::kAuto, simulate::MeshAs::kTriangles,
                                          simulate::MeshAs::kHull};
-    options.scene.meshes = kHow[choice("--meshes value", meshes_, {"auto", "triangles", "hull"})];
+    options.scene.meshes = kHow[choice("--meshes value", meshes_, kMeshesNames)];
   }
   if (!time_step_.empty()) options.solver.step = positive_number("--time-step", time_step_, "s");
   if (!solver_.empty()) {
     constexpr simulate::Solver kSolvers[] = {simulate::Solver::kQuick, simulate::Solver::kDantzig};
-    options.solver.solver = kSolvers[choice("--solver value", solver_, {"quick", "dantzig"})];
+    options.solver.solver = kSolvers[choice("--solver value", solver_, kSolverNames)];
   }
   if (!iterations_.empty()) {
     options.solver.iterations =

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -23,17 +24,21 @@ namespace fs = std::filesystem;
   throw UsageError(path + ": cannot be written: " + std::generic_category().message(error));
 }
 
-/// A file descriptor that closes itself.
+/// A file descriptor that closes itself; `close` tells how that went, which some file systems say only then.
 class Descriptor {
  public:
   explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
+  ~Descriptor() { close(); }
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
 
   int get() const { return fd_; }
+
+  /// Zero, or the error's number.
+  int close() {
+    const int fd = std::exchange(fd_, -1);
+    return fd >= 0 && ::close(fd) != 0 ? errno : 0;
+  }
 
  private:
   int fd_;
@@ -51,9 +56,10 @@ int write_all(int fd, std::string_view bytes) {
 }
 
 void write_directly(const std::string& path, std::string_view bytes) {
-  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
   if (file.get() < 0) fail(path, errno);
   if (const int error = write_all(file.get(), bytes)) fail(path, error);
+  if (const int error = file.close()) fail(path, error);
 }
 
 /// Of the file that is there, or of a new one.
@@ -72,6 +78,15 @@ void keep_owner(int file, const std::string& target) {
   if (::fchown(file, status.st_uid, status.st_gid) != 0) return;  // it is the caller's then
 }
 
+/// The name in the folder is on the disk only then. A folder that cannot be synchronized (no permission to read it,
+/// a network's file system) is no failure: after a crash there is the old file or the new one, and both are whole.
+void sync_folder_of(const std::string& path) {
+  const fs::path parent = fs::path(path).parent_path();
+  const std::string folder = parent.empty() ? "." : parent.string();
+  const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (opened.get() >= 0) ::fsync(opened.get());
+}
+
 }  // namespace
 
 void replace_file(const std::string& path, std::string_view bytes) {
@@ -85,16 +100,20 @@ void replace_file(const std::string& path, std::string_view bytes) {
                                 : fs::path(path);
   const std::string target = followed.empty() ? path : followed.string();
   std::string temporary = target + ".XXXXXX";
-  const Descriptor file(::mkstemp(temporary.data()));
+  Descriptor file(::mkstemp(temporary.data()));
   if (file.get() < 0) fail(path, errno);
   int error = write_all(file.get(), bytes);
   keep_owner(file.get(), target);
   if (error == 0 && ::fchmod(file.get(), mode_for(target)) != 0) error = errno;
+  // The bytes are on the disk before the name is theirs: else a crash can leave an empty file in its place.
+  if (error == 0 && ::fsync(file.get()) != 0) error = errno;
+  if (const int closed = file.close(); error == 0) error = closed;
   if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
   if (error != 0) {
     ::unlink(temporary.c_str());
     fail(path, error);
   }
+  sync_folder_of(target);
 }
 
 }  // namespace rigor::tool

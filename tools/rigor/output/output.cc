@@ -14,6 +14,8 @@
 namespace rigor::tool {
 namespace {
 
+constexpr std::string_view kWhen[] = {"auto", "always", "never"};
+
 std::string variable(const char* name) {
   const char* value = std::getenv(name);
   return value == nullptr ? "" : value;
@@ -36,8 +38,9 @@ bool looks_like_file(std::string_view text) {
 void OutputOptions::declare(CLI::App& app, std::vector<std::string_view> formats,
                             const std::string& names) {
   formats_ = std::move(formats);
-  app.add_option("--format", format_, "What to print on stdout: " + listed(formats_))
-      ->type_name("NAME");
+  offer(app.add_option("--format", format_, "What to print on stdout: " + listed(formats_))
+            ->type_name("NAME"),
+        formats_);
   app.add_option(names, outputs_, "Write a format to a file; may be given several times")
       ->type_name("FORMAT[:FILE]")
       ->allow_extra_args(false);
@@ -80,11 +83,11 @@ std::vector<Target> OutputOptions::targets_of(std::vector<std::string_view> form
 }
 
 void ColorOption::declare(CLI::App& app) {
-  app.add_option("--color", when_, "auto, always or never")->type_name("WHEN");
+  offer(app.add_option("--color", when_, "auto, always or never")->type_name("WHEN"), kWhen);
 }
 
 report::Color ColorOption::of(const Target& target) const {
-  const std::size_t when = choice("--color value", when_, {"auto", "always", "never"});
+  const std::size_t when = choice("--color value", when_, kWhen);
   const bool wanted = when == 1 || (when == 0 && target.file.empty() && terminal_wants_color());
   return wanted ? report::Color::kAnsi : report::Color::kPlain;
 }

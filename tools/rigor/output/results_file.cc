@@ -79,9 +79,9 @@ std::optional<CaseNumber> case_of(std::string_view line) {
 
 ResultsFile::~ResultsFile() { close(); }
 
-void ResultsFile::close() {
-  if (descriptor_ >= 0) ::close(descriptor_);
-  descriptor_ = -1;
+int ResultsFile::close() {
+  const int descriptor = std::exchange(descriptor_, -1);
+  return descriptor >= 0 && ::close(descriptor) != 0 ? errno : 0;
 }
 
 void ResultsFile::fail(int error) const {
@@ -136,7 +136,9 @@ void ResultsFile::add(std::size_t index, std::string_view line) {
 }
 
 void ResultsFile::finish() {
-  close();
+  // A pipe has nothing to synchronize, and says so.
+  if (descriptor_ >= 0 && ::fsync(descriptor_) != 0 && errno != EINVAL) fail(errno);
+  if (const int error = close()) fail(error);
   if (std::is_sorted(order_.begin(), order_.end())) return;
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path_, ignored)) return;  // a pipe is read already

@@ -70,7 +70,8 @@ class ResultsFile {
   void finish();
 
  private:
-  void close();
+  /// Zero, or the error's number.
+  int close();
   [[noreturn]] void fail(int error) const;
 
   std::string path_;

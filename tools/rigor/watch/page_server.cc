@@ -3,260 +3,227 @@
 
 #include "watch/page_server.h"
 
-#include <arpa/inet.h>
 #include <fcntl.h>
 #include <netinet/in.h>
-#include <poll.h>
-#include <sys/eventfd.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
-#include <cstddef>
-#include <iterator>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <semaphore>
+#include <set>
 #include <system_error>
 #include <utility>
 
+#include <httplib.h>
+
 #include "command/command.h"
+#include "watch/socket_stream.h"
 
 namespace rigor::tool {
 namespace {
 
-/// Requests of browsers have some hundred bytes.
-constexpr std::size_t kMostRequestBytes = 16384;
-/// A browser opens six.
-constexpr std::size_t kMostConnections = 100;
+/// Beside the listeners; a browser opens six.
+constexpr std::size_t kPageThreads = 8;
 
-constexpr std::string_view kEventStream =
-    "HTTP/1.1 200 OK\r\nContent-Type: text/event-stream\r\nCache-Control: no-store\r\n"
-    "X-Content-Type-Options: nosniff\r\nConnection: close\r\n\r\n: here\n\n";
+/// A listener that is gone is known by what cannot be sent to it.
+constexpr std::chrono::seconds kHeartbeat{5};
+constexpr std::string_view kBeat = ": here\n\n";
 
-std::string response(std::string_view status, std::string_view type, std::string_view body) {
-  std::string out = "HTTP/1.1 ";
-  out += status;
-  out += "\r\nContent-Type: ";
-  out += type;
-  out += "\r\nContent-Length: " + std::to_string(body.size());
-  out +=
-      "\r\nCache-Control: no-store\r\nX-Content-Type-Options: nosniff\r\nX-Frame-Options: DENY\r\n"
-      "Cross-Origin-Resource-Policy: same-origin\r\nConnection: close\r\n\r\n";
-  out += body;
-  return out;
-}
+/// Takes no more connections than it has threads: the rest wait in the system's own queue.
+class PageThreads final : public httplib::ThreadPool {
+ public:
+  PageThreads() : httplib::ThreadPool(kThreads) {}
 
-std::string refusal(std::string_view status) {
-  return response(status, "text/plain; charset=utf-8", std::string(status) + '\n');
-}
+  void enqueue(std::function<void()> connection) override {
+    free_.acquire();
+    httplib::ThreadPool::enqueue([this, connection = std::move(connection)] {
+      connection();
+      free_.release();
+    });
+  }
 
-std::string lower(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return out;
-}
+ private:
+  static constexpr std::size_t kThreads = PageServer::kMaxListeners + kPageThreads;
+  std::counting_semaphore<kThreads> free_{kThreads};
+};
 
-std::string_view without_spaces(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
-}
-
-/// The text up to a mark, which is taken off with it.
-std::string_view take_to(std::string_view& text, std::string_view mark) {
-  const std::size_t end = std::min(text.find(mark), text.size());
-  const std::string_view taken = text.substr(0, end);
-  text.remove_prefix(std::min(end + mark.size(), text.size()));
-  return taken;
-}
-
-[[noreturn]] void refuse_port(std::uint16_t port, int error) {
-  throw UsageError("--port " + std::to_string(port) + ": " +
-                   std::generic_category().message(error));
+void refuse(httplib::Response& response, int status, const char* reason) {
+  response.status = status;
+  response.set_content(std::to_string(status) + ' ' + reason + '\n', "text/plain; charset=utf-8");
 }
 
 }  // namespace
 
-struct PageServer::Connection {
-  int socket = -1;
-  std::string received;
-  std::string to_send;
-  std::size_t sent = 0;
-  bool answered = false;
-  bool listens = false;  ///< for events: stays open
+class PageServer::Site final : public httplib::Server {
+ public:
+  explicit Site(std::uint16_t port) {
+    using httplib::Request;
+    using httplib::Response;
+    new_task_queue = [] { return new PageThreads; };  // the server deletes it
+    // The library's own would share the port with whoever else asks for that.
+    set_socket_options([](socket_t socket) {
+      const int yes = 1;
+      ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    });
+    set_default_headers({{"Cache-Control", "no-store"},
+                         {"X-Content-Type-Options", "nosniff"},
+                         {"X-Frame-Options", "DENY"},
+                         {"Cross-Origin-Resource-Policy", "same-origin"}});
+    set_pre_routing_handler([this](const Request& request, Response& response) {
+      return admit(request, response) ? HandlerResponse::Unhandled : HandlerResponse::Handled;
+    });
+    set_error_handler([](const Request&, Response& response) {
+      if (response.body.empty()) refuse(response, response.status, "Not Found");
+    });
+    Get("/", [this](const Request&, Response& response) {
+      response.set_content(asked().page, "text/html; charset=utf-8");
+    });
+    Get("/data", [this](const Request&, Response& response) {
+      response.set_content(asked().data, "application/json");
+    });
+    Get("/events", [this](const Request&, Response& response) { listen_to(response); });
+    errno = 0;
+    port_ = port == 0 ? bind_to_any_port("127.0.0.1") : bind_to_port("127.0.0.1", port) ? port : -1;
+    if (port_ < 0) {
+      const int error = errno != 0 ? errno : EADDRINUSE;
+      throw UsageError("--port " + std::to_string(port) + ": " +
+                       std::generic_category().message(error));
+    }
+  }
+
+  int port() const { return port_; }
+
+  void end() {
+    const std::lock_guard lock(mutex_);
+    listeners_.clear();
+    changed_.notify_all();
+    stop();
+  }
+
+  void publish(Content content) {
+    const std::lock_guard lock(mutex_);
+    content_ = std::move(content);
+    ++published_;
+  }
+
+  void tell(std::string event) {
+    const std::lock_guard lock(mutex_);
+    events_.push_back(std::move(event));
+    if (events_.size() > kMaxEvents) events_.pop_front();
+    ++told_;
+    changed_.notify_all();
+  }
+
+ private:
+  /// One request a connection.
+  bool process_and_close_socket(socket_t socket) override {
+    ::fcntl(socket, F_SETFD, FD_CLOEXEC);
+    SocketStream stream(socket);
+    bool closed = false;
+    const bool answered = process_request(stream, true, closed, [](httplib::Request& request) {
+      // Nothing is gained by compressing what stays on this machine, and brotli takes seconds for it.
+      request.headers.erase("Accept-Encoding");
+      request.ranges.clear();
+    });
+    ::shutdown(socket, SHUT_WR);
+    // What was not read would end the connection at once, and with it what is on its way.
+    std::array<char, 4096> rest;
+    while (::recv(socket, rest.data(), rest.size(), MSG_DONTWAIT) > 0) {
+    }
+    ::close(socket);
+    return answered;
+  }
+
+  bool admit(const httplib::Request& request, httplib::Response& response) const {
+    const std::string host = request.get_header_value("Host");
+    const std::string port = ':' + std::to_string(port_);
+    if (request.get_header_value_count("Host") != 1) {
+      refuse(response, 400, "Bad Request");
+    } else if (host != "127.0.0.1" + port && host != "localhost" + port) {
+      refuse(response, 403, "Forbidden");
+    } else if (request.method != "GET") {
+      refuse(response, 405, "Method Not Allowed");
+    } else {
+      return true;
+    }
+    return false;
+  }
+
+  Content asked() {
+    const std::lock_guard lock(mutex_);
+    asked_for_ = published_;
+    return content_;
+  }
+
+  void listen_to(httplib::Response& response) {
+    const std::lock_guard lock(mutex_);
+    const std::uint64_t listener = next_listener_++;
+    listeners_.insert(listener);
+    if (listeners_.size() > kMaxListeners) {
+      listeners_.erase(listeners_.begin());
+      changed_.notify_all();
+    }
+    // Who asked for the page before the last change hears of it now.
+    const bool late = asked_for_ < published_ && told_ > 0;
+    response.set_content_provider(
+        "text/event-stream",
+        [this, listener, heard = told_ - (late ? 1 : 0), text = std::string(kBeat)](
+            std::size_t, httplib::DataSink& sink) mutable {
+          if (!sink.write(text.data(), text.size())) return false;
+          return wait_for_events(listener, heard, text);
+        },
+        [this, listener](bool) {
+          const std::lock_guard released(mutex_);
+          listeners_.erase(listener);
+        });
+  }
+
+  /// Into `text` what was told since; false when the listener is let go.
+  bool wait_for_events(std::uint64_t listener, std::uint64_t& heard, std::string& text) {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, kHeartbeat,
+                      [&] { return heard < told_ || !listeners_.contains(listener); });
+    if (!listeners_.contains(listener)) return false;
+    text = heard < told_ ? "" : kBeat;
+    const std::uint64_t first = told_ - events_.size();
+    for (heard = std::max(heard, first); heard < told_; ++heard) text += events_[heard - first];
+    return true;
+  }
+
+  int port_ = -1;
+  std::mutex mutex_;  // of all that follows
+  std::condition_variable changed_;
+  Content content_;
+  std::uint64_t published_ = 0;
+  std::uint64_t asked_for_ = 0;
+  std::deque<std::string> events_;  // the last that were told
+  std::uint64_t told_ = 0;
+  std::set<std::uint64_t> listeners_;  // the oldest first
+  std::uint64_t next_listener_ = 0;
 };
 
-PageServer::PageServer(std::uint16_t port) {
-  listener_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  wake_ = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
-  if (listener_ < 0 || wake_ < 0) refuse_port(port, errno);
-  // The port that was just served is free again, though its last connections may linger.
-  const int yes = 1;
-  ::setsockopt(listener_, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  address.sin_port = htons(port);
-  socklen_t size = sizeof address;
-  auto* generic = reinterpret_cast<sockaddr*>(&address);
-  if (::bind(listener_, generic, size) != 0 || ::listen(listener_, SOMAXCONN) != 0 ||
-      ::getsockname(listener_, generic, &size) != 0) {
-    refuse_port(port, errno);
-  }
-  port_ = ntohs(address.sin_port);
-}
+PageServer::PageServer(std::uint16_t port) : site_(std::make_unique<Site>(port)) {}
 
-PageServer::~PageServer() {
-  for (const Connection& connection : connections_) ::close(connection.socket);
-  ::close(listener_);
-  ::close(wake_);
-}
+PageServer::~PageServer() = default;
 
 std::string PageServer::address() const {
-  return "http://127.0.0.1:" + std::to_string(port_) + '/';
+  return "http://127.0.0.1:" + std::to_string(site_->port()) + '/';
 }
 
-void PageServer::publish(Content content) {
-  const std::lock_guard lock(mutex_);
-  content_ = std::move(content);
-  ++published_;
-}
+void PageServer::run() { site_->listen_after_bind(); }
+
+void PageServer::stop() { site_->end(); }
+
+void PageServer::publish(Content content) { site_->publish(std::move(content)); }
 
 void PageServer::tell(std::string_view event, std::string_view data) {
-  {
-    const std::lock_guard lock(mutex_);
-    last_told_ = "event: " + std::string(event) + "\ndata: " + std::string(data) + "\n\n";
-    told_.push_back(last_told_);
-  }
-  const std::uint64_t one = 1;
-  // It cannot be full: that would take as many events as there are numbers.
-  [[maybe_unused]] const ssize_t written = ::write(wake_, &one, sizeof one);
-}
-
-void PageServer::run() {
-  std::vector<pollfd> polled;
-  while (true) {
-    polled = {{listener_, POLLIN, 0}, {wake_, POLLIN, 0}};
-    for (const Connection& each : connections_) {
-      const bool sends = each.sent < each.to_send.size();
-      polled.push_back({each.socket, static_cast<short>(sends ? POLLIN | POLLOUT : POLLIN), 0});
-    }
-    if (::poll(polled.data(), polled.size(), -1) < 0) {
-      if (errno == EINTR) continue;
-      return;
-    }
-    std::size_t at = 2;
-    for (auto each = connections_.begin(); each != connections_.end(); ++at) {
-      const short events = polled[at].revents;
-      bool open = (events & (POLLERR | POLLNVAL)) == 0;
-      if (open && (events & (POLLIN | POLLHUP)) != 0) open = receive(*each);
-      if (open) answer(*each);
-      if (open) open = send(*each);
-      if (!open) ::close(each->socket);
-      each = open ? std::next(each) : connections_.erase(each);
-    }
-    if (polled[1].revents != 0) take_told();
-    if (polled[0].revents != 0) accept_one();
-  }
-}
-
-void PageServer::accept_one() {
-  const int socket = ::accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
-  if (socket < 0) return;
-  if (connections_.size() < kMostConnections) {
-    connections_.push_back({.socket = socket});
-  } else {
-    ::close(socket);
-  }
-}
-
-void PageServer::take_told() {
-  std::uint64_t ignored = 0;
-  [[maybe_unused]] const ssize_t count = ::read(wake_, &ignored, sizeof ignored);
-  std::vector<std::string> told;
-  {
-    const std::lock_guard lock(mutex_);
-    told.swap(told_);
-  }
-  for (Connection& each : connections_) {
-    for (const std::string& event : told) {
-      if (each.listens) each.to_send += event;
-    }
-  }
-}
-
-/// Whether the other side is still there.
-bool PageServer::receive(Connection& connection) {
-  std::array<char, 4096> bytes;
-  while (true) {
-    const ssize_t count = ::recv(connection.socket, bytes.data(), bytes.size(), 0);
-    if (count < 0) return errno == EAGAIN || errno == EINTR;
-    if (count == 0) return false;
-    // What comes behind a request that was answered is read for nothing.
-    if (connection.answered) continue;
-    connection.received.append(bytes.data(), static_cast<std::size_t>(count));
-    if (connection.received.size() > kMostRequestBytes) return false;
-  }
-}
-
-/// Whether the connection is to stay.
-bool PageServer::send(Connection& connection) {
-  while (connection.sent < connection.to_send.size()) {
-    const std::string_view rest = std::string_view(connection.to_send).substr(connection.sent);
-    const ssize_t count = ::send(connection.socket, rest.data(), rest.size(), MSG_NOSIGNAL);
-    if (count < 0) return errno == EAGAIN || errno == EINTR;
-    connection.sent += static_cast<std::size_t>(count);
-  }
-  if (!connection.answered) return true;
-  if (!connection.listens) return false;
-  connection.to_send.clear();
-  connection.sent = 0;
-  return true;
-}
-
-void PageServer::answer(Connection& connection) {
-  if (connection.answered) return;
-  const std::size_t end = connection.received.find("\r\n\r\n");
-  if (end == std::string::npos) return;
-  connection.answered = true;
-  connection.to_send = response_to(std::string_view(connection.received).substr(0, end));
-  connection.listens = connection.to_send == kEventStream;
-  if (!connection.listens) return;
-  const std::lock_guard lock(mutex_);
-  if (asked_for_ < published_) connection.to_send += last_told_;
-}
-
-std::string PageServer::response_to(std::string_view request) {
-  std::string_view line = take_to(request, "\r\n");
-  const std::string_view method = take_to(line, " ");
-  std::string_view target = take_to(line, " ");
-  const std::string_view path = take_to(target, "?");
-  if (!line.starts_with("HTTP/1.")) return refusal("400 Bad Request");
-  std::size_t hosts = 0;
-  bool own = true;
-  while (!request.empty()) {
-    std::string_view header = take_to(request, "\r\n");
-    if (lower(take_to(header, ":")) != "host") continue;
-    ++hosts;
-    own = own && is_own_host(without_spaces(header));
-  }
-  if (hosts != 1) return refusal("400 Bad Request");
-  if (!own) return refusal("403 Forbidden");
-  if (method != "GET") return refusal("405 Method Not Allowed");
-  if (path == "/events") return std::string(kEventStream);
-  const bool page = path == "/";
-  if (!page && path != "/data") return refusal("404 Not Found");
-  const std::lock_guard lock(mutex_);
-  asked_for_ = published_;
-  return page ? response("200 OK", "text/html; charset=utf-8", content_.page)
-              : response("200 OK", "application/json", content_.data);
-}
-
-bool PageServer::is_own_host(std::string_view host) const {
-  const std::string port = ':' + std::to_string(port_);
-  const std::string name = lower(host);
-  return name == "127.0.0.1" + port || name == "localhost" + port;
+  site_->tell("event: " + std::string(event) + "\ndata: " + std::string(data) + "\n\n");
 }
 
 }  // namespace rigor::tool

@@ -1,9 +1,9 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Serves one page to browsers on this machine, and tells them when it changed. HTTP/1.1, GET only, on
-// 127.0.0.1; a request that names another host is refused, so that no page of somebody else's reaches it by a
-// name that leads here (DNS rebinding).
+// Serves one page to browsers on this machine, and tells them when it changed. HTTP/1.1 by cpp-httplib, GET
+// only, on 127.0.0.1; a request that names another host is refused, so that no page of somebody else's reaches
+// it by a name that leads here (DNS rebinding).
 //
 //   PageServer server(0);
 //   say(server.address());
@@ -15,12 +15,9 @@
 #pragma once
 
 #include <cstdint>
-#include <list>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace rigor::tool {
 
@@ -32,6 +29,11 @@ class PageServer {
     std::string data;  ///< of GET /data: JSON
   };
 
+  /// A page listens once; when more do, the one that listens longest is let go, and may come again.
+  static constexpr std::size_t kMaxListeners = 16;
+  /// Of events, the last so many wait for a listener that is slow; older ones it misses.
+  static constexpr std::size_t kMaxEvents = 16;
+
   /// Port 0: one that is free. A UsageError when it is not to be had. Connections are taken from now on.
   explicit PageServer(std::uint16_t port);
   ~PageServer();
@@ -41,37 +43,21 @@ class PageServer {
   /// "http://127.0.0.1:40123/"
   std::string address() const;
 
-  /// Answers; comes back only when the system refuses to wait. In a thread of its own.
+  /// Answers until `stop`. In a thread of its own.
   void run();
 
-  /// From now on. From any thread, as well as `tell`.
+  /// From any thread, as well as the next two. Ends every connection.
+  void stop();
+
+  /// From now on.
   void publish(Content content);
 
   /// To everyone who listens at /events (server-sent events). `data` is one line.
   void tell(std::string_view event, std::string_view data);
 
  private:
-  struct Connection;
-
-  void accept_one();
-  void take_told();
-  static bool receive(Connection& connection);
-  static bool send(Connection& connection);
-  void answer(Connection& connection);
-  std::string response_to(std::string_view request);
-  bool is_own_host(std::string_view host) const;
-
-  int listener_ = -1;
-  int wake_ = -1;
-  std::uint16_t port_ = 0;
-  std::list<Connection> connections_;  // of the thread that runs
-  std::mutex mutex_;                   // of all that follows
-  Content content_;
-  std::vector<std::string> told_;
-  // A page that was asked for before the last change, and listens since, hears of it then.
-  std::string last_told_;
-  std::uint64_t published_ = 0;
-  std::uint64_t asked_for_ = 0;
+  class Site;
+  std::unique_ptr<Site> site_;
 };
 
 }  // namespace rigor::tool

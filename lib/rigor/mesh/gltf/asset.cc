@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -12,7 +13,6 @@
 #include <rigor/mesh/gltf/json.h>
 #include <rigor/mesh/gltf/ranges.h>
 #include <rigor/mesh/line_counter.h>
-#include <rigor/xml/decode.h>
 
 namespace rigor::mesh {
 namespace {
@@ -39,30 +39,6 @@ std::optional<std::string_view> json_of_glb(std::string_view bytes) {
   return bytes.substr(kTextOffset, u32_of_glb(bytes, kChunkOffset));
 }
 
-/// A string's value; what is no escape stays as it is.
-std::string unescaped(std::string_view raw) {
-  constexpr std::string_view kEscapes = "\"\\/bfnrt";
-  constexpr std::string_view kMeanings = "\"\\/\b\f\n\r\t";
-  std::string text;
-  for (std::size_t i = 0; i < raw.size(); ++i) {
-    if (raw[i] != '\\' || i + 1 == raw.size()) {
-      text += raw[i];
-      continue;
-    }
-    const char next = raw[++i];
-    std::uint32_t code = 0;
-    const char* const digits = raw.data() + i + 1;
-    if (const std::size_t known = kEscapes.find(next); known != std::string_view::npos) {
-      text += kMeanings[known];
-    } else if (next == 'u' && i + 4 < raw.size() &&
-               std::from_chars(digits, digits + 4, code, 16).ptr == digits + 4) {
-      xml::append_utf8(text, code);
-      i += 4;
-    }
-  }
-  return text;
-}
-
 /// Of the chunk behind the text of a .glb, which is its first buffer; nothing when there is none.
 std::optional<std::uint64_t> binary_bytes_of_glb(std::string_view bytes, std::string_view json) {
   const std::size_t header = kTextOffset + json.size();
@@ -78,10 +54,8 @@ std::optional<std::uint64_t> bytes_of_data_uri(std::string_view written) {
   const std::size_t at = written.find(kBase64);
   if (at == std::string_view::npos) return std::nullopt;
   const std::string_view data = written.substr(at + kBase64.size());
-  // A slash may be written \/, and = fills up the end.
-  const auto other =
-      std::count_if(data.begin(), data.end(), [](char c) { return c == '\\' || c == '='; });
-  return (data.size() - static_cast<std::size_t>(other)) * 3 / 4;
+  const auto filling = std::count(data.begin(), data.end(), '=');  // at the end
+  return (data.size() - static_cast<std::size_t>(filling)) * 3 / 4;
 }
 
 class GltfAssetReader {
@@ -93,13 +67,15 @@ class GltfAssetReader {
 
   /// Without lines in a .glb.
   Asset run(std::string_view json, std::optional<LineCounter> lines) {
-    for_each_scalar(json, [&](const JsonScalar& scalar) {
+    const bool whole = for_each_scalar(json, [&](const JsonScalar& scalar) {
       ranges_.take(scalar);
       if (scalar.kind == JsonScalar::Kind::kString) text(scalar, lines);
     });
     facts_.overruns = ranges_.overruns();
     facts_.nameless_buffers = ranges_.nameless();
-    return {.gltf = std::move(facts_), .textures = std::move(textures_)};
+    return {.problem = whole ? "" : "it is no well-formed JSON",
+            .gltf = std::move(facts_),
+            .textures = std::move(textures_)};
   }
 
  private:
@@ -107,7 +83,7 @@ class GltfAssetReader {
     if (scalar.section == "asset" && scalar.depth == 2) about(scalar.key, scalar.text);
     if (scalar.section == "extensionsRequired" && scalar.depth == 2 &&
         facts_.extensions_required.size() < kMaxExtensions) {
-      facts_.extensions_required.push_back(unescaped(scalar.text.substr(0, kMaxCopiedText)));
+      facts_.extensions_required.emplace_back(scalar.text.substr(0, kMaxCopiedText));
     }
     if (!scalar.of_item() || scalar.key != "uri") return;
     if (scalar.section == "buffers") buffer(scalar, lines);
@@ -115,8 +91,8 @@ class GltfAssetReader {
   }
 
   void about(std::string_view key, std::string_view text) {
-    if (key == "version") facts_.version = unescaped(text.substr(0, kMaxCopiedText));
-    if (key == "generator") facts_.generator = unescaped(text.substr(0, kMaxCopiedText));
+    if (key == "version") facts_.version = text.substr(0, kMaxCopiedText);
+    if (key == "generator") facts_.generator = text.substr(0, kMaxCopiedText);
   }
 
   void buffer(const JsonScalar& scalar, std::optional<LineCounter>& lines) {
@@ -132,7 +108,8 @@ class GltfAssetReader {
   bool name(std::vector<FileReference>& into, const JsonScalar& scalar,
             std::optional<LineCounter>& lines) const {
     if (into.size() == kMaxReferences) return false;
-    into.push_back(resolve(disk_, path_, unescaped(scalar.text), lines ? lines->at(scalar.at) : 0));
+    into.push_back(
+        resolve(disk_, path_, std::string(scalar.text), lines ? lines->at(scalar.end) : 0));
     return true;
   }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 
@@ -32,10 +31,8 @@ const Item* find_gltf_item(const std::vector<Item>& items, std::optional<std::ui
   return index && *index < items.size() ? &items[static_cast<std::size_t>(*index)] : nullptr;
 }
 
-/// A whole number, which may be written 24.0; zero when it is none.
-std::uint64_t gltf_number(std::string_view text) {
-  double value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
+/// Zero of what is below, and of what is no number.
+std::uint64_t gltf_number(double value) {
   return value > 0 ? static_cast<std::uint64_t>(std::floor(std::min(value, kMostGltfBytes))) : 0;
 }
 
@@ -76,11 +73,11 @@ void GltfRanges::take(const JsonScalar& scalar) {
 }
 
 void GltfRanges::take(Buffer& buffer, const JsonScalar& scalar) const {
-  if (scalar.key == "byteLength") buffer.promised = gltf_number(scalar.text);
+  if (scalar.key == "byteLength") buffer.promised = gltf_number(scalar.number);
 }
 
 void GltfRanges::take(View& view, const JsonScalar& scalar) const {
-  const std::uint64_t number = gltf_number(scalar.text);
+  const std::uint64_t number = gltf_number(scalar.number);
   if (scalar.key == "buffer") view.buffer = number;
   if (scalar.key == "byteOffset") view.offset = number;
   if (scalar.key == "byteLength") view.length = number;
@@ -89,7 +86,7 @@ void GltfRanges::take(View& view, const JsonScalar& scalar) const {
 
 void GltfRanges::take(Accessor& accessor, const JsonScalar& scalar) const {
   if (scalar.key == "type") accessor.width = gltf_components(scalar.text);
-  const std::uint64_t number = gltf_number(scalar.text);
+  const std::uint64_t number = gltf_number(scalar.number);
   if (scalar.key == "bufferView") accessor.view = number;
   if (scalar.key == "byteOffset") accessor.offset = number;
   if (scalar.key == "count") accessor.count = number;

@@ -9,6 +9,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <new>
 #include <string_view>
 #include <vector>
 
@@ -167,8 +168,8 @@ std::string PageBytes::text() const {
   std::string packed(size, '\0');
   const auto* from = reinterpret_cast<const Bytef*>(bytes_.data());
   auto* to = reinterpret_cast<Bytef*>(packed.data());
-  // It fails only for a wrong level or too little room.
-  compress2(to, &size, from, bytes_.size(), kPageCompression);
+  // There is room, and the level exists: what is left is memory.
+  if (compress2(to, &size, from, bytes_.size(), kPageCompression) != Z_OK) throw std::bad_alloc();
   packed.resize(size);
   return base64(packed);
 }

@@ -48,7 +48,7 @@ class PageBytes {
   /// Triangles keep their number and order.
   PageMesh add(const mesh::TriangleMesh& mesh, Textured textured);
 
-  /// Base64 of a zlib stream; empty when nothing was added.
+  /// Base64 of a zlib stream; empty when nothing was added. Throws std::bad_alloc where memory is short.
   std::string text() const;
 
  private:

@@ -155,7 +155,7 @@ class SarifLog {
       const auto line = lines.find(places_.begin(diagnostic.where).line);
       if (line != lines.end()) prints["primaryLocationLineHash"] = line->second;
     }
-    prints["rigorId/v1"] = id;
+    prints["rigorId/v2"] = id;
     return prints;
   }
 

@@ -36,7 +36,7 @@ enum class Forces : std::uint8_t { kNone, kAsked };
 
 class Engine {
  public:
-  /// The scene must outlive it.
+  /// The scene must outlive it. An EngineError in a build without ODE.
   Engine(const Scene& scene, const SolverSettings& settings);
   ~Engine();
   Engine(const Engine&) = delete;

@@ -11,7 +11,7 @@
 
 namespace rigor::simulate {
 
-/// "0.16.2"
+/// "0.16.2"; empty in a build without ODE, which simulates nothing.
 std::string ode_version();
 
 }  // namespace rigor::simulate

@@ -62,7 +62,7 @@ class JointBuilder {
     for (std::uint32_t i = 0; i < root_.joints.size(); ++i) {
       if (draft_.joint_of[i] != kWorld) add_mimics({i});
     }
-    drop_circles();
+    drop_mimic_cycles();
   }
 
  private:
@@ -307,20 +307,29 @@ class JointBuilder {
     }
   }
 
-  /// Joints that follow each other in a circle follow nobody.
-  void drop_circles() {
+  /// Joints that mimic each other in a cycle follow none. They are dropped together: a cycle that has lost
+  /// one of its joints is no cycle any more.
+  void drop_mimic_cycles() {
+    std::vector<std::uint32_t> cyclic;
     for (std::uint32_t i = 0; i < root_.joints.size(); ++i) {
-      const std::uint32_t self = draft_.joint_of[i];
-      if (self == kWorld || scene_.joints[self].mimics.empty()) continue;
-      std::uint32_t at = scene_.joints[self].mimics.front().joint;
-      for (std::size_t steps = 0; at != self && steps < scene_.joints.size(); ++steps) {
-        if (scene_.joints[at].mimics.empty()) break;
-        at = scene_.joints[at].mimics.front().joint;
-      }
-      if (at != self) continue;
-      scene_.joints[self].mimics.clear();
+      if (draft_.joint_of[i] != kWorld && leads_itself(draft_.joint_of[i])) cyclic.push_back(i);
+    }
+    for (const std::uint32_t i : cyclic) {
+      scene_.joints[draft_.joint_of[i]].mimics.clear();
       say(FactKind::kElementIgnored, place(root_.joints[i]), root_.joints[i], "mimic");
     }
+  }
+
+  /// Only a first axis mimics, so that a second one ends the chain of leaders.
+  bool leads_itself(std::uint32_t self) const {
+    std::uint32_t at = self;
+    for (std::size_t steps = 0; steps < scene_.joints.size(); ++steps) {
+      const std::vector<SceneMimic>& mimics = scene_.joints[at].mimics;
+      if (mimics.empty() || mimics.front().axis != 0) return false;
+      at = mimics.front().joint;
+      if (at == self) return true;
+    }
+    return false;
   }
 
   std::vector<xml::Element> blocks(const model::Joint& joint,
