@@ -12,6 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <rigor/process/descriptor.h>
+
 #include "command.h"
 
 namespace rigor::tool {
@@ -22,22 +24,6 @@ namespace fs = std::filesystem;
 [[noreturn]] void fail(const std::string& path, int error) {
   throw UsageError(path + ": cannot be written: " + std::generic_category().message(error));
 }
-
-/// A file descriptor that closes itself.
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  int get() const { return fd_; }
-
- private:
-  int fd_;
-};
 
 /// Zero, or the error's number.
 int write_all(int fd, std::string_view bytes) {
@@ -51,9 +37,9 @@ int write_all(int fd, std::string_view bytes) {
 }
 
 void write_directly(const std::string& path, std::string_view bytes) {
-  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  if (file.get() < 0) fail(path, errno);
-  if (const int error = write_all(file.get(), bytes)) fail(path, error);
+  const process::Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (file.number() < 0) fail(path, errno);
+  if (const int error = write_all(file.number(), bytes)) fail(path, error);
 }
 
 /// Of the file that is there, or of a new one.
@@ -85,11 +71,11 @@ void replace_file(const std::string& path, std::string_view bytes) {
                                 : fs::path(path);
   const std::string target = followed.empty() ? path : followed.string();
   std::string temporary = target + ".XXXXXX";
-  const Descriptor file(::mkstemp(temporary.data()));
-  if (file.get() < 0) fail(path, errno);
-  int error = write_all(file.get(), bytes);
-  keep_owner(file.get(), target);
-  if (error == 0 && ::fchmod(file.get(), mode_for(target)) != 0) error = errno;
+  const process::Descriptor file(::mkstemp(temporary.data()));
+  if (file.number() < 0) fail(path, errno);
+  int error = write_all(file.number(), bytes);
+  keep_owner(file.number(), target);
+  if (error == 0 && ::fchmod(file.number(), mode_for(target)) != 0) error = errno;
   if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
   if (error != 0) {
     ::unlink(temporary.c_str());

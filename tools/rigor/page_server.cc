@@ -79,7 +79,7 @@ std::string_view take_to(std::string_view& text, std::string_view mark) {
 }  // namespace
 
 struct PageServer::Connection {
-  int socket = -1;
+  process::Descriptor socket{-1};
   std::string received;
   std::string to_send;
   std::size_t sent = 0;
@@ -88,30 +88,27 @@ struct PageServer::Connection {
 };
 
 PageServer::PageServer(std::uint16_t port) {
-  listener_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  wake_ = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
-  if (listener_ < 0 || wake_ < 0) refuse_port(port, errno);
+  listener_ = process::Descriptor(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  wake_ = process::Descriptor(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
+  if (listener_.number() < 0 || wake_.number() < 0) refuse_port(port, errno);
   // The port that was just served is free again, though its last connections may linger.
   const int yes = 1;
-  ::setsockopt(listener_, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  ::setsockopt(listener_.number(), SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   address.sin_port = htons(port);
   socklen_t size = sizeof address;
   auto* generic = reinterpret_cast<sockaddr*>(&address);
-  if (::bind(listener_, generic, size) != 0 || ::listen(listener_, SOMAXCONN) != 0 ||
-      ::getsockname(listener_, generic, &size) != 0) {
+  if (::bind(listener_.number(), generic, size) != 0 ||
+      ::listen(listener_.number(), SOMAXCONN) != 0 ||
+      ::getsockname(listener_.number(), generic, &size) != 0) {
     refuse_port(port, errno);
   }
   port_ = ntohs(address.sin_port);
 }
 
-PageServer::~PageServer() {
-  for (const Connection& connection : connections_) ::close(connection.socket);
-  ::close(listener_);
-  ::close(wake_);
-}
+PageServer::~PageServer() = default;
 
 std::string PageServer::address() const {
   return "http://127.0.0.1:" + std::to_string(port_) + '/';
@@ -131,16 +128,17 @@ void PageServer::tell(std::string_view event, std::string_view data) {
   }
   const std::uint64_t one = 1;
   // It cannot be full: that would take as many events as there are numbers.
-  [[maybe_unused]] const ssize_t written = ::write(wake_, &one, sizeof one);
+  [[maybe_unused]] const ssize_t written = ::write(wake_.number(), &one, sizeof one);
 }
 
 void PageServer::run() {
   std::vector<pollfd> polled;
   while (true) {
-    polled = {{listener_, POLLIN, 0}, {wake_, POLLIN, 0}};
+    polled = {{listener_.number(), POLLIN, 0}, {wake_.number(), POLLIN, 0}};
     for (const Connection& each : connections_) {
       const bool sends = each.sent < each.to_send.size();
-      polled.push_back({each.socket, static_cast<short>(sends ? POLLIN | POLLOUT : POLLIN), 0});
+      polled.push_back(
+          {each.socket.number(), static_cast<short>(sends ? POLLIN | POLLOUT : POLLIN), 0});
     }
     if (::poll(polled.data(), polled.size(), -1) < 0) {
       if (errno == EINTR) continue;
@@ -153,7 +151,6 @@ void PageServer::run() {
       if (open && (events & (POLLIN | POLLHUP)) != 0) open = receive(*each);
       if (open) answer(*each);
       if (open) open = send(*each);
-      if (!open) ::close(each->socket);
       each = open ? std::next(each) : connections_.erase(each);
     }
     if (polled[1].revents != 0) take_told();
@@ -162,18 +159,15 @@ void PageServer::run() {
 }
 
 void PageServer::accept_one() {
-  const int socket = ::accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
-  if (socket < 0) return;
-  if (connections_.size() < kMostConnections) {
-    connections_.push_back({.socket = socket});
-  } else {
-    ::close(socket);
-  }
+  process::Descriptor socket(
+      ::accept4(listener_.number(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
+  if (socket.number() < 0 || connections_.size() >= kMostConnections) return;
+  connections_.push_back({.socket = std::move(socket)});
 }
 
 void PageServer::take_told() {
   std::uint64_t ignored = 0;
-  [[maybe_unused]] const ssize_t count = ::read(wake_, &ignored, sizeof ignored);
+  [[maybe_unused]] const ssize_t count = ::read(wake_.number(), &ignored, sizeof ignored);
   std::vector<std::string> told;
   {
     const std::lock_guard lock(mutex_);
@@ -190,7 +184,7 @@ void PageServer::take_told() {
 bool PageServer::receive(Connection& connection) {
   std::array<char, 4096> bytes;
   while (true) {
-    const ssize_t count = ::recv(connection.socket, bytes.data(), bytes.size(), 0);
+    const ssize_t count = ::recv(connection.socket.number(), bytes.data(), bytes.size(), 0);
     if (count < 0) return errno == EAGAIN || errno == EINTR;
     if (count == 0) return false;
     // What comes behind a request that was answered is read for nothing.
@@ -204,7 +198,8 @@ bool PageServer::receive(Connection& connection) {
 bool PageServer::send(Connection& connection) {
   while (connection.sent < connection.to_send.size()) {
     const std::string_view rest = std::string_view(connection.to_send).substr(connection.sent);
-    const ssize_t count = ::send(connection.socket, rest.data(), rest.size(), MSG_NOSIGNAL);
+    const ssize_t count =
+        ::send(connection.socket.number(), rest.data(), rest.size(), MSG_NOSIGNAL);
     if (count < 0) return errno == EAGAIN || errno == EINTR;
     connection.sent += static_cast<std::size_t>(count);
   }

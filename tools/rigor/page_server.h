@@ -22,6 +22,8 @@
 #include <string_view>
 #include <vector>
 
+#include <rigor/process/descriptor.h>
+
 namespace rigor::tool {
 
 class PageServer {
@@ -61,8 +63,8 @@ class PageServer {
   std::string response_to(std::string_view request);
   bool is_own_host(std::string_view host) const;
 
-  int listener_ = -1;
-  int wake_ = -1;
+  process::Descriptor listener_{-1};
+  process::Descriptor wake_{-1};
   std::uint16_t port_ = 0;
   std::list<Connection> connections_;  // of the thread that runs
   std::mutex mutex_;                   // of all that follows

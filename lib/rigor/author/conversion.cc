@@ -161,7 +161,7 @@ class Prover {
       : environment_(environment),
         sources_(sources),
         workspace_(workspace),
-        surveys_(environment.disk),
+        surveys_(environment.disk, {.workers = &environment.workers}),
         options_(options),
         result_(result) {}
 
@@ -259,7 +259,8 @@ class Prover {
   /// The parser that everything in ROS reads URDF with.
   void ask_urdfdom(const read::Loaded& source, const convert::Robot& before,
                    const convert::Robot& after, const Told& told, Notes& notes) {
-    convert::UrdfdomVerdict verdict = convert::judge_by_urdfdom(*result_.text);
+    convert::UrdfdomVerdict verdict =
+        convert::judge_by_urdfdom(*result_.text, environment_.workers);
     if (!verdict.robot) {
       notes.push_back({.kind = NoteKind::kRefused,
                        .where = source.root.site.tag,
@@ -332,10 +333,10 @@ Conversion to_urdf(const Environment& environment, Sources& sources, read::Works
                    const ConversionOptions& options) {
   const model::Frames frames(loaded.root);
   const convert::Documents documents(workspace);
-  convert::UrdfConversion converted =
-      convert::sdf_to_urdf({loaded.root, frames, documents, environment.resolver, environment.sdf,
-                            loaded.file->path, options.out, options.working_folder},
-                           how);
+  convert::UrdfConversion converted = convert::sdf_to_urdf(
+      {loaded.root, frames, documents, environment.resolver, environment.sdf, environment.workers,
+       loaded.file->path, options.out, options.working_folder},
+      how);
   Conversion result;
   result.model = converted.model;
   if (converted.robot) {
@@ -356,10 +357,10 @@ Conversion to_sdf(const Environment& environment, Sources& sources, read::Worksp
                   const ConversionOptions& options) {
   const model::Frames frames(loaded.root);
   const convert::Documents documents(workspace);
-  convert::SdfConversion converted =
-      convert::urdf_to_sdf({loaded.root, frames, documents, environment.resolver, environment.urdf,
-                            loaded.file->path, options.out, options.working_folder},
-                           how);
+  convert::SdfConversion converted = convert::urdf_to_sdf(
+      {loaded.root, frames, documents, environment.resolver, environment.urdf, environment.workers,
+       loaded.file->path, options.out, options.working_folder},
+      how);
   Conversion result;
   result.model = {0};  // a URDF file holds one
   if (converted.robot) {
