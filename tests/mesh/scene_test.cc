@@ -291,6 +291,18 @@ TEST_F(MeshScene, WhatIsNoSceneIsMalformedOrEmpty) {
   EXPECT_TRUE(has(read_scene(MemoryDisk(), "a.dae", test::workers()), FaultKind::kUnreadable));
 }
 
+/// Without a worker a file is not to blame, and a Collada file is read by rigor's own reader.
+TEST(MeshSceneWithoutWorker, TheFaultIsNoneOfTheFile) {
+  const process::Workers none("/nowhere/rigor-worker");
+  const MemoryDisk disk({{"a.ply", kPly}, {"a.dae", text(Collada{})}});
+  const LoadedMesh loaded = read_scene(disk, "a.ply", none);
+  ASSERT_EQ(loaded.faults.size(), 1U);
+  EXPECT_EQ(loaded.faults[0].kind, FaultKind::kWorkerMissing);
+  EXPECT_EQ(loaded.faults[0].detail,
+            "could not be started: /nowhere/rigor-worker: No such file or directory");
+  EXPECT_TRUE(read_scene(disk, "a.dae", none).usable());
+}
+
 TEST_F(MeshScene, CutAnywhereItIsNoMeshOrASmallerOne) {
   const std::string whole = text(Collada{});
   for (std::size_t size = 0; size < whole.size(); size += 61) {

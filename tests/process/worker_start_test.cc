@@ -17,8 +17,8 @@
 #include <rigor/process/messages.h>
 #include <rigor/process/workers.h>
 
-#include "process/workers_fixture.h"
 #include "cli/program.h"
+#include "process/workers_fixture.h"
 
 namespace rigor::process {
 namespace {
@@ -88,18 +88,19 @@ TEST(WorkerStart, ItIsFoundBesideTheProgramOrInLibexec) {
   const std::string bin = folder.path("bin");
   std::filesystem::create_directories(bin);
   std::filesystem::create_directories(folder.path("libexec"));
-  const WorkerProgram none = find_worker_from(bin);
+  const WorkerProgram none = find_worker_from(bin, "relative:/opt/x/bin:");
   EXPECT_FALSE(none.path);
-  ASSERT_EQ(none.looked_for.size(), 3U);
+  ASSERT_EQ(none.looked_for.size(), 4U);
   EXPECT_EQ(none.looked_for[0], bin + "/rigor-worker");
-  EXPECT_EQ(none.looked_for[1], bin + "/../libexec/rigor-worker");
+  EXPECT_EQ(none.looked_for[1], folder.path("libexec") + "/rigor-worker");
+  EXPECT_EQ(none.looked_for[3], "/opt/x/libexec/rigor-worker");
 
   std::ofstream(none.looked_for[0]) << "no program";
-  EXPECT_FALSE(find_worker_from(bin).path);
+  EXPECT_FALSE(find_worker_from(bin, "relative:/opt/x/bin:").path);
   put_program(none.looked_for[1], "");
-  EXPECT_EQ(find_worker_from(bin).path, none.looked_for[1]);
+  EXPECT_EQ(find_worker_from(bin, "relative:/opt/x/bin:").path, none.looked_for[1]);
   put_program(none.looked_for[0], "");
-  EXPECT_EQ(find_worker_from(bin).path, none.looked_for[0]);
+  EXPECT_EQ(find_worker_from(bin, "relative:/opt/x/bin:").path, none.looked_for[0]);
 }
 
 TEST(WorkerStart, TheTestsFindTheLibrarysOwn) {

@@ -59,7 +59,7 @@ process::Reply import_asked(const std::string& path, const process::Ask& ask) {
 bool importer_failed(const LoadedMesh& loaded) {
   return std::any_of(loaded.faults.begin(), loaded.faults.end(), [](const Fault& fault) {
     return fault.kind == FaultKind::kMalformed || fault.kind == FaultKind::kImporterCrashed ||
-           fault.kind == FaultKind::kImporterMissing;
+           fault.kind == FaultKind::kImporterMissing || fault.kind == FaultKind::kWorkerMissing;
   });
 }
 
@@ -114,7 +114,7 @@ LoadedMesh import_scene(const Disk& disk, const std::string& path, std::string_v
   if (result.end != End::kDone) {
     // Without a worker the file is not to blame.
     const bool missing = result.end == End::kNotStarted;
-    return {.faults = {{missing ? FaultKind::kImporterMissing : FaultKind::kImporterCrashed,
+    return {.faults = {{missing ? FaultKind::kWorkerMissing : FaultKind::kImporterCrashed,
                         describe(result, kImportLimits)}}};
   }
   if (std::optional<LoadedMesh> loaded = unflatten(result.bytes)) return std::move(*loaded);

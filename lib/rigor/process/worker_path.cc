@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 
@@ -16,6 +17,10 @@ namespace rigor::process {
 namespace {
 
 constexpr std::string_view kWorkerName = "/rigor-worker";
+
+std::string in_libexec_of(std::string_view programs) {
+  return std::string(parent_path(programs)) + "/libexec" + std::string(kWorkerName);
+}
 
 /// The number in hexadecimal that a text begins with; zero without one.
 std::uintptr_t address_in(std::string_view text) {
@@ -48,15 +53,22 @@ std::optional<std::string> file_mapped_at(std::string_view maps, std::uintptr_t 
   return std::nullopt;
 }
 
-WorkerProgram find_worker() { return find_worker_from(folder_of_this_code()); }
+WorkerProgram find_worker() {
+  const char* search_path = std::getenv("PATH");
+  return find_worker_from(folder_of_this_code(), search_path ? search_path : "");
+}
 
-WorkerProgram find_worker_from(const std::string& folder) {
+WorkerProgram find_worker_from(const std::string& folder, std::string_view search_path) {
   WorkerProgram found;
   if (!folder.empty()) {
-    found.looked_for = {folder + std::string(kWorkerName),
-                        folder + "/../libexec" + std::string(kWorkerName)};
+    found.looked_for = {folder + std::string(kWorkerName), in_libexec_of(folder)};
   }
   found.looked_for.push_back(RIGOR_LIBEXEC + std::string(kWorkerName));
+  while (!search_path.empty()) {
+    const std::string_view each = search_path.substr(0, search_path.find(':'));
+    search_path.remove_prefix(std::min(each.size() + 1, search_path.size()));
+    if (is_absolute(each)) found.looked_for.push_back(in_libexec_of(each));
+  }
   for (const std::string& path : found.looked_for) {
     if (::access(path.c_str(), X_OK) != 0) continue;
     found.path = path;

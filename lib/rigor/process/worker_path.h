@@ -23,11 +23,12 @@ struct WorkerProgram {
 };
 
 /// In order: beside the file that this library's code is in (a program, or the shared library); in
-/// `../libexec` of that; in the folder of programs that rigor was configured with.
+/// `../libexec` of that; in the `libexec` that rigor was configured with; in `../libexec` of the folders in
+/// PATH, where an installed rigor is that somebody else's program is built with.
 WorkerProgram find_worker();
 
-/// The same from the folder of a program.
-WorkerProgram find_worker_from(const std::string& folder);
+/// The same from the folder of a program, which may be empty, and the text of PATH.
+WorkerProgram find_worker_from(const std::string& folder, std::string_view search_path);
 
 /// From the text of /proc/self/maps (man 5 proc): the file that an address of this process is mapped from.
 /// Of a program that was started as an argument of the dynamic loader, /proc/self/exe names the loader.

@@ -21,7 +21,7 @@ namespace rigor::process {
 namespace {
 
 std::string missing(const WorkerProgram& program) {
-  std::string text = "rigor-worker is not installed; looked for ";
+  std::string text = "rigor-worker is not installed: there is no ";
   for (std::size_t i = 0; i < program.looked_for.size(); ++i) {
     text += (i > 0 ? ", " : "") + program.looked_for[i];
   }
