@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <exception>
@@ -27,8 +28,10 @@ using End = RequestResult::End;
 
 /// A signal's handler: nobody waits for what this process does once the caller's end is closed.
 void leave_without_caller(int) {
+  const int error = errno;
   pollfd caller{kWorkerSocket, POLLRDHUP, 0};
   if (::poll(&caller, 1, 0) > 0) ::_exit(0);
+  errno = error;
 }
 
 /// The kernel signals when the socket changes. PR_SET_PDEATHSIG would not do: it is sent when the thread
