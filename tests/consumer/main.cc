@@ -7,7 +7,7 @@
 int main(int argc, char** argv) {
   const rigor::RealDisk disk;
   rigor::Sources sources;
-  return static_cast<int>(rigor::rules::validate(rigor::Environment(disk, {}),
+  return static_cast<int>(rigor::rules::validate(rigor::Environment(disk, {}, RIGOR_WORKER),
                                                  {.paths = {argv + 1, argv + argc}}, sources)
                               .diagnostics.count(rigor::Severity::kError));
 }

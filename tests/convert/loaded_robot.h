@@ -21,6 +21,8 @@
 #include <rigor/text/disk.h>
 #include <rigor/text/sources.h>
 
+#include "support/workers.h"
+
 namespace rigor::test {
 
 /// The text as the file at `path`; all that it was made of lives as long.
@@ -42,7 +44,7 @@ class LoadedRobot {
   const model::Frames& frames() const { return frames_; }
   convert::Source source() const {
     const bool sdf = root().format == model::Format::kSdf;
-    return {root(), frames_, documents_, resolver_, sdf ? sdf_ : urdf_, path_};
+    return {root(), frames_, documents_, resolver_, sdf ? sdf_ : urdf_, workers(), path_};
   }
 
  private:

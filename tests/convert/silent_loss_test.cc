@@ -22,6 +22,7 @@
 #include "convert/converted.h"
 #include "convert/schema_fixture.h"
 #include "robot/robots.h"
+#include "support/workers.h"
 
 namespace rigor::convert {
 namespace {
@@ -59,6 +60,7 @@ Said said_of(std::string text, const std::string& path) {
                       read.documents,
                       read.resolver,
                       sdf ? test::sdf_schema() : test::urdf_schema(),
+                      test::workers(),
                       path};
   if (sdf) {
     UrdfConversion result = sdf_to_urdf(source, {.roots = RootPolicy::kAddRoot});

@@ -43,6 +43,7 @@ struct UrdfPart {
                documents,
                environment.resolver,
                environment.sdf,
+               environment.workers,
                "/robots/arm/model.sdf",
                out},
         ledger(documents),

@@ -112,7 +112,7 @@ TEST(CorpusDrawing, DrawsWhateverLoads) {
     const read::Loaded loaded = read::load(reader, file);
     const model::Root& root = loaded.root;
     const model::Frames frames(root);
-    mass::MeshReads reads(disk);
+    mass::MeshReads reads(disk, environment.workers);
     Files files = files_of(environment.resolver, sources, reads);
     if (i % kMeshStride != 0) files = {};
 
@@ -153,7 +153,7 @@ TEST(CorpusDrawing, HasNoBlankPicture) {
     const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
     const read::Loaded loaded = read::load(reader, file);
     const model::Frames frames(loaded.root);
-    mass::MeshReads reads(disk);
+    mass::MeshReads reads(disk, environment.workers);
     const Drawing drawing =
         draw(loaded.root, frames, sources, files_of(environment.resolver, sources, reads),
              {{Layer::kVisual}});

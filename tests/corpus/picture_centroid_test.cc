@@ -74,7 +74,8 @@ Drawing painted(Drawing drawing, const std::vector<std::uint32_t>& links, std::s
 }
 
 struct CorpusRobot {
-  explicit CorpusRobot(const std::string& file) : environment(disk, {}), reads(disk) {
+  explicit CorpusRobot(const std::string& file)
+      : environment(disk, {}), reads(disk, environment.workers) {
     read::Workspace workspace(disk, sources);
     const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
     loaded = read::load(reader, workspace.open(test::corpus() + '/' + file));

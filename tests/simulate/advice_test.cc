@@ -36,7 +36,7 @@ struct NoFile {
   explicit NoFile(const std::string& path = "testdata/none.sdf")
       : loaded(read::load({workspace, environment.resolver, environment.sdf, environment.urdf},
                           workspace.open(path))),
-        files(loaded, workspace, environment.resolver) {}
+        files(loaded, workspace, environment.resolver, environment.workers) {}
 };
 
 std::vector<Fact> of_kind(const Facts& facts, FactKind kind) {

@@ -19,6 +19,8 @@
 #include <rigor/simulate/scene/build.h>
 #include <rigor/simulate/scene/input.h>
 
+#include "support/workers.h"
+
 namespace rigor::test {
 
 /// A scene with the text that it was made from, so that a fact's place can be read.
@@ -67,7 +69,7 @@ inline Built built(const std::string& text, TextFiles others = {},
   Sources sources;
   read::Workspace workspace(disk, sources);
   const read::Loaded loaded = read::load({workspace, resolver, sdf, urdf}, workspace.open(path));
-  const simulate::SceneFiles files(loaded, workspace, resolver, positions);
+  const simulate::SceneFiles files(loaded, workspace, resolver, workers(), positions);
   simulate::SceneResult made = build_scene(files.input(), options);
   const bool blocked = made.blocked();
   return {std::move(made.scene), std::move(made.facts), blocked, text};

@@ -20,7 +20,10 @@ namespace rigor::view {
 
 struct DrawnModel {
   DrawnModel(const std::string& path, std::map<std::string, std::string> files)
-      : disk(std::move(files)), environment(disk, {}), workspace(disk, sources), reads(disk) {
+      : disk(std::move(files)),
+        environment(disk, {}),
+        workspace(disk, sources),
+        reads(disk, environment.workers) {
     const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
     loaded = read::load(reader, workspace.open(path));
   }

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `tools/dev fuzz 60 scene`: any bytes as a file of a scene, through the importer in its child process
+// `tools/dev fuzz 60 scene`: any bytes as a file of a scene, through the importer in a worker process
 // and through rigor's own reader of Collada; and what they say beside triangles. The first byte says
 // which ending the file has, so that each of the importer's formats has its turn.
 

@@ -161,7 +161,7 @@ class Prover {
       : environment_(environment),
         sources_(sources),
         workspace_(workspace),
-        surveys_(environment.disk),
+        surveys_(environment.disk, {.workers = &environment.workers}),
         options_(options),
         result_(result) {}
 
@@ -258,7 +258,7 @@ class Prover {
   /// The parser that everything in ROS reads URDF with.
   void ask_urdfdom(const read::Loaded& source, const robot::Robot& before,
                    const robot::Robot& after, const Told& told, Notes& notes) {
-    convert::UrdfdomVerdict verdict = convert::judge_by_urdfdom(*result_.text);
+    convert::UrdfdomVerdict verdict = convert::judge_by_urdfdom(*result_.text, environment_.workers);
     if (!verdict.asked) return;
     if (!verdict.robot) {
       notes.push_back({.kind = NoteKind::kRefused,
@@ -333,7 +333,7 @@ Conversion to_urdf(const Environment& environment, Sources& sources, read::Works
   const model::Frames frames(loaded.root);
   const read::Documents documents(workspace);
   convert::UrdfConversion converted =
-      convert::sdf_to_urdf({loaded.root, frames, documents, environment.resolver, environment.sdf,
+      convert::sdf_to_urdf({loaded.root, frames, documents, environment.resolver, environment.sdf, environment.workers,
                             loaded.file->path, options.out, options.working_folder},
                            how);
   Conversion result;
@@ -357,7 +357,7 @@ Conversion to_sdf(const Environment& environment, Sources& sources, read::Worksp
   const model::Frames frames(loaded.root);
   const read::Documents documents(workspace);
   convert::SdfConversion converted =
-      convert::urdf_to_sdf({loaded.root, frames, documents, environment.resolver, environment.urdf,
+      convert::urdf_to_sdf({loaded.root, frames, documents, environment.resolver, environment.urdf, environment.workers,
                             loaded.file->path, options.out, options.working_folder},
                            how);
   Conversion result;

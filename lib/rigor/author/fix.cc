@@ -40,8 +40,9 @@ std::vector<FixedFile> fix_files(const Environment& environment,
                                  const rules::ValidateOptions& options,
                                  const rules::ValidateResult& result, const Sources& sources,
                                  Applicability most) {
-  mass::MeshSurveys surveys(environment.disk);
-  mass::MeshFiles mesh_files(environment.disk);
+  const mass::MeshMemory memory{.workers = &environment.workers};
+  mass::MeshSurveys surveys(environment.disk, memory);
+  mass::MeshFiles mesh_files(environment.disk, mass::MeshDepth::kFile, memory);
   rules::ValidateOptions recheck = options;
   if (recheck.known.surveys == nullptr) recheck.known.surveys = &surveys;
   if (recheck.known.files == nullptr) recheck.known.files = &mesh_files;

@@ -25,6 +25,7 @@
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
 #include <rigor/read/documents.h>
+#include <rigor/process/workers.h>
 #include <rigor/read/resolver.h>
 #include <rigor/schema/schema.h>
 
@@ -73,8 +74,9 @@ struct Source {
   const read::Documents& documents;
   const read::Resolver& resolver;
   const schema::Schema& schema;  ///< of the source's format
-  std::string path;              ///< of the file
-  std::string out = {};          ///< where the result will stand; empty: not known
+  const process::Workers& workers;
+  std::string path;      ///< of the file
+  std::string out = {};  ///< where the result will stand; empty: not known
   /// What relative paths are seen from; empty: not known.
   std::string working_folder = {};
 };

@@ -12,16 +12,23 @@
 #include <memory>
 #include <utility>
 
-#include <rigor/process/child.h>
 #include <rigor/robot/bytes.h>
 
 namespace rigor::convert {
 namespace {
 
+constexpr std::string_view kUrdfdomKind = "convert.urdfdom";
+
 constexpr double kUrdfdomEndless = std::numeric_limits<double>::infinity();
 
+/// Of the library's, which has one handler for a process, while this lives.
 class MessageKeeper final : public console_bridge::OutputHandler {
  public:
+  MessageKeeper() { console_bridge::useOutputHandler(this); }
+  ~MessageKeeper() override { console_bridge::restorePreviousOutputHandler(); }
+  MessageKeeper(const MessageKeeper&) = delete;
+  MessageKeeper& operator=(const MessageKeeper&) = delete;
+
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
     if (level >= console_bridge::CONSOLE_BRIDGE_LOG_WARN) messages_.push_back(text);
   }
@@ -138,10 +145,9 @@ robot::Joint joint_in_urdfdom(const urdf::Joint& joint,
   return result;
 }
 
-/// In the child.
-std::string parse_by_urdfdom(const std::string& text) {
-  MessageKeeper keeper;
-  console_bridge::useOutputHandler(&keeper);
+/// In the worker.
+process::Reply parse_by_urdfdom(const std::string& text, const process::Ask& /*ask*/) {
+  const MessageKeeper keeper;
   const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(text);
   robot::ByteWriter out;
   out.count(keeper.messages().size());
@@ -164,14 +170,13 @@ std::string parse_by_urdfdom(const std::string& text) {
 
 }  // namespace
 
-UrdfdomVerdict judge_by_urdfdom(std::string_view urdf) {
-  const process::ChildLimits limits{.cpu_seconds = kUrdfdomSeconds};
-  const process::ChildResult result =
-      process::run_in_child(limits, [text = std::string(urdf)] { return parse_by_urdfdom(text); });
+UrdfdomVerdict judge_by_urdfdom(std::string_view urdf, const process::Workers& workers) {
+  const process::RequestResult result =
+      workers.call({.kind = kUrdfdomKind, .bytes = std::string(urdf), .limits = kUrdfdomLimits});
   UrdfdomVerdict verdict;
-  verdict.died = result.end != process::ChildResult::End::kDone;
+  verdict.died = result.end != process::RequestResult::End::kDone;
   if (verdict.died) {
-    verdict.messages.push_back("urdfdom " + process::describe(result, limits));
+    verdict.messages.push_back("urdfdom " + process::describe(result, kUrdfdomLimits));
     return verdict;
   }
   robot::ByteReader in(result.bytes);
@@ -179,5 +184,7 @@ UrdfdomVerdict judge_by_urdfdom(std::string_view urdf) {
   if (in.count() > 0) verdict.robot = robot::read_robot(in);
   return verdict;
 }
+
+process::Service urdfdom_service() { return {kUrdfdomKind, parse_by_urdfdom}; }
 
 }  // namespace rigor::convert

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A robot as bytes, to come out of a child process; private to the room. Spans, frames and placement
+// A robot as bytes, to come out of a worker process; private to the room. Spans, frames and placement
 // stay behind. Numbers keep every bit.
 
 #pragma once

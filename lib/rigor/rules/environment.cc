@@ -28,4 +28,11 @@ Environment::Environment(const Disk& the_disk, read::SearchPaths paths)
       urdf(embedded(schema::urdf_schema_text())),
       resolver(the_disk, std::move(paths)) {}
 
+Environment::Environment(const Disk& the_disk, read::SearchPaths paths, std::string worker)
+    : disk(the_disk),
+      sdf(embedded(schema::sdf_schema_text())),
+      urdf(embedded(schema::urdf_schema_text())),
+      resolver(the_disk, std::move(paths)),
+      workers(std::move(worker)) {}
+
 }  // namespace rigor

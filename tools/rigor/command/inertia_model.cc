@@ -217,7 +217,7 @@ int run_model_inertia(const InertiaArguments& a) {
     throw UsageError("--mass " + name + ": no such link" + did_you_mean(name, known));
   }
 
-  mass::MeshSurveys surveys(disk);
+  mass::MeshSurveys surveys(disk, {.workers = &environment.workers});
   const ModelInertia table = model_inertia(environment, sources, loaded, surveys, options);
   const std::string_view bytes = sources.bytes(loaded.root.source);
   const bool unused = (a.write || a.diff) && tell_left(loaded.root, table, options);

@@ -71,7 +71,7 @@ class Inspect final : public Command {
     const read::Loaded loaded = load(reader, open_model(workspace, path_));
 
     const model::Frames frames(loaded.root, joint_positions(loaded.root, joints_));
-    mass::MeshSurveys surveys(disk);
+    mass::MeshSurveys surveys(disk, {.workers = &environment.workers});
     const report::Inspection inspection{loaded.file->path, loaded.root, frames,
                                         rules::mesh_finder(environment.resolver, sources, surveys)};
     for (const Target& target : targets)

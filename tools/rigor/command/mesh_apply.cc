@@ -137,7 +137,8 @@ class Application {
   void operate_on(const mass::MeshFacts& facts) {
     const std::string path = join_path(here_, facts.path);
     if (!facts.whole() || !seen_.insert(path).second) return;
-    mesh::LoadedMesh loaded = mesh::read_mesh(checking_.disk(), facts.path);
+    mesh::LoadedMesh loaded =
+        mesh::read_mesh(checking_.disk(), facts.path, checking_.environment().workers);
     author::OperatedMesh done = author::operate(std::move(loaded.mesh), operations_of(a_, facts));
     if (!done.problem.empty()) {
       say("rigor: " + report::printable(facts.path) + " stays as it is: " + done.problem);

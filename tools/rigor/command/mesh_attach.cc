@@ -90,7 +90,8 @@ class Attachment {
   }
 
   void write(const std::string& path) const {
-    const mass::MeshFacts facts = mass::mesh_facts(checking_.disk(), path, mass::MeshDepth::kFile);
+    const mass::MeshFacts facts = mass::mesh_facts(checking_.disk(), path, mass::MeshDepth::kFile,
+                                                   checking_.environment().workers);
     const author::AttachedMesh done = with(path, facts.bounds);
     const auto text = apply_edits(sources_.bytes(loaded_.root.source), done.edits);
     if (!text) throw std::logic_error("the edits of " + loaded_.file->path + " overlap");
@@ -191,7 +192,8 @@ int write_test_world(const MeshCheckArguments& a, const MeshChecking& checking) 
       std::filesystem::path(absolute(path)).lexically_relative(from).generic_string();
   const std::string file(file_name(path));
   const std::string name = file.substr(0, file.size() - extension(file).size());
-  const mass::MeshSurvey survey = mass::survey_mesh(checking.disk(), {path});
+  const mass::MeshSurvey survey =
+      mass::survey_mesh(checking.disk(), {path}, checking.environment().workers);
   const std::string text = author::test_world({name.empty() ? "mesh" : name, uri}, survey);
   if (a.out.empty()) {
     write({0, {}}, text);

@@ -87,8 +87,9 @@ MeshChecking::MeshChecking(const MeshCheckArguments& arguments)
       targets_(arguments.output.targets()),
       disk_(real_),
       environment_(disk_, arguments.search.paths()),
-      cache_(arguments.cache.cache()),
-      files_(disk_, mass::MeshDepth::kAll, {cache_ ? &*cache_ : nullptr}) {
+      cache_(arguments.cache.cache(environment_.workers)),
+      files_(disk_, mass::MeshDepth::kAll,
+             {.cache = cache_ ? &*cache_ : nullptr, .workers = &environment_.workers}) {
   rules::MeshCheckOptions options{arguments.paths, arguments.selection.selection()};
   require_known(options.selection, environment_.registry);
   result_ = rules::mesh_check(environment_, options, files_, sources_);

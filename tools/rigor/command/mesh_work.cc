@@ -117,7 +117,8 @@ int work_on_mesh(const MeshCheckArguments& a) {
   MeshWork work;
   std::string mesh_path = a.paths.front();
   if (!a.out.empty() || !a.operations.given().empty()) {
-    mesh::LoadedMesh loaded = mesh::read_mesh(checking.disk(), mesh_path);
+    mesh::LoadedMesh loaded =
+        mesh::read_mesh(checking.disk(), mesh_path, checking.environment().workers);
     const mass::MeshFacts& facts = *checking.result().meshes.front().facts;
     author::OperatedMesh done = author::operate(std::move(loaded.mesh), operations_of(a, facts));
     if (!done.problem.empty()) {

@@ -76,7 +76,7 @@ class PageCheck {
             mass::MeshReads& reads)
       : environment_(environment),
         settings_(selection_, search.config(), environment.registry),
-        cache_(CacheOption().cache()),
+        cache_(CacheOption().cache(environment.workers)),
         surveys_(disk, {cache_ ? &*cache_ : nullptr, &reads}),
         files_(disk, mass::MeshDepth::kFile, {cache_ ? &*cache_ : nullptr, &reads}) {}
 
@@ -121,7 +121,7 @@ MadePage make_page(const Disk& disk, const SearchOptions& search, const std::str
     made.problem = "this is no robot model";
     return made;
   }
-  mass::MeshReads reads(disk);
+  mass::MeshReads reads(disk, environment.workers);
   PageCheck check(disk, search, environment, reads);
   const Diagnostics findings = check.run(paths_to_check(disk, path, made.path), sources);
   const model::Frames frames(loaded.root);

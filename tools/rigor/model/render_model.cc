@@ -43,7 +43,7 @@ std::string why_nothing_is_seen(const read::Loaded& loaded, const view::Drawing&
 }
 
 ModelPainter::ModelPainter(const Disk& disk, const Environment& environment)
-    : disk_(disk), environment_(environment), reads_(disk) {}
+    : disk_(disk), environment_(environment), reads_(disk, environment.workers) {}
 
 DrawnModel ModelPainter::draw(const std::string& path, const std::vector<std::string>& joints,
                               const std::set<view::Layer>& layers) {

@@ -25,7 +25,7 @@ class RobotFiles {
       : environment_(environment),
         sources_(sources),
         workspace_(workspace),
-        surveys_(environment.disk) {}
+        surveys_(environment.disk, {.workers = &environment.workers}) {}
 
   /// A file, or a folder with a model.config. A UsageError when it cannot be read.
   read::Loaded load(const std::string& path);

@@ -14,6 +14,8 @@
 #include <unistd.h>
 
 #include "command/command.h"
+#include <rigor/process/descriptor.h>
+
 
 namespace rigor::tool {
 namespace {
@@ -23,26 +25,6 @@ namespace fs = std::filesystem;
 [[noreturn]] void fail(const std::string& path, int error) {
   throw UsageError(path + ": cannot be written: " + std::generic_category().message(error));
 }
-
-/// A file descriptor that closes itself; `close` tells how that went, which some file systems say only then.
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  int get() const { return fd_; }
-
-  /// Zero, or the error's number.
-  int close() {
-    const int fd = std::exchange(fd_, -1);
-    return fd >= 0 && ::close(fd) != 0 ? errno : 0;
-  }
-
- private:
-  int fd_;
-};
 
 /// Zero, or the error's number.
 int write_all(int fd, std::string_view bytes) {
@@ -56,9 +38,9 @@ int write_all(int fd, std::string_view bytes) {
 }
 
 void write_directly(const std::string& path, std::string_view bytes) {
-  Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  if (file.get() < 0) fail(path, errno);
-  if (const int error = write_all(file.get(), bytes)) fail(path, error);
+  process::Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (file.number() < 0) fail(path, errno);
+  if (const int error = write_all(file.number(), bytes)) fail(path, error);
   if (const int error = file.close()) fail(path, error);
 }
 
@@ -100,13 +82,13 @@ void replace_file(const std::string& path, std::string_view bytes) {
                                 : fs::path(path);
   const std::string target = followed.empty() ? path : followed.string();
   std::string temporary = target + ".XXXXXX";
-  Descriptor file(::mkstemp(temporary.data()));
-  if (file.get() < 0) fail(path, errno);
-  int error = write_all(file.get(), bytes);
-  keep_owner(file.get(), target);
-  if (error == 0 && ::fchmod(file.get(), mode_for(target)) != 0) error = errno;
+  process::Descriptor file(::mkstemp(temporary.data()));
+  if (file.number() < 0) fail(path, errno);
+  int error = write_all(file.number(), bytes);
+  keep_owner(file.number(), target);
+  if (error == 0 && ::fchmod(file.number(), mode_for(target)) != 0) error = errno;
   // The bytes are on the disk before the name is theirs: else a crash can leave an empty file in its place.
-  if (error == 0 && ::fsync(file.get()) != 0) error = errno;
+  if (error == 0 && ::fsync(file.number()) != 0) error = errno;
   if (const int closed = file.close(); error == 0) error = closed;
   if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
   if (error != 0) {

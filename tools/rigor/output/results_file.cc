@@ -79,10 +79,7 @@ std::optional<CaseNumber> case_of(std::string_view line) {
 
 ResultsFile::~ResultsFile() { close(); }
 
-int ResultsFile::close() {
-  const int descriptor = std::exchange(descriptor_, -1);
-  return descriptor >= 0 && ::close(descriptor) != 0 ? errno : 0;
-}
+int ResultsFile::close() { return descriptor_.close(); }
 
 void ResultsFile::fail(int error) const {
   throw UsageError(path_ + ": cannot be written: " + std::generic_category().message(error));
@@ -115,8 +112,8 @@ void ResultsFile::read(const std::function<void(const KeptResult&, const std::st
 void ResultsFile::open() {
   if (path_.empty()) return;
   const int flags = O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | (keeps_ ? 0 : O_TRUNC);
-  descriptor_ = ::open(path_.c_str(), flags, 0666);
-  if (descriptor_ < 0) fail(errno);
+  descriptor_ = process::Descriptor(::open(path_.c_str(), flags, 0666));
+  if (descriptor_.number() < 0) fail(errno);
   std::error_code error;
   const bool torn = keeps_ && std::filesystem::is_regular_file(path_, error) &&
                     std::filesystem::file_size(path_, error) > whole_;
@@ -125,9 +122,9 @@ void ResultsFile::open() {
 }
 
 void ResultsFile::add(std::size_t index, std::string_view line) {
-  if (descriptor_ < 0) return;
+  if (descriptor_.number() < 0) return;
   while (!line.empty()) {
-    const ssize_t written = ::write(descriptor_, line.data(), line.size());
+    const ssize_t written = ::write(descriptor_.number(), line.data(), line.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) fail(errno);
     line.remove_prefix(static_cast<std::size_t>(written));
@@ -137,7 +134,7 @@ void ResultsFile::add(std::size_t index, std::string_view line) {
 
 void ResultsFile::finish() {
   // A pipe has nothing to synchronize, and says so.
-  if (descriptor_ >= 0 && ::fsync(descriptor_) != 0 && errno != EINVAL) fail(errno);
+  if (descriptor_.number() >= 0 && ::fsync(descriptor_.number()) != 0 && errno != EINVAL) fail(errno);
   if (const int error = close()) fail(error);
   if (std::is_sorted(order_.begin(), order_.end())) return;
   std::error_code ignored;

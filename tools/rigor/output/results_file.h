@@ -22,6 +22,7 @@
 #include <utility>
 #include <vector>
 
+#include <rigor/process/descriptor.h>
 #include <rigor/text/diagnostic.h>
 
 namespace rigor::tool {
@@ -79,7 +80,7 @@ class ResultsFile {
   std::uintmax_t whole_ = 0;  // bytes of the lines that were read
   std::set<std::size_t> kept_;
   std::vector<std::size_t> order_;  // the case of each line of the file
-  int descriptor_ = -1;
+  process::Descriptor descriptor_{-1};
 };
 
 }  // namespace rigor::tool

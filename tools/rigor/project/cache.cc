@@ -47,10 +47,10 @@ void CacheOption::declare(CLI::App& app) {
                "Forget what earlier runs found of large meshes; so does RIGOR_CACHE=off");
 }
 
-std::optional<mass::MeshCache> CacheOption::cache() const {
+std::optional<mass::MeshCache> CacheOption::cache(const process::Workers& workers) const {
   const std::string folder = cache_folder();
   if (off_ || setting("RIGOR_CACHE") == "off" || folder.empty()) return std::nullopt;
-  return mass::MeshCache(FolderStore(folder), this_program());
+  return mass::MeshCache(FolderStore(folder), this_program(), workers);
 }
 
 }  // namespace rigor::tool

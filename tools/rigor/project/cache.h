@@ -9,6 +9,7 @@
 #include <optional>
 
 #include <rigor/mass/mesh/cache.h>
+#include <rigor/process/workers.h>
 #include <CLI/CLI.hpp>
 
 namespace rigor::tool {
@@ -17,7 +18,8 @@ class CacheOption {
  public:
   void declare(CLI::App& app);
 
-  std::optional<mass::MeshCache> cache() const;
+  /// The workers outlive it.
+  std::optional<mass::MeshCache> cache(const process::Workers& workers) const;
 
  private:
   bool off_ = false;

@@ -43,9 +43,9 @@ Checking::Checking(const CheckArguments& a, const Disk& disk)
       environment_(disk, a.search.paths()),
       settings_(a.selection, a.search.config(), environment_.registry),
       changed_(a.changed_since.changed(a.paths.empty() ? std::vector<std::string>{"."} : a.paths)),
-      cache_(a.cache.cache()),
+      cache_(a.cache.cache(environment_.workers)),
       turns_(a.jobs),
-      reads_(disk, turns_),
+      reads_(disk, environment_.workers, turns_),
       surveys_(disk, {cache_ ? &*cache_ : nullptr, &reads_}),
       mesh_files_(disk, mass::MeshDepth::kFile, {cache_ ? &*cache_ : nullptr, &reads_}) {
   choose_files(disk);
@@ -57,7 +57,6 @@ Checking::Checking(const CheckArguments& a, const Disk& disk)
   options_.shard = a.shard.shard();
   options_.meshes = a.no_mesh ? rules::MeshPolicy::kDoNotOpen : rules::MeshPolicy::kOpen;
   options_.known = {&surveys_, &mesh_files_, &turns_};
-  if (!a.no_mesh && may_meet_many_meshes(disk)) reads_.expect_many();
 }
 
 void Checking::refuse_bad_settings() const {
@@ -75,15 +74,6 @@ int Checking::exit_code(const rules::ValidateResult& result) const {
 
 std::optional<std::string> Checking::nothing_changed() const {
   return changed_ ? changed_->nothing() : std::nullopt;
-}
-
-bool Checking::may_meet_many_meshes(const Disk& disk) const {
-  const auto& paths = options_.paths;
-  if (paths.size() != 1) return paths.size() > 1;
-  const auto kind_of = [&](std::string_view name) { return disk.kind(join_path(paths[0], name)); };
-  const bool model_without_meshes =
-      kind_of("model.config") == PathKind::kFile && kind_of("meshes") == PathKind::kMissing;
-  return disk.kind(paths[0]) == PathKind::kFolder && !model_without_meshes;
 }
 
 void Checking::choose_files(const Disk& disk) {

@@ -77,7 +77,6 @@ class Checking {
   std::optional<std::string> nothing_changed() const;
 
  private:
-  bool may_meet_many_meshes(const Disk& disk) const;
   void choose_files(const Disk& disk);
 
   const CheckArguments& arguments_;

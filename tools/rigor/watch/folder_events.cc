@@ -32,21 +32,18 @@ constexpr std::uint32_t kWatchedEvents = IN_CLOSE_WRITE | IN_CREATE | IN_DELETE 
 
 FolderEvents::FolderEvents(const std::set<std::string>& folders, const std::string& option)
     : descriptor_(::inotify_init1(IN_CLOEXEC | IN_NONBLOCK)) {
-  if (descriptor_ < 0) throw UsageError(option + ": the system gives no watch");
+  if (descriptor_.number() < 0) throw UsageError(option + ": the system gives no watch");
   for (const std::string& folder : folders) {
-    if (::inotify_add_watch(descriptor_, folder.c_str(), kWatchedEvents | IN_ONLYDIR) >= 0)
+    if (::inotify_add_watch(descriptor_.number(), folder.c_str(), kWatchedEvents | IN_ONLYDIR) >= 0)
       continue;
     // A folder that is gone by now or that may not be read tells nothing.
     if (errno != ENOSPC) continue;
-    ::close(descriptor_);
     throw UsageError(option + ": there are more folders than fs.inotify.max_user_watches allows");
   }
 }
 
-FolderEvents::~FolderEvents() { ::close(descriptor_); }
-
 void FolderEvents::wait() const {
-  pollfd events{descriptor_, POLLIN, 0};
+  pollfd events{descriptor_.number(), POLLIN, 0};
   int timeout = -1;
   for (int round = 0; round < kMaxRounds;) {
     const int ready = ::poll(&events, 1, timeout);
@@ -54,7 +51,7 @@ void FolderEvents::wait() const {
     if (ready < 0) continue;  // interrupted
     ++round;
     std::array<char, 1U << 16U> ignored;
-    while (::read(descriptor_, ignored.data(), ignored.size()) > 0) {
+    while (::read(descriptor_.number(), ignored.data(), ignored.size()) > 0) {
     }
     timeout = kQuietMilliseconds;
   }

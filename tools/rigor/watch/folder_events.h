@@ -12,6 +12,8 @@
 #include <set>
 #include <string>
 
+#include <rigor/process/descriptor.h>
+
 namespace rigor::tool {
 
 /// Wakes up when something happens in one of the folders.
@@ -19,7 +21,6 @@ class FolderEvents {
  public:
   /// A UsageError, which begins with `option`, when the system gives no watch.
   FolderEvents(const std::set<std::string>& folders, const std::string& option);
-  ~FolderEvents();
   FolderEvents(const FolderEvents&) = delete;
   FolderEvents& operator=(const FolderEvents&) = delete;
 
@@ -27,7 +28,7 @@ class FolderEvents {
   void wait() const;
 
  private:
-  int descriptor_;
+  process::Descriptor descriptor_;
 };
 
 /// From now on Ctrl-C ends the program with 0, in the middle of anything as well.

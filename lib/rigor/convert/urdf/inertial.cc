@@ -59,7 +59,9 @@ class InertialConverter {
     return [this](const model::Mesh& mesh) -> const mass::MeshSurvey* {
       const auto path = file_of(draft_.source, mesh.uri);
       if (!path) return nullptr;
-      if (!surveys_) surveys_.emplace(draft_.source.resolver.disk());
+      if (!surveys_)
+        surveys_.emplace(draft_.source.resolver.disk(),
+                         mass::MeshMemory{.workers = &draft_.source.workers});
       return &surveys_->find({*path, mesh.submesh.value, mesh.center.value});
     };
   }

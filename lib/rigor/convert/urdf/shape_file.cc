@@ -96,9 +96,9 @@ std::optional<TriangleMesh> prism_mesh(const model::Polyline& polyline) {
 }
 
 /// Nothing when the file has no such part.
-std::optional<TriangleMesh> part_mesh(const Disk& disk, const std::string& path,
+std::optional<TriangleMesh> part_mesh(const Source& source, const std::string& path,
                                       const model::Mesh& shape) {
-  mesh::LoadedMesh loaded = mesh::read_mesh(disk, path);
+  mesh::LoadedMesh loaded = mesh::read_mesh(source.resolver.disk(), path, source.workers);
   if (!loaded.usable()) return std::nullopt;
   std::vector<std::uint32_t> faces;
   for (const mesh::Part& part : loaded.mesh.parts) {
@@ -155,8 +155,7 @@ class ShapeFiler {
     std::string stem = file_word(name.substr(0, name.rfind('.')));
     stem += '-' + file_word(shape.submesh.value) + (shape.center.value ? "-centred" : "");
     const std::string identity = stem + ' ' + *path + ' ' + shape.submesh.value;
-    const Disk& disk = draft_.source.resolver.disk();
-    return file(identity, stem, ".dae", [&] { return part_mesh(disk, *path, shape); });
+    return file(identity, stem, ".dae", [&] { return part_mesh(draft_.source, *path, shape); });
   }
 
  private:

@@ -51,31 +51,36 @@ bool all_was_read(const mesh::Asset& asset) {
 
 }  // namespace
 
-/// Asked once, when it is needed for the first time: it costs a process.
+/// Asked once, when it is needed for the first time: a worker opens the library to know.
 class MeshCache::Importer {
  public:
+  explicit Importer(const process::Workers& workers) : workers_(workers) {}
+
   const std::string& name() {
-    std::call_once(asked_, [this] { name_ = mesh::scene_importer(); });
+    std::call_once(asked_, [this] { name_ = mesh::scene_importer(workers_); });
     return name_;
   }
 
  private:
+  const process::Workers& workers_;
   std::once_flag asked_;
   std::string name_;
 };
 
-MeshCache::MeshCache(FolderStore store, std::string program, std::uint64_t least)
+MeshCache::MeshCache(FolderStore store, std::string program, const process::Workers& workers,
+                     std::uint64_t least)
     : store_(std::move(store)),
       program_(std::move(program)),
+      workers_(workers),
       least_(least),
-      importer_(std::make_shared<Importer>()) {}
+      importer_(std::make_shared<Importer>(workers)) {}
 
 MeshFacts MeshCache::facts(const Disk& disk, const std::string& path, MeshDepth depth,
                            MeshReads* reads) const {
   const std::string what = "facts " + std::to_string(static_cast<int>(depth));
   return find<MeshFacts>(disk, path, what, [&](const WitnessDisk& asked) {
-    MeshFacts facts =
-        reads ? mesh_facts(asked, path, *reads->find(path), depth) : mesh_facts(asked, path, depth);
+    MeshFacts facts = reads ? mesh_facts(asked, path, *reads->find(path), depth)
+                            : mesh_facts(asked, path, depth, workers_);
     look_at_buffers(asked, facts.asset);
     const bool whole = all_was_read(facts.asset);
     return std::pair(std::move(facts), whole);
@@ -85,7 +90,8 @@ MeshFacts MeshCache::facts(const Disk& disk, const std::string& path, MeshDepth 
 MeshSurvey MeshCache::survey(const Disk& disk, const MeshChoice& choice, MeshReads* reads) const {
   const std::string what = "survey " + std::to_string(choice.center) + choice.submesh;
   return find<MeshSurvey>(disk, choice.path, what, [&](const WitnessDisk& asked) {
-    MeshSurvey survey = reads ? survey_mesh(asked, choice, *reads) : survey_mesh(asked, choice);
+    MeshSurvey survey =
+        reads ? survey_mesh(asked, choice, *reads) : survey_mesh(asked, choice, workers_);
     mesh::Asset asset;
     if (survey.format == Format::kGltf) asset = mesh::asset_of(asked, choice.path, survey.format);
     look_at_buffers(asked, asset);

@@ -6,7 +6,7 @@
 // and is used as long as everything else that was looked at (libraries of materials, buffers, pictures,
 // names that were not there) is as it was. Whether there is a cache can be told from time alone.
 //
-//   const MeshCache cache(FolderStore("/home/me/.cache/rigor"), "rigor 0.1.0");
+//   const MeshCache cache(FolderStore("/home/me/.cache/rigor"), "rigor 0.1.0", environment.workers);
 //   MeshFiles files(disk, MeshDepth::kAll, {.cache = &cache});
 
 #pragma once
@@ -22,6 +22,7 @@
 #include <rigor/mass/mesh/facts.h>
 #include <rigor/mass/mesh/reads.h>
 #include <rigor/mass/mesh/survey.h>
+#include <rigor/process/workers.h>
 #include <rigor/text/digest.h>
 #include <rigor/text/disk.h>
 #include <rigor/text/folder_store.h>
@@ -37,8 +38,10 @@ class MeshCache {
   /// are kept whatever their size: importing one takes a process.
   static constexpr std::uint64_t kLeastTriangles = 1000;
 
-  /// `program` tells apart programs that may find something else in the same bytes.
-  MeshCache(FolderStore store, std::string program, std::uint64_t least = kLeastTriangles);
+  /// `program` tells apart programs that may find something else in the same bytes. One of `workers`, which
+  /// outlive this, is asked which importer there is.
+  MeshCache(FolderStore store, std::string program, const process::Workers& workers,
+            std::uint64_t least = kLeastTriangles);
 
   /// What `mesh_facts` and `survey_mesh` give. Safe across threads.
   MeshFacts facts(const Disk& disk, const std::string& path, MeshDepth depth,
@@ -58,6 +61,7 @@ class MeshCache {
 
   FolderStore store_;
   std::string program_;
+  const process::Workers& workers_;
   std::uint64_t least_;
   std::shared_ptr<Importer> importer_;
 };

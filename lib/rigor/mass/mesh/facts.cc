@@ -69,7 +69,12 @@ bool MeshFacts::whole() const {
 }
 
 MeshFacts mesh_facts(const Disk& disk, const std::string& path, MeshDepth depth) {
-  return mesh_facts(disk, path, mesh::read_mesh(disk, path), depth);
+  return mesh_facts(disk, path, depth, process::Workers());
+}
+
+MeshFacts mesh_facts(const Disk& disk, const std::string& path, MeshDepth depth,
+                     const process::Workers& workers) {
+  return mesh_facts(disk, path, mesh::read_mesh(disk, path, workers), depth);
 }
 
 MeshFacts mesh_facts(const Disk& disk, const std::string& path, const mesh::LoadedMesh& loaded,
@@ -97,10 +102,10 @@ Turns* MeshMemory::turns() const { return reads ? reads->turns() : nullptr; }
 const MeshFacts& MeshFiles::find(const std::string& path, MeshDepth depth) {
   depth = std::max(depth, least_);
   return known_.find({path, depth}, [&] {
-    const auto [cache, reads] = memory_;
+    const auto [cache, reads, workers] = memory_;
     if (cache) return cache->facts(disk_, path, depth, reads);
-    return reads ? mesh_facts(disk_, path, *reads->find(path), depth)
-                 : mesh_facts(disk_, path, depth);
+    if (reads) return mesh_facts(disk_, path, *reads->find(path), depth);
+    return workers ? mesh_facts(disk_, path, depth, *workers) : mesh_facts(disk_, path, depth);
   });
 }
 

@@ -4,7 +4,7 @@
 // All that is known of a mesh file: what its bytes say, how its triangles hang together, what they
 // enclose. Rules turn it into findings, `mesh-check` prints it.
 //
-//   MeshFacts facts = mesh_facts(disk, "meshes/hull.stl", MeshDepth::kAll);
+//   MeshFacts facts = mesh_facts(disk, "meshes/hull.stl", MeshDepth::kAll, environment.workers);
 //   if (facts.shape && !facts.shape->topology.closed()) say("open");
 
 #pragma once
@@ -20,6 +20,7 @@
 #include <rigor/mesh/read.h>
 #include <rigor/mesh/spatial/self_intersection.h>
 #include <rigor/mesh/topology/topology.h>
+#include <rigor/process/workers.h>
 #include <rigor/text/disk.h>
 #include <rigor/text/found_once.h>
 
@@ -62,6 +63,10 @@ struct MeshFacts {
   bool whole() const;   ///< and nothing of the mesh is missing
 };
 
+/// A scene is read by one of the workers.
+MeshFacts mesh_facts(const Disk& disk, const std::string& path, MeshDepth depth,
+                     const process::Workers& workers);
+/// The same with a worker of its own.
 MeshFacts mesh_facts(const Disk& disk, const std::string& path, MeshDepth depth);
 
 /// The same of a mesh that was read already.
@@ -75,6 +80,8 @@ class MeshReads;
 struct MeshMemory {
   const MeshCache* cache = nullptr;  ///< what earlier runs found
   MeshReads* reads = nullptr;        ///< what is in memory
+  /// That read scenes where the others do not; without them each scene gets a worker of its own.
+  const process::Workers* workers = nullptr;
 
   Turns* turns() const;  ///< of those who ask; null when there are none
 };

@@ -33,7 +33,7 @@ std::shared_ptr<const mesh::LoadedMesh> MeshReads::find(const std::string& path)
   const std::unique_lock reading =
       turns_ ? turns_->lock(entry->reading) : std::unique_lock(entry->reading);
   if (!entry->mesh) {
-    auto mesh = std::make_shared<const mesh::LoadedMesh>(mesh::read_mesh(disk_, path, importer_));
+    auto mesh = std::make_shared<const mesh::LoadedMesh>(mesh::read_mesh(disk_, path, workers_));
     const std::lock_guard lock(mutex_);
     entry->bytes = bytes_of(*mesh);
     entry->mesh = std::move(mesh);

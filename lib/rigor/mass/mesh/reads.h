@@ -4,7 +4,7 @@
 // Meshes in memory for as long as there is room, so that those who ask for one thing after another about a
 // mesh need not read it again.
 //
-//   MeshReads reads(disk);
+//   MeshReads reads(disk, environment.workers);
 //   const auto loaded = reads.find("meshes/arm.dae");    // read
 //   const auto same = reads.find("meshes/arm.dae");      // as it was
 
@@ -21,6 +21,7 @@
 
 #include <rigor/mesh/importer/scene.h>
 #include <rigor/mesh/read.h>
+#include <rigor/process/workers.h>
 #include <rigor/text/disk.h>
 #include <rigor/text/turns.h>
 
@@ -31,15 +32,16 @@ class MeshReads {
   /// Of the meshes that a model uses, some ten million triangles.
   static constexpr std::uint64_t kMaxBytes = std::uint64_t{512} << 20U;
 
-  explicit MeshReads(const Disk& disk, std::uint64_t max_bytes = kMaxBytes)
-      : disk_(disk), max_bytes_(max_bytes) {}
-  /// For the workers of these turns: one who waits for a mesh lets others work.
-  MeshReads(const Disk& disk, Turns& turns) : MeshReads(disk) { turns_ = &turns; }
+  /// Scenes are read by one of `workers`. All arguments outlive this.
+  MeshReads(const Disk& disk, const process::Workers& workers, std::uint64_t max_bytes = kMaxBytes)
+      : disk_(disk), workers_(workers), max_bytes_(max_bytes) {}
+  /// For the threads of these turns: one who waits for a mesh lets others work.
+  MeshReads(const Disk& disk, const process::Workers& workers, Turns& turns)
+      : MeshReads(disk, workers) {
+    turns_ = &turns;
+  }
 
   Turns* turns() const { return turns_; }
-
-  /// Says that many scenes may come. Best said before there are threads.
-  void expect_many() const { importer_.expect_many(); }
 
   /// What `read_mesh` gives. Safe across threads: who asks for a mesh that is being read waits, who asks for
   /// another does not.
@@ -57,7 +59,7 @@ class MeshReads {
   void make_room();
 
   const Disk& disk_;
-  mesh::SceneImporter importer_;
+  const process::Workers& workers_;
   std::uint64_t max_bytes_;
   Turns* turns_ = nullptr;
   std::mutex mutex_;

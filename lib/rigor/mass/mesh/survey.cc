@@ -145,8 +145,13 @@ bool MeshSurvey::usable() const {
 }
 
 MeshSurvey survey_mesh(const Disk& disk, const MeshChoice& choice, unsigned threads) {
+  return survey_mesh(disk, choice, process::Workers(), threads);
+}
+
+MeshSurvey survey_mesh(const Disk& disk, const MeshChoice& choice, const process::Workers& workers,
+                       unsigned threads) {
   if (auto survey = streamed(disk, choice, threads)) return *std::move(survey);
-  return survey_of(mesh::read_mesh(disk, choice.path), choice);
+  return survey_of(mesh::read_mesh(disk, choice.path, workers), choice);
 }
 
 MeshSurvey survey_mesh(const Disk& disk, const MeshChoice& choice, MeshReads& reads) {
@@ -157,9 +162,10 @@ MeshSurvey survey_mesh(const Disk& disk, const MeshChoice& choice, MeshReads& re
 
 const MeshSurvey& MeshSurveys::find(const MeshChoice& choice) {
   return known_.find({choice.path, choice.submesh, choice.center}, [&] {
-    const auto [cache, reads] = memory_;
+    const auto [cache, reads, workers] = memory_;
     if (cache) return cache->survey(disk_, choice, reads);
-    return reads ? survey_mesh(disk_, choice, *reads) : survey_mesh(disk_, choice);
+    if (reads) return survey_mesh(disk_, choice, *reads);
+    return workers ? survey_mesh(disk_, choice, *workers) : survey_mesh(disk_, choice);
   });
 }
 

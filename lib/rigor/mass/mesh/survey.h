@@ -26,6 +26,7 @@
 #include <rigor/mesh/read.h>
 #include <rigor/mesh/topology/topology.h>
 #include <rigor/mesh/topology/winding.h>
+#include <rigor/process/workers.h>
 #include <rigor/text/disk.h>
 #include <rigor/text/found_once.h>
 
@@ -54,7 +55,10 @@ struct MeshSurvey {
   bool usable() const;  ///< no fault is fatal
 };
 
-/// `threads` of zero means as many as there are cores.
+/// `threads` of zero means as many as there are cores. A scene is read by one of the workers.
+MeshSurvey survey_mesh(const Disk& disk, const MeshChoice& choice, const process::Workers& workers,
+                       unsigned threads = 1);
+/// The same with a worker of its own.
 MeshSurvey survey_mesh(const Disk& disk, const MeshChoice& choice, unsigned threads = 1);
 
 /// The same of a mesh that others look at as well. One of a binary STL that is large is streamed even so.

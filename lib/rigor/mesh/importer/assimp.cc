@@ -177,8 +177,6 @@ LoadedMesh import_with_assimp(const Disk& disk, const std::string& path, std::st
   return {.faults = {{FaultKind::kMalformed, error}}};
 }
 
-void prepare_assimp() { open_library(); }
-
 std::string assimp_version() {
   const Library library = open_library();
   if (!library.problem.empty()) return library.problem;

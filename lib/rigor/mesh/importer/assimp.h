@@ -1,8 +1,8 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The importer of scenes itself, with the library assimp, which is opened when it is called. Only
-// for a child process (scene.h): it may crash, run away or never give back its memory.
+// The importer of scenes itself, with the library assimp, which is opened when it is first called. Only
+// for a worker process (scene.h): it may crash, run away or never give back its memory.
 //
 //   LoadedMesh loaded = import_with_assimp(disk, "meshes/arm.dae", bytes);
 
@@ -19,9 +19,6 @@ namespace rigor::mesh {
 /// `bytes` are those of the file at `path`. Files that it names are read through `disk` when they
 /// lie in its folder or below; others are not there. Throws std::bad_alloc.
 LoadedMesh import_with_assimp(const Disk& disk, const std::string& path, std::string_view bytes);
-
-/// Opens the library, so that the same need not be done in each process forked from this one.
-void prepare_assimp();
 
 /// "assimp 5.2.5", or why there is none.
 std::string assimp_version();

@@ -3,7 +3,7 @@
 //
 // A loaded mesh as one run of bytes, to hand it from one process to another of the same program.
 //
-//   std::string bytes = flatten(loaded);                        // in the child
+//   std::string bytes = flatten(loaded);                        // in the worker
 //   std::optional<LoadedMesh> loaded = unflatten(result.bytes);  // in the parent
 
 #pragma once

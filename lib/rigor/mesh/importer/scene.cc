@@ -14,14 +14,13 @@
 #include <rigor/mesh/collada/collada.h>
 #include <rigor/mesh/importer/assimp.h>
 #include <rigor/mesh/importer/flat.h>
-#include <rigor/process/child.h>
 #include <rigor/text/path.h>
 
 namespace rigor::mesh {
 namespace {
 
-using process::ChildLimits;
-using process::ChildResult;
+constexpr std::string_view kImportKind = "mesh.import";
+constexpr std::string_view kImporterNameKind = "mesh.importer-name";
 
 /// The importer goes by the ending first; one that lies gets the true one behind it.
 std::string honest_path(const std::string& path, Format format) {
@@ -34,7 +33,7 @@ std::string honest_path(const std::string& path, Format format) {
 /// The files of the process that asked for the scene.
 class AskedFiles final : public Disk {
  public:
-  explicit AskedFiles(const process::ForkServer::Ask& ask) : ask_(ask) {}
+  explicit AskedFiles(const process::Ask& ask) : ask_(ask) {}
 
   ReadResult read(const std::string& path, std::uint64_t max_bytes) const override {
     std::optional<std::string> bytes = ask_(path);
@@ -47,10 +46,11 @@ class AskedFiles final : public Disk {
   std::vector<std::string> list(const std::string&) const override { return {}; }
 
  private:
-  const process::ForkServer::Ask& ask_;
+  const process::Ask& ask_;
 };
 
-std::string import_asked(const std::string& path, const process::ForkServer::Ask& ask) {
+/// In the worker.
+process::Reply import_asked(const std::string& path, const process::Ask& ask) {
   const std::string bytes = ask(path).value_or("");
   return flatten(import_with_assimp(AskedFiles(ask), path, bytes));
 }
@@ -59,14 +59,14 @@ std::string import_asked(const std::string& path, const process::ForkServer::Ask
 bool importer_failed(const LoadedMesh& loaded) {
   return std::any_of(loaded.faults.begin(), loaded.faults.end(), [](const Fault& fault) {
     return fault.kind == FaultKind::kMalformed || fault.kind == FaultKind::kImporterCrashed ||
-           fault.kind == FaultKind::kImporterMissing;
+           fault.kind == FaultKind::kImporterMissing || fault.kind == FaultKind::kWorkerMissing;
   });
 }
 
 /// When both readers say no, the importer's reason counts.
 LoadedMesh load_collada(const Disk& disk, const std::string& path, std::string_view bytes,
-                        const SceneImporter& importer) {
-  LoadedMesh imported = importer.import(disk, path, bytes);
+                        const process::Workers& workers) {
+  LoadedMesh imported = import_scene(disk, path, bytes, workers);
   if (!importer_failed(imported)) return imported;
   LoadedMesh own = read_collada(bytes);
   return own.usable() ? std::move(own) : std::move(imported);
@@ -86,57 +86,62 @@ bool ends_header(std::string_view bytes) {
 }
 
 LoadedMesh load(const Disk& disk, const std::string& path, std::string_view bytes, Format format,
-                const SceneImporter& importer) {
+                const process::Workers& workers) {
   // assimp's reader of PLY looks for the header's end for ever.
   if (format == Format::kPly && !ends_header(bytes)) {
     return {.faults = {{FaultKind::kMalformed, "the header has no end_header"}}};
   }
   const std::string honest = honest_path(path, format);
-  return format == Format::kCollada ? load_collada(disk, honest, bytes, importer)
-                                    : importer.import(disk, honest, bytes);
+  return format == Format::kCollada ? load_collada(disk, honest, bytes, workers)
+                                    : import_scene(disk, honest, bytes, workers);
 }
 
 }  // namespace
 
-SceneImporter::SceneImporter() : server_(prepare_assimp, import_asked) {}
-
-LoadedMesh SceneImporter::import(const Disk& disk, const std::string& path,
-                                 std::string_view bytes) const {
-  const ChildLimits limits{.cpu_seconds = kImportSeconds, .memory_bytes = kImportBytes};
+LoadedMesh import_scene(const Disk& disk, const std::string& path, std::string_view bytes,
+                        const process::Workers& workers) {
+  using End = process::RequestResult::End;
   std::string beside;
-  const ChildResult result =
-      server_.run(limits, path, [&](std::string_view name) -> std::optional<std::string_view> {
-        if (name == path) return bytes;
-        ReadResult file = disk.read(std::string(name), kMaxMeshBytes);
-        if (!file.bytes) return std::nullopt;
-        beside = std::move(*file.bytes);
-        return beside;
-      });
-  if (result.end != ChildResult::End::kDone) {
-    return {.faults = {{FaultKind::kImporterCrashed, describe(result, limits)}}};
+  const process::RequestResult result =
+      workers.call({.kind = kImportKind, .bytes = path, .limits = kImportLimits},
+                   [&](std::string_view name) -> std::optional<std::string_view> {
+                     if (name == path) return bytes;
+                     ReadResult file = disk.read(std::string(name), kMaxMeshBytes);
+                     if (!file.bytes) return std::nullopt;
+                     beside = std::move(*file.bytes);
+                     return beside;
+                   });
+  if (result.end != End::kDone) {
+    // Without a worker the file is not to blame.
+    const bool missing = result.end == End::kNotStarted;
+    return {.faults = {{missing ? FaultKind::kWorkerMissing : FaultKind::kImporterCrashed,
+                        describe(result, kImportLimits)}}};
   }
   if (std::optional<LoadedMesh> loaded = unflatten(result.bytes)) return std::move(*loaded);
   return {.faults = {{FaultKind::kImporterCrashed, "gave back a damaged mesh"}}};
 }
 
-LoadedMesh read_scene(const Disk& disk, const std::string& path, const SceneImporter& importer) {
+LoadedMesh read_scene(const Disk& disk, const std::string& path, const process::Workers& workers) {
   const ReadResult file = disk.read(path, kMaxMeshBytes);
   if (!file.bytes) return {.faults = {{FaultKind::kUnreadable, file.problem}}};
   if (file.bytes->empty()) return {.faults = {{FaultKind::kEmpty}}};
   const std::string_view bytes = *file.bytes;
   const Format format = format_of(bytes.substr(0, kProbeBytes), bytes.size(), path);
-  LoadedMesh loaded = load(disk, path, bytes, format, importer);
+  LoadedMesh loaded = load(disk, path, bytes, format, workers);
   loaded.format = format;
   return loaded;
 }
 
-LoadedMesh read_scene(const Disk& disk, const std::string& path) {
-  return read_scene(disk, path, SceneImporter());
+std::string scene_importer(const process::Workers& workers) {
+  return workers.call({.kind = kImporterNameKind, .limits = kImportLimits}).bytes;
 }
 
-std::string scene_importer() {
-  const ChildLimits limits{.cpu_seconds = kImportSeconds, .memory_bytes = kImportBytes};
-  return process::run_in_child(limits, assimp_version).bytes;
+process::Service import_service() { return {kImportKind, import_asked}; }
+
+process::Service importer_name_service() {
+  return {kImporterNameKind, [](const std::string&, const process::Ask&) -> process::Reply {
+            return assimp_version();
+          }};
 }
 
 }  // namespace rigor::mesh

@@ -20,6 +20,7 @@ std::string words(const mesh::Fault& fault) {
     case Kind::kMalformed: return "cannot be read: " + fault.detail;
     case Kind::kImporterCrashed: return "cannot be read: the importer " + fault.detail;
     case Kind::kImporterMissing: return "cannot be read: assimp is not installed";
+    case Kind::kWorkerMissing: return "cannot be read: the importer " + fault.detail;
     case Kind::kIndexOutOfRange: return "a face names a vertex that there is not";
     case Kind::kNotFinite:
       return "a coordinate is no finite number" + (fault.detail.empty() ? "" : ": " + fault.detail);

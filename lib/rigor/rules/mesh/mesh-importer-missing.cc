@@ -8,8 +8,12 @@ namespace rigor::rules::mesh_importer_missing {
 namespace {
 
 void check(const MeshFile& file, Context& context) {
-  if (fault_of(file, mesh::FaultKind::kImporterMissing) == nullptr) return;
-  report_mesh(file, context, "the mesh is not looked at: assimp is not installed");
+  if (fault_of(file, mesh::FaultKind::kImporterMissing) != nullptr) {
+    report_mesh(file, context, "the mesh is not looked at: assimp is not installed");
+  }
+  if (const mesh::Fault* fault = fault_of(file, mesh::FaultKind::kWorkerMissing)) {
+    report_mesh(file, context, "the mesh is not looked at: the importer " + fault->detail);
+  }
 }
 
 }  // namespace

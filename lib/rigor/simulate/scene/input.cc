@@ -8,13 +8,15 @@
 namespace rigor::simulate {
 
 SceneFiles::SceneFiles(const read::Loaded& loaded, read::Workspace& workspace,
-                       const read::Resolver& resolver, const model::JointPositions& positions)
+                       const read::Resolver& resolver, const process::Workers& workers,
+                       const model::JointPositions& positions)
     : workspace_(workspace),
       resolver_(resolver),
+      workers_(workers),
       start_(start_within_limits(loaded.root, positions)),
       frames_(loaded.root, start_.positions),
       documents_(workspace),
-      surveys_(workspace.disk()),
+      surveys_(workspace.disk(), {.workers = &workers}),
       input_{loaded.root,
              frames_,
              documents_,
@@ -28,8 +30,8 @@ SceneFiles::SceneFiles(const read::Loaded& loaded, read::Workspace& workspace,
                if (path.empty()) return nullptr;
                auto& known = meshes_[path];
                if (!known) {
-                 known =
-                     std::make_unique<mesh::LoadedMesh>(mesh::read_mesh(workspace_.disk(), path));
+                 known = std::make_unique<mesh::LoadedMesh>(
+                     mesh::read_mesh(workspace_.disk(), path, workers_));
                }
                return known.get();
              },

@@ -4,7 +4,7 @@
 // What a scene is made from, for a file that was loaded: where all is, the file's elements, its meshes
 // and the pictures of its heightmaps, each read once.
 //
-//   const SceneFiles files(loaded, workspace, environment.resolver);
+//   const SceneFiles files(loaded, workspace, environment.resolver, environment.workers);
 //   SceneResult made = build_scene(files.input(), {});
 
 #pragma once
@@ -17,6 +17,7 @@
 #include <rigor/mesh/read.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/documents.h>
+#include <rigor/process/workers.h>
 #include <rigor/read/load.h>
 #include <rigor/read/resolver.h>
 #include <rigor/read/workspace.h>
@@ -30,7 +31,7 @@ class SceneFiles {
   /// Joints stand at `positions` when a run begins, others as `start_within_limits` says. The other
   /// arguments outlive this.
   SceneFiles(const read::Loaded& loaded, read::Workspace& workspace, const read::Resolver& resolver,
-             const model::JointPositions& positions = {});
+             const process::Workers& workers, const model::JointPositions& positions = {});
   SceneFiles(const SceneFiles&) = delete;
   SceneFiles& operator=(const SceneFiles&) = delete;
 
@@ -43,6 +44,7 @@ class SceneFiles {
 
   read::Workspace& workspace_;
   const read::Resolver& resolver_;
+  const process::Workers& workers_;
   Start start_;
   model::Frames frames_;
   read::Documents documents_;

@@ -9,7 +9,7 @@
 // infinite. Metres, kilograms, seconds, radians, newtons.
 //
 //   SceneResult made = build_scene(input, {});
-//   if (!made.blocked()) Record record = run_isolated(made.scene, scenario, made.scene.solver);
+//   if (!made.blocked()) Record record = run_isolated(made.scene, scenario, made.scene.solver, workers);
 
 #pragma once
 

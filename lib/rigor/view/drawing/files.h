@@ -4,7 +4,7 @@
 // The files that a drawing needs, from a disk: meshes through the cache that others use too, pictures decoded
 // once.
 //
-//   mass::MeshReads reads(disk);
+//   mass::MeshReads reads(disk, environment.workers);
 //   const Files files = files_of(resolver, sources, reads);
 //   const Drawing drawing = draw(root, frames, sources, files, {});
 
