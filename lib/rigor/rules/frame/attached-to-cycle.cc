@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::attached_to_cycle {
-namespace {
 
 void check(const model::FrameProblem& problem, Context& context) {
   context.report({.where = problem.where,
@@ -13,12 +12,9 @@ void check(const model::FrameProblem& problem, Context& context) {
                   .subject = problem.subject});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "attached-to-cycle",
-      .category = Category::kFrame,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,

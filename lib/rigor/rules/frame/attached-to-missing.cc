@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::attached_to_missing {
-namespace {
 
 void check(const model::FrameProblem& problem, Context& context) {
   const Suggestion near = suggest(problem.name, problem.candidates, problem.where, context);
@@ -17,12 +16,9 @@ void check(const model::FrameProblem& problem, Context& context) {
        .fix = near.fix});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "attached-to-missing",
-      .category = Category::kFrame,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .fix = FixGrade::kUnsafe,

@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::relative_to_missing {
-namespace {
 
 /// libsdformat looks for the frames of models, links, joints and frames while it loads, and for those of
 /// all else when somebody asks.
@@ -32,25 +31,18 @@ void check(const model::FrameProblem& problem, Context& context) {
        .refused = refused(problem, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "relative-to-missing",
-      .category = Category::kFrame,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "a pose is relative to a frame that does not exist",
-      .why =
-          "Of a link, joint, frame or model libsdformat refuses the file: without the frame there "
-          "is "
-          "no pose. Of a visual, collision, sensor or light the simulator prints an error and "
-          "takes "
-          "the numbers as if no frame were named.",
-      .what_to_do =
-          "Name a link, joint, frame or model of the same scope. The world can be named "
-          "only from a pose that stands in the world itself.",
+      .why = "Of a link, joint, frame or model libsdformat refuses the file: without the frame "
+             "there is no pose. Of a visual, collision, sensor or light the simulator prints an "
+             "error and takes the numbers as if no frame were named.",
+      .what_to_do = "Name a link, joint, frame or model of the same scope. The world can be named "
+                    "only from a pose that stands in the world itself.",
       .checks = {on_frames({model::FrameProblemKind::kRelativeToMissing}, check)},
   };
 }

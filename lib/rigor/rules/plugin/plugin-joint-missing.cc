@@ -17,7 +17,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_joint_missing {
-namespace {
 
 std::string library(std::string_view file) {
   if (file.starts_with("lib")) file.remove_prefix(3);
@@ -79,18 +78,14 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-joint-missing",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a plugin names a joint or link that the model does not have",
-      .why =
-          "The plugin finds nothing to drive: it says so in a line of the simulator's log, if "
-          "at all, and does nothing.",
+      .why = "The plugin finds nothing to drive: it says so in a line of the simulator's log, if "
+             "at all, and does nothing.",
       .what_to_do = "Name a joint or link of the model that the plugin stands in.",
       .checks = {on<model::Root>(check)},
   };

@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::actor_animation_missing {
-namespace {
 
 void look_at(const model::Actor& actor, Context& context) {
   const xml::Element element = context.element(actor.site);
@@ -45,20 +44,16 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "actor-animation-missing",
-      .category = Category::kReference,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a trajectory of an actor plays an animation that the actor does not have",
-      .why =
-          "The type of a trajectory is the name of the animation that is played along it. When "
-          "the actor has none of that name, it glides along the path without moving its legs, "
-          "or stays where it is.",
+      .why = "The type of a trajectory is the name of the animation that is played along it. When "
+             "the actor has none of that name, it glides along the path without moving its legs, "
+             "or stays where it is.",
       .what_to_do = "Name one of the actor's animations.",
       .checks = {on<model::Root>(check)},
   };

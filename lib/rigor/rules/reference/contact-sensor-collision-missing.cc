@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::contact_sensor_collision_missing {
-namespace {
 
 void check(const model::Sensor& sensor, Context& context) {
   if (!sensor.link || sensor.contact_collisions.empty()) return;
@@ -38,19 +37,15 @@ void check(const model::Sensor& sensor, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "contact-sensor-collision-missing",
-      .category = Category::kReference,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a contact sensor watches a collision that its link does not have",
-      .why =
-          "Gazebo looks for the name among the collisions of the sensor's own link, finds "
-          "none, and the sensor never reports a contact.",
+      .why = "Gazebo looks for the name among the collisions of the sensor's own link, finds none, "
+             "and the sensor never reports a contact.",
       .what_to_do = "Name a collision of the same link.",
       .checks = {on<model::Sensor>(check)},
   };

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::controlled_joint_missing {
-namespace {
 
 void check(const model::Root& root, Context& context) {
   const auto joints = name_set(root.joints);
@@ -25,19 +24,15 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "controlled-joint-missing",
-      .category = Category::kReference,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a transmission or ros2_control names a joint that does not exist",
-      .why =
-          "The controller manager finds no such joint when it starts: it drops the interface, "
-          "or does not start at all.",
+      .why = "The controller manager finds no such joint when it starts: it drops the interface, "
+             "or does not start at all.",
       .what_to_do = "Name a joint of the robot.",
       .checks = {on<model::Root>(check)},
   };

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::joint_child_missing {
-namespace {
 
 void check(const model::FrameProblem& problem, Context& context) {
   const Suggestion near = suggest(problem.name, problem.candidates, problem.where, context);
@@ -18,19 +17,15 @@ void check(const model::FrameProblem& problem, Context& context) {
                   .refused = static_cast<bool>(problem.model)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "joint-child-missing",
-      .category = Category::kReference,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kAlways},
       .fix = FixGrade::kUnsafe,
       .summary = "a joint names a child that does not exist",
       .why =
-          "libsdformat and urdfdom refuse the whole model: a joint without a child moves "
-          "nothing.",
+          "libsdformat and urdfdom refuse the whole model: a joint without a child moves nothing.",
       .what_to_do = "Name a link, joint, frame or nested model of the same model.",
       .checks = {on_frames({model::FrameProblemKind::kChildMissing}, check)},
   };

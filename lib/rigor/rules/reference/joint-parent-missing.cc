@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::joint_parent_missing {
-namespace {
 
 void check(const model::FrameProblem& problem, Context& context) {
   const Suggestion near = suggest(problem.name, problem.candidates, problem.where, context);
@@ -18,22 +17,16 @@ void check(const model::FrameProblem& problem, Context& context) {
                   .refused = static_cast<bool>(problem.model)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "joint-parent-missing",
-      .category = Category::kReference,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kAlways},
       .fix = FixGrade::kUnsafe,
       .summary = "a joint names a parent that does not exist",
-      .why =
-          "libsdformat and urdfdom refuse the whole model: a joint has to hold on to "
-          "something.",
+      .why = "libsdformat and urdfdom refuse the whole model: a joint has to hold on to something.",
       .what_to_do =
-          "Name a link, joint, frame or nested model of the same model, or world (in "
-          "SDF).",
+          "Name a link, joint, frame or nested model of the same model, or world (in SDF).",
       .checks = {on_frames({model::FrameProblemKind::kParentMissing}, check)},
   };
 }

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::material_undefined {
-namespace {
 
 bool has_looks(xml::Element material) {
   const auto color = material.child("color");
@@ -39,20 +38,16 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "material-undefined",
-      .category = Category::kReference,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a visual names a material that is defined nowhere",
       .why =
-          "urdfdom warns and gives the visual no material; it is then drawn in whatever colour "
-          "the viewer likes. Gazebo's own material names (Gazebo/Orange) belong into a "
-          "<gazebo> block.",
+          "urdfdom warns and gives the visual no material; it is then drawn in whatever colour the "
+          "viewer likes. Gazebo's own material names (Gazebo/Orange) belong into a <gazebo> block.",
       .what_to_do = "Define the material with a colour, in the visual or once under <robot>.",
       .checks = {on<model::Root>(check)},
   };

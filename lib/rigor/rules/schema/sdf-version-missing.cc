@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sdf_version_missing {
-namespace {
 
 /// Whether each element and attribute that some version knows is known to this one.
 bool knows_all(const schema::Node& root, const xml::Document& document) {
@@ -42,12 +41,9 @@ void check(const read::Fact& fact, Context& context) {
                   .fix = declare_version(context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sdf-version-missing",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,

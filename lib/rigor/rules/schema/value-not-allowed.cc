@@ -7,7 +7,6 @@
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_not_allowed {
-namespace {
 
 void check(const read::SchemaFact& fact, Context& context) {
   if (keeper_of(fact) != ListKeeper::kRefuses || left_for_xacro(fact) || listed_since(fact)) return;
@@ -18,12 +17,9 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .fix = nearest_instead(fact.text, listed_values(fact), fact.where)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "value-not-allowed",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .fix = FixGrade::kUnsafe,

@@ -7,7 +7,6 @@
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_not_in_list {
-namespace {
 
 /// Gazebo Classic leaves noise of this type to a plugin.
 bool custom_noise(const read::SchemaFact& fact) {
@@ -27,18 +26,14 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .fix = nearest_instead(fact.text, listed_values(fact), fact.where)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "value-not-in-list",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a value is none of those that the format lists",
-      .why =
-          "libsdformat passes it on as it is; the simulator does not know it and takes its "
-          "default, or leaves the feature out.",
+      .why = "libsdformat passes it on as it is; the simulator does not know it and takes its "
+             "default, or leaves the feature out.",
       .what_to_do = "Write one of the values that the message names.",
       .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check)},
   };
