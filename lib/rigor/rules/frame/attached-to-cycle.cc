@@ -7,9 +7,7 @@
 namespace rigor::rules::attached_to_cycle {
 
 void check(const model::FrameProblem& problem, Context& context) {
-  context.report({.where = problem.where,
-                  .message = "frames are attached to each other in a circle: " + chain(problem),
-                  .subject = problem.subject});
+  report_cycle(problem, "frames are attached to each other", context);
 }
 
 Rule rule() {

@@ -7,13 +7,9 @@
 namespace rigor::rules::attached_to_missing {
 
 void check(const model::FrameProblem& problem, Context& context) {
-  const Suggestion near = suggest(problem.name, problem.candidates, problem.where, context);
-  context.report(
-      {.where = problem.where,
-       .message = "the frame is attached to '" + problem.name + "', which is nothing in this scope",
-       .subject = problem.subject,
-       .help = near.help,
-       .fix = near.fix});
+  context.report(unresolved(
+      problem, "the frame is attached to '" + problem.name + "', which is nothing in this scope",
+      context));
 }
 
 Rule rule() {

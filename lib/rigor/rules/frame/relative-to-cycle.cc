@@ -7,9 +7,7 @@
 namespace rigor::rules::relative_to_cycle {
 
 void check(const model::FrameProblem& problem, Context& context) {
-  context.report({.where = problem.where,
-                  .message = "poses are relative to each other in a circle: " + chain(problem),
-                  .subject = problem.subject});
+  report_cycle(problem, "poses are relative to each other", context);
 }
 
 Rule rule() {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include <rigor/rules/reference/nearest.h>
 #include <rigor/rules/rule.h>
@@ -21,14 +22,11 @@ bool refused(const model::FrameProblem& problem, const Context& context) {
 }
 
 void check(const model::FrameProblem& problem, Context& context) {
-  const Suggestion near = suggest(problem.name, problem.candidates, problem.where, context);
-  context.report(
-      {.where = problem.where,
-       .message = "the pose is relative to '" + problem.name + "', which is nothing in this scope",
-       .subject = problem.subject,
-       .help = near.help,
-       .fix = near.fix,
-       .refused = refused(problem, context)});
+  Finding finding = unresolved(
+      problem, "the pose is relative to '" + problem.name + "', which is nothing in this scope",
+      context);
+  finding.refused = refused(problem, context);
+  context.report(std::move(finding));
 }
 
 Rule rule() {

@@ -72,13 +72,6 @@ void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
        .help = "it is given in the link's own frame, from the link's origin, in metres"});
 }
 
-void check(const model::Root& root, Context& context) {
-  LazyGroups groups(context);
-  for (const model::Link& link : root.links) {
-    if (root.own(link.site)) check_link(link, groups, context);
-  }
-}
-
 Rule rule() {
   return {
       .name = "center-of-mass-outside-shapes",
@@ -90,7 +83,7 @@ Rule rule() {
              "stands.",
       .what_to_do = "Give it in the link's frame, or let it stand where shapes are simpler than "
                     "the body. `rigor inertia MODEL` shows where that of the shapes is.",
-      .checks = {on<model::Root>(check)},
+      .checks = {on<model::Root>(check_own_links<check_link>)},
   };
 }
 

@@ -132,13 +132,6 @@ void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
        .fix = fix_from_shapes(link, context)});
 }
 
-void check(const model::Root& root, Context& context) {
-  LazyGroups groups(context);
-  for (const model::Link& link : root.links) {
-    if (root.own(link.site)) check_link(link, groups, context);
-  }
-}
-
 Rule rule() {
   return {
       .name = "inertia-exceeds-shapes",
@@ -150,7 +143,7 @@ Rule rule() {
              "link turns more sluggishly than the real one, and controllers are tuned to that.",
       .what_to_do = "`rigor inertia MODEL` shows what the mass has in the link's shapes, and "
                     "writes it with --write.",
-      .checks = {on<model::Root>(check)},
+      .checks = {on<model::Root>(check_own_links<check_link>)},
   };
 }
 

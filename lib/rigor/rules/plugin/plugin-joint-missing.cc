@@ -66,14 +66,13 @@ void check(const model::Root& root, Context& context) {
       if (exists(names, plugin.model, parameter->what, inner)) continue;
       const auto all = [&] { return names.in({plugin.model, {}}); };
       const char* kind = parameter->what == ParameterOf::kJoint ? "joint" : "link";
-      const Suggestion near = suggest_of(value, all, child.text_span(), context);
-      context.report({.where = child.text_span(),
-                      .message = fmt::format("the plugin needs the {} '{}', which the model does "
-                                             "not have",
-                                             kind, value),
-                      .subject = context.subject(plugin),
-                      .help = near.help,
-                      .fix = near.fix});
+      context.report(
+          with_nearest({.where = child.text_span(),
+                        .message = fmt::format("the plugin needs the {} '{}', which the model does "
+                                               "not have",
+                                               kind, value),
+                        .subject = context.subject(plugin)},
+                       value, all, context));
     }
   }
 }

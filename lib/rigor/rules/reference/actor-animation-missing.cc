@@ -28,13 +28,11 @@ void look_at(const model::Actor& actor, Context& context) {
     if (trajectory.name() != "trajectory") continue;
     const auto type = trajectory.attribute("type");
     if (!type || type->value().empty() || names.count(type->value()) != 0) continue;
-    const Suggestion near = suggest_of(
-        type->value(), [&animations] { return animations; }, type->value_span(), context);
-    context.report({.where = type->value_span(),
-                    .message = "the trajectory plays '" + std::string(type->value()) +
-                               "', which is no animation of the actor '" + actor.name.value + "'",
-                    .help = near.help,
-                    .fix = near.fix});
+    context.report(with_nearest(
+        {.where = type->value_span(),
+         .message = "the trajectory plays '" + std::string(type->value()) +
+                    "', which is no animation of the actor '" + actor.name.value + "'"},
+        type->value(), [&animations] { return animations; }, context));
   }
 }
 

@@ -7,12 +7,8 @@
 namespace rigor::rules::canonical_link_missing {
 
 void check(const model::FrameProblem& problem, Context& context) {
-  const Suggestion near = suggest(problem.name, problem.candidates, problem.where, context);
-  context.report({.where = problem.where,
-                  .message = "the canonical link '" + problem.name + "' is no link of this model",
-                  .subject = problem.subject,
-                  .help = near.help,
-                  .fix = near.fix});
+  context.report(unresolved(
+      problem, "the canonical link '" + problem.name + "' is no link of this model", context));
 }
 
 Rule rule() {

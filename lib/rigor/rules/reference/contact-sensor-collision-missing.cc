@@ -26,14 +26,12 @@ void check(const model::Sensor& sensor, Context& context) {
     // A scoped name leads to another link, which the simulators understand in ways of their own.
     if (name.empty() || name.find("::") != std::string::npos) continue;
     if (names.contains(name)) continue;
-    const Suggestion near = suggest_of(name, all, collision.span, context);
-    context.report({.where = collision.span,
-                    .message = "the contact sensor watches the collision '" + name +
-                               "', which its link '" + root[sensor.link].name.value +
-                               "' does not have",
-                    .subject = context.subject(sensor),
-                    .help = near.help,
-                    .fix = near.fix});
+    context.report(with_nearest(
+        {.where = collision.span,
+         .message = "the contact sensor watches the collision '" + name + "', which its link '" +
+                    root[sensor.link].name.value + "' does not have",
+         .subject = context.subject(sensor)},
+        name, all, context));
   }
 }
 

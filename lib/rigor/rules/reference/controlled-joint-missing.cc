@@ -14,13 +14,10 @@ void check(const model::Root& root, Context& context) {
     const std::string& name = controlled.joint.value;
     if (name.empty() || joints.count(name) != 0) continue;
     const std::string who = controlled.ros2_control ? "ros2_control" : "a transmission";
-    const Suggestion near = suggest_of(
-        name, [&] { return names_of(root.joints); }, controlled.joint.span, context);
-    context.report(
+    context.report(with_nearest(
         {.where = controlled.joint.span,
-         .message = who + " drives the joint '" + name + "', which this robot does not have",
-         .help = near.help,
-         .fix = near.fix});
+         .message = who + " drives the joint '" + name + "', which this robot does not have"},
+        name, [&] { return names_of(root.joints); }, context));
   }
 }
 

@@ -21,12 +21,10 @@ void check(const model::Root& root, Context& context) {
       for (std::string& joint : names_of(root.joints)) names.push_back(std::move(joint));
       return names;
     };
-    const Suggestion near = suggest_of(name, all, block.reference.span, context);
-    context.report(
+    context.report(with_nearest(
         {.where = block.reference.span,
-         .message = "refers to '" + name + "', which is no link and no joint of this robot",
-         .help = near.help,
-         .fix = near.fix});
+         .message = "refers to '" + name + "', which is no link and no joint of this robot"},
+        name, all, context));
   }
 }
 

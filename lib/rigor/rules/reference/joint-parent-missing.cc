@@ -1,20 +1,19 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <utility>
+
 #include <rigor/rules/reference/nearest.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::joint_parent_missing {
 
 void check(const model::FrameProblem& problem, Context& context) {
-  const Suggestion near = suggest(problem.name, problem.candidates, problem.where, context);
-  context.report({.where = problem.where,
-                  .message = "the parent '" + problem.name + "' is nothing in this model",
-                  .subject = problem.subject,
-                  .help = near.help,
-                  .fix = near.fix,
-                  // Joints of a world came with SDF 1.10; libsdformat 12 reads none.
-                  .refused = static_cast<bool>(problem.model)});
+  Finding finding =
+      unresolved(problem, "the parent '" + problem.name + "' is nothing in this model", context);
+  // Joints of a world came with SDF 1.10; libsdformat 12 reads none.
+  finding.refused = static_cast<bool>(problem.model);
+  context.report(std::move(finding));
 }
 
 Rule rule() {

@@ -26,15 +26,13 @@ void check(const model::Root& root, Context& context) {
     const model::Material& material = visual.material;
     const std::string& name = material.name.value;
     if (!material.written || name.empty() || defined.count(name) != 0) continue;
-    const Suggestion near = suggest_of(
-        name, [&] { return names_of(root.materials); }, material.name.span, context);
     const bool colorless = name_set(root.materials).count(name) != 0;
-    context.report({.where = material.name.span,
-                    .message = "the material '" + name + "' is defined " +
-                               (colorless ? "without a colour" : "nowhere in this robot"),
-                    .subject = context.subject(visual),
-                    .help = near.help,
-                    .fix = near.fix});
+    context.report(with_nearest(
+        {.where = material.name.span,
+         .message = "the material '" + name + "' is defined " +
+                    (colorless ? "without a colour" : "nowhere in this robot"),
+         .subject = context.subject(visual)},
+        name, [&] { return names_of(root.materials); }, context));
   }
 }
 

@@ -29,13 +29,11 @@ void check(const model::Root& root, Context& context) {
         for (const auto id : root[joint.model].joints) all.push_back(root[id].name.value);
         return all;
       };
-      const Suggestion near = suggest_of(leader, others, axis.mimic->joint.span, context);
-      context.report(
+      context.report(with_nearest(
           {.where = axis.mimic->joint.span,
            .message = "mimics the joint '" + leader + "', which this model does not have",
-           .subject = context.subject(joint),
-           .help = near.help,
-           .fix = near.fix});
+           .subject = context.subject(joint)},
+          leader, others, context));
     }
   }
 }

@@ -7,12 +7,8 @@
 namespace rigor::rules::placement_frame_missing {
 
 void check(const model::FrameProblem& problem, Context& context) {
-  const Suggestion near = suggest(problem.name, problem.candidates, problem.where, context);
-  context.report({.where = problem.where,
-                  .message = "the placement frame '" + problem.name + "' is nothing in this model",
-                  .subject = problem.subject,
-                  .help = near.help,
-                  .fix = near.fix});
+  context.report(unresolved(
+      problem, "the placement frame '" + problem.name + "' is nothing in this model", context));
 }
 
 Rule rule() {

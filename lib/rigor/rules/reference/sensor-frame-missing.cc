@@ -36,14 +36,12 @@ void look_at(xml::Element frame_element, const model::Sensor& sensor, const Link
   if (frame.empty() || links.count(frame) != 0 || is_among(kOutside, frame)) return;
   if (has_xacro(name)) return;
   const Span where = frame_element.text_span();
-  const Suggestion near = suggest_of(
-      name, [&context] { return names_of(context.root().links); }, where, context);
-  context.report({.where = where,
-                  .message = "the sensor measures in the frame '" + std::string(name) +
-                             "', which is no link of this robot",
-                  .subject = context.subject(sensor),
-                  .help = near.help,
-                  .fix = near.fix});
+  context.report(with_nearest(
+      {.where = where,
+       .message = "the sensor measures in the frame '" + std::string(name) +
+                  "', which is no link of this robot",
+       .subject = context.subject(sensor)},
+      name, [&context] { return names_of(context.root().links); }, context));
 }
 
 void check(const model::Root& root, Context& context) {
