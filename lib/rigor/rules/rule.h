@@ -1,7 +1,8 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A rule: one thing that can be wrong with a model, in one file.
+// A rule: one thing that can be wrong with a model, in one file. Those on conversions and simulations are
+// rows of tables (fact_row.h).
 //
 // `lib/rigor/rules/<category>/<rule-name>.cc` defines, in a namespace of its own, a function `rule()`
 // that returns the metadata, the prose and the check. Its examples lie beside it, in the folder
@@ -176,7 +177,7 @@ inline Check on_suppression(std::vector<SuppressionFactKind> kinds,
 
 struct Rule {
   std::string_view name;  ///< kebab-case; states the defect; also the file's name
-  Category category = Category::kXml;
+  Category category = Category::kXml;  ///< of its folder; the registry sets it
   Severity severity = Severity::kError;
   Refusals refused = {};  ///< whether libsdformat refuses a file for it
   Formats formats = Formats::kAny;

@@ -1,8 +1,8 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a simulation has to say about a model, as data without words; one rule `simulate-…` turns each
-// kind into a finding.
+// What a simulation has to say about a model, as data without words; a row of the tables in
+// `rules/simulate/` turns each kind into a finding.
 //
 //   facts.push_back({.kind = FactKind::kTips, .where = body.where, .subject = "robot/link base",
 //                    .value = 1.2, .limit = 0.52, .phase = "settle"});

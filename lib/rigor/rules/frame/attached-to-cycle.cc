@@ -5,20 +5,14 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::attached_to_cycle {
-namespace {
 
 void check(const model::FrameProblem& problem, Context& context) {
-  context.report({.where = problem.where,
-                  .message = "frames are attached to each other in a circle: " + chain(problem),
-                  .subject = problem.subject});
+  report_cycle(problem, "frames are attached to each other", context);
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "attached-to-cycle",
-      .category = Category::kFrame,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,

@@ -5,24 +5,16 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::attached_to_missing {
-namespace {
 
 void check(const model::FrameProblem& problem, Context& context) {
-  const Suggestion near = suggest(problem.name, problem.candidates, problem.where, context);
-  context.report(
-      {.where = problem.where,
-       .message = "the frame is attached to '" + problem.name + "', which is nothing in this scope",
-       .subject = problem.subject,
-       .help = near.help,
-       .fix = near.fix});
+  context.report(unresolved(
+      problem, "the frame is attached to '" + problem.name + "', which is nothing in this scope",
+      context));
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "attached-to-missing",
-      .category = Category::kFrame,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .fix = FixGrade::kUnsafe,

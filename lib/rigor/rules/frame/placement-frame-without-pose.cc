@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::placement_frame_without_pose {
-namespace {
 
 void check(const model::Include& include, Context& context) {
   if (!include.placement_frame.written || include.placement_frame.value.empty()) return;
@@ -20,20 +19,16 @@ void check(const model::Include& include, Context& context) {
                                                   "<pose>0 0 0 0 0 0</pose>"))});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "placement-frame-without-pose",
-      .category = Category::kFrame,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "an include names a placement frame and no pose",
-      .why =
-          "The pose of the include is where the placement frame is put. libsdformat refuses "
-          "the file: \"<pose> is required when specifying the placement_frame element\".",
+      .why = "The pose of the include is where the placement frame is put. libsdformat refuses the "
+             "file: \"<pose> is required when specifying the placement_frame element\".",
       .what_to_do = "Write the pose; 0 0 0 0 0 0 puts the frame at the origin.",
       .checks = {on<model::Include>(check)},
   };

@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::quaternion_in_degrees {
-namespace {
 
 std::optional<Finding> check_pose(const model::PoseField& pose, const Context& context) {
   if (!pose.pose.written || !context.root().own(pose.site)) return std::nullopt;
@@ -23,20 +22,16 @@ std::optional<Finding> check_pose(const model::PoseField& pose, const Context& c
                                xml::remove_attribute(context.document(), *degrees))};
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "quaternion-in-degrees",
-      .category = Category::kFrame,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .fix = FixGrade::kSafe,
       .summary = "the quaternion of a pose is said to be in degrees",
-      .why =
-          "A quaternion has no unit. libsdformat refuses the file: degrees=\"true\" does not "
-          "apply to quaternions.",
+      .why = "A quaternion has no unit. libsdformat refuses the file: degrees=\"true\" does not "
+             "apply to quaternions.",
       .what_to_do = "Take degrees=\"true\" out, or write roll, pitch and yaw.",
       .checks = on_poses<check_pose>(),
   };

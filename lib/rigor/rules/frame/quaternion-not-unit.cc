@@ -15,7 +15,6 @@
 #include <rigor/write/numbers.h>
 
 namespace rigor::rules::quaternion_not_unit {
-namespace {
 
 // Numbers with three digits are near enough.
 constexpr double kTolerance = 0.002;
@@ -58,20 +57,16 @@ std::optional<Finding> check_pose(const model::PoseField& pose, const Context& c
   return finding;
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "quaternion-not-unit",
-      .category = Category::kFrame,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kSafe,
       .summary = "the quaternion of a pose is not of length one",
-      .why =
-          "Only a quaternion of length one is a rotation. libsdformat divides by the length "
-          "without a word; a mistyped number becomes another rotation, and who does not "
-          "divide gets a body that is sheared.",
+      .why = "Only a quaternion of length one is a rotation. libsdformat divides by the length "
+             "without a word; a mistyped number becomes another rotation, and who does not divide "
+             "gets a body that is sheared.",
       .what_to_do = "Write x y z w so that their squares sum up to 1; w comes last.",
       .checks = on_poses<check_pose>(),
   };

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::quaternion_zero {
-namespace {
 
 /// The last of seven numbers becomes a one.
 std::optional<Fix> unit_quaternion(const WrittenRotation& rotation, const Context& context) {
@@ -37,19 +36,15 @@ std::optional<Finding> check_pose(const model::PoseField& pose, const Context& c
                  .fix = unit_quaternion(*rotation, context)};
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "quaternion-zero",
-      .category = Category::kFrame,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kSafe,
       .summary = "the quaternion of a pose is zero",
-      .why =
-          "A rotation is a quaternion of length one. libsdformat takes the zero one for no "
-          "rotation, without a word.",
+      .why = "A rotation is a quaternion of length one. libsdformat takes the zero one for no "
+             "rotation, without a word.",
       .what_to_do = "Write 0 0 0 1 where nothing is turned; w comes last.",
       .checks = on_poses<check_pose>(),
   };

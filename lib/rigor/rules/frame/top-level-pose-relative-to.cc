@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::top_level_pose_relative_to {
-namespace {
 
 constexpr int kSince = 7;
 
@@ -26,12 +25,9 @@ void check(const model::Model& model, Context& context) {
                                 xml::remove_attribute(context.document(), *attribute))});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "top-level-pose-relative-to",
-      .category = Category::kFrame,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
@@ -39,8 +35,7 @@ Rule rule() {
       .summary = "the pose of a model at the top of a file is relative to a frame",
       .why =
           "No frame is around such a model: whoever includes it decides where it stands. "
-          "libsdformat refuses the file: relative_to must be left empty there, even for "
-          "\"world\".",
+          "libsdformat refuses the file: relative_to must be left empty there, even for \"world\".",
       .what_to_do = "Take relative_to out.",
       .checks = {on<model::Model>(check)},
   };

@@ -13,7 +13,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::collision_duplicate {
-namespace {
 
 /// Kind, numbers of pose and sizes, file: equal for shapes that fill the same space.
 using Key = std::tuple<std::size_t, std::vector<double>, std::string>;
@@ -85,21 +84,15 @@ void check(const model::Link& link, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "collision-duplicate",
-      .category = Category::kGeometry,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a link has the same collision shape twice in the same place",
-      .why =
-          "It was copied and not moved. Both are there: contacts count twice, so they are twice as "
-          "stiff "
-          "and cost twice the time; where the mass is computed from the shapes, it counts twice as "
-          "well. "
-          "The part that the copy was meant for has none.",
+      .why = "It was copied and not moved. Both are there: contacts count twice, so they are twice "
+             "as stiff and cost twice the time; where the mass is computed from the shapes, it "
+             "counts twice as well. The part that the copy was meant for has none.",
       .what_to_do = "Give the copy its own pose and size, or take it out.",
       .checks = {on<model::Link>(check)},
   };

@@ -8,7 +8,6 @@
 #include <rigor/rules/schema/misspelt.h>
 
 namespace rigor::rules::collision_missing {
-namespace {
 
 void report_link(const model::Link& link, Context& context) {
   if (misspelt_child(context.element(link.site), "collision", context)) return;  // unknown-element
@@ -40,19 +39,14 @@ void check_robot(const model::Model& robot, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "collision-missing",
-      .category = Category::kGeometry,
       .severity = Severity::kInfo,
       .summary = "a link that moves has a visual but no collision",
-      .why =
-          "It falls through the ground and other bodies pass through it. That is often meant, "
-          "for a small part that is fixed to another; in a URDF those are not told of, nor robots "
-          "without "
-          "any collision.",
+      .why = "It falls through the ground and other bodies pass through it. That is often meant, "
+             "for a small part that is fixed to another; in a URDF those are not told of, nor "
+             "robots without any collision.",
       .what_to_do = "Add a collision, best a simple shape about the visual.",
       .checks = {on<model::Link>(check), on<model::Model>(check_robot)},
   };

@@ -6,7 +6,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::geometry_empty {
-namespace {
 
 template <class Part>
 void check(const Part& part, Context& context) {
@@ -22,20 +21,15 @@ void check(const Part& part, Context& context) {
                   .subject = context.subject(part)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "geometry-empty",
-      .category = Category::kGeometry,
       .severity = Severity::kError,
       .summary = "a <geometry> holds no shape",
-      .why =
-          "urdfdom stops reading the link with an error: this part and all that follow are not "
-          "there, first the visuals, then the collisions. libsdformat takes it for nothing.",
-      .what_to_do =
-          "Put a shape in, or take the visual or collision out. Where nothing is meant, "
-          "SDF has <empty/>.",
+      .why = "urdfdom stops reading the link with an error: this part and all that follow are not "
+             "there, first the visuals, then the collisions. libsdformat takes it for nothing.",
+      .what_to_do = "Put a shape in, or take the visual or collision out. Where nothing is meant, "
+                    "SDF has <empty/>.",
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };
 }

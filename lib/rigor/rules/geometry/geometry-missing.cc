@@ -8,7 +8,6 @@
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::geometry_missing {
-namespace {
 
 /// A child that is a misspelt <geometry> is told as an unknown element; a plugin may draw the visual.
 bool has_another_reason(xml::Element part) {
@@ -28,12 +27,9 @@ void check(const Part& part, Context& context) {
                   .subject = context.subject(part)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "geometry-missing",
-      .category = Category::kGeometry,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a collision or visual has no <geometry>",

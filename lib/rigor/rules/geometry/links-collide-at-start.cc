@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::links_collide_at_start {
-namespace {
 
 void check(const model::Root& root, Context& context) {
   if (root.links.size() < 2 || root.collisions.size() < 2) return;
@@ -22,22 +21,15 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "links-collide-at-start",
-      .category = Category::kGeometry,
       .severity = Severity::kWarning,
       .summary = "links of a model that may collide with itself overlap",
-      .why =
-          "With <self_collide> the links of a model collide, except those that a joint connects. "
-          "Two "
-          "that are in each other at the start are pushed apart at the first step: the model "
-          "jumps, "
-          "or trembles for as long as a joint keeps them there. Boxes, balls, cylinders and the "
-          "like "
-          "are looked at, meshes are not.",
+      .why = "With <self_collide> the links of a model collide, except those that a joint "
+             "connects. Two that are in each other at the start are pushed apart at the first "
+             "step: the model jumps, or trembles for as long as a joint keeps them there. Boxes, "
+             "balls, cylinders and the like are looked at, meshes are not.",
       .what_to_do =
           "Make the collisions smaller, or move them apart; or take <self_collide> from the links.",
       .checks = {on<model::Root>(check)},

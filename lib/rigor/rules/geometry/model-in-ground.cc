@@ -14,7 +14,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::model_in_ground {
-namespace {
 
 using model::Id;
 using model::Vector3;
@@ -103,25 +102,17 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "model-in-ground",
-      .category = Category::kGeometry,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a model of a world begins inside the ground",
-      .why =
-          "All below a plane is solid for the engines: what begins there is thrown out at the "
-          "first step, "
-          "the faster the deeper, or stays caught. It is the pose of the model's middle that was "
-          "given "
-          "where that of its feet was meant, or none.",
-      .what_to_do =
-          "Raise the model by that much with its <pose>. `rigor simulate` shows how it lands. "
-          "Boxes, "
-          "balls, cylinders and the like are looked at, meshes are not.",
+      .why = "All below a plane is solid for the engines: what begins there is thrown out at the "
+             "first step, the faster the deeper, or stays caught. It is the pose of the model's "
+             "middle that was given where that of its feet was meant, or none.",
+      .what_to_do = "Raise the model by that much with its <pose>. `rigor simulate` shows how it "
+                    "lands. Boxes, balls, cylinders and the like are looked at, meshes are not.",
       .checks = {on<model::Root>(check)},
   };
 }

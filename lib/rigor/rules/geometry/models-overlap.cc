@@ -14,7 +14,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::models_overlap {
-namespace {
 
 using ModelId = model::Id<model::Model>;
 
@@ -101,25 +100,18 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "models-overlap",
-      .category = Category::kGeometry,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "models of a world begin inside each other",
-      .why =
-          "Models collide with each other in every engine. Those that are in each other at the "
-          "start are "
-          "thrown apart at the first step, the faster the deeper; or one of them falls through a "
-          "thin "
-          "floor. Boxes, balls, cylinders and the like are looked at, meshes are not.",
-      .what_to_do =
-          "Move one of them by its <pose>: what stands on the other has its lowest point on the "
-          "other's "
-          "highest.",
+      .why = "Models collide with each other in every engine. Those that are in each other at the "
+             "start are thrown apart at the first step, the faster the deeper; or one of them "
+             "falls through a thin floor. Boxes, balls, cylinders and the like are looked at, "
+             "meshes are not.",
+      .what_to_do = "Move one of them by its <pose>: what stands on the other has its lowest point "
+                    "on the other's highest.",
       .checks = {on<model::Root>(check)},
   };
 }

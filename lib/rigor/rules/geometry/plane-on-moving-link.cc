@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plane_on_moving_link {
-namespace {
 
 /// Whether there is a <static> already, if only a misspelt one, that has to be put right first.
 bool has_near_static(xml::Element model) {
@@ -41,19 +40,15 @@ void check(const model::Collision& collision, Context& context) {
                   .fix = make_static(root[link.model], context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plane-on-moving-link",
-      .category = Category::kGeometry,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a plane collides on a link that moves",
-      .why =
-          "A plane is a half space: all below it is solid. ODE knows no plane that moves with a "
-          "body, MuJoCo refuses one, and a ground that is not static falls.",
+      .why = "A plane is a half space: all below it is solid. ODE knows no plane that moves with a "
+             "body, MuJoCo refuses one, and a ground that is not static falls.",
       .what_to_do =
           "Add <static>true</static> to the model when it is the ground, else use a thin box.",
       .checks = {on<model::Collision>(check)},

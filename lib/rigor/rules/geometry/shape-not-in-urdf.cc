@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::shape_not_in_urdf {
-namespace {
 
 bool is_taken(const model::Shape& shape) {
   return std::holds_alternative<model::Box>(shape) ||
@@ -30,19 +29,15 @@ void check(const Entity& entity, Context& context) {
        .subject = context.subject(entity)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "shape-not-in-urdf",
-      .category = Category::kGeometry,
       .severity = Severity::kError,
       .formats = Formats::kSdf,
       .targets = {Target::kRos},
       .summary = "a shape is one that a robot of ROS cannot have",
-      .why =
-          "ROS reads SDF by sdformat_urdf, which makes a URDF robot of it. It knows boxes, "
-          "cylinders, spheres and meshes, and refuses the whole model for any other shape.",
+      .why = "ROS reads SDF by sdformat_urdf, which makes a URDF robot of it. It knows boxes, "
+             "cylinders, spheres and meshes, and refuses the whole model for any other shape.",
       .what_to_do =
           "Write a cylinder for a capsule, a sphere or a mesh for an ellipsoid, a box for a plane.",
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::size_suspicious {
-namespace {
 
 // m: what a part of a robot measures, where the size was written in another unit.
 constexpr double kLikelySmall = 0.01;
@@ -44,18 +43,13 @@ void check(const Part& part, Context& context) {
                   .help = meant(*largest)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "size-suspicious",
-      .category = Category::kGeometry,
       .severity = Severity::kWarning,
       .summary = "a shape of a link that moves is larger than 100 m",
-      .why =
-          "Sizes are in metres. A part of 300 mm that was written as 300 is as large as a stadium: "
-          "it throws "
-          "all else about, and no camera sees its outside.",
+      .why = "Sizes are in metres. A part of 300 mm that was written as 300 is as large as a "
+             "stadium: it throws all else about, and no camera sees its outside.",
       .what_to_do = "Write the size in metres. What stands fast may be as large as it likes.",
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };

@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::transparency_out_of_range {
-namespace {
 
 /// Where a percentage was written: its share of one.
 std::optional<Fix> as_share(const model::Field<double>& field) {
@@ -33,20 +32,16 @@ void check(const model::Visual& visual, Context& context) {
        .fix = as_share(transparency)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "transparency-out-of-range",
-      .category = Category::kGeometry,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the transparency of a visual is below 0 or above 1",
       .why =
           "The opacity is 1 minus the transparency. Above 1 nothing is left of the visual; below 0 "
-          "the "
-          "number means nothing. Mostly it is in per cent, or the opacity was meant.",
+          "the number means nothing. Mostly it is in per cent, or the opacity was meant.",
       .what_to_do = "Write a number from 0 to 1; half transparent is 0.5.",
       .checks = {on<model::Visual>(check)},
   };

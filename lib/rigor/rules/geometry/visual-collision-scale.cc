@@ -12,7 +12,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::visual_collision_scale {
-namespace {
 
 using model::Vector3;
 
@@ -150,20 +149,15 @@ void check_mesh(const MeshFile& file, Context& context) {
   compare(*link, touched ? own : *other, touched ? *other : own, context);
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "visual-collision-scale",
-      .category = Category::kGeometry,
       .severity = Severity::kWarning,
       .summary = "a link's collision is the visual in another scale",
       .why =
           "Both have the same proportions, and one is 10, 100, 1000 or 25.4 times as large: a unit "
-          "or a "
-          "scale was put right in one of them only. The robot then touches what it does not reach, "
-          "or reaches through what it "
-          "touches. Two different meshes are not compared.",
+          "or a scale was put right in one of them only. The robot then touches what it does not "
+          "reach, or reaches through what it touches. Two different meshes are not compared.",
       .what_to_do = "Write the size or the mesh's <scale> of the wrong one as in the other.",
       .checks = {on<model::Link>(check), on<MeshFile>(check_mesh)},
   };

@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::wheel_axis_mismatch {
-namespace {
 
 using model::Vector3;
 
@@ -67,26 +66,18 @@ void check(const model::Joint& joint, Context& context) {
   context.report(std::move(finding));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "wheel-axis-mismatch",
-      .category = Category::kGeometry,
       .severity = Severity::kWarning,
       .summary = "a wheel does not turn about its own axis",
       .why =
           "A joint without limits turns a flat cylinder through its middle, but about another line "
-          "than "
-          "the cylinder's. The wheel tumbles like a coin, or wobbles: it lifts the robot, or does "
-          "not roll. "
-          "Mostly the axis is right for another frame: up to SDF 1.4 it is in the model's, from "
-          "1.5 on in "
-          "the joint's; or the cylinder was turned and the axis not.",
-      .what_to_do =
-          "Write the axis along the cylinder's z, in the frame that the axis is in; `rigor "
-          "inspect` "
-          "prints both in one frame.",
+          "than the cylinder's. The wheel tumbles like a coin, or wobbles: it lifts the robot, or "
+          "does not roll. Mostly the axis is right for another frame: up to SDF 1.4 it is in the "
+          "model's, from 1.5 on in the joint's; or the cylinder was turned and the axis not.",
+      .what_to_do = "Write the axis along the cylinder's z, in the frame that the axis is in; "
+                    "`rigor inspect` prints both in one frame.",
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::added_mass_negative {
-namespace {
 
 void check(const model::Link& link, Context& context) {
   if (!link.inertial.written) return;
@@ -27,21 +26,16 @@ void check(const model::Link& link, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "added-mass-negative",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "an added mass on the diagonal is negative",
-      .why =
-          "Gazebo adds the matrix to the body's own, so a negative entry makes the body lighter, "
-          "and "
-          "one that outweighs it makes the simulation diverge. Gazebo's hydrodynamics plugin takes "
-          "the same coefficients as xDotU, where they are negative: they are easily copied as they "
-          "are.",
+      .why = "Gazebo adds the matrix to the body's own, so a negative entry makes the body "
+             "lighter, and one that outweighs it makes the simulation diverge. Gazebo's "
+             "hydrodynamics plugin takes the same coefficients as xDotU, where they are negative: "
+             "they are easily copied as they are.",
       .what_to_do = "Write the entry without the minus sign.",
       .checks = {on<model::Link>(check)},
   };

@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::automatic_inertia_counted_twice {
-namespace {
 
 // Shapes that share less than this part of the smaller are put together as people do.
 constexpr double kJoined = 0.2;
@@ -40,18 +39,14 @@ void check(const model::Link& link, Context& context) {
        .related = {{first.site.name, "the other collision"}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "automatic-inertia-counted-twice",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "collisions of a link with an automatic inertial overlap",
-      .why =
-          "libsdformat adds up the collisions as separate bodies, so what two of them share weighs "
-          "twice.",
+      .why = "libsdformat adds up the collisions as separate bodies, so what two of them share "
+             "weighs twice.",
       .what_to_do =
           "Let the collisions touch instead of overlap, or give one of them a smaller <density>.",
       .checks = {on<model::Link>(check)},

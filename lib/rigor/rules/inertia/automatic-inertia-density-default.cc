@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::automatic_inertia_density_default {
-namespace {
 
 void check(const model::Link& link, Context& context) {
   const model::Inertial& inertial = link.inertial;
@@ -23,21 +22,16 @@ void check(const model::Link& link, Context& context) {
                   .related = {{root[*without].site.name, "this collision"}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "automatic-inertia-density-default",
-      .category = Category::kInertia,
       .severity = Severity::kInfo,
       .formats = Formats::kSdf,
       .summary = "an automatic inertial is computed with the density of water",
-      .why =
-          "Without <density> in the inertial or in the collision libsdformat takes 1000 kg/m³. "
-          "Steel is eight times as heavy, a printed part lighter.",
-      .what_to_do =
-          "Write <density> in the <inertial>, in kg/m³; from libsdformat 15.2 on, <mass> does "
-          "as well.",
+      .why = "Without <density> in the inertial or in the collision libsdformat takes 1000 kg/m³. "
+             "Steel is eight times as heavy, a printed part lighter.",
+      .what_to_do = "Write <density> in the <inertial>, in kg/m³; from libsdformat 15.2 on, <mass> "
+                    "does as well.",
       .checks = {on<model::Link>(check)},
   };
 }

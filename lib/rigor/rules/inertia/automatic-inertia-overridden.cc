@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::automatic_inertia_overridden {
-namespace {
 
 void check(const model::Link& link, Context& context) {
   const model::Inertial& inertial = link.inertial;
@@ -33,12 +32,9 @@ void check(const model::Link& link, Context& context) {
        .fix = fix_of("remove " + what, Applicability::kUnsafe, std::move(edits))});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "automatic-inertia-overridden",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,

@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::automatic_inertia_unsupported_shape {
-namespace {
 
 bool is_supported(const model::Shape& shape) {
   return !std::holds_alternative<model::Plane>(shape) &&
@@ -30,24 +29,17 @@ void check(const model::Collision& collision, Context& context) {
        .related = {{link.inertial.automatic.span, "asked for here"}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "automatic-inertia-unsupported-shape",
-      .category = Category::kInertia,
       .severity = Severity::kError,
       .formats = Formats::kSdf,
       .summary = "an automatic inertial is to be computed from a shape without a computable mass",
-      .why =
-          "libsdformat 14 and later compute boxes, capsules, cones, cylinders, ellipsoids, spheres "
-          "and, within Gazebo, meshes. Of a plane, heightmap, image or polyline they report that "
-          "the "
-          "inertia is invalid.",
-      .what_to_do =
-          "Use another shape, or write mass and tensor: `rigor inertia MODEL --write` computes "
-          "those "
-          "of a polyline.",
+      .why = "libsdformat 14 and later compute boxes, capsules, cones, cylinders, ellipsoids, "
+             "spheres and, within Gazebo, meshes. Of a plane, heightmap, image or polyline they "
+             "report that the inertia is invalid.",
+      .what_to_do = "Use another shape, or write mass and tensor: `rigor inertia MODEL --write` "
+                    "computes those of a polyline.",
       .checks = {on<model::Collision>(check)},
   };
 }

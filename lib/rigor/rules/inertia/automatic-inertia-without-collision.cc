@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::automatic_inertia_without_collision {
-namespace {
 
 void check(const model::Link& link, Context& context) {
   if (!is_computed(link, context) || !link.collisions.empty()) return;
@@ -15,22 +14,16 @@ void check(const model::Link& link, Context& context) {
                   .subject = context.subject(link)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "automatic-inertia-without-collision",
-      .category = Category::kInertia,
       .severity = Severity::kError,
       .formats = Formats::kSdf,
       .summary = "an automatic inertial has no collision to be computed from",
-      .why =
-          "libsdformat 14 and later refuse the file for it; visuals do not count. Older ones do "
-          "not "
-          "know auto=\"true\", and take 1 kg.",
-      .what_to_do =
-          "Give the link a collision, or write mass and tensor: `rigor inertia MODEL --write` "
-          "computes them from the visuals too.",
+      .why = "libsdformat 14 and later refuse the file for it; visuals do not count. Older ones do "
+             "not know auto=\"true\", and take 1 kg.",
+      .what_to_do = "Give the link a collision, or write mass and tensor: `rigor inertia MODEL "
+                    "--write` computes them from the visuals too.",
       .checks = {on<model::Link>(check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::density_not_positive {
-namespace {
 
 void look_at(const model::Field<double>& density, const std::string& subject, Context& context) {
   if (!density.written || density.value > 0) return;
@@ -28,18 +27,14 @@ void check(const model::Link& link, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "density-not-positive",
-      .category = Category::kInertia,
       .severity = Severity::kError,
       .formats = Formats::kSdf,
       .summary = "an automatic inertial is computed with a density that is not above zero",
-      .why =
-          "The mass of such a shape would be zero or negative. libsdformat 14 and later cannot "
-          "compute the inertial and refuse the link.",
+      .why = "The mass of such a shape would be zero or negative. libsdformat 14 and later cannot "
+             "compute the inertial and refuse the link.",
       .what_to_do = "Write the density in kg/m³: water has 1000, steel 7850.",
       .checks = {on<model::Link>(check)},
   };

@@ -15,7 +15,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::density_too_high {
-namespace {
 
 // Less is a token for a frame that had to have some mass, and a shape to be seen by.
 constexpr double kLeast = 0.01;  // kg
@@ -97,19 +96,14 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "density-too-high",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .summary = "a link weighs more than its shapes can hold of any material",
-      .why =
-          "Either the mass is in grams, or the sizes or a mesh are in the wrong unit, or the "
-          "shapes "
-          "stand for a much larger body. Contacts of such a link are hard to solve: it sinks into "
-          "what it rests on.",
+      .why = "Either the mass is in grams, or the sizes or a mesh are in the wrong unit, or the "
+             "shapes stand for a much larger body. Contacts of such a link are hard to solve: it "
+             "sinks into what it rests on.",
       .what_to_do = "Give the mass in kilograms and the shapes the size of the body, in metres.",
       .checks = {on<model::Root>(check)},
   };

@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertia_axes_swapped {
-namespace {
 
 using Moments = std::array<const model::Field<double>*, 3>;
 
@@ -44,19 +43,15 @@ void check(const model::Link& link, Context& context) {
        .fix = put_where_they_belong(moments, found.belongs, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertia-axes-swapped",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "the moments of inertia fit the shapes, but stand at the wrong axes",
-      .why =
-          "Formulas for a cylinder or a box take its length along one axis; when the shape is "
-          "turned, or the formula's axes are others, the moments must move with it. As it stands "
-          "a wheel turns about its own axle with the moment of another axis.",
+      .why = "Formulas for a cylinder or a box take its length along one axis; when the shape is "
+             "turned, or the formula's axes are others, the moments must move with it. As it "
+             "stands a wheel turns about its own axle with the moment of another axis.",
       .what_to_do = "Exchange the moments.",
       .checks = {on<model::Link>(check)},
   };

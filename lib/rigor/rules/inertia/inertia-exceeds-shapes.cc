@@ -19,7 +19,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertia_exceeds_shapes {
-namespace {
 
 // What is drawn may be a little smaller than what was weighed: no bolts, no cables.
 constexpr double kDrawnSmaller = 1.1;
@@ -133,30 +132,18 @@ void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
        .fix = fix_from_shapes(link, context)});
 }
 
-void check(const model::Root& root, Context& context) {
-  LazyGroups groups(context);
-  for (const model::Link& link : root.links) {
-    if (root.own(link.site)) check_link(link, groups, context);
-  }
-}
-
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertia-exceeds-shapes",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "moments of inertia are larger than any body inside the link's shapes can have",
-      .why =
-          "Wherever the mass is inside the shapes, even half of it at each end, it has smaller "
-          "moments than these: so they are another body's, in another unit, or made up. The link "
-          "turns more sluggishly than the real one, and controllers are tuned to that.",
-      .what_to_do =
-          "`rigor inertia MODEL` shows what the mass has in the link's shapes, and writes it with "
-          "--write.",
-      .checks = {on<model::Root>(check)},
+      .why = "Wherever the mass is inside the shapes, even half of it at each end, it has smaller "
+             "moments than these: so they are another body's, in another unit, or made up. The "
+             "link turns more sluggishly than the real one, and controllers are tuned to that.",
+      .what_to_do = "`rigor inertia MODEL` shows what the mass has in the link's shapes, and "
+                    "writes it with --write.",
+      .checks = {on<model::Root>(check_own_links<check_link>)},
   };
 }
 

@@ -13,7 +13,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertia_geometry_mismatch {
-namespace {
 
 // Less is a token for a frame that had to have some mass.
 constexpr double kLeast = 1e-3;  // kg
@@ -40,24 +39,18 @@ void check(const model::Link& link, Context& context) {
                   .fix = fix_from_shapes(link, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertia-geometry-mismatch",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "moments of inertia do not fit the mass and the shapes of the link",
-      .why =
-          "The link's shapes are all boxes, balls, closed meshes and the like, so what a solid of "
-          "the same mass has is known. Hollow bodies have up to three times as much; a factor "
-          "of ten and more is mostly a slip of units. Too small moments make a simulation "
-          "shake, too large ones make it sluggish.",
-      .what_to_do =
-          "`rigor inertia MODEL` shows what the mass has in the link's shapes, in kg·m², and "
-          "writes it "
-          "with --write.",
+      .why = "The link's shapes are all boxes, balls, closed meshes and the like, so what a solid "
+             "of the same mass has is known. Hollow bodies have up to three times as much; a "
+             "factor of ten and more is mostly a slip of units. Too small moments make a "
+             "simulation shake, too large ones make it sluggish.",
+      .what_to_do = "`rigor inertia MODEL` shows what the mass has in the link's shapes, in kg·m², "
+                    "and writes it with --write.",
       .checks = {on<model::Link>(check)},
   };
 }

@@ -12,7 +12,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertia_identity {
-namespace {
 
 // Without shapes to compare with: a ball with these moments and this mass is a metre across.
 constexpr double kLight = 10;  // kg
@@ -33,21 +32,16 @@ void check(const model::Link& link, Context& context) {
                   .fix = fix_from_shapes(link, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertia-identity",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "an inertia tensor is the identity, which does not fit the body",
-      .why =
-          "Ones on the diagonal are what a template holds before anybody fills it in. The link "
-          "then turns far too slowly or too fast, and the motors are tuned to that.",
-      .what_to_do =
-          "`rigor inertia MODEL --write` computes the moments that the mass has in the link's "
-          "shapes.",
+      .why = "Ones on the diagonal are what a template holds before anybody fills it in. The link "
+             "then turns far too slowly or too fast, and the motors are tuned to that.",
+      .what_to_do = "`rigor inertia MODEL --write` computes the moments that the mass has in the "
+                    "link's shapes.",
       .checks = {on<model::Link>(check)},
   };
 }

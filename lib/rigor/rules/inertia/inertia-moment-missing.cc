@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertia_moment_missing {
-namespace {
 
 void check(const model::Link& link, Context& context) {
   const model::Inertial& inertial = link.inertial;
@@ -27,20 +26,16 @@ void check(const model::Link& link, Context& context) {
                   .fix = fix_from_shapes(link, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertia-moment-missing",
-      .category = Category::kInertia,
       .severity = Severity::kError,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a moment of an inertia tensor is missing",
-      .why =
-          "libsdformat takes 1 kg·m² in its place. Beside the small moments of most links that is "
-          "no body's tensor, and it refuses the model without a word of what is missing (error "
-          "18).",
+      .why = "libsdformat takes 1 kg·m² in its place. Beside the small moments of most links that "
+             "is no body's tensor, and it refuses the model without a word of what is missing "
+             "(error 18).",
       .what_to_do = "Write all of ixx, iyy and izz. Often one of them stands twice.",
       .checks = {on<model::Link>(check)},
   };

@@ -9,7 +9,6 @@
 #include <rigor/rules/schema/misspelt.h>
 
 namespace rigor::rules::inertia_not_written {
-namespace {
 
 void check(const model::Link& link, Context& context) {
   const model::Inertial& inertial = link.inertial;
@@ -27,22 +26,17 @@ void check(const model::Link& link, Context& context) {
        .fix = fix_from_shapes(link, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertia-not-written",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a mass is written without an inertia tensor",
-      .why =
-          "SDF then takes the identity as the tensor, whatever the mass: a wheel of 100 g "
-          "turns as hard as a door.",
-      .what_to_do =
-          "`rigor inertia MODEL --write` computes the tensor that the mass has in the link's "
-          "shapes.",
+      .why = "SDF then takes the identity as the tensor, whatever the mass: a wheel of 100 g turns "
+             "as hard as a door.",
+      .what_to_do = "`rigor inertia MODEL --write` computes the tensor that the mass has in the "
+                    "link's shapes.",
       .checks = {on<model::Link>(check)},
   };
 }

@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertia_refused {
-namespace {
 
 /// Whether another rule finds something in what the link itself says.
 bool told_of_itself(const model::Link& link, const Context& context) {
@@ -54,22 +53,16 @@ void check_robot(const model::Model& robot, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertia-refused",
-      .category = Category::kInertia,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .targets = {Target::kGazeboClassic, Target::kGzSim},
       .summary = "libsdformat refuses an inertia although each number could be right",
-      .why =
-          "libsdformat allows the triangle inequality no more than ten roundings of a double, so a "
-          "plate "
-          "whose moments are written with few digits is refused (error 18). Where some entries are "
-          "not "
-          "written it takes 1 for the moments and 0 for the others.",
+      .why = "libsdformat allows the triangle inequality no more than ten roundings of a double, "
+             "so a plate whose moments are written with few digits is refused (error 18). Where "
+             "some entries are not written it takes 1 for the moments and 0 for the others.",
       .what_to_do =
           "Write all six entries, and as many digits as there are, or round the largest down.",
       .checks = {on<model::Link>(check), on<model::Model>(check_robot)},

@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertia_singular {
-namespace {
 
 /// A point of mass that is fixed to another link of a URDF becomes part of that.
 std::unordered_set<std::string_view> fixed_links(const model::Root& root) {
@@ -39,22 +38,16 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertia-singular",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a body that moves has no moment of inertia about an axis",
-      .why =
-          "libsdformat and urdfdom take a point or a thin rod, but an engine has to divide by "
-          "the moment: ODE stops at an assertion, KDL and MuJoCo refuse, others set a number "
-          "of their own.",
-      .what_to_do =
-          "Write the moments of the real body: even a pin has some, about every "
-          "axis.",
+      .why = "libsdformat and urdfdom take a point or a thin rod, but an engine has to divide by "
+             "the moment: ODE stops at an assertion, KDL and MuJoCo refuse, others set a number of "
+             "their own.",
+      .what_to_do = "Write the moments of the real body: even a pin has some, about every axis.",
       .checks = {on<model::Root>(check)},
   };
 }

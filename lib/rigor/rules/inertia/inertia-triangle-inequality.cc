@@ -13,7 +13,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertia_triangle_inequality {
-namespace {
 
 const model::Field<double>* entry(const model::Inertial& inertial, std::string_view name) {
   if (name == "ixx") return &inertial.ixx;
@@ -51,24 +50,19 @@ void check(const model::Link& link, Context& context) {
        .refused = refuses_inertia(link, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertia-triangle-inequality",
-      .category = Category::kInertia,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "the moments of an inertia tensor break the triangle inequality",
-      .why =
-          "Of any rigid body two moments of inertia sum up to the third at least. libsdformat "
-          "refuses what breaks this, without saying which number is at fault (error 18), but for a "
-          "URDF link that is fixed to another, if the two together do not break it; Drake and "
-          "MuJoCo refuse it too, urdfdom lets it pass.",
-      .what_to_do =
-          "Compute the tensor again from the mass and the shapes. "
-          "Where it is missed by little, write more digits.",
+      .why = "Of any rigid body two moments of inertia sum up to the third at least. libsdformat "
+             "refuses what breaks this, without saying which number is at fault (error 18), but "
+             "for a URDF link that is fixed to another, if the two together do not break it; Drake "
+             "and MuJoCo refuse it too, urdfdom lets it pass.",
+      .what_to_do = "Compute the tensor again from the mass and the shapes. Where it is missed by "
+                    "little, write more digits.",
       .checks = {on<model::Link>(check)},
   };
 }

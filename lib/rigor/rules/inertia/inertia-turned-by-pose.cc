@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertia_turned_by_pose {
-namespace {
 
 /// Of a URDF, where the rotation is an attribute of its own.
 std::optional<Fix> without_rotation(const model::Inertial& inertial, const Context& context) {
@@ -31,19 +30,15 @@ void check(const model::Link& link, Context& context) {
                   .fix = without_rotation(inertial, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertia-turned-by-pose",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a tensor along the link's axes is turned by its inertial's rotation",
-      .why =
-          "The tensor is taken along the axes that the inertial's pose or origin gives. A rotation "
-          "that was copied there from the visual or collision turns a tensor that had been right "
-          "along the link's axes.",
+      .why = "The tensor is taken along the axes that the inertial's pose or origin gives. A "
+             "rotation that was copied there from the visual or collision turns a tensor that had "
+             "been right along the link's axes.",
       .what_to_do = "Take the rotation out of the inertial, and leave the position.",
       .checks = {on<model::Link>(check)},
   };

@@ -15,7 +15,6 @@
 #include <rigor/rules/schema/misspelt.h>
 
 namespace rigor::rules::inertial_missing {
-namespace {
 
 /// What the shapes would have in place of the 1 kg·m²; empty when they have no closed form.
 std::string comparison(const model::Link& link, Context& context) {
@@ -81,25 +80,18 @@ void check(const model::Model& model, Context& context) {
   for (const model::Link* link : without) report(*link, context);
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertial-missing",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a link that moves has no <inertial>",
-      .why =
-          "SDF takes 1 kg and the identity as its tensor, as of a ball more than three metres "
-          "across. "
-          "Joints on it move like in honey, and what rests on it is thrown about.",
-      .what_to_do =
-          "`rigor inertia MODEL --mass LINK=KG --write` computes the tensor from the link's shapes "
-          "and "
-          "meshes, and writes it; without a mass it takes that of water. If the link never moves, "
-          "make the model static.",
+      .why = "SDF takes 1 kg and the identity as its tensor, as of a ball more than three metres "
+             "across. Joints on it move like in honey, and what rests on it is thrown about.",
+      .what_to_do = "`rigor inertia MODEL --mass LINK=KG --write` computes the tensor from the "
+                    "link's shapes and meshes, and writes it; without a mass it takes that of "
+                    "water. If the link never moves, make the model static.",
       .checks = {on<model::Model>(check)},
   };
 }

@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::light_link_between_heavy {
-namespace {
 
 // A link that is a hundredth of what hangs on it: twice what solvers take well.
 constexpr double kMost = 100;
@@ -49,23 +48,16 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "light-link-between-heavy",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .summary = "a heavy body hangs on a light link, which hangs on a heavy one or on the world",
-      .why =
-          "All the weight goes through the light link, and iterative solvers, which Gazebo's "
-          "engines "
-          "use by default, need about as many iterations as the ratio of the masses: the joints "
-          "are "
-          "pulled apart, or the chain swings and shakes.",
-      .what_to_do =
-          "Give the light link more mass, or make the two joints one (a universal or ball joint). "
-          "Masses within a factor of 50 are safe.",
+      .why = "All the weight goes through the light link, and iterative solvers, which Gazebo's "
+             "engines use by default, need about as many iterations as the ratio of the masses: "
+             "the joints are pulled apart, or the chain swings and shakes.",
+      .what_to_do = "Give the light link more mass, or make the two joints one (a universal or "
+                    "ball joint). Masses within a factor of 50 are safe.",
       .checks = {on<model::Root>(check)},
   };
 }

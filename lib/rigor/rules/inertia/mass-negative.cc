@@ -15,7 +15,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mass_negative {
-namespace {
 
 /// Only the sign goes where that gives the shapes a density that bodies have.
 std::optional<Fix> fix_of_sign(const model::Link& link, Context& context) {
@@ -47,19 +46,15 @@ void check(const model::Link& link, Context& context) {
                   .refused = refuses_inertia(link, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mass-negative",
-      .category = Category::kInertia,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "a mass is negative",
-      .why =
-          "libsdformat refuses the model. urdfdom takes it, and the simulation then explodes: "
-          "what is pushed comes nearer.",
+      .why = "libsdformat refuses the model. urdfdom takes it, and the simulation then explodes: "
+             "what is pushed comes nearer.",
       .what_to_do = "Write a mass above zero.",
       .checks = {on<model::Link>(check)},
   };

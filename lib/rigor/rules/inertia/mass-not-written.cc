@@ -10,7 +10,6 @@
 #include <rigor/rules/schema/misspelt.h>
 
 namespace rigor::rules::mass_not_written {
-namespace {
 
 // A tensor that is within this factor of what 1 kg has in the link's shapes was made for 1 kg.
 constexpr double kFits = 2;
@@ -40,21 +39,16 @@ void check(const model::Link& link, Context& context) {
        .subject = context.subject(link)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mass-not-written",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "an <inertial> has no mass",
-      .why =
-          "SDF then takes 1 kg, which no checker mentions, and which fits neither the tensor nor "
-          "the body.",
-      .what_to_do =
-          "Write the mass in kilograms. `rigor inertia MODEL --mass LINK=KG --write` computes a "
-          "tensor that fits.",
+      .why = "SDF then takes 1 kg, which no checker mentions, and which fits neither the tensor "
+             "nor the body.",
+      .what_to_do = "Write the mass in kilograms. `rigor inertia MODEL --mass LINK=KG --write` "
+                    "computes a tensor that fits.",
       .checks = {on<model::Link>(check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mass_ratio_across_joint {
-namespace {
 
 // Propellers and steering wheels have a hundredth of what they are on; the rest is tokens.
 constexpr double kMost = 1000;
@@ -34,24 +33,17 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mass-ratio-across-joint",
-      .category = Category::kInertia,
       .severity = Severity::kInfo,
       .summary = "the bodies at a joint differ in mass by more than a thousand times",
-      .why =
-          "Iterative solvers, which Gazebo's engines use by default, need about as many iterations "
-          "as the ratio of the masses: a token mass on a real robot costs accuracy. A light body "
-          "at "
-          "the end of a chain mostly does no harm; one between heavy bodies does "
-          "(light-link-between-heavy).",
-      .what_to_do =
-          "Make the light body heavier, or fix it to its neighbour. Masses within a factor of 50 "
-          "are "
-          "safe.",
+      .why = "Iterative solvers, which Gazebo's engines use by default, need about as many "
+             "iterations as the ratio of the masses: a token mass on a real robot costs accuracy. "
+             "A light body at the end of a chain mostly does no harm; one between heavy bodies "
+             "does (light-link-between-heavy).",
+      .what_to_do = "Make the light body heavier, or fix it to its neighbour. Masses within a "
+                    "factor of 50 are safe.",
       .checks = {on<model::Root>(check)},
   };
 }

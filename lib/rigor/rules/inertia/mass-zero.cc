@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mass_zero {
-namespace {
 
 bool is_zero(const mass::Inertia& tensor) { return tensor == mass::Inertia{}; }
 
@@ -38,22 +37,17 @@ void check(const model::Link& link, Context& context) {
                   .fix = fix_from_shapes(link, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mass-zero",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a link that moves has a mass of zero",
-      .why =
-          "libsdformat lets it pass, and the physics engine then divides by it: ODE stops at "
-          "an assertion, DART sets a tiny mass of its own. A URDF link of no mass but with "
-          "moments is dropped by Gazebo, unless it is fixed to one that has mass.",
-      .what_to_do =
-          "Write the mass, however small. For a frame without a body take the "
-          "<inertial> out of a URDF link, or use <frame> in SDF.",
+      .why = "libsdformat lets it pass, and the physics engine then divides by it: ODE stops at an "
+             "assertion, DART sets a tiny mass of its own. A URDF link of no mass but with moments "
+             "is dropped by Gazebo, unless it is fixed to one that has mass.",
+      .what_to_do = "Write the mass, however small. For a frame without a body take the <inertial> "
+                    "out of a URDF link, or use <frame> in SDF.",
       .checks = {on<model::Link>(check)},
   };
 }

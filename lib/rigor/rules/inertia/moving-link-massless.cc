@@ -12,7 +12,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::moving_link_massless {
-namespace {
 
 /// Per link, whether it has mass, or anything that is fixed to it has.
 std::vector<bool> with_mass(const model::Root& root, const Context& context) {
@@ -71,21 +70,17 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "moving-link-massless",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a joint of a URDF moves a link without mass",
       .why =
-          "A link without <inertial> weighs nothing in URDF. Where it is fixed to others that "
-          "is a normal frame; where a joint moves it, no simulator can integrate its motion: "
-          "Gazebo drops the link with its joint and all that hangs on it, MuJoCo refuses the "
-          "robot.",
+          "A link without <inertial> weighs nothing in URDF. Where it is fixed to others that is a "
+          "normal frame; where a joint moves it, no simulator can integrate its motion: Gazebo "
+          "drops the link with its joint and all that hangs on it, MuJoCo refuses the robot.",
       .what_to_do = "Give the link a mass and a tensor, however small, or fix the joint.",
       .checks = {on<model::Root>(check)},
   };

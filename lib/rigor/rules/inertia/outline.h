@@ -148,4 +148,13 @@ std::optional<Outline> outline_that_breaks(const model::Link& link, LazyGroups& 
   return outline;
 }
 
+/// Checks the links of the file itself, which share the groups.
+template <void (*check_link)(const model::Link&, LazyGroups&, Context&)>
+void check_own_links(const model::Root& root, Context& context) {
+  LazyGroups groups(context);
+  for (const model::Link& link : root.links) {
+    if (root.own(link.site)) check_link(link, groups, context);
+  }
+}
+
 }  // namespace rigor::rules

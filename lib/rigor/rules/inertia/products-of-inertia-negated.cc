@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::products_of_inertia_negated {
-namespace {
 
 std::string with_other_sign(std::string_view number) {
   if (number.starts_with('-')) return std::string(number.substr(1));
@@ -42,20 +41,16 @@ void check(const model::Link& link, Context& context) {
        .fix = negate(inertial, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "products-of-inertia-negated",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "the products of inertia have the opposite sign",
-      .why =
-          "SDF and URDF want the entries of the tensor, ixy = -∫xy dm; some CAD programs and mesh "
-          "tools print the products ∫xy dm. The body then has its principal axes mirrored, and "
-          "turns askew to the real one. A link that was copied from the robot's other side has "
-          "the same fault.",
+      .why = "SDF and URDF want the entries of the tensor, ixy = -∫xy dm; some CAD programs and "
+             "mesh tools print the products ∫xy dm. The body then has its principal axes mirrored, "
+             "and turns askew to the real one. A link that was copied from the robot's other side "
+             "has the same fault.",
       .what_to_do = "Give ixy, ixz and iyz the other sign.",
       .checks = {on<model::Link>(check)},
   };

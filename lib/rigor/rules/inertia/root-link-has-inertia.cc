@@ -6,7 +6,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::root_link_has_inertia {
-namespace {
 
 void check(const model::Model& robot, Context& context) {
   if (robot.joints.empty()) return;
@@ -29,23 +28,18 @@ void check(const model::Model& robot, Context& context) {
                   .subject = context.subject(*base)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "root-link-has-inertia",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .targets = {Target::kRos},
       .summary = "the root link of a robot has an inertia, which KDL cannot hold",
-      .why =
-          "robot_state_publisher, MoveIt's solvers and others make a KDL tree of the robot, whose "
-          "root is a frame without mass. kdl_parser warns that it does not support a root link "
-          "with an inertia, and leaves it out of the dynamics.",
-      .what_to_do =
-          "Put an empty link before it: <link name=\"base_footprint\"/> and a fixed joint from "
-          "that to this link. Simulators merge the two.",
+      .why = "robot_state_publisher, MoveIt's solvers and others make a KDL tree of the robot, "
+             "whose root is a frame without mass. kdl_parser warns that it does not support a root "
+             "link with an inertia, and leaves it out of the dynamics.",
+      .what_to_do = "Put an empty link before it: <link name=\"base_footprint\"/> and a fixed "
+                    "joint from that to this link. Simulators merge the two.",
       .checks = {on<model::Model>(check)},
   };
 }

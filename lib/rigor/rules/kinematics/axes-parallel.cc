@@ -6,7 +6,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::axes_parallel {
-namespace {
 
 constexpr double kLeastSine = 1e-3;
 
@@ -31,18 +30,14 @@ void check(const model::Joint& joint, Context& context) {
                   .related = {{first.xyz.span, "the first axis"}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "axes-parallel",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "the two axes of a joint are the same",
-      .why =
-          "A universal joint turns about two axes that cross. With one and the same it is a "
-          "revolute joint with an angle too many: only the sum of the two means anything.",
+      .why = "A universal joint turns about two axes that cross. With one and the same it is a "
+             "revolute joint with an angle too many: only the sum of the two means anything.",
       .what_to_do = "Write the second axis at a right angle to the first.",
       .checks = {on<model::Joint>(check)},
   };

@@ -9,7 +9,6 @@
 #include <rigor/rules/xml/xacro.h>
 
 namespace rigor::rules::axis_missing {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   const xml::Element element = context.element(joint.site);
@@ -34,17 +33,13 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "axis-missing",
-      .category = Category::kKinematics,
       .severity = Severity::kInfo,
       .summary = "a joint that moves along an axis has none",
-      .why =
-          "SDF then takes the z axis of the joint's frame, and URDF x, so the robot changes "
-          "when it is converted by hand.",
+      .why = "SDF then takes the z axis of the joint's frame, and URDF x, so the robot changes "
+             "when it is converted by hand.",
       .what_to_do = "Write the axis: <axis><xyz>0 0 1</xyz></axis>, in URDF <axis xyz=\"1 0 0\"/>.",
       .checks = {on<model::Joint>(check)},
   };

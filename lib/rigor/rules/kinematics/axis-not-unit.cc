@@ -10,7 +10,6 @@
 #include <rigor/write/numbers.h>
 
 namespace rigor::rules::axis_not_unit {
-namespace {
 
 // Four digits of 0.7071 are off by this much at most.
 constexpr double kRounding = 1e-3;
@@ -39,18 +38,14 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "axis-not-unit",
-      .category = Category::kKinematics,
       .severity = Severity::kInfo,
       .fix = FixGrade::kSafe,
       .summary = "a joint axis is not a unit vector",
-      .why =
-          "libsdformat makes its length one. Readers of URDF differ: some scale the joint's "
-          "speed by the length.",
+      .why = "libsdformat makes its length one. Readers of URDF differ: some scale the joint's "
+             "speed by the length.",
       .what_to_do = "Divide the axis by its length.",
       .checks = {on<model::Joint>(check)},
   };

@@ -11,7 +11,6 @@
 #include <rigor/rules/sdformat_robot.h>
 
 namespace rigor::rules::axis_zero {
-namespace {
 
 /// An axis that is no longer is refused by libsdformat, whose limit is in single precision.
 constexpr double kNoLength = 1e-6F;
@@ -44,19 +43,15 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "axis-zero",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kSays},
       .summary = "a joint axis is the zero vector, or as short as one",
-      .why =
-          "libsdformat refuses the model (error 9) when the axis is no longer than 1e-6, and so do "
-          "Drake and MuJoCo when it is zero. urdfdom takes it, and what then turns about nothing "
-          "depends on the simulator.",
+      .why = "libsdformat refuses the model (error 9) when the axis is no longer than 1e-6, and so "
+             "do Drake and MuJoCo when it is zero. urdfdom takes it, and what then turns about "
+             "nothing depends on the simulator.",
       .what_to_do = "Give the axis a direction, such as 0 0 1.",
       .checks = {on<model::Joint>(check)},
   };

@@ -8,7 +8,6 @@
 #include <rigor/rules/xml/xacro.h>
 
 namespace rigor::rules::axis2_missing {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   if (degrees_of_freedom(joint.type) != 2 || joint.axes.size() != 1) return;
@@ -20,19 +19,14 @@ void check(const model::Joint& joint, Context& context) {
                   .subject = context.subject(joint)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "axis2-missing",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a joint with two axes has only one",
-      .why =
-          "The second axis is z of the joint's frame then, as SDF defaults an axis, or is "
-          "not there at all: the joint turns another way than was meant, or about one axis "
-          "only.",
+      .why = "The second axis is z of the joint's frame then, as SDF defaults an axis, or is not "
+             "there at all: the joint turns another way than was meant, or about one axis only.",
       .what_to_do = "Write <axis2>, or make the joint revolute.",
       .checks = {on<model::Joint>(check)},
   };

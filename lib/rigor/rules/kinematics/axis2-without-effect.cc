@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::axis2_without_effect {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   if (joint.type == model::JointType::kUnknown || joint.type == model::JointType::kGearbox) return;
@@ -23,19 +22,15 @@ void check(const model::Joint& joint, Context& context) {
                                 xml::remove_element(context.document(), *axis))});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "axis2-without-effect",
-      .category = Category::kKinematics,
       .severity = Severity::kInfo,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a joint with one axis has a second",
-      .why =
-          "Only universal, revolute2 and gearbox joints have two axes. Of other types "
-          "nobody reads <axis2>, and its limits and damping are not there.",
+      .why = "Only universal, revolute2 and gearbox joints have two axes. Of other types nobody "
+             "reads <axis2>, and its limits and damping are not there.",
       .what_to_do = "Take it out, or give the joint the type that was meant.",
       .checks = {on<model::Joint>(check)},
   };

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::closed_chain {
-namespace {
 
 /// Links that joints connect, as a forest of sets (Tarjan's union-find).
 class Sets {
@@ -52,19 +51,15 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "closed-chain",
-      .category = Category::kKinematics,
       .severity = Severity::kInfo,
       .formats = Formats::kSdf,
       .summary = "a joint closes a kinematic chain",
-      .why =
-          "SDF allows it and engines that work in maximal coordinates (ODE, Bullet) simulate "
-          "it. DART and other engines of trees drop or cut such a joint, and URDF has no way "
-          "to say it.",
+      .why = "SDF allows it and engines that work in maximal coordinates (ODE, Bullet) simulate "
+             "it. DART and other engines of trees drop or cut such a joint, and URDF has no way to "
+             "say it.",
       .what_to_do = "Nothing, if the loop is meant and the engine can do it.",
       .checks = {on<model::Root>(check)},
   };

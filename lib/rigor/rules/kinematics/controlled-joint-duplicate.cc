@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::controlled_joint_duplicate {
-namespace {
 
 /// "elbow position", for each interface that moves it.
 std::vector<std::string> commands_of(xml::Element joint, const model::ControlledJoint& controlled) {
@@ -45,19 +44,15 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "controlled-joint-duplicate",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .summary = "a joint is driven twice",
       .why =
-          "A command has one owner. Where two entries offer the same, it is left open which "
-          "motor a controller moves; most often one of them was copied and should name "
-          "another joint.",
+          "A command has one owner. Where two entries offer the same, it is left open which motor "
+          "a controller moves; most often one of them was copied and should name another joint.",
       .what_to_do = "Let one block drive the joint.",
       .checks = {on<model::Root>(check)},
   };

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::controlled_joint_fixed {
-namespace {
 
 /// Others, such as those that only name the ends of a chain, move nothing.
 bool moves_a_joint(xml::Element element, const model::ControlledJoint& controlled) {
@@ -38,19 +37,15 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "controlled-joint-fixed",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .summary = "a transmission or ros2_control drives a fixed joint",
-      .why =
-          "Gazebo leaves no trace of the fixed joints of a URDF: gazebo_ros_control then "
-          "ends with \"This robot has a joint named … which is not in the gazebo model\", and "
-          "gz_ros2_control passes over the joint, so its controllers do not start.",
+      .why = "Gazebo leaves no trace of the fixed joints of a URDF: gazebo_ros_control then ends "
+             "with \"This robot has a joint named … which is not in the gazebo model\", and "
+             "gz_ros2_control passes over the joint, so its controllers do not start.",
       .what_to_do = "Make the joint one that moves, or take it out of the block.",
       .checks = {on<model::Root>(check)},
   };

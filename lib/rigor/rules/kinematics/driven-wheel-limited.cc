@@ -13,7 +13,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::driven_wheel_limited {
-namespace {
 
 constexpr double kEnough = 1000;  // rad; what turns as far is meant to turn on
 
@@ -73,18 +72,14 @@ void check(const model::Plugin& plugin, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "driven-wheel-limited",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .summary = "a plugin turns a joint that cannot turn on",
-      .why =
-          "Wheels, rotors and propellers turn without end. One with limits stops when it "
-          "has reached them, after some metres, and the robot turns on the spot or stands; "
-          "a fixed or sliding one never begins.",
+      .why = "Wheels, rotors and propellers turn without end. One with limits stops when it has "
+             "reached them, after some metres, and the robot turns on the spot or stands; a fixed "
+             "or sliding one never begins.",
       .what_to_do =
           "Take lower and upper out of the limit of an SDF, or make the joint continuous.",
       .checks = {on<model::Plugin>(check)},

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::effort_zero {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   if (!has_axis(joint.type)) return;
@@ -24,20 +23,15 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "effort-zero",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .summary = "a joint may not be driven: its effort limit is zero",
-      .why =
-          "Simulators that heed the limit let no motor, controller or command move the joint; "
-          "MoveIt and ros_control complain or stand still.",
-      .what_to_do =
-          "Write the motor's greatest effort. For no limit, leave it out of an SDF; in "
-          "a URDF write a large one.",
+      .why = "Simulators that heed the limit let no motor, controller or command move the joint; "
+             "MoveIt and ros_control complain or stand still.",
+      .what_to_do = "Write the motor's greatest effort. For no limit, leave it out of an SDF; in a "
+                    "URDF write a large one.",
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::fixed_joint_with_axis {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   if (joint.type != model::JointType::kFixed || joint.axes.empty()) return;
@@ -21,12 +20,9 @@ void check(const model::Joint& joint, Context& context) {
                      xml::remove_element(context.document(), context.element(axis.site)))});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "fixed-joint-with-axis",
-      .category = Category::kKinematics,
       .severity = Severity::kInfo,
       .fix = FixGrade::kUnsafe,
       .summary = "a fixed joint has an axis",

@@ -6,7 +6,6 @@
 #include <rigor/write/numbers.h>
 
 namespace rigor::rules::gear_ratio_zero {
-namespace {
 
 void check_joint(const model::Joint& joint, Context& context) {
   const bool gearbox = joint.type == model::JointType::kGearbox;
@@ -37,18 +36,14 @@ void check_transmissions(const model::Root&, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "gear-ratio-zero",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .summary = "a gear ratio, reduction or thread pitch is zero",
-      .why =
-          "One side would stand still however the other turns, and to compute the one from "
-          "the other is a division by zero: ros_control and ros2_control throw "
-          "\"Transmission reduction ratio cannot be zero\".",
+      .why = "One side would stand still however the other turns, and to compute the one from the "
+             "other is a division by zero: ros_control and ros2_control throw \"Transmission "
+             "reduction ratio cannot be zero\".",
       .what_to_do = "Write the ratio; 1 where there is no gear.",
       .checks = {on<model::Joint>(check_joint), on<model::Root>(check_transmissions)},
   };

@@ -11,7 +11,6 @@
 #include <rigor/rules/xml/xacro.h>
 
 namespace rigor::rules::gearbox_reference_missing {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   if (joint.type != model::JointType::kGearbox || !joint.model) return;
@@ -37,22 +36,17 @@ void check(const model::Joint& joint, Context& context) {
        .subject = context.subject(joint)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "gearbox-reference-missing",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a gearbox joint has no reference body",
-      .why =
-          "The ratio is between the angles of parent and child to a third body. Gazebo "
-          "classic says \"Gearbox joint missing reference body\" and has nothing to measure "
-          "the angles from.",
+      .why = "The ratio is between the angles of parent and child to a third body. Gazebo classic "
+             "says \"Gearbox joint missing reference body\" and has nothing to measure the angles "
+             "from.",
       .what_to_do =
-          "Write <gearbox_reference_body> with the name of the link that both gears turn "
-          "in.",
+          "Write <gearbox_reference_body> with the name of the link that both gears turn in.",
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -14,7 +14,6 @@
 #include <rigor/write/numbers.h>
 
 namespace rigor::rules::initial_position_outside_limits {
-namespace {
 
 constexpr double kTolerance = 1e-6;
 
@@ -78,18 +77,14 @@ void check_ros2_control(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "initial-position-outside-limits",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .summary = "a joint is to begin outside its limits",
-      .why =
-          "The controller aims at a place that the joint cannot reach: it pushes against "
-          "the stop for ever. Most often the number is in degrees or millimetres, or the "
-          "limits were changed later.",
+      .why = "The controller aims at a place that the joint cannot reach: it pushes against the "
+             "stop for ever. Most often the number is in degrees or millimetres, or the limits "
+             "were changed later.",
       .what_to_do = "Write a position between the limits, in radians or metres.",
       .checks = {on<model::Root>(check_plugins), on<model::Root>(check_ros2_control)},
   };

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::joint_limit_inverted {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   if (joint.type == model::JointType::kFixed) return;
@@ -32,19 +31,15 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "joint-limit-inverted",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .fix = FixGrade::kUnsafe,
       .summary = "a lower joint limit is above the upper one",
-      .why =
-          "No position is within the limits. ign sdf -k and check_urdf call the file valid; "
-          "then DART stops at an assertion, Gazebo swaps the limits of a URDF, and others lock "
-          "the joint.",
+      .why = "No position is within the limits. ign sdf -k and check_urdf call the file valid; "
+             "then DART stops at an assertion, Gazebo swaps the limits of a URDF, and others lock "
+             "the joint.",
       .what_to_do = "Swap the limits.",
       .checks = {on<model::Joint>(check)},
   };

@@ -5,7 +5,6 @@
 #include <rigor/rules/sdformat_robot.h>
 
 namespace rigor::rules::joint_type_not_in_sdf {
-namespace {
 
 void check(const model::Model& /*robot*/, Context& context) {
   for (const SdformatRobot::Part& part : context.sdformat_robot().parts) {
@@ -20,25 +19,19 @@ void check(const model::Model& /*robot*/, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "joint-type-not-in-sdf",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .refused = {.urdf = Refusal::kAlways},
       .formats = Formats::kUrdf,
       .targets = {Target::kGazeboClassic, Target::kGzSim},
       .summary = "a joint of a URDF has a type that SDF does not have",
-      .why =
-          "libsdformat, through which Gazebo reads URDF, leaves planar and floating joints out. "
-          "Version 12 "
-          "keeps the pose of the child relative to the joint and so refuses what it made itself "
-          "(error 25).",
-      .what_to_do =
-          "For a planar joint take two prismatic ones and a revolute one. What floats is a model "
-          "of its own.",
+      .why = "libsdformat, through which Gazebo reads URDF, leaves planar and floating joints out. "
+             "Version 12 keeps the pose of the child relative to the joint and so refuses what it "
+             "made itself (error 25).",
+      .what_to_do = "For a planar joint take two prismatic ones and a revolute one. What floats is "
+                    "a model of its own.",
       .checks = {on<model::Model>(check)},
   };
 }

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::joint_type_not_in_urdf {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   if (!may_be_for_ros(context.root(), joint.model)) return;
@@ -23,12 +22,9 @@ void check(const model::Joint& joint, Context& context) {
                   .subject = context.subject(joint)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "joint-type-not-in-urdf",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .formats = Formats::kSdf,
       .targets = {Target::kRos},

@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::joint_type_unknown {
-namespace {
 
 void check(const read::SchemaFact& fact, Context& context) {
   if (!is_type_of(fact, "joint")) return;
@@ -25,21 +24,17 @@ void check_empty(const model::Joint& joint, Context& context) {
   report_empty_type(context.element(joint.site), context.subject(joint), context);
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "joint-type-unknown",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .fix = FixGrade::kUnsafe,
       .summary = "a joint has a type that does not exist",
       .why = "libsdformat and urdfdom refuse the model.",
       .what_to_do =
-          "SDF knows revolute, continuous, prismatic, fixed, ball, screw, universal, "
-          "revolute2 and gearbox; URDF revolute, continuous, prismatic, fixed, floating "
-          "and planar.",
+          "SDF knows revolute, continuous, prismatic, fixed, ball, screw, universal, revolute2 and "
+          "gearbox; URDF revolute, continuous, prismatic, fixed, floating and planar.",
       .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check),
                  on<model::Joint>(check_empty)},
   };

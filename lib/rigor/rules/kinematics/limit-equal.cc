@@ -14,7 +14,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::limit_equal {
-namespace {
 
 /// Of a joint that stays at zero: a fixed one stands where it stood.
 std::optional<Fix> fixed_instead(const model::Joint& joint, const model::Axis& axis,
@@ -42,19 +41,15 @@ void check(const model::Joint& joint, Context& context) {
        .fix = fixed_instead(joint, axis, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "limit-equal",
-      .category = Category::kKinematics,
       .severity = Severity::kInfo,
       .fix = FixGrade::kUnsafe,
       .summary = "the limits of a joint leave it one position",
-      .why =
-          "The joint cannot move. Files from before SDF had fixed joints lock a revolute "
-          "one so; an engine then solves for a joint and its two stops, which is slower and "
-          "less stiff than a fixed joint.",
+      .why = "The joint cannot move. Files from before SDF had fixed joints lock a revolute one "
+             "so; an engine then solves for a joint and its two stops, which is slower and less "
+             "stiff than a fixed joint.",
       .what_to_do = "Make the joint fixed, or write the limits that were meant.",
       .checks = {on<model::Joint>(check)},
   };

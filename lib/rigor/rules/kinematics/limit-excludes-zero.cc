@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::limit_excludes_zero {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   if (!is_limited(joint.type)) return;
@@ -26,22 +25,17 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "limit-excludes-zero",
-      .category = Category::kKinematics,
       .severity = Severity::kInfo,
       .summary = "the zero position of a joint is outside its limits",
-      .why =
-          "Simulators, RViz and the inspectors of models begin with every joint at zero. A "
-          "simulator then begins with a joint beyond its stop and pushes it back; MoveIt "
-          "refuses to plan from there, since the state is out of bounds; "
-          "joint_state_publisher begins in the middle of the limits.",
-      .what_to_do =
-          "Let zero be a position that the joint can take, or tell whatever starts the "
-          "robot where to start it.",
+      .why = "Simulators, RViz and the inspectors of models begin with every joint at zero. A "
+             "simulator then begins with a joint beyond its stop and pushes it back; MoveIt "
+             "refuses to plan from there, since the state is out of bounds; joint_state_publisher "
+             "begins in the middle of the limits.",
+      .what_to_do = "Let zero be a position that the joint can take, or tell whatever starts the "
+                    "robot where to start it.",
       .checks = {on<model::Joint>(check)},
   };
 }

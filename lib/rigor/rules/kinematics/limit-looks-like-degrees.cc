@@ -12,7 +12,6 @@
 #include <rigor/write/numbers.h>
 
 namespace rigor::rules::limit_looks_like_degrees {
-namespace {
 
 constexpr double kTurn = 6.283185307179586;
 constexpr double kMost = 720;  // larger ones stand for "no limit"
@@ -77,18 +76,14 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "limit-looks-like-degrees",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a limit of a turning joint looks like degrees",
-      .why =
-          "Limits are in radians. Taken as such, 90 is fourteen turns, so the joint has no "
-          "limit to speak of, and cables and grippers turn where they cannot.",
+      .why = "Limits are in radians. Taken as such, 90 is fourteen turns, so the joint has no "
+             "limit to speak of, and cables and grippers turn where they cannot.",
       .what_to_do = "Convert the limits to radians: 90° is 1.5708.",
       .checks = {on<model::Joint>(check)},
   };

@@ -7,7 +7,6 @@
 #include <rigor/rules/xml/xacro.h>
 
 namespace rigor::rules::limit_missing {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   const bool limited =
@@ -22,20 +21,16 @@ void check(const model::Joint& joint, Context& context) {
                               : ""});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "limit-missing",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .refused = {.urdf = Refusal::kAlways},
       .formats = Formats::kUrdf,
       .summary = "a revolute or prismatic joint of a URDF has no limits",
       .why = "urdfdom refuses the whole robot: these two types must have limits.",
-      .what_to_do =
-          "Add <limit lower=\"…\" upper=\"…\" effort=\"…\" velocity=\"…\"/>, or make a "
-          "revolute joint continuous.",
+      .what_to_do = "Add <limit lower=\"…\" upper=\"…\" effort=\"…\" velocity=\"…\"/>, or make a "
+                    "revolute joint continuous.",
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::limit_range_missing {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   if (joint.type != model::JointType::kRevolute && joint.type != model::JointType::kPrismatic) {
@@ -24,21 +23,16 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "limit-range-missing",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .summary = "a <limit> of a URDF says neither lower nor upper",
-      .why =
-          "Both are 0 then, as the format defaults them: a revolute or prismatic joint is "
-          "locked where it is. urdfdom says nothing.",
+      .why = "Both are 0 then, as the format defaults them: a revolute or prismatic joint is "
+             "locked where it is. urdfdom says nothing.",
       .what_to_do =
-          "Write lower and upper; a revolute joint that may turn without end is a "
-          "continuous one.",
+          "Write lower and upper; a revolute joint that may turn without end is a continuous one.",
       .checks = {on<model::Joint>(check)},
   };
 }

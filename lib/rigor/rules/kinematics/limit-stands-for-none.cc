@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::limit_stands_for_none {
-namespace {
 
 constexpr double kHuge = 1e6;  // turns of a screw, or metres of a rail, that nobody builds
 constexpr int kInfiniteSince = 10;
@@ -47,23 +46,18 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "limit-stands-for-none",
-      .category = Category::kKinematics,
       .severity = Severity::kInfo,
       .fix = FixGrade::kUnsafe,
       .summary = "a huge limit stands for none",
-      .why =
-          "Before SDF 1.10 ±1e16 was how the format said \"no limit\", and other huge numbers "
-          "are meant so. Since 1.10 infinity says it, and URDF has continuous joints. Who "
-          "does not know the custom takes the number for a limit: a slider or a random "
-          "position is somewhere in a range without end.",
-      .what_to_do =
-          "In SDF 1.10 and later write inf, or leave the limit out. In a URDF make a "
-          "revolute joint continuous.",
+      .why = "Before SDF 1.10 ±1e16 was how the format said \"no limit\", and other huge numbers "
+             "are meant so. Since 1.10 infinity says it, and URDF has continuous joints. Who does "
+             "not know the custom takes the number for a limit: a slider or a random position is "
+             "somewhere in a range without end.",
+      .what_to_do = "In SDF 1.10 and later write inf, or leave the limit out. In a URDF make a "
+                    "revolute joint continuous.",
       .checks = {on<model::Joint>(check)},
   };
 }

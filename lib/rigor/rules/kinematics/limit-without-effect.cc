@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::limit_without_effect {
-namespace {
 
 // Whoever writes a whole turn, or nothing but zeros, means no limit.
 constexpr double kWholeTurn = 6.28;
@@ -37,22 +36,17 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "limit-without-effect",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a joint that has no limits is given some",
       .why =
-          "The type says that the joint goes on for ever, and then nobody reads lower and "
-          "upper: the joint turns past them. URDF lets a continuous joint leave them out "
-          "for that reason.",
+          "The type says that the joint goes on for ever, and then nobody reads lower and upper: "
+          "the joint turns past them. URDF lets a continuous joint leave them out for that reason.",
       .what_to_do =
-          "Make the joint revolute (or prismatic) if the limits are meant; else take them "
-          "out.",
+          "Make the joint revolute (or prismatic) if the limits are meant; else take them out.",
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mimic_axis_invalid {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   for (const model::Axis& axis : joint.axes) {
@@ -30,12 +29,9 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mimic-axis-invalid",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .formats = Formats::kSdf,
       .summary = "a mimic follows an axis that its leader does not have",

@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mimic_dof_mismatch {
-namespace {
 
 /// What is wrong between the two; empty when they can go together.
 std::string mismatch(const model::Joint& joint, const model::Joint& leader, std::size_t axis,
@@ -43,18 +42,14 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mimic-dof-mismatch",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .summary = "a joint mimics one that moves otherwise, or not at all",
-      .why =
-          "A joint follows another by one number: the position of both. A fixed joint has "
-          "none, and a planar, floating or ball joint has several. MoveIt leaves such a "
-          "mimic out; elsewhere the joint stands still.",
+      .why = "A joint follows another by one number: the position of both. A fixed joint has none, "
+             "and a planar, floating or ball joint has several. MoveIt leaves such a mimic out; "
+             "elsewhere the joint stands still.",
       .what_to_do = "Name a joint with one axis, or take the mimic out.",
       .checks = {on<model::Joint>(check)},
   };

@@ -4,7 +4,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mimic_multiplier_zero {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   for (const model::Axis& axis : joint.axes) {
@@ -17,20 +16,15 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mimic-multiplier-zero",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .summary = "a joint mimics another with the multiplier zero",
-      .why =
-          "Its position is the offset, wherever the other joint goes: it never moves, and "
-          "no controller may move it.",
-      .what_to_do =
-          "Write the ratio of the two joints; 1 when they move alike, -1 when they move "
-          "against each other.",
+      .why = "Its position is the offset, wherever the other joint goes: it never moves, and no "
+             "controller may move it.",
+      .what_to_do = "Write the ratio of the two joints; 1 when they move alike, -1 when they move "
+                    "against each other.",
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mimic_refused_by_ros2_control {
-namespace {
 
 std::set<std::string_view> joints_of(xml::Element block) {
   std::set<std::string_view> names;
@@ -61,23 +60,18 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mimic-refused-by-ros2-control",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .formats = Formats::kUrdf,
       .summary = "ros2_control refuses what is said of a joint that mimics another",
-      .why =
-          "ros2_control of Jazzy and later reads mimics from the robot itself. A joint that "
-          "follows may have no command interface of its own, its leader has to stand in the "
-          "same block, and mimic=\"true\" needs a <mimic>. Otherwise the controller manager "
-          "ends with an exception.",
-      .what_to_do =
-          "Leave the command interface out, list the leader in the block, or say "
-          "mimic=\"false\" of the joint in the block.",
+      .why = "ros2_control of Jazzy and later reads mimics from the robot itself. A joint that "
+             "follows may have no command interface of its own, its leader has to stand in the "
+             "same block, and mimic=\"true\" needs a <mimic>. Otherwise the controller manager "
+             "ends with an exception.",
+      .what_to_do = "Leave the command interface out, list the leader in the block, or say "
+                    "mimic=\"false\" of the joint in the block.",
       .checks = {on<model::Root>(check)},
   };
 }

@@ -10,7 +10,6 @@
 #include <rigor/rules/sdformat_robot.h>
 
 namespace rigor::rules::no_link_left_in_sdf {
-namespace {
 
 /// A static model may be without links.
 bool made_static(const Context& context) {
@@ -40,12 +39,9 @@ void check(const model::Model& robot, Context& context) {
                   .subject = context.subject(robot)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "no-link-left-in-sdf",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .refused = {.urdf = Refusal::kAlways},
       .formats = Formats::kUrdf,
@@ -53,10 +49,8 @@ Rule rule() {
       .summary = "nothing is left of a URDF robot when Gazebo reads it",
       .why =
           "Gazebo reads URDF through libsdformat, which leaves out links without mass and whatever "
-          "hangs on "
-          "them. Only a link at a fixed joint gives its mass to its parent. When the root is left "
-          "out, so is "
-          "the robot, and version 12 refuses a model without links (error 16).",
+          "hangs on them. Only a link at a fixed joint gives its mass to its parent. When the root "
+          "is left out, so is the robot, and version 12 refuses a model without links (error 16).",
       .what_to_do =
           "Give the root an <inertial>, or attach a link that has one to it by a fixed joint.",
       .checks = {on<model::Model>(check)},

@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::safety_limits_outside {
-namespace {
 
 constexpr double kTolerance = 1e-6;
 
@@ -43,18 +42,14 @@ void check(const model::Joint& joint, Context& context) {
                   .subject = context.subject(joint)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "safety-limits-outside",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .summary = "the soft limits of a joint are not within its hard ones",
-      .why =
-          "Soft limits are there to slow the joint before it reaches its stop. Beyond the "
-          "stop they come too late, and swapped no position is within them.",
+      .why = "Soft limits are there to slow the joint before it reaches its stop. Beyond the stop "
+             "they come too late, and swapped no position is within them.",
       .what_to_do = "Let soft_lower_limit and soft_upper_limit lie between lower and upper.",
       .checks = {on<model::Joint>(check)},
   };

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::velocity_zero {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   if (!has_axis(joint.type)) return;
@@ -23,20 +22,15 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "velocity-zero",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .summary = "a joint may not move: its velocity limit is zero",
-      .why =
-          "DART, the engine of new Gazebo, then holds the joint still; MoveIt cannot time a "
-          "trajectory through it.",
-      .what_to_do =
-          "Write the joint's greatest speed. For no limit, leave it out of an SDF; in a "
-          "URDF write a large one.",
+      .why = "DART, the engine of new Gazebo, then holds the joint still; MoveIt cannot time a "
+             "trajectory through it.",
+      .what_to_do = "Write the joint's greatest speed. For no limit, leave it out of an SDF; in a "
+                    "URDF write a large one.",
       .checks = {on<model::Joint>(check)},
   };
 }

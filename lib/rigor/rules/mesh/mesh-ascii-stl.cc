@@ -5,25 +5,19 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_ascii_stl {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   if (!file.facts.usable() || file.facts.format != mesh::Format::kStlAscii) return;
   report_mesh(file, context, "the STL is written as text: RViz and MuJoCo read binary ones only");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-ascii-stl",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "an STL is written as text",
-      .why =
-          "RViz (\"can only load binary STL files\") and MuJoCo refuse it; Gazebo reads it. It "
-          "is also about five times the size of a binary one, and takes as much longer to "
-          "read.",
+      .why = "RViz (\"can only load binary STL files\") and MuJoCo refuse it; Gazebo reads it. It "
+             "is also about five times the size of a binary one, and takes as much longer to read.",
       .what_to_do = "Write it as a binary one: `rigor mesh-check FILE -o OUT.stl`.",
       .checks = {on<MeshFile>(check)},
   };

@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_buffer_missing {
-namespace {
 
 // Of collisions, too: without its buffers a file has no shape.
 void check(const MeshFile& file, Context& context) {
@@ -24,21 +23,16 @@ void check(const MeshFile& file, Context& context) {
                         " buffers name no file that has their bytes, the first is buffer " + first);
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-buffer-missing",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .summary = "a buffer of a glTF file is not found",
-      .why =
-          "A .gltf holds names and lists; its points and triangles stand in files beside it. "
-          "When one is not there, assimp refuses the whole mesh, and so does whoever reads glTF "
-          "by it, as Gazebo and RViz do.",
-      .what_to_do =
-          "Put the file, mostly a .bin, where the .gltf says it is, or export the mesh as .glb, "
-          "which is one file and holds all.",
+      .why = "A .gltf holds names and lists; its points and triangles stand in files beside it. "
+             "When one is not there, assimp refuses the whole mesh, and so does whoever reads glTF "
+             "by it, as Gazebo and RViz do.",
+      .what_to_do = "Put the file, mostly a .bin, where the .gltf says it is, or export the mesh "
+                    "as .glb, which is one file and holds all.",
       .checks = {on<MeshFile>(check)},
   };
 }

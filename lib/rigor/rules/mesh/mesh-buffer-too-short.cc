@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_buffer_too_short {
-namespace {
 
 std::string first_overrun(const mesh::GltfOverruns& overruns) {
   using Of = mesh::GltfOverruns::Of;
@@ -38,18 +37,14 @@ void check(const MeshFile& file, Context& context) {
   report_mesh(file, context, first + others);
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-buffer-too-short",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .summary = "a glTF file names more bytes than there are",
-      .why =
-          "Accessors lie in buffer views, and those in buffers. Of one that reaches beyond its "
-          "end assimp reads nothing and refuses the whole mesh: \"out of range\". Mostly the file "
-          "was cut when it was copied, or its buffer is of another export.",
+      .why = "Accessors lie in buffer views, and those in buffers. Of one that reaches beyond its "
+             "end assimp reads nothing and refuses the whole mesh: \"out of range\". Mostly the "
+             "file was cut when it was copied, or its buffer is of another export.",
       .what_to_do = "Copy the mesh and its buffers again, or export it anew.",
       .checks = {on<MeshFile>(check)},
   };

@@ -13,7 +13,6 @@
 #include <rigor/rules/uri_fix.h>
 
 namespace rigor::rules::mesh_case_mismatch {
-namespace {
 
 std::string_view folder(std::string_view path) {
   return path.substr(0, path.rfind('/') + 1);  // npos + 1 is 0
@@ -49,18 +48,14 @@ void check(const MeshUse& use, Context& context) {
                   .fix = fix(uri, found, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-case-mismatch",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .fix = FixGrade::kSafe,
       .summary = "a mesh file is written with other upper and lower case",
-      .why =
-          "It opens on Windows and macOS, and is not found on Linux, where the simulators "
-          "mostly run.",
+      .why = "It opens on Windows and macOS, and is not found on Linux, where the simulators "
+             "mostly run.",
       .what_to_do = "Write the name as the file has it.",
       .checks = {on<MeshUse>(check)},
   };

@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_collision_triangles {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   if (!file.collision() || takes_part(file) ||
@@ -19,21 +18,16 @@ void check(const MeshFile& file, Context& context) {
                           file.facts.triangles, mesh::kMostCollisionTriangles));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-collision-triangles",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a mesh for collisions has more than 20 000 triangles",
-      .why =
-          "Each contact looks for those that touch, in every step: with so many a simulation "
-          "may become slower than what it simulates. Of real meshes for collisions half have "
-          "fewer than 500, and nine of ten fewer than 2 500.",
-      .what_to_do =
-          "Reduce it, `rigor mesh-check FILE --reduce 2000 -o OUT`, or take a hull, "
-          "`--convex-hull`, or primitives.",
+      .why = "Each contact looks for those that touch, in every step: with so many a simulation "
+             "may become slower than what it simulates. Of real meshes for collisions half have "
+             "fewer than 500, and nine of ten fewer than 2 500.",
+      .what_to_do = "Reduce it, `rigor mesh-check FILE --reduce 2000 -o OUT`, or take a hull, "
+                    "`--convex-hull`, or primitives.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_decimal_comma {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mesh::Fault* fault = fault_of(file, mesh::FaultKind::kDecimalComma);
@@ -15,21 +14,16 @@ void check(const MeshFile& file, Context& context) {
                   " written with a decimal comma" + in_line(fault->line));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-decimal-comma",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "numbers in a mesh have a decimal comma",
       .why =
-          "The file was written by a program in a language that writes 1,5 for 1.5. Assimp "
-          "reads it so, admesh and most others refuse the file or drop what stands behind the "
-          "comma.",
-      .what_to_do =
-          "Write the file anew: `rigor mesh-check FILE -o OUT.stl`; better, set the exporter "
-          "to English.",
+          "The file was written by a program in a language that writes 1,5 for 1.5. Assimp reads "
+          "it so, admesh and most others refuse the file or drop what stands behind the comma.",
+      .what_to_do = "Write the file anew: `rigor mesh-check FILE -o OUT.stl`; better, set the "
+                    "exporter to English.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_degenerate_face {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mass::MeshShape* shape = shape_of(file);
@@ -28,18 +27,14 @@ void check(const MeshFile& file, Context& context) {
       how_many(count, "triangle has", "triangles have") + " no area," + at_places(places, count));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-degenerate-face",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "triangles of a mesh have no area",
-      .why =
-          "Two of their corners are in one place, or all three on a line. They have no normal, "
-          "so that whoever reads the mesh has to drop them or ends up with numbers that are "
-          "none; Gazebo drops them, glTF-Validator reports them.",
+      .why = "Two of their corners are in one place, or all three on a line. They have no normal, "
+             "so that whoever reads the mesh has to drop them or ends up with numbers that are "
+             "none; Gazebo drops them, glTF-Validator reports them.",
       .what_to_do = "Take them out: `rigor mesh-check FILE --repair -o OUT`.",
       .checks = {on<MeshFile>(check)},
   };

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_doubled_component {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   if (file.visual()) return;
@@ -30,21 +29,16 @@ void check(const MeshFile& file, Context& context) {
                   at_places(places, topology.doubled)));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-doubled-component",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a closed piece of a mesh lies inside another and counts twice",
-      .why =
-          "It faces the same way as the piece around it, so it is not a cavity: what it "
-          "encloses is matter twice. Gazebo's automatic inertia, MuJoCo's exact one and every "
-          "sum over triangles count its volume twice; contacts never reach it.",
-      .what_to_do =
-          "Take the inner piece out; if it is meant as a hollow, turn its triangles inward. "
-          "Where a hull will do: `rigor mesh-check FILE --convex-hull -o OUT`.",
+      .why = "It faces the same way as the piece around it, so it is not a cavity: what it "
+             "encloses is matter twice. Gazebo's automatic inertia, MuJoCo's exact one and every "
+             "sum over triangles count its volume twice; contacts never reach it.",
+      .what_to_do = "Take the inner piece out; if it is meant as a hollow, turn its triangles "
+                    "inward. Where a hull will do: `rigor mesh-check FILE --convex-hull -o OUT`.",
       .checks = {on<MeshFile>(check)},
   };
 }

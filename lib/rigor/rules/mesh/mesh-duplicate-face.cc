@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_duplicate_face {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mass::MeshShape* shape = shape_of(file);
@@ -21,18 +20,14 @@ void check(const MeshFile& file, Context& context) {
                   at_defects(topology, mesh::Defect::kDuplicateFace, count));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-duplicate-face",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "triangles of a mesh are there twice",
-      .why =
-          "Programs such as SketchUp write each face once for its front and once for its back. "
-          "Drawn, the two flicker; in a volume they cancel or count twice; in contacts they "
-          "cost twice.",
+      .why = "Programs such as SketchUp write each face once for its front and once for its back. "
+             "Drawn, the two flicker; in a volume they cancel or count twice; in contacts they "
+             "cost twice.",
       .what_to_do = "Keep one of each: `rigor mesh-check FILE --repair -o OUT`.",
       .checks = {on<MeshFile>(check)},
   };

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_empty {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   if (fault_of(file, mesh::FaultKind::kEmpty) == nullptr) return;
@@ -13,18 +12,14 @@ void check(const MeshFile& file, Context& context) {
               file.facts.bytes == 0 ? "the mesh file has no bytes" : "the mesh has no triangles");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-empty",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .summary = "a mesh file holds no triangles",
-      .why =
-          "Assimp, and so whoever reads by it, and MuJoCo refuse a mesh without triangles. "
-          "Elsewhere nothing is seen and nothing is touched. It is mostly what an export left "
-          "that failed.",
+      .why = "Assimp, and so whoever reads by it, and MuJoCo refuse a mesh without triangles. "
+             "Elsewhere nothing is seen and nothing is touched. It is mostly what an export left "
+             "that failed.",
       .what_to_do = "Export the mesh again, or take the shape out.",
       .checks = {on<MeshFile>(check)},
   };

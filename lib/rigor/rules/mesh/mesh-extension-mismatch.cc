@@ -6,7 +6,6 @@
 #include <rigor/text/path.h>
 
 namespace rigor::rules::mesh_extension_mismatch {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mesh::Fault* fault = fault_of(file, mesh::FaultKind::kExtensionMismatch);
@@ -16,20 +15,15 @@ void check(const MeshFile& file, Context& context) {
                   extension(file.facts.path));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-extension-mismatch",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a mesh file has the ending of another format",
-      .why =
-          "Many readers choose by the ending and then fail, or read nonsense; assimp sees "
-          "through some of it.",
-      .what_to_do =
-          "Give the file the ending of its format, here and where it is used; or convert it: "
-          "`rigor mesh-check FILE -o OUT.stl`.",
+      .why = "Many readers choose by the ending and then fail, or read nonsense; assimp sees "
+             "through some of it.",
+      .what_to_do = "Give the file the ending of its format, here and where it is used; or convert "
+                    "it: `rigor mesh-check FILE -o OUT.stl`.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_extension_rare {
-namespace {
 
 constexpr std::array<std::string_view, 1> kPacked{"KHR_draco_mesh_compression"};
 constexpr std::array<std::string_view, 4> kPictures{"KHR_texture_basisu", "EXT_texture_webp",
@@ -26,18 +25,14 @@ void check(const MeshFile& file, Context& context) {
                     "extensions of glTF that few readers know are needed");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-extension-rare",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a glTF file needs an extension that few readers know",
-      .why =
-          "Triangles packed with Draco are read only by an assimp that was built with it, which "
-          "it is not by default: the others refuse the mesh. Of pictures as KTX 2, WebP, AVIF "
-          "or DDS the part is seen, in one colour.",
+      .why = "Triangles packed with Draco are read only by an assimp that was built with it, which "
+             "it is not by default: the others refuse the mesh. Of pictures as KTX 2, WebP, AVIF "
+             "or DDS the part is seen, in one colour.",
       .what_to_do = "Export the mesh without Draco, and its pictures as PNG or JPEG.",
       .checks = {on<MeshFile>(check)},
   };

@@ -6,7 +6,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_extension_unread {
-namespace {
 
 // Of collisions, too: it is the shape that is not understood.
 void check(const MeshFile& file, Context& context) {
@@ -15,21 +14,17 @@ void check(const MeshFile& file, Context& context) {
                     "extensions of glTF that simulators do not know are needed");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-extension-unread",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .summary = "a glTF file needs an extension for its shape that simulators do not know",
-      .why =
-          "Gazebo and RViz read glTF by assimp, which does not look at what a file requires. Of "
-          "points in whole numbers (KHR_mesh_quantization) assimp 5.2.5 takes the bytes for "
-          "floating-point numbers: the shape is rubbish, and nothing is said. Points that "
-          "meshoptimizer packed (EXT_meshopt_compression) it refuses, and of instances "
-          "(EXT_mesh_gpu_instancing) it shows one. What rigor says of such a shape means "
-          "nothing either.",
+      .why = "Gazebo and RViz read glTF by assimp, which does not look at what a file requires. Of "
+             "points in whole numbers (KHR_mesh_quantization) assimp 5.2.5 takes the bytes for "
+             "floating-point numbers: the shape is rubbish, and nothing is said. Points that "
+             "meshoptimizer packed (EXT_meshopt_compression) it refuses, and of instances "
+             "(EXT_mesh_gpu_instancing) it shows one. What rigor says of such a shape means "
+             "nothing either.",
       .what_to_do = "Export the mesh without it; gltfpack leaves it out with -noq and without -c.",
       .checks = {on<MeshFile>(check)},
   };

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_facet_colors {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const auto& stl = file.facts.asset.stl;
@@ -20,18 +19,14 @@ void check(const MeshFile& file, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-facet-colors",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "an STL has colours that get lost",
       .why =
-          "Some programs put colours into two spare bytes of each facet or into the header. "
-          "RViz and, but for the first kind, assimp pass over them: the part is drawn in one "
-          "colour.",
+          "Some programs put colours into two spare bytes of each facet or into the header. RViz "
+          "and, but for the first kind, assimp pass over them: the part is drawn in one colour.",
       .what_to_do = "Export the part in a format with colours: DAE, GLB or OBJ.",
       .checks = {on<MeshFile>(check)},
   };

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_far_from_origin {
-namespace {
 
 // Times the mesh's diagonal. Of 1,400 real meshes none is farther away; a quarter is more than half.
 constexpr double kFar = 10;
@@ -23,21 +22,16 @@ void check(const MeshFile& file, Context& context) {
                           length_in(file, size), length_in(file, distance), place(center)));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-far-from-origin",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a mesh is far from its own origin",
-      .why =
-          "It was exported where it stood in an assembly or on a map. A pose turns it round a "
-          "point that is nowhere near it, and numbers of 32 bits, as files and graphics cards "
-          "have them, lose digits with the distance.",
-      .what_to_do =
-          "Move it to its origin and put the distance into the pose: `rigor mesh-check FILE "
-          "--center bounds -o OUT`.",
+      .why = "It was exported where it stood in an assembly or on a map. A pose turns it round a "
+             "point that is nowhere near it, and numbers of 32 bits, as files and graphics cards "
+             "have them, lose digits with the distance.",
+      .what_to_do = "Move it to its origin and put the distance into the pose: `rigor mesh-check "
+                    "FILE --center bounds -o OUT`.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_flat {
-namespace {
 
 // Of the diagonal: what single precision leaves of zero after some arithmetic.
 constexpr double kFlat = 1e-6;
@@ -26,17 +25,13 @@ void check(const MeshFile& file, Context& context) {
               fmt::format("the mesh has no thickness along {}, so that it encloses nothing", axis));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-flat",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a mesh for collisions has no thickness",
-      .why =
-          "It encloses nothing: no mass or inertia can be taken from it, and MuJoCo rejects a "
-          "mesh without volume, unless it is told to take it for a shell. Drawn, it is fine.",
+      .why = "It encloses nothing: no mass or inertia can be taken from it, and MuJoCo rejects a "
+             "mesh without volume, unless it is told to take it for a shell. Drawn, it is fine.",
       .what_to_do = "Use a box, a plane, or give the mesh a thickness.",
       .checks = {on<MeshFile>(check)},
   };

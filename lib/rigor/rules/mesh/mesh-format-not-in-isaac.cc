@@ -7,7 +7,6 @@
 #include <rigor/text/path.h>
 
 namespace rigor::rules::mesh_format_not_in_isaac {
-namespace {
 
 void check(const MeshUse& use, Context& context) {
   const std::string ending = extension(use.mesh.uri.value);
@@ -19,19 +18,15 @@ void check(const MeshUse& use, Context& context) {
        .subject = use.subject});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-format-not-in-isaac",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .targets = {Target::kIsaac},
       .summary = "a mesh has a format that Isaac Sim's importer of URDF does not read",
-      .why =
-          "The importer is built on urdf-usd-converter, which reads OBJ, DAE and STL: any other "
-          "mesh is left out.",
+      .why = "The importer is built on urdf-usd-converter, which reads OBJ, DAE and STL: any other "
+             "mesh is left out.",
       .what_to_do = "Convert the mesh: `rigor mesh-check FILE -o FILE.obj`.",
       .checks = {on<MeshUse>(check)},
   };

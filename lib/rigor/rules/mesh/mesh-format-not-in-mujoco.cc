@@ -9,7 +9,6 @@
 #include <rigor/text/path.h>
 
 namespace rigor::rules::mesh_format_not_in_mujoco {
-namespace {
 
 /// What no simulator reads is told whoever the file is for.
 bool is_of_others(std::string_view ending) {
@@ -29,21 +28,17 @@ void check(const model::Root& /*root*/, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-format-not-in-mujoco",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .formats = Formats::kUrdf,
       .targets = {Target::kMujoco},
       .summary = "a mesh has a format that MuJoCo does not read",
-      .why =
-          "MuJoCo refuses the whole robot: unknown mesh file type. It reads STL, OBJ and its own "
-          "MSH, and decides by the ending of the name. Of a URDF it reads the meshes of "
-          "collisions; those of visuals only when <mujoco><compiler discardvisual=\"false\"/> "
-          "asks for them.",
+      .why = "MuJoCo refuses the whole robot: unknown mesh file type. It reads STL, OBJ and its "
+             "own MSH, and decides by the ending of the name. Of a URDF it reads the meshes of "
+             "collisions; those of visuals only when <mujoco><compiler discardvisual=\"false\"/> "
+             "asks for them.",
       .what_to_do = "Convert the mesh: `rigor mesh-check FILE -o FILE.obj`.",
       .checks = {on<model::Root>(check)},
   };

@@ -12,7 +12,6 @@
 #include <rigor/text/path.h>
 
 namespace rigor::rules::mesh_format_unsupported {
-namespace {
 
 constexpr std::string_view kFormats[] = {".stl", ".dae", ".obj", ".glb", ".gltf", ".ply", ".fbx"};
 
@@ -42,18 +41,14 @@ void check_file(const MeshFile& file, Context& context) {
   report_mesh(file, context, "the format is none that simulators are known to read");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-format-unsupported",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a mesh has a format that simulators do not read",
-      .why =
-          "Gazebo reads STL, DAE, OBJ, glTF and, by assimp, a few more; RViz much the same. "
-          "Formats of CAD programs (STEP, IGES, SLDPRT) and of renderers (blend, vtk) are read "
-          "by none, Ogre's own (.mesh) by RViz alone.",
+      .why = "Gazebo reads STL, DAE, OBJ, glTF and, by assimp, a few more; RViz much the same. "
+             "Formats of CAD programs (STEP, IGES, SLDPRT) and of renderers (blend, vtk) are read "
+             "by none, Ogre's own (.mesh) by RViz alone.",
       .what_to_do = "Export the mesh as STL, OBJ, DAE or glTF.",
       .checks = {on<MeshUse>(check), on<MeshFile>(check_file)},
   };

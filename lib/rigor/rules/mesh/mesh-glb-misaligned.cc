@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_glb_misaligned {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const auto& gltf = file.facts.asset.gltf;
@@ -17,18 +16,14 @@ void check(const MeshFile& file, Context& context) {
                           gltf->overruns.held, gltf->overruns.needed));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-glb-misaligned",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .summary = "a chunk of a .glb does not end where one may",
-      .why =
-          "Chunks are filled up with blanks or zeros to four bytes, and assimp looks for the next "
-          "one there. Of a file that is not filled up it says that it has \"no suitable reader\". "
-          "Found in 2 of 31 real files, which trimesh wrote.",
+      .why = "Chunks are filled up with blanks or zeros to four bytes, and assimp looks for the "
+             "next one there. Of a file that is not filled up it says that it has \"no suitable "
+             "reader\". Found in 2 of 31 real files, which trimesh wrote.",
       .what_to_do = "Write the mesh anew, with a newer version of what wrote it.",
       .checks = {on<MeshFile>(check)},
   };

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_importer_missing {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   if (fault_of(file, mesh::FaultKind::kImporterMissing) != nullptr) {
@@ -16,17 +15,13 @@ void check(const MeshFile& file, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-importer-missing",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a mesh is not looked at, for want of assimp",
-      .why =
-          "Collada, glTF, PLY and other scenes are read by assimp, which rigor looks for when "
-          "it runs. Without it nothing is known of the mesh, neither good nor bad.",
+      .why = "Collada, glTF, PLY and other scenes are read by assimp, which rigor looks for when "
+             "it runs. Without it nothing is known of the mesh, neither good nor bad.",
       .what_to_do = "Install assimp 5 (Debian and Ubuntu: libassimp5).",
       .checks = {on<MeshFile>(check)},
   };

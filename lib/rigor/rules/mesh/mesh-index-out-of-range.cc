@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_index_out_of_range {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mesh::Fault* fault = fault_of(file, mesh::FaultKind::kIndexOutOfRange);
@@ -17,17 +16,13 @@ void check(const MeshFile& file, Context& context) {
                                : "a face names a vertex that there is not");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-index-out-of-range",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .summary = "a face names a vertex that there is not",
-      .why =
-          "Assimp refuses the whole mesh; a reader that does not look reads what lies behind "
-          "its memory.",
+      .why = "Assimp refuses the whole mesh; a reader that does not look reads what lies behind "
+             "its memory.",
       .what_to_do = "Export the mesh again: vertices are missing, or faces of another mesh got in.",
       .checks = {on<MeshFile>(check)},
   };

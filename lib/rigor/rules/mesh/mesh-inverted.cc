@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_inverted {
-namespace {
 
 /// A mirroring scale turns the mesh round once more.
 bool mirrored(const MeshFile& file) {
@@ -44,21 +43,16 @@ void check(const MeshFile& file, Context& context) {
                           at_places(places, topology.inverted)));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-inverted",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a closed mesh is inside out",
-      .why =
-          "All its triangles face inward. Its volume is negative, which MuJoCo, Drake and "
-          "Gazebo's automatic inertia reject or turn into a wrong mass; viewers that cull back "
-          "faces show its inside.",
-      .what_to_do =
-          "Turn its triangles round: `rigor mesh-check FILE --repair -o OUT`, or \"flip normals\" "
-          "in the tool that made it.",
+      .why = "All its triangles face inward. Its volume is negative, which MuJoCo, Drake and "
+             "Gazebo's automatic inertia reject or turn into a wrong mass; viewers that cull back "
+             "faces show its inside.",
+      .what_to_do = "Turn its triangles round: `rigor mesh-check FILE --repair -o OUT`, or \"flip "
+                    "normals\" in the tool that made it.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_malformed {
-namespace {
 
 /// The importer ends its sentences as it likes.
 std::string reason(const mesh::Fault& fault) {
@@ -31,18 +30,14 @@ void check(const MeshFile& file, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-malformed",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .summary = "a mesh file cannot be read",
-      .why =
-          "The file is damaged, or is something else than a mesh. Simulators leave the shape "
-          "out: a visual cannot be seen, a collision is passed through. Some readers crash on "
-          "such files: of 764 damaged ones, assimp 5.2.5 crashed or ran away on 17.",
+      .why = "The file is damaged, or is something else than a mesh. Simulators leave the shape "
+             "out: a visual cannot be seen, a collision is passed through. Some readers crash on "
+             "such files: of 764 damaged ones, assimp 5.2.5 crashed or ran away on 17.",
       .what_to_do = "Export the mesh again. The message says what could not be understood.",
       .checks = {on<MeshFile>(check)},
   };

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_material_library_missing {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   using State = mesh::FileReference::State;
@@ -20,17 +19,13 @@ void check(const MeshFile& file, Context& context) {
                     "libraries of materials are not found");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-material-library-missing",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "the library of materials of an OBJ is not found",
-      .why =
-          "The .mtl file that mtllib names holds the colours and textures. Without it the part "
-          "is drawn in one colour.",
+      .why = "The .mtl file that mtllib names holds the colours and textures. Without it the part "
+             "is drawn in one colour.",
       .what_to_do = "Put the .mtl file beside the .obj, under the name that mtllib says.",
       .checks = {on<MeshFile>(check)},
   };

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_material_undefined {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   if (!is_drawn(file)) return;
@@ -17,22 +16,17 @@ void check(const MeshFile& file, Context& context) {
                     "materials are not defined");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-material-undefined",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "triangles of a mesh have a material that no file defines",
-      .why =
-          "They are drawn in the colour that a program has for what it knows nothing of, mostly "
-          "grey. In an OBJ a material is defined (newmtl) by the library that mtllib names; the "
-          "triangles of a Collada file have a symbol, which an instance of their geometry binds "
-          "to a material.",
+      .why = "They are drawn in the colour that a program has for what it knows nothing of, mostly "
+             "grey. In an OBJ a material is defined (newmtl) by the library that mtllib names; the "
+             "triangles of a Collada file have a symbol, which an instance of their geometry binds "
+             "to a material.",
       .what_to_do =
-          "Define the material, name the library that does, or export the mesh with its "
-          "materials.",
+          "Define the material, name the library that does, or export the mesh with its materials.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_mirrored_node {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const auto& collada = file.facts.asset.collada;
@@ -17,22 +16,17 @@ void check(const MeshFile& file, Context& context) {
                   " shapes: some readers then turn their triangles round, some do not");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-mirrored-node",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a node of a mesh file mirrors its shapes",
-      .why =
-          "A transform with a negative scale turns the order of each triangle's corners "
-          "around. Assimp leaves it to its user to turn it back. Exporters differ as well: some "
-          "write a shape that is right only if nobody does. Where reader and exporter disagree, "
-          "the inside of the part is drawn, and its volume is negative.",
-      .what_to_do =
-          "Apply the transforms before exporting, or write the mesh anew, which does so: "
-          "`rigor mesh-check FILE -o OUT.dae`.",
+      .why = "A transform with a negative scale turns the order of each triangle's corners around. "
+             "Assimp leaves it to its user to turn it back. Exporters differ as well: some write a "
+             "shape that is right only if nobody does. Where reader and exporter disagree, the "
+             "inside of the part is drawn, and its volume is negative.",
+      .what_to_do = "Apply the transforms before exporting, or write the mesh anew, which does so: "
+                    "`rigor mesh-check FILE -o OUT.dae`.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_mujoco_faces {
-namespace {
 
 constexpr std::uint64_t kMost = 200'000;
 
@@ -22,12 +21,9 @@ void check(const MeshFile& file, Context& context) {
                           file.facts.triangles, kMost));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-mujoco-faces",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "an STL has more triangles than MuJoCo reads",
       .why = "MuJoCo refuses an STL with more than 200 000 facets.",

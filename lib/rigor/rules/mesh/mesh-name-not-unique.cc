@@ -11,7 +11,6 @@
 #include <rigor/text/path.h>
 
 namespace rigor::rules::mesh_name_not_unique {
-namespace {
 
 struct Known {
   const model::Mesh* mesh;
@@ -48,20 +47,16 @@ void check(const model::Root& /*root*/, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-name-not-unique",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .formats = Formats::kUrdf,
       .targets = {Target::kMujoco},
       .summary = "two meshes of a robot differ by folder or ending only",
-      .why =
-          "MuJoCo calls the meshes of a URDF by their file names without folder and ending, and "
-          "reads one file for each name: the second shape gets the mesh of the first, and nothing "
-          "is said.",
+      .why = "MuJoCo calls the meshes of a URDF by their file names without folder and ending, and "
+             "reads one file for each name: the second shape gets the mesh of the first, and "
+             "nothing is said.",
       .what_to_do = "Give the files different names, such as car_collision.stl.",
       .checks = {on<model::Root>(check)},
   };

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_nonmanifold_edge {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mass::MeshShape* shape = shape_of(file);
@@ -20,21 +19,17 @@ void check(const MeshFile& file, Context& context) {
                   at_defects(topology, mesh::Defect::kNonmanifoldEdge, count));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-nonmanifold-edge",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "edges of a mesh have more than two triangles",
-      .why =
-          "Walls without thickness and bodies that touch along an edge look like this. Which "
-          "side of such an edge is inside is not defined there, so that booleans, hole filling "
-          "and many mesh tools refuse the mesh or cut it there.",
+      .why = "Walls without thickness and bodies that touch along an edge look like this. Which "
+             "side of such an edge is inside is not defined there, so that booleans, hole filling "
+             "and many mesh tools refuse the mesh or cut it there.",
       .what_to_do =
-          "Keep touching bodies apart, and give walls a thickness. `rigor mesh-check FILE "
-          "--repair -o OUT` takes away triangles that are there twice, a common cause.",
+          "Keep touching bodies apart, and give walls a thickness. `rigor mesh-check FILE --repair "
+          "-o OUT` takes away triangles that are there twice, a common cause.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_nonmanifold_vertex {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mass::MeshShape* shape = shape_of(file);
@@ -20,17 +19,13 @@ void check(const MeshFile& file, Context& context) {
                   at_defects(topology, mesh::Defect::kNonmanifoldVertex, count));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-nonmanifold-vertex",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "parts of a mesh touch in a vertex only",
-      .why =
-          "The surface is pinched to a point. Tools that walk round a vertex see one of its "
-          "parts only; some mesh libraries leave such triangles out.",
+      .why = "The surface is pinched to a point. Tools that walk round a vertex see one of its "
+             "parts only; some mesh libraries leave such triangles out.",
       .what_to_do = "Give each part a vertex of its own and move them apart, or join the parts.",
       .checks = {on<MeshFile>(check)},
   };

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_normals_contradict {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const auto& stl = file.facts.asset.stl;
@@ -22,21 +21,16 @@ void check(const MeshFile& file, Context& context) {
                           (stl->binary ? "facet " : "in line ") + std::to_string(contrary.first)));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-normals-contradict",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "normals of an STL contradict the order of its corners",
-      .why =
-          "Some viewers light a facet by its normal, and leave it out by the order of its "
-          "corners: it is dark, or cannot be seen. Which of the two is right the file does not "
-          "say; engines and mass properties go by the corners.",
-      .what_to_do =
-          "Turn the facets outward and write their normals anew: `rigor mesh-check FILE "
-          "--repair -o OUT.stl`.",
+      .why = "Some viewers light a facet by its normal, and leave it out by the order of its "
+             "corners: it is dark, or cannot be seen. Which of the two is right the file does not "
+             "say; engines and mass properties go by the corners.",
+      .what_to_do = "Turn the facets outward and write their normals anew: `rigor mesh-check FILE "
+                    "--repair -o OUT.stl`.",
       .checks = {on<MeshFile>(check)},
   };
 }

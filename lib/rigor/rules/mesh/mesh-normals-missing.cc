@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_normals_missing {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mass::MeshFacts& facts = file.facts;
@@ -15,20 +14,15 @@ void check(const MeshFile& file, Context& context) {
   report_mesh(file, context, "the mesh has no normals: each viewer shades it as it thinks best");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-normals-missing",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a visual mesh has no normals",
-      .why =
-          "Normals say whether an edge is to look sharp or round. Without them some viewers "
-          "make all edges sharp, some make all round, and some draw the mesh black.",
-      .what_to_do =
-          "Write them: `rigor mesh-check FILE --normals 30 -o OUT.dae` makes edges of less "
-          "than 30° look round.",
+      .why = "Normals say whether an edge is to look sharp or round. Without them some viewers "
+             "make all edges sharp, some make all round, and some draw the mesh black.",
+      .what_to_do = "Write them: `rigor mesh-check FILE --normals 30 -o OUT.dae` makes edges of "
+                    "less than 30° look round.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -11,7 +11,6 @@
 #include <rigor/text/path.h>
 
 namespace rigor::rules::mesh_not_beside_urdf {
-namespace {
 
 void check(const model::Root& /*root*/, Context& context) {
   const MujocoCompiler settings = mujoco_compiler(context.document());
@@ -40,24 +39,19 @@ void check(const model::Root& /*root*/, Context& context) {
        .subject = first->subject});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-not-beside-urdf",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .formats = Formats::kUrdf,
       .targets = {Target::kMujoco},
       .summary = "a mesh is not where MuJoCo looks for it",
-      .why =
-          "Of the meshes in a URDF, MuJoCo takes the bare file name, without folders and "
-          "package://, and opens it beside the URDF, or in the folder that <compiler "
-          "meshdir=\"…\"/> names. When it is not there, it refuses the whole robot.",
-      .what_to_do =
-          "Add <mujoco><compiler meshdir=\"../meshes\"/></mujoco> to the <robot>, or with "
-          "relative file names <compiler strippath=\"false\"/>. Others pass over the <mujoco> "
-          "element. It is told once in a file.",
+      .why = "Of the meshes in a URDF, MuJoCo takes the bare file name, without folders and "
+             "package://, and opens it beside the URDF, or in the folder that <compiler "
+             "meshdir=\"…\"/> names. When it is not there, it refuses the whole robot.",
+      .what_to_do = "Add <mujoco><compiler meshdir=\"../meshes\"/></mujoco> to the <robot>, or "
+                    "with relative file names <compiler strippath=\"false\"/>. Others pass over "
+                    "the <mujoco> element. It is told once in a file.",
       .checks = {on<model::Root>(check)},
   };
 }

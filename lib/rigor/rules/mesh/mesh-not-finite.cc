@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_not_finite {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mesh::Fault* fault = fault_of(file, mesh::FaultKind::kNotFinite);
@@ -16,17 +15,13 @@ void check(const MeshFile& file, Context& context) {
                   (fault->detail.empty() ? in_line(fault->line) : ", first in " + fault->detail));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-not-finite",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .summary = "a mesh has coordinates that are no finite numbers",
-      .why =
-          "MuJoCo refuses the mesh. Assimp passes NaN on, and then nobody can tell what "
-          "happens: bounding boxes, inertia and contacts become NaN with it.",
+      .why = "MuJoCo refuses the mesh. Assimp passes NaN on, and then nobody can tell what "
+             "happens: bounding boxes, inertia and contacts become NaN with it.",
       .what_to_do =
           "Export the mesh again; a modifier or a scale of zero there is the usual cause.",
       .checks = {on<MeshFile>(check)},

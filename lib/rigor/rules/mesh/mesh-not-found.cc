@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_not_found {
-namespace {
 
 std::vector<std::string> places_of(const read::Resolution& found) {
   std::vector<std::string> places;
@@ -36,21 +35,16 @@ void check(const MeshUse& use, Context& context) {
                               : "the package lies in '" + package + "', and has no such file"});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-not-found",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .summary = "a mesh file is not found",
-      .why =
-          "The simulator leaves the shape out: a visual cannot be seen, a collision is passed "
-          "through. Neither ign sdf -k nor check_urdf looks.",
+      .why = "The simulator leaves the shape out: a visual cannot be seen, a collision is passed "
+             "through. Neither ign sdf -k nor check_urdf looks.",
       .what_to_do =
-          "Mend the path, or say where the files are: --model-path and --package, "
-          "rigor.toml, GZ_SIM_RESOURCE_PATH, ROS_PACKAGE_PATH. rigor resolve URI prints "
-          "the search.",
+          "Mend the path, or say where the files are: --model-path and --package, rigor.toml, "
+          "GZ_SIM_RESOURCE_PATH, ROS_PACKAGE_PATH. rigor resolve URI prints the search.",
       .checks = {on<MeshUse>(check)},
   };
 }

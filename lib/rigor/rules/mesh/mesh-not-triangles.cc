@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_not_triangles {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   if (file.visual()) return;  // drawings often have edges drawn over them
@@ -17,18 +16,14 @@ void check(const MeshFile& file, Context& context) {
                   ", which nothing can touch");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-not-triangles",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a collision mesh holds lines or points",
       .why =
-          "Only faces can be touched: engines drop lines and points, or stumble over faces "
-          "with less than three corners. About one Collada file in ten has some, mostly from "
-          "SketchUp.",
+          "Only faces can be touched: engines drop lines and points, or stumble over faces with "
+          "less than three corners. About one Collada file in ten has some, mostly from SketchUp.",
       .what_to_do = "Write the mesh anew, which drops them: `rigor mesh-check FILE -o OUT.stl`.",
       .checks = {on<MeshFile>(check)},
   };

@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_not_watertight {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mass::MeshShape* shape = shape_of(file);
@@ -29,22 +28,17 @@ void check(const MeshFile& file, Context& context) {
   report_mesh(file, context, std::move(message));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-not-watertight",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a mesh is open: it has edges with one triangle only",
-      .why =
-          "What an open surface encloses is not defined: a volume, mass or inertia from it "
-          "depends on where the holes are. MuJoCo's exact inertia and Gazebo's automatic one "
-          "take such a mesh without a word. Contacts with a hull do not mind.",
+      .why = "What an open surface encloses is not defined: a volume, mass or inertia from it "
+             "depends on where the holes are. MuJoCo's exact inertia and Gazebo's automatic one "
+             "take such a mesh without a word. Contacts with a hull do not mind.",
       .what_to_do =
-          "Close the holes in the tool that made it, or `rigor mesh-check FILE --repair -o "
-          "OUT`. For a collision a hull often does: `rigor mesh-check FILE --convex-hull -o "
-          "OUT`.",
+          "Close the holes in the tool that made it, or `rigor mesh-check FILE --repair -o OUT`. "
+          "For a collision a hull often does: `rigor mesh-check FILE --convex-hull -o OUT`.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -4,7 +4,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_scale_negative {
-namespace {
 
 void check(const MeshUse& use, Context& context) {
   const auto& scale = use.mesh.scale;
@@ -17,23 +16,17 @@ void check(const MeshUse& use, Context& context) {
                   .subject = use.subject});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-scale-negative",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a mesh is scaled by a negative factor",
-      .why =
-          "Many robots make their left side of the meshes of the right one so, and consumers "
-          "differ: MuJoCo turns the triangles back; new Gazebo draws such a visual with its inside "
-          "outside and reports an error for such a collision (gazebosim/gz-sim#2656); Webots and "
-          "O3DE refuse the factor; some take the absolute value.",
-      .what_to_do =
-          "Mirror the mesh file itself, with its triangles turned the right way round, and take "
-          "the "
-          "minus signs out.",
+      .why = "Many robots make their left side of the meshes of the right one so, and consumers "
+             "differ: MuJoCo turns the triangles back; new Gazebo draws such a visual with its "
+             "inside outside and reports an error for such a collision (gazebosim/gz-sim#2656); "
+             "Webots and O3DE refuse the factor; some take the absolute value.",
+      .what_to_do = "Mirror the mesh file itself, with its triangles turned the right way round, "
+                    "and take the minus signs out.",
       .checks = {on<MeshUse>(check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_scale_nonuniform {
-namespace {
 
 // Factors of 0.0254 and 0.02540 are the same.
 constexpr double kRounded = 1.001;
@@ -28,18 +27,14 @@ void check(const MeshUse& use, Context& context) {
                   .subject = use.subject});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-scale-nonuniform",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a mesh is scaled by different factors along its axes",
-      .why =
-          "Normals have to be turned with it, and not every viewer does: the light looks wrong. "
-          "A sphere becomes an ellipsoid, and an inertia of the mesh cannot be scaled by one "
-          "number. A slip of one digit in one factor looks just like it.",
+      .why = "Normals have to be turned with it, and not every viewer does: the light looks wrong. "
+             "A sphere becomes an ellipsoid, and an inertia of the mesh cannot be scaled by one "
+             "number. A slip of one digit in one factor looks just like it.",
       .what_to_do = "Apply the scale to the file and write `1 1 1`.",
       .checks = {on<MeshUse>(check)},
   };

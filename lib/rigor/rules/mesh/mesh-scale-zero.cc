@@ -4,7 +4,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_scale_zero {
-namespace {
 
 void check(const MeshUse& use, Context& context) {
   const auto& scale = use.mesh.scale;
@@ -15,17 +14,13 @@ void check(const MeshUse& use, Context& context) {
                   .subject = use.subject});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-scale-zero",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .summary = "a mesh is scaled by zero",
-      .why =
-          "The mesh becomes a plane, a line or a point. It cannot be seen or touched, and "
-          "engines that build a hull of it stop.",
+      .why = "The mesh becomes a plane, a line or a point. It cannot be seen or touched, and "
+             "engines that build a hull of it stop.",
       .what_to_do = "Write the factor from the file's unit to metres: 0.001 for millimetres.",
       .checks = {on<MeshUse>(check)},
   };

@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_scene_extras {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const auto& collada = file.facts.asset.collada;
@@ -25,20 +24,15 @@ void check(const MeshFile& file, Context& context) {
   if (!found.empty()) report_mesh(file, context, "the scene also holds " + found);
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-scene-extras",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a mesh file holds cameras, lights or animations",
-      .why =
-          "Robots do without: Gazebo takes some of it, as animations of actors, RViz none. "
-          "Told of a file that is checked by itself only.",
-      .what_to_do =
-          "Leave them out when exporting, or write the mesh alone: `rigor mesh-check FILE -o "
-          "OUT.dae`.",
+      .why = "Robots do without: Gazebo takes some of it, as animations of actors, RViz none. Told "
+             "of a file that is checked by itself only.",
+      .what_to_do = "Leave them out when exporting, or write the mesh alone: `rigor mesh-check "
+                    "FILE -o OUT.dae`.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_self_intersection {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mass::MeshShape* shape = shape_of(file);
@@ -24,21 +23,16 @@ void check(const MeshFile& file, Context& context) {
                   how_many(found.pairs, "pair"), at_places(places, found.pairs)));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-self-intersection",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a mesh goes through itself",
       .why =
-          "Where parts overlap, a volume or inertia from the triangles counts the overlap "
-          "twice. Contacts and pictures do not mind. Assemblies exported as one mesh look like "
-          "this.",
-      .what_to_do =
-          "For mass properties unite the parts in the tool that made them, or take a hull: "
-          "`rigor mesh-check FILE --convex-hull -o OUT`.",
+          "Where parts overlap, a volume or inertia from the triangles counts the overlap twice. "
+          "Contacts and pictures do not mind. Assemblies exported as one mesh look like this.",
+      .what_to_do = "For mass properties unite the parts in the tool that made them, or take a "
+                    "hull: `rigor mesh-check FILE --convex-hull -o OUT`.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_several_solids {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mesh::Fault* fault = fault_of(file, mesh::FaultKind::kSeveralSolids);
@@ -13,20 +12,15 @@ void check(const MeshFile& file, Context& context) {
   report_mesh(file, context, "the STL holds " + how_many(fault->count, "solid"));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-several-solids",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "an STL holds several solids",
-      .why =
-          "Assimp makes a mesh of each; admesh refuses the file. Readers that stop at the "
-          "first endsolid lose the others.",
-      .what_to_do =
-          "Make one solid of them: `rigor mesh-check FILE -o OUT.stl`. Or one file of each: "
-          "`--split component`.",
+      .why = "Assimp makes a mesh of each; admesh refuses the file. Readers that stop at the first "
+             "endsolid lose the others.",
+      .what_to_do = "Make one solid of them: `rigor mesh-check FILE -o OUT.stl`. Or one file of "
+                    "each: `--split component`.",
       .checks = {on<MeshFile>(check)},
   };
 }

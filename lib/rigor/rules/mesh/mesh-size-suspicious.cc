@@ -17,7 +17,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_size_suspicious {
-namespace {
 
 // Diagonals, in metres. In 2,000 real model files no mesh that may move is beyond them; what stands fast
 // may be a building or terrain.
@@ -137,23 +136,18 @@ void check(const MeshFile& file, Context& context) {
                           large ? "much" : "little", large ? too_large(size) : too_small(size)));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-size-suspicious",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a mesh is as large as a building or as small as a grain",
-      .why =
-          "STL and OBJ do not say what a unit is. A part drawn in millimetres and read in "
-          "metres is a thousand times too large, one scaled twice as much too small; drawn with "
-          "a thousandth of its size a robot is just not to be seen. Contacts, inertia and "
-          "camera ranges go wrong with it. A mesh that is thirty times larger or smaller than "
-          "all others of its model is told of, too.",
-      .what_to_do =
-          "Give the mesh's unit in the model's scale (0.001 for millimetres), or put it into "
-          "the file: `rigor mesh-check FILE --unit mm -o OUT`.",
+      .why = "STL and OBJ do not say what a unit is. A part drawn in millimetres and read in "
+             "metres is a thousand times too large, one scaled twice as much too small; drawn with "
+             "a thousandth of its size a robot is just not to be seen. Contacts, inertia and "
+             "camera ranges go wrong with it. A mesh that is thirty times larger or smaller than "
+             "all others of its model is told of, too.",
+      .what_to_do = "Give the mesh's unit in the model's scale (0.001 for millimetres), or put it "
+                    "into the file: `rigor mesh-check FILE --unit mm -o OUT`.",
       .checks = {on<MeshFile>(check)},
   };
 }

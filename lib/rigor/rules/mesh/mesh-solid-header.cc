@@ -5,25 +5,20 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_solid_header {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   if (fault_of(file, mesh::FaultKind::kSolidHeader) == nullptr) return;
   report_mesh(file, context, "the binary STL begins with the word solid, as those in text do");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-solid-header",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a binary STL begins like one in text",
-      .why =
-          "Readers that go by the first word take the file for text. RViz warns at each start "
-          "that the file is malformed. One in eight binary STL files is like that: SolidWorks "
-          "writes them.",
+      .why = "Readers that go by the first word take the file for text. RViz warns at each start "
+             "that the file is malformed. One in eight binary STL files is like that: SolidWorks "
+             "writes them.",
       .what_to_do = "Write the file anew: `rigor mesh-check FILE -o OUT.stl`.",
       .checks = {on<MeshFile>(check)},
   };

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_texture_absolute {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   if (!is_drawn(file)) return;
@@ -14,17 +13,13 @@ void check(const MeshFile& file, Context& context) {
                     "a texture has an absolute path", "textures have absolute paths");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-texture-absolute",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a texture has an absolute path",
-      .why =
-          "The path is that of the machine where the mesh was made. On any other the picture "
-          "is not found.",
+      .why = "The path is that of the machine where the mesh was made. On any other the picture is "
+             "not found.",
       .what_to_do = "Put the picture beside the mesh, and export it with relative paths.",
       .checks = {on<MeshFile>(check)},
   };

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_texture_backslash {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   if (!is_drawn(file)) return;
@@ -15,17 +14,13 @@ void check(const MeshFile& file, Context& context) {
                     "textures' paths are written with backslashes");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-texture-backslash",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a texture's path is written with backslashes",
-      .why =
-          "Only Windows takes \\ for what parts folders. On Linux it is a letter of the name, "
-          "and no file is found.",
+      .why = "Only Windows takes \\ for what parts folders. On Linux it is a letter of the name, "
+             "and no file is found.",
       .what_to_do = "Write / in place of \\ in the mesh file, which Windows understands, too.",
       .checks = {on<MeshFile>(check)},
   };

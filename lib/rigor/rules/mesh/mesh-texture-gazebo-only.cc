@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_texture_gazebo_only {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   using State = mesh::FileReference::State;
@@ -18,21 +17,16 @@ void check(const MeshFile& file, Context& context) {
                     "textures are where only Gazebo looks");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-texture-gazebo-only",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a texture of a mesh is where only Gazebo looks",
-      .why =
-          "Gazebo looks for textures in ../materials/textures, too, and follows model: URIs "
-          "inside of mesh files. RViz and others look beside the mesh only, and draw the part "
-          "in one colour.",
-      .what_to_do =
-          "Write the path from the mesh to the picture into the mesh file, such as "
-          "../materials/textures/skin.png, which everyone finds.",
+      .why = "Gazebo looks for textures in ../materials/textures, too, and follows model: URIs "
+             "inside of mesh files. RViz and others look beside the mesh only, and draw the part "
+             "in one colour.",
+      .what_to_do = "Write the path from the mesh to the picture into the mesh file, such as "
+                    "../materials/textures/skin.png, which everyone finds.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_texture_missing {
-namespace {
 
 /// Gazebo draws a visual that has a <material> of its own with that, whatever the mesh says. RViz
 /// takes a URDF's material only for meshes without any.
@@ -25,17 +24,13 @@ void check(const MeshFile& file, Context& context) {
                     "a texture is not found", "textures are not found");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-texture-missing",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a texture of a mesh is not found",
-      .why =
-          "The part is drawn in one colour, often white or black. Names are looked for beside "
-          "the file that names them; Gazebo looks in ../materials/textures, too.",
+      .why = "The part is drawn in one colour, often white or black. Names are looked for beside "
+             "the file that names them; Gazebo looks in ../materials/textures, too.",
       .what_to_do =
           "Put the picture where the mesh says it is, or export the mesh with the right path.",
       .checks = {on<MeshFile>(check)},

@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_texture_too_large {
-namespace {
 
 // What GPUs have been able to hold for fifteen years; more also takes 85 MB and up.
 constexpr std::uint32_t kLargest = 4096;  // pixels
@@ -29,17 +28,13 @@ void check(const MeshFile& file, Context& context) {
                     "textures have more than 4096 pixels in a row");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-texture-too-large",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a texture has more than 4096 pixels in a row",
-      .why =
-          "It takes 85 MB and more of a graphics card's memory once it is unpacked, also in "
-          "each simulated camera; older cards and drivers refuse it or draw white.",
+      .why = "It takes 85 MB and more of a graphics card's memory once it is unpacked, also in "
+             "each simulated camera; older cards and drivers refuse it or draw white.",
       .what_to_do = "Scale the picture down: `convert big.png -resize 2048x2048 small.png`.",
       .checks = {on<MeshFile>(check)},
   };

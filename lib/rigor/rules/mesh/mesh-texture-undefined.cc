@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_texture_undefined {
-namespace {
 
 // Not of visuals only: of a collision the shape is lost, too.
 void check(const MeshFile& file, Context& context) {
@@ -23,22 +22,17 @@ void check(const MeshFile& file, Context& context) {
                     "textures are not defined in the mesh file");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-texture-undefined",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a material names a texture that the file does not define",
       .why =
           "Assimp refuses the whole file, and so whoever reads Collada by it, as RViz does: "
           "\"Invalid texture, no data or file reference given\". Gazebo's own reader opens it "
-          "without the picture. Found in 3 of 100 Collada files of Gazebo's models, from 3ds "
-          "Max.",
-      .what_to_do =
-          "Write the mesh anew, without the texture: `rigor mesh-check FILE -o OUT.dae`. Or "
-          "export it with its textures.",
+          "without the picture. Found in 3 of 100 Collada files of Gazebo's models, from 3ds Max.",
+      .what_to_do = "Write the mesh anew, without the texture: `rigor mesh-check FILE -o OUT.dae`. "
+                    "Or export it with its textures.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_texture_wrong_case {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   if (!is_drawn(file)) return;
@@ -15,17 +14,13 @@ void check(const MeshFile& file, Context& context) {
                     "textures are written with other upper and lower case");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-texture-wrong-case",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a texture is written with other upper and lower case",
-      .why =
-          "It opens on Windows and macOS, and is not found on Linux, where the simulators "
-          "mostly run.",
+      .why = "It opens on Windows and macOS, and is not found on Linux, where the simulators "
+             "mostly run.",
       .what_to_do = "Rename the picture, or write its name in the mesh as the file has it.",
       .checks = {on<MeshFile>(check)},
   };

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_tiny_component {
-namespace {
 
 // The smallest screw of a part is some hundredth of it.
 constexpr double kTiny = 1e-3;
@@ -33,17 +32,13 @@ void check(const MeshFile& file, Context& context) {
                           at_places(places, places.size())));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-tiny-component",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a mesh has crumbs: pieces a thousand times smaller than it",
-      .why =
-          "They are left over from cutting and exporting. Contacts catch on them, and a body's "
-          "bounds or hull may hang on one.",
+      .why = "They are left over from cutting and exporting. Contacts catch on them, and a body's "
+             "bounds or hull may hang on one.",
       .what_to_do = "Delete them in the tool that made the mesh.",
       .checks = {on<MeshFile>(check)},
   };

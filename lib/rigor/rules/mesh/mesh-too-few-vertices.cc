@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_too_few_vertices {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mass::MeshShape* shape = shape_of(file);
@@ -18,17 +17,13 @@ void check(const MeshFile& file, Context& context) {
                           how_many(shape->topology.vertices, "vertex", "vertices")));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-too-few-vertices",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a mesh has fewer than four vertices",
-      .why =
-          "A body has four at least: this one is a triangle. MuJoCo rejects it; what has no "
-          "thickness has no inside to collide with.",
+      .why = "A body has four at least: this one is a triangle. MuJoCo rejects it; what has no "
+             "thickness has no inside to collide with.",
       .what_to_do = "Export the whole part, or use a primitive.",
       .checks = {on<MeshFile>(check)},
   };

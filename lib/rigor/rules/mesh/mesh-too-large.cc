@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_too_large {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mesh::Fault* fault = fault_of(file, mesh::FaultKind::kTooLarge);
@@ -15,19 +14,15 @@ void check(const MeshFile& file, Context& context) {
                   (fault->detail.empty() ? "over 50 million triangles" : fault->detail));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-too-large",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .summary = "a mesh file is too large to be read",
       .why =
           "Files over 2 GiB and meshes of more than 50 million triangles are not opened. The "
-          "largest among some thousand meshes of robots has 30 MB; simulators would take "
-          "minutes and gigabytes for such a one, and MuJoCo refuses more than 200 000 "
-          "triangles.",
+          "largest among some thousand meshes of robots has 30 MB; simulators would take minutes "
+          "and gigabytes for such a one, and MuJoCo refuses more than 200 000 triangles.",
       .what_to_do = "Reduce the mesh where it comes from, by a coarser export.",
       .checks = {on<MeshFile>(check)},
   };

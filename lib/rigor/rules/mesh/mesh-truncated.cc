@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_truncated {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mesh::Fault* fault = fault_of(file, mesh::FaultKind::kTruncated);
@@ -21,17 +20,13 @@ void check(const MeshFile& file, Context& context) {
                         std::to_string(file.facts.triangles) + in_line(fault->line));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-truncated",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .summary = "a mesh file is cut short",
-      .why =
-          "A copy, download or export was broken off. Assimp and MuJoCo refuse the file; "
-          "admesh fills up what is missing with triangles of its own.",
+      .why = "A copy, download or export was broken off. Assimp and MuJoCo refuse the file; admesh "
+             "fills up what is missing with triangles of its own.",
       .what_to_do = "Get or export the whole file again.",
       .checks = {on<MeshFile>(check)},
   };

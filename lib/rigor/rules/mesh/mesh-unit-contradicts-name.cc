@@ -12,7 +12,6 @@
 #include <rigor/text/letter_case.h>
 
 namespace rigor::rules::mesh_unit_contradicts_name {
-namespace {
 
 struct Unit {
   std::string_view name;
@@ -47,20 +46,15 @@ void check(const MeshFile& file, Context& context) {
                           collada->unit_name, *named, written, in_line(collada->unit_line)));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-unit-contradicts-name",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a unit's name and size contradict each other",
-      .why =
-          "Who reads the name gets another size than who reads the number. Simulators read the "
-          "number; which of the two was meant, only the size of the part can tell.",
-      .what_to_do =
-          "Say what a unit is: `rigor mesh-check FILE --unit cm -o OUT.dae` writes metres and "
-          "says so.",
+      .why = "Who reads the name gets another size than who reads the number. Simulators read the "
+             "number; which of the two was meant, only the size of the part can tell.",
+      .what_to_do = "Say what a unit is: `rigor mesh-check FILE --unit cm -o OUT.dae` writes "
+                    "metres and says so.",
       .checks = {on<MeshFile>(check)},
   };
 }

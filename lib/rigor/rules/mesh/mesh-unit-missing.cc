@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_unit_missing {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const auto& collada = file.facts.asset.collada;
@@ -13,20 +12,15 @@ void check(const MeshFile& file, Context& context) {
   report_mesh(file, context, "the Collada file names no unit: its lengths are taken for metres");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-unit-missing",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a Collada file names no unit",
-      .why =
-          "Without a <unit> its lengths are metres, by Collada's definition. Whether they were "
-          "meant so nobody can tell: a third of the Collada files of some robots has none.",
-      .what_to_do =
-          "Look at the size, and say what a unit is: `rigor mesh-check FILE --unit mm -o "
-          "OUT.dae` writes metres and says so.",
+      .why = "Without a <unit> its lengths are metres, by Collada's definition. Whether they were "
+             "meant so nobody can tell: a third of the Collada files of some robots has none.",
+      .what_to_do = "Look at the size, and say what a unit is: `rigor mesh-check FILE --unit mm -o "
+                    "OUT.dae` writes metres and says so.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_unreferenced_vertex {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   if (file.use) return;  // no contact comes from them
@@ -21,17 +20,13 @@ void check(const MeshFile& file, Context& context) {
                   at_defects(topology, mesh::Defect::kUnreferencedVertex, count));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-unreferenced-vertex",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "vertices of a mesh are used by no triangle",
-      .why =
-          "They make the file larger, and programs that take bounds or a hull from all vertices "
-          "get other ones than are seen.",
+      .why = "They make the file larger, and programs that take bounds or a hull from all vertices "
+             "get other ones than are seen.",
       .what_to_do = "Write the mesh anew, which leaves them out: `rigor mesh-check FILE -o OUT`.",
       .checks = {on<MeshFile>(check)},
   };

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_up_axis {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   using Up = mesh::ColladaFacts::Up;
@@ -19,22 +18,17 @@ void check(const MeshFile& file, Context& context) {
                   in_line(collada->up_axis_line));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-up-axis",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a Collada file says that another axis than Z points up",
-      .why =
-          "Gazebo and RViz pass over <up_axis> and take the coordinates as they are; assimp by "
-          "itself, three.js and OpenSceneGraph turn the mesh. So it lies on its side in one of "
-          "them.",
-      .what_to_do =
-          "Look at it in the simulator that counts. Where it stands upright, write it anew, "
-          "`rigor mesh-check FILE -o OUT.dae`: then Z is up for all. Where it lies, add `--up "
-          "y`, which turns it.",
+      .why = "Gazebo and RViz pass over <up_axis> and take the coordinates as they are; assimp by "
+             "itself, three.js and OpenSceneGraph turn the mesh. So it lies on its side in one of "
+             "them.",
+      .what_to_do = "Look at it in the simulator that counts. Where it stands upright, write it "
+                    "anew, `rigor mesh-check FILE -o OUT.dae`: then Z is up for all. Where it "
+                    "lies, add `--up y`, which turns it.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -4,7 +4,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_uri_empty {
-namespace {
 
 void check(const MeshUse& use, Context& context) {
   const auto& uri = use.mesh.uri;
@@ -14,18 +13,14 @@ void check(const MeshUse& use, Context& context) {
                   .subject = use.subject});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-uri-empty",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "a mesh names no file",
-      .why =
-          "The simulator looks for a file without a name, finds none, and leaves the shape out: "
-          "a visual cannot be seen, a collision is passed through.",
+      .why = "The simulator looks for a file without a name, finds none, and leaves the shape out: "
+             "a visual cannot be seen, a collision is passed through.",
       .what_to_do = "Name the mesh file, or take the visual or collision out.",
       .checks = {on<MeshUse>(check)},
   };

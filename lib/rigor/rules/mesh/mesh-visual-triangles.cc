@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_visual_triangles {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   if (!file.visual() || takes_part(file) || file.facts.triangles <= mesh::kMostVisualTriangles)
@@ -18,18 +17,14 @@ void check(const MeshFile& file, Context& context) {
                           mesh::kMostVisualTriangles));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-visual-triangles",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a mesh to be seen has more than 100 000 triangles",
-      .why =
-          "Viewers and simulated cameras draw each of them in every frame, and each start reads "
-          "them. The largest of a thousand meshes of real robots has 75 000; nine of ten have "
-          "fewer than 22 000.",
+      .why = "Viewers and simulated cameras draw each of them in every frame, and each start reads "
+             "them. The largest of a thousand meshes of real robots has 75 000; nine of ten have "
+             "fewer than 22 000.",
       .what_to_do = "Reduce it: `rigor mesh-check FILE --reduce 50000 -o OUT`.",
       .checks = {on<MeshFile>(check)},
   };

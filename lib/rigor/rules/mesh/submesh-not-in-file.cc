@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::submesh_not_in_file {
-namespace {
 
 void check(const MeshUse& use, Context& context) {
   const auto& submesh = use.mesh.submesh;
@@ -26,18 +25,14 @@ void check(const MeshUse& use, Context& context) {
        .subject = use.subject});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "submesh-not-in-file",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a shape takes a part of a mesh file that the file does not have",
-      .why =
-          "The simulator finds no such submesh and leaves the shape out: nothing is seen, or "
-          "collided with. ign sdf -k opens no meshes.",
+      .why = "The simulator finds no such submesh and leaves the shape out: nothing is seen, or "
+             "collided with. ign sdf -k opens no meshes.",
       .what_to_do = "Write the name that the part has in the file: in OBJ behind o or g.",
       .checks = {on<MeshUse>(check)},
   };

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::duplicate_name {
-namespace {
 
 /// URDF tells links, joints and materials by name, and nothing below them.
 bool counts(const NameScope& scope, const Named& named, const Context& context) {
@@ -29,18 +28,14 @@ void check(const model::Root& /*root*/, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "duplicate-name",
-      .category = Category::kNaming,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "two things of one kind have the same name",
-      .why =
-          "libsdformat and urdfdom refuse the file. Where they do not, one of the two cannot be "
-          "referred to.",
+      .why = "libsdformat and urdfdom refuse the file. Where they do not, one of the two cannot be "
+             "referred to.",
       .what_to_do = "Rename one of them. Of two includes of one model, one takes a <name>.",
       .checks = {on<model::Root>(check)},
   };

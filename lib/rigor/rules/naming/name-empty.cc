@@ -6,7 +6,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::name_empty {
-namespace {
 
 /// Of a URDF libsdformat keeps no fixed joints: their links are one.
 bool in_model(xml::Element element) {
@@ -26,18 +25,14 @@ void check(const Entity& entity, Context& context) {
                   .refused = in_model(context.element(entity.site))});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "name-empty",
-      .category = Category::kNaming,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kSays},
       .summary = "a name is empty",
       .why =
-          "libsdformat refuses the file. urdfdom takes it, and then nothing can refer to the "
-          "part.",
+          "libsdformat refuses the file. urdfdom takes it, and then nothing can refer to the part.",
       .what_to_do = "Give it a name.",
       .checks = {on<model::World>(check), on<model::Model>(check), on<model::Link>(check),
                  on<model::Joint>(check), on<model::Frame>(check), on<model::Collision>(check),

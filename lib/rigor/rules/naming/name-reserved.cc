@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::name_reserved {
-namespace {
 
 constexpr int kFirstVersionWithNesting = 8;
 
@@ -36,20 +35,16 @@ void check_model(const model::Model& model, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "name-reserved",
-      .category = Category::kNaming,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .summary = "a name is reserved by the format",
-      .why =
-          "libsdformat refuses the file. 'world', and names that begin and end with two "
-          "underscores, stand for frames that are always there; '::' separates the names of "
-          "nested models, from SDF 1.8 on.",
+      .why = "libsdformat refuses the file. 'world', and names that begin and end with two "
+             "underscores, stand for frames that are always there; '::' separates the names of "
+             "nested models, from SDF 1.8 on.",
       .what_to_do = "Choose another name.",
       .checks = {on<model::World>(check), on<model::Model>(check_model), on<model::Link>(check),
                  on<model::Joint>(check), on<model::Frame>(check), on<model::Collision>(check),

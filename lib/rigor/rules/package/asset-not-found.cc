@@ -19,7 +19,6 @@
 #include <rigor/text/path.h>
 
 namespace rigor::rules::asset_not_found {
-namespace {
 
 /// What Gazebo brings along: file://media/materials/scripts/gazebo.material; for actors and projectors
 /// a bare name, as walk.dae.
@@ -102,18 +101,14 @@ void check(const model::Root& /*root*/, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "asset-not-found",
-      .category = Category::kPackage,
       .severity = Severity::kWarning,
       .fix = FixGrade::kSafe,
       .summary = "a texture, height map, material script or skin is not found",
-      .why =
-          "The part is drawn without it, in one colour; of a height map or an actor nothing is "
-          "left. The simulator says so in one line of its log. ign sdf -k does not look.",
+      .why = "The part is drawn without it, in one colour; of a height map or an actor nothing is "
+             "left. The simulator says so in one line of its log. ign sdf -k does not look.",
       .what_to_do =
           "Mend the path, or say where the files are: --model-path and --package, rigor.toml, "
           "GZ_SIM_RESOURCE_PATH. What Gazebo brings itself (file://media/…) is not looked for.",

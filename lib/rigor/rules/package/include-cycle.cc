@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::include_cycle {
-namespace {
 
 void check(const read::Fact& fact, Context& context) {
   std::string circle;
@@ -15,12 +14,9 @@ void check(const read::Fact& fact, Context& context) {
   context.report({.where = fact.where, .message = "the includes go in a circle: " + circle});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "include-cycle",
-      .category = Category::kPackage,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "a model includes itself",

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::include_has_errors {
-namespace {
 
 void check(const read::Fact& fact, Context& context) {
   const bool one = fact.count == 1;
@@ -19,21 +18,17 @@ void check(const read::Fact& fact, Context& context) {
                   .help = "check that file: rigor validate " + fact.name});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "include-has-errors",
-      .category = Category::kPackage,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "an included file has errors of its own",
-      .why =
-          "A simulator that refuses or misreads the included file refuses or misreads this one "
-          "with it: libsdformat reports the inner error and drops what was included.",
+      .why = "A simulator that refuses or misreads the included file refuses or misreads this one "
+             "with it: libsdformat reports the inner error and drops what was included.",
       .what_to_do =
-          "Check the included file by itself and put it right there. What is wrong inside "
-          "it is told only then, so that one fault is not told by every world that uses it.",
+          "Check the included file by itself and put it right there. What is wrong inside it is "
+          "told only then, so that one fault is not told by every world that uses it.",
       .checks = {on_read({read::FactKind::kIncludeHasErrors}, check)},
   };
 }

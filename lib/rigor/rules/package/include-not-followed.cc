@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::include_not_followed {
-namespace {
 
 constexpr std::size_t kSearched = 300;  // of a file's first includes; real worlds have a hundred
 
@@ -29,18 +28,14 @@ void check(const read::Fact& fact, Context& context) {
        .message = "'" + fact.name + "' is not in the Fuel cache, and was not looked at"});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "include-not-followed",
-      .category = Category::kPackage,
       .severity = Severity::kInfo,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "an included model lies in the network and was not looked at",
-      .why =
-          "Nothing is ever downloaded here: a model of an https:// URI is only read when it is in "
-          "the Fuel cache. What refers to its parts cannot be checked.",
+      .why = "Nothing is ever downloaded here: a model of an https:// URI is only read when it is "
+             "in the Fuel cache. What refers to its parts cannot be checked.",
       .what_to_do =
           "Download it once, as with gz fuel download -u URI, and it will be found in the cache.",
       .checks = {on_read({read::FactKind::kUnfollowedInclude}, check)},

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::include_not_found {
-namespace {
 
 void check(const read::Fact& fact, Context& context) {
   const std::string other = context.resolve(fact.name).other_case;
@@ -20,12 +19,9 @@ void check(const read::Fact& fact, Context& context) {
                               : "there is '" + other + "': letters are told apart by case"});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "include-not-found",
-      .category = Category::kPackage,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "an included model is not found",

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::include_too_large {
-namespace {
 
 void check(const read::Fact& fact, Context& context) {
   const bool deep = fact.kind == read::FactKind::kIncludeTooDeep;
@@ -15,17 +14,13 @@ void check(const read::Fact& fact, Context& context) {
                                     "it is not read to its end"});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "include-too-large",
-      .category = Category::kPackage,
       .severity = Severity::kError,
       .summary = "the includes are nested too deep, or bring more than rigor holds",
-      .why =
-          "No robot needs 32 levels of includes or 200,000 parts; a simulator will run out of "
-          "memory or time. What lies beyond is not checked.",
+      .why = "No robot needs 32 levels of includes or 200,000 parts; a simulator will run out of "
+             "memory or time. What lies beyond is not checked.",
       .what_to_do = "Look for an include that multiplies itself.",
       .checks = {on_read({read::FactKind::kTooMuchIncluded, read::FactKind::kIncludeTooDeep},
                          check)},

@@ -5,19 +5,15 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::include_unreadable {
-namespace {
 
 void check(const read::Fact& fact, Context& context) {
   context.report(
       {.where = fact.where, .message = "the included file cannot be read: " + fact.name});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "include-unreadable",
-      .category = Category::kPackage,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "an included file cannot be read",

@@ -4,19 +4,15 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::include_uri_missing {
-namespace {
 
 void check(const model::Include& include, Context& context) {
   if (!include.uri.value.empty()) return;
   context.report({.where = include.site.name, .message = "this <include> names no model"});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "include-uri-missing",
-      .category = Category::kPackage,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::material_pbr_not_in_classic {
-namespace {
 
 void check(const model::Visual& visual, Context& context) {
   const auto material = context.element(visual.site).child("material");
@@ -22,21 +21,17 @@ void check(const model::Visual& visual, Context& context) {
        .subject = context.subject(visual)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "material-pbr-not-in-classic",
-      .category = Category::kPackage,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .targets = {Target::kGazeboClassic},
       .summary = "a visual gets its look from <pbr> alone",
       .why =
           "Gazebo classic has no physically based rendering. It draws the part without a texture.",
-      .what_to_do =
-          "Add <ambient> and <diffuse>, or a material <script>: gz-sim goes on using the <pbr> "
-          "beside them.",
+      .what_to_do = "Add <ambient> and <diffuse>, or a material <script>: gz-sim goes on using the "
+                    "<pbr> beside them.",
       .checks = {on<model::Visual>(check)},
   };
 }

@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::material_script_incomplete {
-namespace {
 
 /// Whether the script has a value under this name. In SDF 1.0 these were attributes. `__default__` is
 /// libsdformat's own sign for "nothing was written", which old Gazebo wrote into files.
@@ -33,22 +32,17 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "material-script-incomplete",
-      .category = Category::kPackage,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .summary = "a material script lacks its uri or its name",
-      .why =
-          "libsdformat refuses the file: of a <script> it needs the file and the name of the "
-          "material in it.",
+      .why = "libsdformat refuses the file: of a <script> it needs the file and the name of the "
+             "material in it.",
       .what_to_do =
-          "Write <uri> and <name>, or colours in place of the script: new Gazebo reads no "
-          "scripts.",
+          "Write <uri> and <name>, or colours in place of the script: new Gazebo reads no scripts.",
       .checks = {on<model::Root>(check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::material_script_not_in_gz_sim {
-namespace {
 
 void check(const model::Visual& visual, Context& context) {
   const auto material = context.element(visual.site).child("material");
@@ -28,23 +27,18 @@ void check(const model::Visual& visual, Context& context) {
                   .subject = context.subject(visual)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "material-script-not-in-gz-sim",
-      .category = Category::kPackage,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .targets = {Target::kGzSim},
       .summary = "a visual gets its look from a material script alone",
-      .why =
-          "Material scripts are Ogre 1's. gz-sim warns that it does not support them, and draws "
-          "the part plain. Only of the names Gazebo/… it knows the colours, from version 8 "
-          "(Harmonic).",
-      .what_to_do =
-          "Add <ambient> and <diffuse> for a colour, or <pbr><metal><albedo_map> for a texture. "
-          "Gazebo classic goes on reading the <script> beside them.",
+      .why = "Material scripts are Ogre 1's. gz-sim warns that it does not support them, and draws "
+             "the part plain. Only of the names Gazebo/… it knows the colours, from version 8 "
+             "(Harmonic).",
+      .what_to_do = "Add <ambient> and <diffuse> for a colour, or <pbr><metal><albedo_map> for a "
+                    "texture. Gazebo classic goes on reading the <script> beside them.",
       .checks = {on<model::Visual>(check)},
   };
 }

@@ -16,7 +16,6 @@
 #include <rigor/text/path.h>
 
 namespace rigor::rules::mesh_unreferenced {
-namespace {
 
 // A model's folder has a dozen files and folders; whoever has more than these is not looked at.
 constexpr std::size_t kMostEntries = 1000;
@@ -112,21 +111,16 @@ void check(const model::Root& root, Context& context) {
                                : count + " meshes are named by no file of the model: " + names)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-unreferenced",
-      .category = Category::kPackage,
       .severity = Severity::kInfo,
       .formats = Formats::kModelConfig,
       .summary = "a mesh lies in the folder of a model that does not use it",
-      .why =
-          "It is copied and downloaded with the model for nothing, or the model should use it and "
-          "has its name wrong.",
-      .what_to_do =
-          "Take the file away, unless another model names it. A file counts as used when its name "
-          "stands in any text of the folder: an .sdf, a xacro file, a script.",
+      .why = "It is copied and downloaded with the model for nothing, or the model should use it "
+             "and has its name wrong.",
+      .what_to_do = "Take the file away, unless another model names it. A file counts as used when "
+                    "its name stands in any text of the folder: an .sdf, a xacro file, a script.",
       .checks = {on<model::Root>(check)},
   };
 }

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::model_config_file_missing {
-namespace {
 
 void check(const read::ConfigFact& fact, Context& context) {
   Finding finding{.where = fact.where, .message = "'" + fact.name + "' does not exist"};
@@ -18,12 +17,9 @@ void check(const read::ConfigFact& fact, Context& context) {
   context.report(std::move(finding));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "model-config-file-missing",
-      .category = Category::kPackage,
       .severity = Severity::kError,
       .formats = Formats::kModelConfig,
       .summary = "a file in model.config does not exist",

@@ -5,18 +5,14 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::model_config_name_missing {
-namespace {
 
 void check(const read::ConfigFact& fact, Context& context) {
   context.report({.where = fact.where, .message = "the model has no <name>"});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "model-config-name-missing",
-      .category = Category::kPackage,
       .severity = Severity::kWarning,
       .formats = Formats::kModelConfig,
       .summary = "a model.config has no name",

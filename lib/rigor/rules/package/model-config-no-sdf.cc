@@ -10,7 +10,6 @@
 #include <rigor/text/disk.h>
 
 namespace rigor::rules::model_config_no_sdf {
-namespace {
 
 /// A folder of meshes that other models use has a model.config so that model:// leads there, and
 /// nobody includes it.
@@ -34,19 +33,15 @@ void check_included(const read::Fact& fact, Context& context) {
                              " is missing, or names no SDF file"});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "model-config-no-sdf",
-      .category = Category::kPackage,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "a model.config names no SDF file",
-      .why =
-          "Whoever includes the folder gets an error: there is nothing to load. Of a folder "
-          "without "
-          "a model, as one of meshes that others use, that is told only where it is included.",
+      .why = "Whoever includes the folder gets an error: there is nothing to load. Of a folder "
+             "without a model, as one of meshes that others use, that is told only where it is "
+             "included.",
       .what_to_do = "Write the file to load, as in <sdf version=\"1.9\">model.sdf</sdf>.",
       .checks = {on_config({read::ConfigFactKind::kNoSdf}, check),
                  on_read({read::FactKind::kConfigWithoutSdf}, check_included)},

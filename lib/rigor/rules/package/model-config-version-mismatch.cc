@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::model_config_version_mismatch {
-namespace {
 
 /// Of several files, the one that is said to have the highest version is the model.
 Applicability fix_of_version(const Context& context) {
@@ -26,19 +25,15 @@ void check(const read::ConfigFact& fact, Context& context) {
        .fix = Fix{"write " + fact.found, fix_of_version(context), {{fact.where, fact.found}}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "model-config-version-mismatch",
-      .category = Category::kPackage,
       .severity = Severity::kWarning,
       .formats = Formats::kModelConfig,
       .fix = FixGrade::kSafe,
       .summary = "a file in model.config has another version than is said",
-      .why =
-          "libsdformat chooses among several files by what model.config says, and reads the file "
-          "by what the file says.",
+      .why = "libsdformat chooses among several files by what model.config says, and reads the "
+             "file by what the file says.",
       .what_to_do = "Write the version that the file has.",
       .checks = {on_config({read::ConfigFactKind::kVersionMismatch}, check)},
   };

@@ -5,19 +5,15 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::model_config_version_missing {
-namespace {
 
 void check(const read::ConfigFact& fact, Context& context) {
   context.report(
       {.where = fact.where, .message = "'" + fact.name + "' is named without its version"});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "model-config-version-missing",
-      .category = Category::kPackage,
       .severity = Severity::kWarning,
       .formats = Formats::kModelConfig,
       .summary = "a file in model.config has no SDF version",

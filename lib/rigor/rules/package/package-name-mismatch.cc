@@ -11,7 +11,6 @@
 #include <rigor/rules/uris.h>
 
 namespace rigor::rules::package_name_mismatch {
-namespace {
 
 constexpr std::string_view kScheme = "package://";
 
@@ -37,17 +36,13 @@ void check(const model::Root& /*root*/, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "package-name-mismatch",
-      .category = Category::kPackage,
       .severity = Severity::kWarning,
       .summary = "a package:// URI names the folder, and not the package in it",
-      .why =
-          "rigor, and simulators that look through folders, find the file by the name of its "
-          "folder. ROS goes by the <name> in the package.xml: RViz and MoveIt do not find it.",
+      .why = "rigor, and simulators that look through folders, find the file by the name of its "
+             "folder. ROS goes by the <name> in the package.xml: RViz and MoveIt do not find it.",
       .what_to_do = "Write the name of the package. It is told once for each folder.",
       .checks = {on<model::Root>(check)},
   };

@@ -10,7 +10,6 @@
 #include <rigor/text/path.h>
 
 namespace rigor::rules::uri_leaves_model {
-namespace {
 
 /// Whether the path climbs out of the folder it begins in.
 bool climbs_out(std::string_view path) { return normalize_path(path).starts_with("../"); }
@@ -34,18 +33,14 @@ void check(const model::Root& /*root*/, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "uri-leaves-model",
-      .category = Category::kPackage,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a model names a file outside its own folder",
-      .why =
-          "A folder with a model.config is what is copied, put on Fuel and found by model://. "
-          "Elsewhere it has other neighbours, and the file is not found.",
+      .why = "A folder with a model.config is what is copied, put on Fuel and found by model://. "
+             "Elsewhere it has other neighbours, and the file is not found.",
       .what_to_do = "Name the other model, as in model://wheel/meshes/rim.dae, or copy the file.",
       .checks = {on<model::Root>(check)},
   };

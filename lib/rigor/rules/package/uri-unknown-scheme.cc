@@ -14,7 +14,6 @@
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::uri_unknown_scheme {
-namespace {
 
 constexpr std::array<std::string_view, 6> kSchemes = {"model", "package", "file",
                                                       "http",  "https",   "fuel"};
@@ -55,18 +54,14 @@ void check(const model::Root& /*root*/, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "uri-unknown-scheme",
-      .category = Category::kPackage,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a URI has a scheme that nobody knows",
-      .why =
-          "Gazebo and ROS find files by model://, package://, file:// and https://. Anything else "
-          "is taken for a path, and not found.",
+      .why = "Gazebo and ROS find files by model://, package://, file:// and https://. Anything "
+             "else is taken for a path, and not found.",
       .what_to_do = "Write one of these schemes, with two slashes.",
       .checks = {on<model::Root>(check)},
   };

@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::contact_depth_too_large {
-namespace {
 
 // Of the thinnest side: the body is seen to stand in the ground.
 constexpr double kMost = 0.25;
@@ -48,18 +47,14 @@ void check(const model::Collision& collision, Context& context) {
        .subject = context.subject(collision)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "contact-depth-too-large",
-      .category = Category::kPhysics,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "the depth that contacts leave uncorrected is a large part of the shape",
-      .why =
-          "Gazebo classic corrects a penetration only beyond min_depth (metres). The body sinks in "
-          "by that much, and a wheel rolls with a smaller radius than it has.",
+      .why = "Gazebo classic corrects a penetration only beyond min_depth (metres). The body sinks "
+             "in by that much, and a wheel rolls with a smaller radius than it has.",
       .what_to_do = "Write a millimetre or less, in metres.",
       .checks = {on<model::Collision>(check)},
   };

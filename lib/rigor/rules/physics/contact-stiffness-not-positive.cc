@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::contact_stiffness_not_positive {
-namespace {
 
 void check(const model::Collision& collision, Context& context) {
   const auto settings = contact_settings(collision, context);
@@ -30,19 +29,15 @@ void check(const model::Collision& collision, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "contact-stiffness-not-positive",
-      .category = Category::kPhysics,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a contact has no stiffness, or a negative damping",
-      .why =
-          "Gazebo classic makes ODE's error correction of both, h kp / (h kp + kd): with kp 0 "
-          "nothing is corrected and the body sinks, and negative ones leave the range that ODE "
-          "can solve. No checker looks at them.",
+      .why = "Gazebo classic makes ODE's error correction of both, h kp / (h kp + kd): with kp 0 "
+             "nothing is corrected and the body sinks, and negative ones leave the range that ODE "
+             "can solve. No checker looks at them.",
       .what_to_do = "Leave them out (1e12 and 1), or write the stiffness of the material in N/m.",
       .checks = {on<model::Collision>(check)},
   };

@@ -14,7 +14,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::friction_direction_turns {
-namespace {
 
 constexpr double kAligned = 0.9;  // cosine of 26°: a mecanum wheel's rollers stand at 45°
 constexpr double kCentred = 0.1;  // of the radius
@@ -100,24 +99,19 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "friction-direction-turns",
-      .category = Category::kPhysics,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary =
           "the friction direction of a wheel is not its axle, so that it turns with the wheel",
-      .why =
-          "fdir1 is fixed to the collision, which turns with its link: only a direction along the "
-          "axle stays where it is. With another one mu and mu2 change places as the wheel turns, "
-          "and the robot pulls to a side or hops.",
-      .what_to_do =
-          "Let fdir1 be the axle in the collision's frame, 0 0 1 for a cylinder; mu is then the "
-          "friction sideways, mu2 the one that drives. gz:expressed_in names a frame that does not "
-          "turn.",
+      .why = "fdir1 is fixed to the collision, which turns with its link: only a direction along "
+             "the axle stays where it is. With another one mu and mu2 change places as the wheel "
+             "turns, and the robot pulls to a side or hops.",
+      .what_to_do = "Let fdir1 be the axle in the collision's frame, 0 0 1 for a cylinder; mu is "
+                    "then the friction sideways, mu2 the one that drives. gz:expressed_in names a "
+                    "frame that does not turn.",
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -13,7 +13,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::spring_damper_unstable {
-namespace {
 
 // Explicit steps h diverge when a damper takes more than twice the speed in one (d h / I), and symplectic
 // ones when a spring turns it round more than twice (k h² / I).
@@ -131,20 +130,15 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "spring-damper-unstable",
-      .category = Category::kPhysics,
       .severity = Severity::kWarning,
       .targets = {Target::kGazeboClassic},
       .summary = "a joint's damping or spring is too strong for the step and the mass it moves",
-      .why =
-          "Gazebo classic applies both as forces of the step before. When they turn the motion "
-          "round "
-          "by more than it was, each step is faster than the last, and the joint explodes. Engines "
-          "that solve them with the constraints do not mind.",
+      .why = "Gazebo classic applies both as forces of the step before. When they turn the motion "
+             "round by more than it was, each step is faster than the last, and the joint "
+             "explodes. Engines that solve them with the constraints do not mind.",
       .what_to_do =
           "Take less damping or a smaller step, give the link a real tensor, or write "
           "<implicit_spring_damper>true</implicit_spring_damper> in the joint's <physics><ode>.",

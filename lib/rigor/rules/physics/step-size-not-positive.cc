@@ -6,7 +6,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::step_size_not_positive {
-namespace {
 
 void check(const model::Physics& physics, Context& context) {
   const auto& step = physics.max_step_size;
@@ -16,18 +15,14 @@ void check(const model::Physics& physics, Context& context) {
        .message = fmt::format("the step size is {} s: it must be above zero", step.value)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "step-size-not-positive",
-      .category = Category::kPhysics,
       .severity = Severity::kError,
       .formats = Formats::kSdf,
       .summary = "the step size of the physics is zero or negative",
-      .why =
-          "ign sdf -k calls it valid. Simulated time then stands still, or the simulator "
-          "refuses to start.",
+      .why = "ign sdf -k calls it valid. Simulated time then stands still, or the simulator "
+             "refuses to start.",
       .what_to_do = "Write a time in seconds; 0.001 is what most worlds use.",
       .checks = {on<model::Physics>(check)},
   };

@@ -12,7 +12,6 @@
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::control_interface_misspelt {
-namespace {
 
 /// Those that controllers and simulators ask for; any other name is an author's own.
 constexpr std::array<std::string_view, 4> kStandardNames = {"position", "velocity", "effort",
@@ -49,19 +48,15 @@ void check(const model::Root& /*root*/, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "control-interface-misspelt",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the name of an interface of ros2_control is nearly a standard one",
-      .why =
-          "ros2_control takes any name. A controller that asks for 'position' does not find "
-          "'positon' and does not start, and Gazebo gives the joint no such interface.",
+      .why = "ros2_control takes any name. A controller that asks for 'position' does not find "
+             "'positon' and does not start, and Gazebo gives the joint no such interface.",
       .what_to_do = "Write position, velocity, effort or acceleration.",
       .checks = {on<model::Root>(check)},
   };

@@ -8,7 +8,6 @@
 #include <rigor/rules/xml/xacro.h>
 
 namespace rigor::rules::hardware_plugin_missing {
-namespace {
 
 void check(const model::Root& /*root*/, Context& context) {
   const auto robot = context.document().root();
@@ -30,12 +29,9 @@ void check(const model::Root& /*root*/, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "hardware-plugin-missing",
-      .category = Category::kPlugin,
       .severity = Severity::kError,
       .formats = Formats::kUrdf,
       .summary = "a ros2_control block does not say what drives the hardware",

@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::motor_number_duplicate {
-namespace {
 
 void check(const model::Root& root, Context& context) {
   struct Motor {
@@ -45,18 +44,14 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "motor-number-duplicate",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .summary = "two motors of a multicopter have the same number",
-      .why =
-          "The number of a MulticopterMotorModel is an index into the speeds that are "
-          "commanded. Two motors with one number turn alike, and the speed meant for one of "
-          "them goes nowhere: the vehicle tips over when it takes off.",
+      .why = "The number of a MulticopterMotorModel is an index into the speeds that are "
+             "commanded. Two motors with one number turn alike, and the speed meant for one of "
+             "them goes nowhere: the vehicle tips over when it takes off.",
       .what_to_do = "Number the motors from 0, each with its own number.",
       .checks = {on<model::Root>(check)},
   };

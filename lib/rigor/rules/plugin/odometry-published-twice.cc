@@ -14,7 +14,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::odometry_published_twice {
-namespace {
 
 constexpr std::string_view kPublishers[] = {"ackermann-steering", "diff-drive", "mecanum-drive",
                                             "odometry-publisher"};
@@ -49,19 +48,15 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "odometry-published-twice",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .summary = "two plugins publish the odometry of a model on one topic",
-      .why =
-          "The drives of new Gazebo publish odometry themselves, on /model/NAME/odometry unless "
-          "they are given an odom_topic, and OdometryPublisher does on the same topic. The one "
-          "counts the turns of wheels, the other looks where the model is: who listens gets "
-          "both, mixed.",
+      .why = "The drives of new Gazebo publish odometry themselves, on /model/NAME/odometry unless "
+             "they are given an odom_topic, and OdometryPublisher does on the same topic. The one "
+             "counts the turns of wheels, the other looks where the model is: who listens gets "
+             "both, mixed.",
       .what_to_do = "Give one of them an odom_topic of its own, or take it out.",
       .checks = {on<model::Root>(check)},
   };

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_duplicate {
-namespace {
 
 void check(const model::Root& root, Context& context) {
   const auto place = [&context](const model::Plugin& plugin) {
@@ -32,18 +31,14 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-duplicate",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "the same plugin is loaded twice",
-      .why =
-          "Both run: commands are carried out twice, topics are published twice, or the second "
-          "one fails to advertise them.",
+      .why = "Both run: commands are carried out twice, topics are published twice, or the second "
+             "one fails to advertise them.",
       .what_to_do = "Take one of them out.",
       .checks = {on<model::Root>(check)},
   };

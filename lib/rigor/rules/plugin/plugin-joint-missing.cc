@@ -17,7 +17,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_joint_missing {
-namespace {
 
 std::string library(std::string_view file) {
   if (file.starts_with("lib")) file.remove_prefix(3);
@@ -67,30 +66,25 @@ void check(const model::Root& root, Context& context) {
       if (exists(names, plugin.model, parameter->what, inner)) continue;
       const auto all = [&] { return names.in({plugin.model, {}}); };
       const char* kind = parameter->what == ParameterOf::kJoint ? "joint" : "link";
-      const Suggestion near = suggest_of(value, all, child.text_span(), context);
-      context.report({.where = child.text_span(),
-                      .message = fmt::format("the plugin needs the {} '{}', which the model does "
-                                             "not have",
-                                             kind, value),
-                      .subject = context.subject(plugin),
-                      .help = near.help,
-                      .fix = near.fix});
+      context.report(
+          with_nearest({.where = child.text_span(),
+                        .message = fmt::format("the plugin needs the {} '{}', which the model does "
+                                               "not have",
+                                               kind, value),
+                        .subject = context.subject(plugin)},
+                       value, all, context));
     }
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-joint-missing",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a plugin names a joint or link that the model does not have",
-      .why =
-          "The plugin finds nothing to drive: it says so in a line of the simulator's log, if "
-          "at all, and does nothing.",
+      .why = "The plugin finds nothing to drive: it says so in a line of the simulator's log, if "
+             "at all, and does nothing.",
       .what_to_do = "Name a joint or link of the model that the plugin stands in.",
       .checks = {on<model::Root>(check)},
   };

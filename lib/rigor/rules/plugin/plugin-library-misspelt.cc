@@ -13,7 +13,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_library_misspelt {
-namespace {
 
 /// What stands before the name that differs, the name, what stands behind it, and what it can be.
 struct Misspelt {
@@ -82,19 +81,15 @@ void check(const model::Plugin& plugin, Context& context) {
                   .fix = std::move(fix)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-library-misspelt",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a plugin names a library that is nearly one of Gazebo's",
-      .why =
-          "Gazebo finds no such library, writes a line to its log and runs without the plugin. "
-          "Names that are not near to those of gz-sim or gazebo_ros_pkgs are somebody's own, "
-          "and nothing is said of them.",
+      .why = "Gazebo finds no such library, writes a line to its log and runs without the plugin. "
+             "Names that are not near to those of gz-sim or gazebo_ros_pkgs are somebody's own, "
+             "and nothing is said of them.",
       .what_to_do = "Write the name of the library.",
       .checks = {on<model::Plugin>(check)},
   };

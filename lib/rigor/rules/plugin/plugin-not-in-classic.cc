@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_not_in_classic {
-namespace {
 
 void check(const model::Plugin& plugin, Context& context) {
   const std::string& library = plugin.filename.value;
@@ -18,21 +17,16 @@ void check(const model::Plugin& plugin, Context& context) {
        .subject = context.subject(plugin)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-not-in-classic",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .targets = {Target::kGazeboClassic},
       .summary = "a system of gz-sim in a model for Gazebo classic",
-      .why =
-          "Gazebo classic loads libraries of its own kind only. It says that it cannot load this "
-          "one, and goes on without what it would do.",
-      .what_to_do =
-          "Keep a file for each simulator, or use the plugin of Gazebo classic that does the "
-          "same, such as libDiffDrivePlugin.so for gz-sim-diff-drive-system.",
+      .why = "Gazebo classic loads libraries of its own kind only. It says that it cannot load "
+             "this one, and goes on without what it would do.",
+      .what_to_do = "Keep a file for each simulator, or use the plugin of Gazebo classic that does "
+                    "the same, such as libDiffDrivePlugin.so for gz-sim-diff-drive-system.",
       .checks = {on<model::Plugin>(check)},
   };
 }

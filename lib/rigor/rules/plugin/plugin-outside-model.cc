@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_outside_model {
-namespace {
 
 /// Systems that look for the model that they stand in, and give up without one.
 constexpr std::string_view kOfModels[] = {"ackermann-steering",
@@ -49,19 +48,15 @@ void check(const model::Plugin& plugin, Context& context) {
                   .subject = context.subject(plugin)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-outside-model",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a system for a model stands in the world",
-      .why =
-          "Drives, controllers and publishers of new Gazebo act on the model that holds them. "
-          "In a world they write \"should be attached to a model entity. Failed to initialize.\" "
-          "to the log, and do nothing.",
+      .why = "Drives, controllers and publishers of new Gazebo act on the model that holds them. "
+             "In a world they write \"should be attached to a model entity. Failed to "
+             "initialize.\" to the log, and do nothing.",
       .what_to_do = "Move the plugin into the model that it is to drive.",
       .checks = {on<model::Plugin>(check)},
   };

@@ -9,7 +9,6 @@
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::plugin_parameter_missing {
-namespace {
 
 /// A parameter whose name is misspelt is not missing: plugin-parameter-unknown speaks of it.
 bool is_misspelt_in(xml::Element plugin, std::string_view parameter, std::string_view parameters) {
@@ -37,18 +36,14 @@ void check(const model::Plugin& plugin, Context& context) {
                   .subject = context.subject(plugin)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-parameter-missing",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .summary = "a plugin is not given a parameter without which it does nothing",
-      .why =
-          "The systems of Gazebo that drive a joint or push a link need its name. Without it "
-          "they write a line to the log, if at all, and do nothing: commands that are sent to "
-          "them have no effect.",
+      .why = "The systems of Gazebo that drive a joint or push a link need its name. Without it "
+             "they write a line to the log, if at all, and do nothing: commands that are sent to "
+             "them have no effect.",
       .what_to_do = "Name the joint or link, or take the plugin out.",
       .checks = {on<model::Plugin>(check)},
   };

@@ -11,7 +11,6 @@
 #include <rigor/rules/xml/xacro.h>
 
 namespace rigor::rules::plugin_parameter_not_allowed {
-namespace {
 
 struct Choice {
   std::string_view library;
@@ -47,18 +46,14 @@ void check(const model::Plugin& plugin, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-parameter-not-allowed",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .summary = "a parameter of a plugin has a value that the plugin does not know",
-      .why =
-          "A few parameters are choices: turningDirection of MulticopterMotorModel is cw or "
-          "ccw, dimensions of OdometryPublisher is 2 or 3. Other values are an error in the "
-          "log, and the default is used: a rotor that was to turn the other way does not.",
+      .why = "A few parameters are choices: turningDirection of MulticopterMotorModel is cw or "
+             "ccw, dimensions of OdometryPublisher is 2 or 3. Other values are an error in the "
+             "log, and the default is used: a rotor that was to turn the other way does not.",
       .what_to_do = "Write one of the values.",
       .checks = {on<model::Plugin>(check)},
   };

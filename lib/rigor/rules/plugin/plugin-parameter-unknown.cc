@@ -16,7 +16,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_parameter_unknown {
-namespace {
 
 /// What the plugin reads, and what its ancestor in gazebo_ros read.
 struct Known {
@@ -104,20 +103,16 @@ void check(const model::Plugin& plugin, Context& context) {
   if (!former.empty()) report_former(former, plugin, context);
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-parameter-unknown",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a plugin is given a parameter that it does not read",
-      .why =
-          "Plugins look for the names they know and pass over all others without a word: the "
-          "value written has no effect, and a default stands in its place. rigor knows the "
-          "parameters of the commonest systems of Gazebo, and speaks only where the name is "
-          "nearly one of them, or one of the plugin of gazebo_ros that did the same.",
+      .why = "Plugins look for the names they know and pass over all others without a word: the "
+             "value written has no effect, and a default stands in its place. rigor knows the "
+             "parameters of the commonest systems of Gazebo, and speaks only where the name is "
+             "nearly one of them, or one of the plugin of gazebo_ros that did the same.",
       .what_to_do = "Write the name as the documentation of the plugin has it.",
       .checks = {on<model::Plugin>(check)},
   };

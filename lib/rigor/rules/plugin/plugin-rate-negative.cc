@@ -12,7 +12,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_rate_negative {
-namespace {
 
 /// Parameters that mean a rate in Hz wherever they are used. The update_frequency of PosePublisher is
 /// not among them: there a negative one stands for as often as possible.
@@ -32,18 +31,14 @@ void check(const model::Plugin& plugin, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-rate-negative",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a plugin is to run a negative number of times in a second",
-      .why =
-          "Plugins that look whether the rate is above 0 run at every step, as for 0; nothing says "
-          "that others do, and nobody measures a negative number of times.",
+      .why = "Plugins that look whether the rate is above 0 run at every step, as for 0; nothing "
+             "says that others do, and nobody measures a negative number of times.",
       .what_to_do = "Write the rate in Hz; 0 is every step for most plugins.",
       .checks = {on<model::Plugin>(check)},
   };

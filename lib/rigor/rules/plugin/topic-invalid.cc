@@ -14,7 +14,6 @@
 #include <rigor/rules/xml/xacro.h>
 
 namespace rigor::rules::topic_invalid {
-namespace {
 
 /// Parameters of plugins that are topics wherever they are used. Those of gazebo_ros may begin with `~`.
 constexpr std::string_view kTopics[] = {"topic",        "odom_topic",   "tf_topic",
@@ -72,20 +71,15 @@ void check_plugin(const model::Plugin& plugin, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "topic-invalid",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "the name of a topic holds what no topic may",
-      .why =
-          "Gazebo allows no space, no '//', no '@' and no ':=' in a topic; ROS neither. Where "
-          "Gazebo "
-          "makes a valid name of it (a space becomes '_', the others vanish), the topic is not the "
-          "one that others listen on; where it does not, nothing is published.",
+      .why = "Gazebo allows no space, no '//', no '@' and no ':=' in a topic; ROS neither. Where "
+             "Gazebo makes a valid name of it (a space becomes '_', the others vanish), the topic "
+             "is not the one that others listen on; where it does not, nothing is published.",
       .what_to_do = "Use letters, digits, '_' and single '/'.",
       .checks = {on<model::Sensor>(check_sensor), on<model::Plugin>(check_plugin)},
   };

@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::actor_animation_missing {
-namespace {
 
 void look_at(const model::Actor& actor, Context& context) {
   const xml::Element element = context.element(actor.site);
@@ -29,13 +28,11 @@ void look_at(const model::Actor& actor, Context& context) {
     if (trajectory.name() != "trajectory") continue;
     const auto type = trajectory.attribute("type");
     if (!type || type->value().empty() || names.count(type->value()) != 0) continue;
-    const Suggestion near = suggest_of(
-        type->value(), [&animations] { return animations; }, type->value_span(), context);
-    context.report({.where = type->value_span(),
-                    .message = "the trajectory plays '" + std::string(type->value()) +
-                               "', which is no animation of the actor '" + actor.name.value + "'",
-                    .help = near.help,
-                    .fix = near.fix});
+    context.report(with_nearest(
+        {.where = type->value_span(),
+         .message = "the trajectory plays '" + std::string(type->value()) +
+                    "', which is no animation of the actor '" + actor.name.value + "'"},
+        type->value(), [&animations] { return animations; }, context));
   }
 }
 
@@ -45,20 +42,16 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "actor-animation-missing",
-      .category = Category::kReference,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a trajectory of an actor plays an animation that the actor does not have",
-      .why =
-          "The type of a trajectory is the name of the animation that is played along it. When "
-          "the actor has none of that name, it glides along the path without moving its legs, "
-          "or stays where it is.",
+      .why = "The type of a trajectory is the name of the animation that is played along it. When "
+             "the actor has none of that name, it glides along the path without moving its legs, "
+             "or stays where it is.",
       .what_to_do = "Name one of the actor's animations.",
       .checks = {on<model::Root>(check)},
   };

@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::control_interface_name_missing {
-namespace {
 
 void look_at(xml::Element component, Context& context) {
   for (const xml::Element interface : component.children()) {
@@ -34,21 +33,16 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "control-interface-name-missing",
-      .category = Category::kReference,
       .severity = Severity::kError,
       .formats = Formats::kUrdf,
       .summary = "an interface of ros2_control has no name",
-      .why =
-          "ros2_control refuses the whole description when an interface lacks its name: no "
-          "attribute 'name' in the tag, it says, and no controller starts.",
+      .why = "ros2_control refuses the whole description when an interface lacks its name: no "
+             "attribute 'name' in the tag, it says, and no controller starts.",
       .what_to_do =
-          "Name what is commanded or measured: position, velocity, effort, or a name of your "
-          "own.",
+          "Name what is commanded or measured: position, velocity, effort, or a name of your own.",
       .checks = {on<model::Root>(check)},
   };
 }

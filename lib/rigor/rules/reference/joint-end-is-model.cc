@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::joint_end_is_model {
-namespace {
 
 using ModelNames = std::unordered_set<std::string_view>;
 
@@ -49,12 +48,9 @@ void check(const model::Model& around, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "joint-end-is-model",
-      .category = Category::kReference,
       .severity = Severity::kWarning,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,

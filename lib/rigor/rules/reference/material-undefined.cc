@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::material_undefined {
-namespace {
 
 bool has_looks(xml::Element material) {
   const auto color = material.child("color");
@@ -27,32 +26,26 @@ void check(const model::Root& root, Context& context) {
     const model::Material& material = visual.material;
     const std::string& name = material.name.value;
     if (!material.written || name.empty() || defined.count(name) != 0) continue;
-    const Suggestion near = suggest_of(
-        name, [&] { return names_of(root.materials); }, material.name.span, context);
     const bool colorless = name_set(root.materials).count(name) != 0;
-    context.report({.where = material.name.span,
-                    .message = "the material '" + name + "' is defined " +
-                               (colorless ? "without a colour" : "nowhere in this robot"),
-                    .subject = context.subject(visual),
-                    .help = near.help,
-                    .fix = near.fix});
+    context.report(with_nearest(
+        {.where = material.name.span,
+         .message = "the material '" + name + "' is defined " +
+                    (colorless ? "without a colour" : "nowhere in this robot"),
+         .subject = context.subject(visual)},
+        name, [&] { return names_of(root.materials); }, context));
   }
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "material-undefined",
-      .category = Category::kReference,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a visual names a material that is defined nowhere",
       .why =
-          "urdfdom warns and gives the visual no material; it is then drawn in whatever colour "
-          "the viewer likes. Gazebo's own material names (Gazebo/Orange) belong into a "
-          "<gazebo> block.",
+          "urdfdom warns and gives the visual no material; it is then drawn in whatever colour the "
+          "viewer likes. Gazebo's own material names (Gazebo/Orange) belong into a <gazebo> block.",
       .what_to_do = "Define the material with a colour, in the visual or once under <robot>.",
       .checks = {on<model::Root>(check)},
   };

@@ -4,7 +4,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mimic_self {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   for (const model::Axis& axis : joint.axes) {
@@ -18,17 +17,13 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mimic-self",
-      .category = Category::kReference,
       .severity = Severity::kError,
       .summary = "a joint mimics itself",
-      .why =
-          "A position that is computed from itself has no value: newer libsdformat and Drake "
-          "refuse it, others leave the joint unmoved or follow the reference for ever.",
+      .why = "A position that is computed from itself has no value: newer libsdformat and Drake "
+             "refuse it, others leave the joint unmoved or follow the reference for ever.",
       .what_to_do = "Name the joint that leads, or take the mimic out.",
       .checks = {on<model::Joint>(check)},
   };

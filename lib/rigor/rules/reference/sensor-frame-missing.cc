@@ -14,7 +14,6 @@
 #include <rigor/rules/xml/xacro.h>
 
 namespace rigor::rules::sensor_frame_missing {
-namespace {
 
 constexpr std::string_view kFrames[] = {"gz_frame_id", "ignition_frame_id", "frameName",
                                         "frame_name"};
@@ -37,14 +36,12 @@ void look_at(xml::Element frame_element, const model::Sensor& sensor, const Link
   if (frame.empty() || links.count(frame) != 0 || is_among(kOutside, frame)) return;
   if (has_xacro(name)) return;
   const Span where = frame_element.text_span();
-  const Suggestion near = suggest_of(
-      name, [&context] { return names_of(context.root().links); }, where, context);
-  context.report({.where = where,
-                  .message = "the sensor measures in the frame '" + std::string(name) +
-                             "', which is no link of this robot",
-                  .subject = context.subject(sensor),
-                  .help = near.help,
-                  .fix = near.fix});
+  context.report(with_nearest(
+      {.where = where,
+       .message = "the sensor measures in the frame '" + std::string(name) +
+                  "', which is no link of this robot",
+       .subject = context.subject(sensor)},
+      name, [&context] { return names_of(context.root().links); }, context));
 }
 
 void check(const model::Root& root, Context& context) {
@@ -60,20 +57,16 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sensor-frame-missing",
-      .category = Category::kReference,
       .severity = Severity::kInfo,
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a sensor measures in a frame that is no link of the robot",
-      .why =
-          "In ROS the frame in the header of a measurement is looked up in tf, where "
-          "robot_state_publisher publishes the links of the URDF. What comes in an unknown "
-          "frame, RViz drops, and navigation waits for, unless something else publishes it.",
+      .why = "In ROS the frame in the header of a measurement is looked up in tf, where "
+             "robot_state_publisher publishes the links of the URDF. What comes in an unknown "
+             "frame, RViz drops, and navigation waits for, unless something else publishes it.",
       .what_to_do = "Name a link of the robot: mostly the one that carries the sensor.",
       .checks = {on<model::Root>(check)},
   };

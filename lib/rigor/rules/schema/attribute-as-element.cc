@@ -9,7 +9,6 @@
 #include <rigor/rules/schema/place.h>
 
 namespace rigor::rules::attribute_as_element {
-namespace {
 
 std::optional<Fix> as_attribute(const read::SchemaFact& fact, const Context& context) {
   const xml::Element element = fact.element;
@@ -34,18 +33,14 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .fix = as_attribute(fact, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "attribute-as-element",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "an attribute is written as an element",
-      .why =
-          "libsdformat, urdfdom and Gazebo look for it in the start tag and pass over the element "
-          "without a word: what it says has no effect.",
+      .why = "libsdformat, urdfdom and Gazebo look for it in the start tag and pass over the "
+             "element without a word: what it says has no effect.",
       .what_to_do = "Write it into the start tag.",
       .checks = {on_schema({read::SchemaFactKind::kAttributeAsElement}, check)},
   };

@@ -13,7 +13,6 @@
 #include <rigor/rules/schema/place.h>
 
 namespace rigor::rules::defaulted_element {
-namespace {
 
 /// Where a silent default surprises: shapes and sensors. What a world, its scene, engine, lights
 /// and materials leave out is nearly always left out on purpose.
@@ -35,18 +34,14 @@ void check(const read::SchemaFact& fact, Context& context) {
       {.where = fact.where, .message = std::move(message), .subject = subject_of(fact.element)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "defaulted-element",
-      .category = Category::kSchema,
       .severity = Severity::kInfo,
       .formats = Formats::kSdf,
       .summary = "a required element is missing, and its default counts",
-      .why =
-          "The format asks for the element; libsdformat puts in its default without a word. For a "
-          "shape's size or a sensor's picture that is rarely what was meant.",
+      .why = "The format asks for the element; libsdformat puts in its default without a word. For "
+             "a shape's size or a sensor's picture that is rarely what was meant.",
       .what_to_do = "Write the element, if only to say that the default is meant.",
       .checks = {on_schema({read::SchemaFactKind::kMissingElement}, check)},
   };

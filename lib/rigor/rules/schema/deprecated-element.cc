@@ -8,7 +8,6 @@
 #include <rigor/rules/schema/place.h>
 
 namespace rigor::rules::deprecated_element {
-namespace {
 
 /// What to do about it: the concise report has the message alone.
 std::string instead_of(const schema::Node& node, xml::Element element) {
@@ -30,12 +29,9 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .subject = subject_of(fact.element)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "deprecated-element",
-      .category = Category::kSchema,
       .severity = Severity::kInfo,
       .summary = "an element or attribute is deprecated in this version",
       .why = "It still has its effect, and will lose it in a later version of the format.",

@@ -13,7 +13,6 @@
 #include <rigor/rules/schema/place.h>
 
 namespace rigor::rules::element_as_attribute {
-namespace {
 
 /// Those of an element that are children of it, of which the first speaks for all.
 std::vector<xml::Attribute> children_of(xml::Element element, const schema::Node& node) {
@@ -67,19 +66,15 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .fix = as_elements(attributes, fact.element, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "element-as-attribute",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "an element is written as an attribute",
-      .why =
-          "libsdformat, urdfdom and Gazebo look for an element of that name and pass over the "
-          "attribute: what it says has no effect, and the default counts. SDF has most values as "
-          "elements, URDF as attributes.",
+      .why = "libsdformat, urdfdom and Gazebo look for an element of that name and pass over the "
+             "attribute: what it says has no effect, and the default counts. SDF has most values "
+             "as elements, URDF as attributes.",
       .what_to_do = "Write it as a child element.",
       .checks = {on_schema(
           {read::SchemaFactKind::kElementAsAttribute, read::SchemaFactKind::kRemovedInVersion},

@@ -7,7 +7,6 @@
 #include <rigor/rules/schema/place.h>
 
 namespace rigor::rules::element_newer_than_version {
-namespace {
 
 /// Every version of libsdformat reads an <include> by itself, whatever the version of the file.
 bool of_include(xml::Element element) {
@@ -27,17 +26,13 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .subject = subject_of(fact.element)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "element-newer-than-version",
-      .category = Category::kSchema,
       .severity = Severity::kInfo,
       .summary = "an element or attribute is newer than the version of the file",
-      .why =
-          "A reader that goes by the version of the file passes over it; libsdformat goes by the "
-          "newest version that it knows, so the effect depends on who reads.",
+      .why = "A reader that goes by the version of the file passes over it; libsdformat goes by "
+             "the newest version that it knows, so the effect depends on who reads.",
       .what_to_do = "Raise the version of the file, or write what the older version has.",
       .checks = {on_schema({read::SchemaFactKind::kNewerThanVersion}, check)},
   };

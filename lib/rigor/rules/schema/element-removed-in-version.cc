@@ -10,7 +10,6 @@
 #include <rigor/rules/schema/value_in_attribute.h>
 
 namespace rigor::rules::element_removed_in_version {
-namespace {
 
 bool is_end_of_joint(xml::Element element) {
   const auto above = element.parent();
@@ -37,18 +36,14 @@ void check(const read::SchemaFact& fact, Context& context) {
        .fix = std::move(fix)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "element-removed-in-version",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "an element or attribute is no longer in the version of the file",
-      .why =
-          "libsdformat passes over it without a word: what it says has no effect. Often the "
-          "version was raised and the rest of the file was not.",
+      .why = "libsdformat passes over it without a word: what it says has no effect. Often the "
+             "version was raised and the rest of the file was not.",
       .what_to_do = "Write what the version has in its place, or lower the version of the file.",
       .checks = {on_schema({read::SchemaFactKind::kRemovedInVersion}, check)},
   };

@@ -12,6 +12,9 @@
 
 #include <rigor/read/conformance.h>
 #include <rigor/read/values.h>
+#include <rigor/rules/context.h>
+#include <rigor/rules/edits.h>
+#include <rigor/rules/schema/value_text.h>
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules {
@@ -72,6 +75,15 @@ inline std::string values_of(const read::SchemaFact& fact) {
     text += (text.empty() ? "it is one of " : ", ") + std::string(value);
   }
   return text;
+}
+
+/// Reports it as one that is in no list.
+inline void report_unlisted(const read::SchemaFact& fact, Context& context) {
+  context.report({.where = fact.where,
+                  .message = quoted_fault(fact) + " is none of the values of " + owner_of(fact),
+                  .subject = subject_of(fact.element),
+                  .help = values_of(fact),
+                  .fix = nearest_instead(fact.text, listed_values(fact), fact.where)});
 }
 
 }  // namespace rigor::rules

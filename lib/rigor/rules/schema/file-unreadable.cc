@@ -5,18 +5,14 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::file_unreadable {
-namespace {
 
 void check(const read::Fact& fact, Context& context) {
   context.report({.where = fact.where, .message = "the file cannot be read: " + fact.name});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "file-unreadable",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "a file cannot be read",

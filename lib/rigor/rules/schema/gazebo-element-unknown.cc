@@ -16,7 +16,6 @@
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::gazebo_element_unknown {
-namespace {
 
 /// Of these other rules speak.
 constexpr std::string_view kToldElsewhere[] = {"plugin", "sensor"};
@@ -82,20 +81,16 @@ void check(const model::GazeboBlock& block, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "gazebo-element-unknown",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "an element of a <gazebo> block that neither the converter nor SDF knows",
       .why =
           "libsdformat turns a list of names into SDF (mu1, kp, selfCollide, turnGravityOff, …) "
-          "and "
-          "copies every other element as it is into the link, the joint or the model. Gazebo "
+          "and copies every other element as it is into the link, the joint or the model. Gazebo "
           "passes over what SDF does not know there, so a slip in a name is lost without a word.",
       .what_to_do = "Write the name that was meant; letter case counts.",
       .checks = {on<model::GazeboBlock>(check)},

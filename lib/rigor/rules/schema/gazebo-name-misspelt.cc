@@ -11,7 +11,6 @@
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::gazebo_name_misspelt {
-namespace {
 
 using Kind = read::SchemaFactKind;
 
@@ -54,22 +53,17 @@ void check(const model::GazeboBlock& block, Context& context) {
   });
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "gazebo-name-misspelt",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a name inside a sensor of a <gazebo> block is nearly one of SDF",
-      .why =
-          "libsdformat copies sensors, and all else that a <gazebo> block has of SDF, into the "
-          "link "
-          "or the joint, and Gazebo passes over the names that it does not know there: the default "
-          "counts instead of what is written, and nobody says so. Names that are near to none of "
-          "SDF are left alone; a plugin may read them.",
+      .why = "libsdformat copies sensors, and all else that a <gazebo> block has of SDF, into the "
+             "link or the joint, and Gazebo passes over the names that it does not know there: the "
+             "default counts instead of what is written, and nobody says so. Names that are near "
+             "to none of SDF are left alone; a plugin may read them.",
       .what_to_do = "Write the name that was meant; letter case counts.",
       .checks = {on<model::GazeboBlock>(check)},
   };

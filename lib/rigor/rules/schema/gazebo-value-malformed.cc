@@ -18,7 +18,6 @@
 #include <rigor/text/letter_case.h>
 
 namespace rigor::rules::gazebo_value_malformed {
-namespace {
 
 using FaultKind = schema::ValueFault::Kind;
 
@@ -199,25 +198,20 @@ void check(const model::GazeboBlock& block, Context& context) {
   check_sdf(block, context);
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "gazebo-value-malformed",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.urdf = Refusal::kSays},
       .formats = Formats::kUrdf,
       .summary = "a value in a <gazebo> block is not what its place takes",
-      .why =
-          "libsdformat reads the numbers of mu1, kp and their like up to what is no part of them: "
-          "<mu1>0,8</mu1> is no friction at all. Where there is no number, its process aborts, and "
-          "Gazebo with it. A truth that it does not know counts as false, of turnGravityOff as "
-          "true. What it copies into the SDF, a sensor, it reads as SDF: it refuses the file for "
-          "a word instead of a number, and shortens 0,1 to 0.",
-      .what_to_do =
-          "Write a value of the kind that the message names, with a point in numbers. No comment "
-          "may stand before it.",
+      .why = "libsdformat reads the numbers of mu1, kp and their like up to what is no part of "
+             "them: <mu1>0,8</mu1> is no friction at all. Where there is no number, its process "
+             "aborts, and Gazebo with it. A truth that it does not know counts as false, of "
+             "turnGravityOff as true. What it copies into the SDF, a sensor, it reads as SDF: it "
+             "refuses the file for a word instead of a number, and shortens 0,1 to 0.",
+      .what_to_do = "Write a value of the kind that the message names, with a point in numbers. No "
+                    "comment may stand before it.",
       .checks = {on<model::GazeboBlock>(check)},
   };
 }

@@ -10,7 +10,6 @@
 #include <rigor/rules/schema/place.h>
 
 namespace rigor::rules::misplaced_element {
-namespace {
 
 constexpr std::size_t kMostPlaces = 3;  // a longer list is read by nobody
 
@@ -43,18 +42,14 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .help = "it belongs in " + list(places)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "misplaced-element",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .summary = "an element stands where the format does not look for it",
       .why =
-          "libsdformat, urdfdom and Gazebo look for it somewhere else and pass over it here, "
-          "newer libsdformat with a warning, the others without a word: what it says has no "
-          "effect.",
+          "libsdformat, urdfdom and Gazebo look for it somewhere else and pass over it here, newer "
+          "libsdformat with a warning, the others without a word: what it says has no effect.",
       .what_to_do = "Move it to the element that the message names.",
       .checks = {on_schema({read::SchemaFactKind::kUnknownElement}, check)},
   };

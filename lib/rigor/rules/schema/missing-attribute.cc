@@ -10,7 +10,6 @@
 #include <rigor/rules/schema/refused_value.h>
 
 namespace rigor::rules::missing_attribute {
-namespace {
 
 /// What stands there in its place: another spelling, or a child element.
 std::string instead(const read::SchemaFact& fact, std::string_view name) {
@@ -80,20 +79,16 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .refused = urdf_refused(fact)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "missing-attribute",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "a required attribute is missing",
-      .why =
-          "libsdformat refuses the file at this element. urdfdom refuses the robot, or stops "
-          "reading the link: this part and all that follow are not there. The joint of an <axis> "
-          "without xyz has the axis 0 0 0.",
+      .why = "libsdformat refuses the file at this element. urdfdom refuses the robot, or stops "
+             "reading the link: this part and all that follow are not there. The joint of an "
+             "<axis> without xyz has the axis 0 0 0.",
       .what_to_do = "Add the attribute.",
       .checks = {on_schema({read::SchemaFactKind::kMissingAttribute}, check)},
   };

@@ -13,7 +13,6 @@
 #include <rigor/rules/xml/xacro.h>
 
 namespace rigor::rules::missing_element {
-namespace {
 
 void check(const read::SchemaFact& fact, Context& context) {
   const std::string name(fact.node->name());
@@ -56,21 +55,17 @@ void check_ends(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "missing-element",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "a required element is missing",
-      .why =
-          "libsdformat refuses a joint that lacks its parent or child, and gives a mesh without "
-          "<uri> a name that no file has. urdfdom refuses the robot, or stops reading the link: "
-          "this part and all that follow are not there, first the visuals, then the collisions. "
-          "Other required elements of SDF have a default: see defaulted-element.",
+      .why = "libsdformat refuses a joint that lacks its parent or child, and gives a mesh without "
+             "<uri> a name that no file has. urdfdom refuses the robot, or stops reading the link: "
+             "this part and all that follow are not there, first the visuals, then the collisions. "
+             "Other required elements of SDF have a default: see defaulted-element.",
       .what_to_do = "Add the element.",
       .checks = {on_schema({read::SchemaFactKind::kMissingElement}, check),
                  on<model::Joint>(check_ends)},

@@ -6,7 +6,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::old_root {
-namespace {
 
 void check(const read::Fact& fact, Context& context) {
   context.report(
@@ -16,12 +15,9 @@ void check(const read::Fact& fact, Context& context) {
                      xml::rename_element(context.document(), *context.document().root(), "sdf"))});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "old-root",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,

@@ -4,7 +4,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sdf_newer_than_classic {
-namespace {
 
 constexpr int kNewestOfClassic = 7;
 
@@ -15,24 +14,19 @@ void check(const model::Root& root, Context& context) {
                              root.version_text.value});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sdf-newer-than-classic",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .targets = {Target::kGazeboClassic},
       .summary = "a file is newer than what Gazebo classic reads",
-      .why =
-          "Gazebo 11, the last Gazebo classic, reads by libsdformat 9, which knows SDF up to 1.7. "
-          "It says that it is unable to convert the version, and what came later has no effect, "
-          "if the model is loaded at all.",
-      .what_to_do =
-          "Write version=\"1.7\" when the file uses nothing newer (element-newer-than-classic "
-          "names what is), or keep a file for each simulator and name both in model.config: each "
-          "takes the newest that it can read.",
+      .why = "Gazebo 11, the last Gazebo classic, reads by libsdformat 9, which knows SDF up to "
+             "1.7. It says that it is unable to convert the version, and what came later has no "
+             "effect, if the model is loaded at all.",
+      .what_to_do = "Write version=\"1.7\" when the file uses nothing newer "
+                    "(element-newer-than-classic names what is), or keep a file for each simulator "
+                    "and name both in model.config: each takes the newest that it can read.",
       .checks = {on<model::Root>(check)},
   };
 }

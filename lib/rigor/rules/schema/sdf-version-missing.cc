@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sdf_version_missing {
-namespace {
 
 /// Whether each element and attribute that some version knows is known to this one.
 bool knows_all(const schema::Node& root, const xml::Document& document) {
@@ -43,12 +42,9 @@ void check(const read::Fact& fact, Context& context) {
                   .fix = declare_version(context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sdf-version-missing",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,

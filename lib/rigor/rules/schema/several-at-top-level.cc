@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::several_at_top_level {
-namespace {
 
 void check(const read::Fact& fact, Context& context) {
   context.report({.where = fact.where,
@@ -14,12 +13,9 @@ void check(const read::Fact& fact, Context& context) {
                              "actor or light"});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "several-at-top-level",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,

@@ -18,7 +18,6 @@
 #include <rigor/schema/value.h>
 
 namespace rigor::rules::text_between_elements {
-namespace {
 
 /// `<mass>3</mass>` in URDF: missing-attribute says what is wrong.
 bool meant_as_attribute(const read::SchemaFact& fact, const Context& context) {
@@ -87,22 +86,17 @@ void check(const read::SchemaFact& fact, Context& context) {
   context.report(std::move(finding));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "text-between-elements",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "characters stand where nobody reads them",
-      .why =
-          "libsdformat, urdfdom and Gazebo take the first run of text of an element that has a "
-          "value, and no text of one that has none: the rest has no effect. A comment inside a "
-          "number splits it, and the first part counts.",
-      .what_to_do =
-          "Remove the characters, or make them a comment. Numbers go into the element that is "
-          "meant.",
+      .why = "libsdformat, urdfdom and Gazebo take the first run of text of an element that has a "
+             "value, and no text of one that has none: the rest has no effect. A comment inside a "
+             "number splits it, and the first part counts.",
+      .what_to_do = "Remove the characters, or make them a comment. Numbers go into the element "
+                    "that is meant.",
       .checks = {on_schema({read::SchemaFactKind::kLostText}, check)},
   };
 }

@@ -13,7 +13,6 @@
 #include <rigor/rules/schema/value_in_attribute.h>
 
 namespace rigor::rules::unknown_attribute {
-namespace {
 
 constexpr std::uint32_t kNearby = 100;  // elements: the next joint is some 20 further on
 
@@ -53,21 +52,16 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .fix = std::move(fix)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "unknown-attribute",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "an attribute that the format does not have",
       .why = "libsdformat warns, urdfdom and Gazebo say nothing; what it says has no effect.",
-      .what_to_do =
-          "Write the name that was meant. Attributes of your own take a prefix, as "
-          "mine:note=\"…\", and are left alone; so are those that several joints or links of a "
-          "URDF "
-          "have alike.",
+      .what_to_do = "Write the name that was meant. Attributes of your own take a prefix, as "
+                    "mine:note=\"…\", and are left alone; so are those that several joints or "
+                    "links of a URDF have alike.",
       .checks = {on_schema({read::SchemaFactKind::kUnknownAttribute}, check)},
   };
 }

@@ -10,7 +10,6 @@
 #include <rigor/rules/schema/place.h>
 
 namespace rigor::rules::unknown_element {
-namespace {
 
 /// What no version of SDF has and gz-sensors reads all the same: libsdformat copies it.
 bool read_by_gazebo(xml::Element element) {
@@ -52,21 +51,17 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .fix = std::move(fix)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "unknown-element",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "an element that the format does not have",
       .why =
           "libsdformat, urdfdom and Gazebo pass over it and all it holds, newer libsdformat with a "
           "warning, the others without a word: what it says has no effect. Most are misspelt.",
-      .what_to_do =
-          "Write the name that was meant. Elements of your own take a prefix, as <mine:note>, and "
-          "are left alone.",
+      .what_to_do = "Write the name that was meant. Elements of your own take a prefix, as "
+                    "<mine:note>, and are left alone.",
       .checks = {on_schema({read::SchemaFactKind::kUnknownElement}, check)},
   };
 }

@@ -6,7 +6,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::urdf_version_unknown {
-namespace {
 
 void check(const read::Fact& fact, Context& context) {
   context.report({.where = fact.where,
@@ -14,12 +13,9 @@ void check(const read::Fact& fact, Context& context) {
                   .fix = Fix{"write 1.0", Applicability::kUnsafe, {{fact.where, "1.0"}}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "urdf-version-unknown",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.urdf = Refusal::kAlways},
       .formats = Formats::kUrdf,

@@ -11,7 +11,6 @@
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_decimal_comma {
-namespace {
 
 using FaultKind = schema::ValueFault::Kind;
 
@@ -42,12 +41,9 @@ void check(const read::SchemaFact& fact, Context& context) {
        .refused = refuses_value(fact, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "value-decimal-comma",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,

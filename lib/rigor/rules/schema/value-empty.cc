@@ -10,7 +10,6 @@
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_empty {
-namespace {
 
 using FaultKind = schema::ValueFault::Kind;
 
@@ -48,12 +47,9 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .fix = std::move(fix)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "value-empty",
-      .category = Category::kSchema,
       .severity = Severity::kInfo,
       .formats = Formats::kSdf,
       .fix = FixGrade::kSafe,

@@ -8,7 +8,6 @@
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_extra_components {
-namespace {
 
 using FaultKind = schema::ValueFault::Kind;
 
@@ -25,12 +24,9 @@ void check(const read::SchemaFact& fact, Context& context) {
                              {without_part(context, fact.where)}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "value-extra-components",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,

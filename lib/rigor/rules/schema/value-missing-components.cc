@@ -8,7 +8,6 @@
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_missing_components {
-namespace {
 
 using FaultKind = schema::ValueFault::Kind;
 
@@ -21,19 +20,15 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .refused = refuses_value(fact, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "value-missing-components",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .summary = "a vector, pose or colour has too few numbers",
-      .why =
-          "libsdformat refuses the file. urdfdom refuses the robot, or stops reading the link: "
-          "this part and all that follow are not there. A colour of less than four numbers it "
-          "takes for black.",
+      .why = "libsdformat refuses the file. urdfdom refuses the robot, or stops reading the link: "
+             "this part and all that follow are not there. A colour of less than four numbers it "
+             "takes for black.",
       .what_to_do = "Write all the numbers, with spaces between them.",
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
   };

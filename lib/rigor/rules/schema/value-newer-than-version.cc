@@ -8,7 +8,6 @@
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_newer_than_version {
-namespace {
 
 /// The latest version that libsdformat 12 knows: it refuses values that came later.
 constexpr schema::Version kLatestOfSdformat12{9};
@@ -26,21 +25,16 @@ void check(const read::SchemaFact& fact, Context& context) {
                              keeper_of(fact) != ListKeeper::kNobody});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "value-newer-than-version",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays},
       .summary = "a value came with a later version than the file has",
-      .why =
-          "libsdformat goes by the newest version that it knows: one from before that version "
-          "refuses the file, a later one takes the value.",
-      .what_to_do =
-          "Raise the version of the file, so that it says what it needs; where an older reader has "
-          "to take it, write what the older version has.",
+      .why = "libsdformat goes by the newest version that it knows: one from before that version "
+             "refuses the file, a later one takes the value.",
+      .what_to_do = "Raise the version of the file, so that it says what it needs; where an older "
+                    "reader has to take it, write what the older version has.",
       .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check)},
   };
 }

@@ -11,7 +11,6 @@
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_out_of_range {
-namespace {
 
 using FaultKind = schema::ValueFault::Kind;
 
@@ -64,19 +63,15 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .refused = refuses_value(fact, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "value-out-of-range",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .summary = "a number is outside what its place takes",
-      .why =
-          "libsdformat refuses numbers outside the format's bounds, too large for their type, or "
-          "so small that they cannot be told from zero. A negative number where none can be wraps "
-          "round: a width of -1 is 4294967295.",
+      .why = "libsdformat refuses numbers outside the format's bounds, too large for their type, "
+             "or so small that they cannot be told from zero. A negative number where none can be "
+             "wraps round: a width of -1 is 4294967295.",
       .what_to_do = "Write a number within the bounds that the message names.",
       .checks = {on_schema({read::SchemaFactKind::kBadValue, read::SchemaFactKind::kOutOfRange},
                            check)},

@@ -14,7 +14,6 @@
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_trailing_text {
-namespace {
 
 using FaultKind = schema::ValueFault::Kind;
 
@@ -67,20 +66,16 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .refused = refuses_value(fact, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "value-trailing-text",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "text follows a number",
-      .why =
-          "libsdformat reads the number, or the part of it that it understands, and passes over "
-          "the rest: 1.5kg is 1.5, 1e is 1. urdfdom refuses the value. Numbers carry no unit: "
-          "lengths are metres, angles radians, masses kilograms.",
+      .why = "libsdformat reads the number, or the part of it that it understands, and passes over "
+             "the rest: 1.5kg is 1.5, 1e is 1. urdfdom refuses the value. Numbers carry no unit: "
+             "lengths are metres, angles radians, masses kilograms.",
       .what_to_do = "Write the number alone, in the unit that the format has.",
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
   };

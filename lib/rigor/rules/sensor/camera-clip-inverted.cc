@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::camera_clip_inverted {
-namespace {
 
 // What the schema of SDF allows. Its rules speak of less in SDF, and of a URDF's <gazebo> nobody does.
 constexpr double kLeastFarInSdf = 0.1;
@@ -35,12 +34,9 @@ void check(const model::Sensor& sensor, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "camera-clip-inverted",
-      .category = Category::kSensor,
       .severity = Severity::kError,
       .refused = {.urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,

@@ -12,7 +12,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::camera_fov_out_of_range {
-namespace {
 
 // Of a flat picture the edges go to infinity at half a turn; 3.14 is meant to be that, too.
 constexpr double kWidest = 3.135;
@@ -46,25 +45,20 @@ void check(const model::Sensor& sensor, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "camera-fov-out-of-range",
-      .category = Category::kSensor,
       .severity = Severity::kWarning,
       .refused = {.urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "the field of view of a camera is not between 0 and half a turn",
-      .why =
-          "A flat picture shows less than half a turn: its width is twice the tangent of half "
-          "the angle, which has no bound at 3.14 rad, and is negative beyond. What the camera "
-          "of a simulator shows then is stretched to a line, or nothing. Only wide angle "
-          "cameras see more. In SDF the schema's rules speak of what is out of its range; in "
-          "the <gazebo> of a URDF nobody else does.",
-      .what_to_do =
-          "Write the angle in radians: 1.047 is 60 degrees. For more than about 2 take a sensor "
-          "of type wideanglecamera.",
+      .why = "A flat picture shows less than half a turn: its width is twice the tangent of half "
+             "the angle, which has no bound at 3.14 rad, and is negative beyond. What the camera "
+             "of a simulator shows then is stretched to a line, or nothing. Only wide angle "
+             "cameras see more. In SDF the schema's rules speak of what is out of its range; in "
+             "the <gazebo> of a URDF nobody else does.",
+      .what_to_do = "Write the angle in radians: 1.047 is 60 degrees. For more than about 2 take a "
+                    "sensor of type wideanglecamera.",
       .checks = {on<model::Sensor>(check)},
   };
 }

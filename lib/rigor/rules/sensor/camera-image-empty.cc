@@ -6,7 +6,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::camera_image_empty {
-namespace {
 
 void check(const model::Sensor& sensor, Context& context) {
   for (const model::Camera& camera : sensor.cameras) {
@@ -21,17 +20,13 @@ void check(const model::Sensor& sensor, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "camera-image-empty",
-      .category = Category::kSensor,
       .severity = Severity::kError,
       .summary = "a camera takes pictures without a pixel",
-      .why =
-          "ign sdf -k calls it valid (and takes -1 for four thousand million); the renderer "
-          "then fails to make the picture, and Gazebo may stop.",
+      .why = "ign sdf -k calls it valid (and takes -1 for four thousand million); the renderer "
+             "then fails to make the picture, and Gazebo may stop.",
       .what_to_do = "Write the width and height in pixels, 1 and more.",
       .checks = {on<model::Sensor>(check)},
   };

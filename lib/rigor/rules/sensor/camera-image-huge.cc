@@ -6,7 +6,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::camera_image_huge {
-namespace {
 
 // Graphics cards of today draw pictures of at most so many pixels a side.
 constexpr double kMostPixels = 16384;
@@ -24,21 +23,16 @@ void check(const model::Sensor& sensor, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "camera-image-huge",
-      .category = Category::kSensor,
       .severity = Severity::kWarning,
       .summary = "a camera takes pictures larger than graphics cards can draw",
-      .why =
-          "Graphics cards draw pictures of up to 16384 pixels a side. The renderer fails to "
-          "make a larger one; and a picture of that size, without depth, is 800 MB that go over "
-          "the network each time.",
-      .what_to_do =
-          "Write the width and height in pixels, as the camera that is meant has them: 640 and "
-          "480, or 1920 and 1080.",
+      .why = "Graphics cards draw pictures of up to 16384 pixels a side. The renderer fails to "
+             "make a larger one; and a picture of that size, without depth, is 800 MB that go over "
+             "the network each time.",
+      .what_to_do = "Write the width and height in pixels, as the camera that is meant has them: "
+                    "640 and 480, or 1920 and 1080.",
       .checks = {on<model::Sensor>(check)},
   };
 }

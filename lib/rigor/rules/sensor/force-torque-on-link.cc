@@ -4,7 +4,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::force_torque_on_link {
-namespace {
 
 void check(const model::Sensor& sensor, Context& context) {
   if (sensor.type.value != "force_torque" || !sensor.link) return;
@@ -15,21 +14,16 @@ void check(const model::Sensor& sensor, Context& context) {
                   .subject = context.subject(sensor)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "force-torque-on-link",
-      .category = Category::kSensor,
       .severity = Severity::kWarning,
       .summary = "a force and torque sensor stands in a link",
       .why =
-          "It measures what a joint transmits between two links. libsdformat takes it in a "
-          "link; Gazebo then says that the parent of the sensor must be a joint, and does not "
-          "make it.",
-      .what_to_do =
-          "Move it into the joint whose load it is to measure; in a URDF, into the <gazebo> "
-          "whose reference is the joint.",
+          "It measures what a joint transmits between two links. libsdformat takes it in a link; "
+          "Gazebo then says that the parent of the sensor must be a joint, and does not make it.",
+      .what_to_do = "Move it into the joint whose load it is to measure; in a URDF, into the "
+                    "<gazebo> whose reference is the joint.",
       .checks = {on<model::Sensor>(check)},
   };
 }

@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::lidar_angle_inverted {
-namespace {
 
 void look_at(xml::Element scan, const model::Sensor& sensor, Context& context) {
   const auto least = read::number_field(read::child_text(scan, "min_angle"), 0);
@@ -32,19 +31,15 @@ void check(const model::Sensor& sensor, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "lidar-angle-inverted",
-      .category = Category::kSensor,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "the least angle of a lidar is above the greatest",
-      .why =
-          "libsdformat takes it. The step from one ray to the next is then negative, and the "
-          "field of view as well: a scan is drawn mirrored, or nothing is, and what sums up the "
-          "steps of a scan message walks the wrong way.",
+      .why = "libsdformat takes it. The step from one ray to the next is then negative, and the "
+             "field of view as well: a scan is drawn mirrored, or nothing is, and what sums up the "
+             "steps of a scan message walks the wrong way.",
       .what_to_do = "Write the smaller angle, in radians, as min_angle.",
       .checks = {on<model::Sensor>(check)},
   };

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::lidar_range_inverted {
-namespace {
 
 void check(const model::Sensor& sensor, Context& context) {
   if (!sensor.lidar) return;
@@ -24,18 +23,14 @@ void check(const model::Sensor& sensor, Context& context) {
                              : std::nullopt});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "lidar-range-inverted",
-      .category = Category::kSensor,
       .severity = Severity::kError,
       .fix = FixGrade::kUnsafe,
       .summary = "the least distance of a lidar is not below the greatest",
       .why =
-          "ign sdf -k calls it valid; every ray then returns nothing, or the sensor is not "
-          "made.",
+          "ign sdf -k calls it valid; every ray then returns nothing, or the sensor is not made.",
       .what_to_do = "Write a least distance below the greatest, in metres.",
       .checks = {on<model::Sensor>(check)},
   };

@@ -6,7 +6,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::lidar_range_negative {
-namespace {
 
 void check(const model::Sensor& sensor, Context& context) {
   if (!sensor.lidar) return;
@@ -18,17 +17,13 @@ void check(const model::Sensor& sensor, Context& context) {
                   .subject = context.subject(sensor)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "lidar-range-negative",
-      .category = Category::kSensor,
       .severity = Severity::kWarning,
       .summary = "the least distance of a lidar is negative",
-      .why =
-          "No reader complains. Rendering takes it for the near plane of a camera, which lies in "
-          "front of it; a negative one shows nothing, or what is behind.",
+      .why = "No reader complains. Rendering takes it for the near plane of a camera, which lies "
+             "in front of it; a negative one shows nothing, or what is behind.",
       .what_to_do = "Write the distance in metres from which on the lidar sees, at least 0.",
       .checks = {on<model::Sensor>(check)},
   };

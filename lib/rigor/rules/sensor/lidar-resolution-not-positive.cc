@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::lidar_resolution_not_positive {
-namespace {
 
 void check(const model::Sensor& sensor, Context& context) {
   if (!sensor.lidar) return;
@@ -24,19 +23,15 @@ void check(const model::Sensor& sensor, Context& context) {
        .fix = Fix{"one for each", Applicability::kUnsafe, {{resolution.span, "1"}}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "lidar-resolution-not-positive",
-      .category = Category::kSensor,
       .severity = Severity::kError,
       .fix = FixGrade::kUnsafe,
       .summary = "a lidar reports no measurement for any of its rays",
-      .why =
-          "The resolution of a scan is how many measurements are reported for each ray, 1 in "
-          "most files; it is no angle and no distance. The number of measurements is the "
-          "samples times the resolution: with 0 there is none, whatever the samples are.",
+      .why = "The resolution of a scan is how many measurements are reported for each ray, 1 in "
+             "most files; it is no angle and no distance. The number of measurements is the "
+             "samples times the resolution: with 0 there is none, whatever the samples are.",
       .what_to_do = "Write 1, or leave the element out.",
       .checks = {on<model::Sensor>(check)},
   };

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::lidar_samples_zero {
-namespace {
 
 void check(const model::Sensor& sensor, Context& context) {
   if (!sensor.lidar) return;
@@ -19,18 +18,14 @@ void check(const model::Sensor& sensor, Context& context) {
                   .fix = Fix{"send one", Applicability::kUnsafe, {{samples.span, "1"}}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "lidar-samples-zero",
-      .category = Category::kSensor,
       .severity = Severity::kError,
       .fix = FixGrade::kUnsafe,
       .summary = "a lidar sends no ray",
-      .why =
-          "ign sdf -k calls it valid; the sensor then measures nothing, and Gazebo may stop "
-          "when it makes it.",
+      .why = "ign sdf -k calls it valid; the sensor then measures nothing, and Gazebo may stop "
+             "when it makes it.",
       .what_to_do = "Write the number of rays of one scan, 1 and more.",
       .checks = {on<model::Sensor>(check)},
   };

@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::noise_stddev_negative {
-namespace {
 
 void look_at(xml::Element noise, const model::Sensor& sensor, Context& context) {
   const auto deviation = read::number_field(read::child_text(noise, "stddev"), 0);
@@ -50,19 +49,15 @@ void check(const model::Sensor& sensor, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "noise-stddev-negative",
-      .category = Category::kSensor,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "the noise of a sensor has a negative standard deviation",
-      .why =
-          "A standard deviation is not negative. The normal distributions of the C++ library, "
-          "which the simulators draw the noise from, are undefined for one; in practice the "
-          "noise is the same as without the minus, but that nobody promises.",
+      .why = "A standard deviation is not negative. The normal distributions of the C++ library, "
+             "which the simulators draw the noise from, are undefined for one; in practice the "
+             "noise is the same as without the minus, but that nobody promises.",
       .what_to_do =
           "Write how far measurements stray, in the unit of what is measured: 0 and more.",
       .checks = {on<model::Sensor>(check)},

@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sensor_angle_looks_like_degrees {
-namespace {
 
 // 1 % over a full turn leaves room for 6.3 and the like.
 constexpr double kMost = 1.01 * 2 * std::numbers::pi;
@@ -46,17 +45,13 @@ void check_light(const model::Light& light, Context& context) {
   if (spot) look_at(*spot, "inner_angle", "outer_angle", context.subject(light), context);
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sensor-angle-looks-like-degrees",
-      .category = Category::kSensor,
       .severity = Severity::kWarning,
       .summary = "an angle of a lidar or a spot light looks like degrees",
-      .why =
-          "These angles are in radians. Taken as such, 80 is thirteen turns: the lidar looks round "
-          "more than once, with rays far apart, and the light is no cone.",
+      .why = "These angles are in radians. Taken as such, 80 is thirteen turns: the lidar looks "
+             "round more than once, with rays far apart, and the light is no cone.",
       .what_to_do = "Convert the angle to radians: 80° is 1.39626.",
       .checks = {on<model::Sensor>(check_sensor), on<model::Light>(check_light)},
   };

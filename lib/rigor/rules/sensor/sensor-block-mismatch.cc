@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sensor_block_mismatch {
-namespace {
 
 constexpr std::string_view kCameras[] = {"camera",
                                          "depth",
@@ -61,17 +60,13 @@ void check(const model::Sensor& sensor, Context& context) {
                   .subject = context.subject(sensor)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sensor-block-mismatch",
-      .category = Category::kSensor,
       .severity = Severity::kWarning,
       .summary = "a sensor lacks the element that its type needs",
-      .why =
-          "libsdformat takes it; Gazebo then does not make the sensor, or makes it with "
-          "defaults that nobody wrote.",
+      .why = "libsdformat takes it; Gazebo then does not make the sensor, or makes it with "
+             "defaults that nobody wrote.",
       .what_to_do = "Add the element that the type needs, or write the type that fits.",
       .checks = {on<model::Sensor>(check)},
   };

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sensor_name_missing {
-namespace {
 
 void check(const model::Sensor& sensor, Context& context) {
   // In SDF the schema's rules say so; an empty name is what name-empty speaks of.
@@ -15,12 +14,9 @@ void check(const model::Sensor& sensor, Context& context) {
                   .subject = context.subject(sensor)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sensor-name-missing",
-      .category = Category::kSensor,
       .severity = Severity::kError,
       .refused = {.urdf = Refusal::kAlways},
       .formats = Formats::kUrdf,

@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sensor_topic_duplicate {
-namespace {
 
 void check(const model::Root& root, Context& context) {
   using Topic = std::pair<std::string_view, std::string_view>;  // and the type
@@ -29,12 +28,9 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sensor-topic-duplicate",
-      .category = Category::kSensor,
       .severity = Severity::kWarning,
       .summary = "two sensors publish on the same topic",
       .why = "Whoever listens gets the measurements of both, mixed.",

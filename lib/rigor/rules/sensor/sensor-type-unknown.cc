@@ -15,7 +15,6 @@
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::sensor_type_unknown {
-namespace {
 
 void check(const read::SchemaFact& fact, Context& context) {
   if (is_type_of(fact, "sensor")) report_unknown_type(fact, context);
@@ -84,20 +83,16 @@ void check_sensor(const model::Sensor& sensor, Context& context) {
   report_empty_type(context.element(sensor.site), context.subject(sensor), context);
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sensor-type-unknown",
-      .category = Category::kSensor,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .fix = FixGrade::kUnsafe,
       .summary = "a sensor has a type that does not exist",
       .why = "libsdformat refuses the whole file (error 5): it does not know what to measure.",
-      .what_to_do =
-          "Write one of the types, such as camera, gpu_lidar, imu, contact or "
-          "force_torque; type=\"custom\" is for your own.",
+      .what_to_do = "Write one of the types, such as camera, gpu_lidar, imu, contact or "
+                    "force_torque; type=\"custom\" is for your own.",
       .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check),
                  on<model::Sensor>(check_sensor)},
   };

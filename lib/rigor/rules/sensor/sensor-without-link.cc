@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sensor_without_link {
-namespace {
 
 void check(const model::Sensor& sensor, Context& context) {
   // A reference to nothing is what gazebo-reference-missing speaks of.
@@ -16,22 +15,17 @@ void check(const model::Sensor& sensor, Context& context) {
                   .subject = context.subject(sensor)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sensor-without-link",
-      .category = Category::kSensor,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .summary = "a sensor of a URDF is in no link",
-      .why =
-          "A <gazebo> without a reference is about the whole robot. libsdformat puts a sensor "
-          "that stands in one into the model, beside the links, where SDF knows no sensor and "
-          "no simulator looks for one.",
+      .why = "A <gazebo> without a reference is about the whole robot. libsdformat puts a sensor "
+             "that stands in one into the model, beside the links, where SDF knows no sensor and "
+             "no simulator looks for one.",
       .what_to_do =
-          "Give the <gazebo> the link that carries the sensor: <gazebo "
-          "reference=\"camera_link\">.",
+          "Give the <gazebo> the link that carries the sensor: <gazebo reference=\"camera_link\">.",
       .checks = {on<model::Sensor>(check)},
   };
 }

@@ -6,7 +6,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::update_rate_above_step_rate {
-namespace {
 
 // A rate is written rounded: 60 for a step of 0.0167 s.
 constexpr double kRounding = 1.02;
@@ -29,19 +28,15 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "update-rate-above-step-rate",
-      .category = Category::kSensor,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a sensor is to measure more often than its world makes steps",
-      .why =
-          "A simulated sensor measures at the end of a step. One whose rate is above the steps "
-          "in a second measures once in each, so less often than it was asked to, and nothing "
-          "says so.",
+      .why = "A simulated sensor measures at the end of a step. One whose rate is above the steps "
+             "in a second measures once in each, so less often than it was asked to, and nothing "
+             "says so.",
       .what_to_do = "Lower the update_rate, or make the max_step_size of <physics> smaller.",
       .checks = {on<model::Root>(check)},
   };

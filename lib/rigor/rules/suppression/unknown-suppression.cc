@@ -8,7 +8,6 @@
 #include <rigor/rules/suppression_fact.h>
 
 namespace rigor::rules::unknown_suppression {
-namespace {
 
 void check(const SuppressionFact& fact, Context& context) {
   Finding finding{.where = fact.where};
@@ -26,12 +25,9 @@ void check(const SuppressionFact& fact, Context& context) {
   context.report(std::move(finding));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "unknown-suppression",
-      .category = Category::kSuppression,
       .severity = Severity::kWarning,
       .summary = "a comment suppresses a rule that does not exist",
       .why = "The name is misspelt, or its rule is gone: the comment has no effect.",

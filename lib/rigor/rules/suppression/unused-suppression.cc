@@ -8,7 +8,6 @@
 #include <rigor/rules/suppression_fact.h>
 
 namespace rigor::rules::unused_suppression {
-namespace {
 
 bool is_whole_comment(const Edit& edit, const Context& context) {
   return context.bytes(edit.span).find("<!--") != std::string_view::npos;
@@ -27,22 +26,17 @@ void check(const SuppressionFact& fact, Context& context) {
   context.report(std::move(finding));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "unused-suppression",
-      .category = Category::kSuppression,
       .severity = Severity::kWarning,
       .fix = FixGrade::kSafe,
       .summary = "a comment suppresses findings that are not there",
-      .why =
-          "What it was written for has been put right, or has moved. Left in place it hides the "
-          "same fault when that comes back, and tells readers of one that is gone.",
+      .why = "What it was written for has been put right, or has moved. Left in place it hides the "
+             "same fault when that comes back, and tells readers of one that is gone.",
       .what_to_do =
           "Remove the name, or the comment when it was the only one. An `ignore` covers the "
-          "element "
-          "that follows it among its siblings: move it if it was meant for another.",
+          "element that follows it among its siblings: move it if it was meant for another.",
       .checks = {on_suppression({SuppressionFactKind::kUnused, SuppressionFactKind::kNoElement},
                                 check)},
   };

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::light_direction_zero {
-namespace {
 
 void check(const model::Light& light, Context& context) {
   if (light.type.value != "directional" && light.type.value != "spot") return;
@@ -19,20 +18,15 @@ void check(const model::Light& light, Context& context) {
        .fix = Fix{"let it shine down", Applicability::kUnsafe, {{direction.span, "0 0 -1"}}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "light-direction-zero",
-      .category = Category::kWorld,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a light shines in no direction",
-      .why =
-          "A directional or spot light shines along its direction. Normalised, zero stays zero or "
-          "becomes "
-          "nan: the scene is dark, or lit from anywhere.",
+      .why = "A directional or spot light shines along its direction. Normalised, zero stays zero "
+             "or becomes nan: the scene is dark, or lit from anywhere.",
       .what_to_do = "Write the direction in the light's own frame; 0 0 -1 is down.",
       .checks = {on<model::Light>(check)},
   };

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::physics_several_defaults {
-namespace {
 
 std::optional<Fix> no_default(const model::Physics& physics, const Context& context) {
   const auto attribute = context.element(physics.site).attribute("default");
@@ -28,20 +27,15 @@ void check(const model::Physics& physics, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "physics-several-defaults",
-      .category = Category::kWorld,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "more than one <physics> of a world is the default",
-      .why =
-          "A world may describe several engines and steps, and the default one is used. "
-          "libsdformat takes the "
-          "first that says so; what the others say has no effect.",
+      .why = "A world may describe several engines and steps, and the default one is used. "
+             "libsdformat takes the first that says so; what the others say has no effect.",
       .what_to_do = "Leave default=\"true\" with the one that is meant.",
       .checks = {on<model::Physics>(check)},
   };

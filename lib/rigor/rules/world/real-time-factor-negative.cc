@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::real_time_factor_negative {
-namespace {
 
 void check(const model::Physics& physics, Context& context) {
   const auto& factor = physics.real_time_factor;
@@ -18,20 +17,16 @@ void check(const model::Physics& physics, Context& context) {
                   .fix = Fix{"run in real time", Applicability::kUnsafe, {{factor.span, "1"}}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "real-time-factor-negative",
-      .category = Category::kWorld,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the real time factor of the physics is negative",
-      .why =
-          "The factor is simulated time over wall time: 1 is real time, 0 as fast as can be. "
-          "Gazebo Sim makes "
-          "the pause between steps of it, and a negative one is no pause that anybody meant.",
+      .why = "The factor is simulated time over wall time: 1 is real time, 0 as fast as can be. "
+             "Gazebo Sim makes the pause between steps of it, and a negative one is no pause that "
+             "anybody meant.",
       .what_to_do = "Write 1 for real time, 0.5 for half of it, 0 for as fast as can be.",
       .checks = {on<model::Physics>(check)},
   };

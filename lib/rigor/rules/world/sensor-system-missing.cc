@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sensor_system_missing {
-namespace {
 
 struct System {
   std::string_view library;  // "imu" of gz-sim-imu-system
@@ -130,28 +129,20 @@ void check(const model::World& world, Context& context) {
        .fix = load_them(unserved, world, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sensor-system-missing",
-      .category = Category::kWorld,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a world with sensors does not load the system that runs them",
-      .why =
-          "In Gazebo Sim each kind of sensor is run by a system plugin of the world: cameras and "
-          "GPU lidars by "
-          "Sensors, an IMU by Imu, a contact sensor by Contact. Without it the sensor is there and "
-          "publishes nothing, and no message says so. The default server.config loads physics, "
-          "user "
-          "commands and the scene broadcaster only. A world is told once, at the first of its "
-          "sensors.",
-      .what_to_do =
-          "Add the system's <plugin> to the world. Where the launch file or a server.config of "
-          "your own "
-          "loads it, ignore the rule.",
+      .why = "In Gazebo Sim each kind of sensor is run by a system plugin of the world: cameras "
+             "and GPU lidars by Sensors, an IMU by Imu, a contact sensor by Contact. Without it "
+             "the sensor is there and publishes nothing, and no message says so. The default "
+             "server.config loads physics, user commands and the scene broadcaster only. A world "
+             "is told once, at the first of its sensors.",
+      .what_to_do = "Add the system's <plugin> to the world. Where the launch file or a "
+                    "server.config of your own loads it, ignore the rule.",
       .checks = {on<model::World>(check)},
   };
 }

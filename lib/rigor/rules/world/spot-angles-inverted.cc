@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::spot_angles_inverted {
-namespace {
 
 void check(const model::Light& light, Context& context) {
   if (light.type.value != "spot") return;
@@ -27,20 +26,16 @@ void check(const model::Light& light, Context& context) {
        .fix = swap("swap them", inner.span, outer.span, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "spot-angles-inverted",
-      .category = Category::kWorld,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the inner angle of a spot light is larger than the outer one",
-      .why =
-          "A spot light is full within the inner cone and fades towards the outer one. With the "
-          "inner one "
-          "outside, the fading runs the wrong way: the light has a hard edge, or a dark middle.",
+      .why = "A spot light is full within the inner cone and fades towards the outer one. With the "
+             "inner one outside, the fading runs the wrong way: the light has a hard edge, or a "
+             "dark middle.",
       .what_to_do = "Swap the two; both are in radians.",
       .checks = {on<model::Light>(check)},
   };

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::state_model_missing {
-namespace {
 
 using Names = std::set<std::string_view>;
 
@@ -48,22 +47,17 @@ void check(const model::World& world, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "state-model-missing",
-      .category = Category::kWorld,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the <state> of a world names a model that is not in it",
-      .why =
-          "Gazebo classic writes the places of all models into <state> when it saves a world, and "
-          "puts "
-          "them there when it loads it. A model that was renamed or taken out in an editor keeps "
-          "its state: "
-          "it has no effect, and the renamed one begins elsewhere than it was saved.",
+      .why = "Gazebo classic writes the places of all models into <state> when it saves a world, "
+             "and puts them there when it loads it. A model that was renamed or taken out in an "
+             "editor keeps its state: it has no effect, and the renamed one begins elsewhere than "
+             "it was saved.",
       .what_to_do = "Give the state the model's new name, or take it out.",
       .checks = {on<model::World>(check)},
   };

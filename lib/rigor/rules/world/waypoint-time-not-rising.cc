@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::waypoint_time_not_rising {
-namespace {
 
 /// Told once of a trajectory: one wrong time may be followed by many.
 void look_at(xml::Element trajectory, const model::Actor& actor, Context& context) {
@@ -41,18 +40,14 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "waypoint-time-not-rising",
-      .category = Category::kWorld,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a waypoint of an actor is not later than the one before it",
-      .why =
-          "Gazebo sorts waypoints by their time, so the actor takes another way than the file "
-          "shows; of two with one time it takes the last.",
+      .why = "Gazebo sorts waypoints by their time, so the actor takes another way than the file "
+             "shows; of two with one time it takes the last.",
       .what_to_do = "Write times that rise, in seconds since the script started.",
       .checks = {on<model::Root>(check)},
   };

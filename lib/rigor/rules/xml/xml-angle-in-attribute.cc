@@ -5,7 +5,6 @@
 #include <rigor/rules/xml/more.h>
 
 namespace rigor::rules::xml_angle_in_attribute {
-namespace {
 
 void check(const xml::Fault& fault, Context& context) {
   context.report({.where = fault.where,
@@ -13,12 +12,9 @@ void check(const xml::Fault& fault, Context& context) {
                   .fix = Fix{"write &lt;", Applicability::kSafe, {{fault.where, "&lt;"}}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "xml-angle-in-attribute",
-      .category = Category::kXml,
       .severity = Severity::kWarning,
       .fix = FixGrade::kSafe,
       .summary = "an attribute's value holds '<'",

@@ -5,7 +5,6 @@
 #include <rigor/rules/xml/more.h>
 
 namespace rigor::rules::xml_attributes_touch {
-namespace {
 
 void check(const xml::Fault& fault, Context& context) {
   const Span before{fault.where.source, fault.where.begin, fault.where.begin};
@@ -14,12 +13,9 @@ void check(const xml::Fault& fault, Context& context) {
                   .fix = Fix{"insert a space", Applicability::kSafe, {{before, " "}}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "xml-attributes-touch",
-      .category = Category::kXml,
       .severity = Severity::kWarning,
       .fix = FixGrade::kSafe,
       .summary = "no space stands between two attributes",

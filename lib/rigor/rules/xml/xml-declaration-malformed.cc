@@ -16,17 +16,14 @@ void check(const xml::Fault& fault, Context& context) {
 Rule rule() {
   return {
       .name = "xml-declaration-malformed",
-      .category = Category::kXml,
       .severity = Severity::kError,
       .fix = FixGrade::kSafe,
       .summary = "the XML declaration is not written as XML has it",
-      .why =
-          "tinyxml2 (libsdformat, Gazebo, urdfdom) does not look into it, but Python's and every "
-          "other strict parser refuses the file, and with them xacro and the ROS tools that are "
-          "written in Python.",
-      .what_to_do =
-          "Write <?xml version=\"1.0\"?>, with an encoding behind the version if you like, or "
-          "remove it: XML without one is UTF-8 already.",
+      .why = "tinyxml2 (libsdformat, Gazebo, urdfdom) does not look into it, but Python's and "
+             "every other strict parser refuses the file, and with them xacro and the ROS tools "
+             "that are written in Python.",
+      .what_to_do = "Write <?xml version=\"1.0\"?>, with an encoding behind the version if you "
+                    "like, or remove it: XML without one is UTF-8 already.",
       .checks = {on_xml({xml::FaultKind::kBadDeclaration}, check)},
   };
 }

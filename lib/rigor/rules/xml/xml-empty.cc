@@ -4,24 +4,19 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::xml_empty {
-namespace {
 
 void check(const xml::Fault& fault, Context& context) {
   context.report({.where = fault.where, .message = "the file holds no element"});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "xml-empty",
-      .category = Category::kXml,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "the file holds no element",
-      .why =
-          "libsdformat, Gazebo and urdfdom find nothing to load and refuse it. Often a generator "
-          "failed and left an empty file behind.",
+      .why = "libsdformat, Gazebo and urdfdom find nothing to load and refuse it. Often a "
+             "generator failed and left an empty file behind.",
       .what_to_do = "Write the model, or remove the file.",
       .checks = {on_xml({xml::FaultKind::kEmpty}, check)},
   };

@@ -15,7 +15,6 @@
 #include <rigor/text/path.h>
 
 namespace rigor::rules::xml_leftover_xacro {
-namespace {
 
 struct Leftovers {
   Span first;
@@ -87,19 +86,15 @@ void check(const model::Root& root, Context& context) {
   context.report({.where = found.first, .message = std::move(message), .refused = found.in_joint});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "xml-leftover-xacro",
-      .category = Category::kXml,
       .severity = Severity::kError,
       .refused = {.urdf = Refusal::kSays},
       .summary = "the file holds what xacro should have replaced",
-      .why =
-          "libsdformat, urdfdom and Gazebo do not know xacro: they pass over its elements without "
-          "a word, so that links and joints are missing, and read '${…}' as text where a number "
-          "is due.",
+      .why = "libsdformat, urdfdom and Gazebo do not know xacro: they pass over its elements "
+             "without a word, so that links and joints are missing, and read '${…}' as text where "
+             "a number is due.",
       .what_to_do = "Run xacro and check what it writes, or name the file .xacro.",
       .checks = {on<model::Root>(check)},
   };

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::xml_not_well_formed {
-namespace {
 
 using Kind = xml::FaultKind;
 
@@ -49,18 +48,14 @@ void check(const xml::Fault& fault, Context& context) {
   context.report(std::move(finding));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "xml-not-well-formed",
-      .category = Category::kXml,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "the file is not XML",
-      .why =
-          "Nobody reads such a file: libsdformat, Gazebo, urdfdom and every other XML reader stop "
-          "at this place. What stands behind it is not checked.",
+      .why = "Nobody reads such a file: libsdformat, Gazebo, urdfdom and every other XML reader "
+             "stop at this place. What stands behind it is not checked.",
       .what_to_do =
           "Put the tag right that the message names; the place where it was opened is shown too.",
       .checks = {on_xml({Kind::kBadTag, Kind::kBadAttribute, Kind::kUnclosedValue,
