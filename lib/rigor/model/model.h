@@ -27,6 +27,7 @@
 #include <rigor/model/field.h>
 #include <rigor/model/geometry.h>
 #include <rigor/model/id.h>
+#include <rigor/model/parameter.h>
 #include <rigor/model/pose.h>
 #include <rigor/model/site.h>
 
@@ -244,6 +245,7 @@ struct Plugin {
   Id<Link> link;
   Id<Sensor> sensor;
   std::string gazebo_reference;  ///< URDF: the `<gazebo reference>` it stands in
+  Parameters parameters;         ///< what it is given
 };
 
 /// `<include>`, whether or not it could be followed.
@@ -315,6 +317,7 @@ struct Actor {
 struct GazeboBlock {
   Site site;
   Field<std::string> reference;
+  Parameters content;  ///< without its plugins and sensors, which are in lists of their own
 };
 
 /// URDF: a joint that a `<transmission>` or `<ros2_control>` names.
@@ -322,6 +325,7 @@ struct ControlledJoint {
   Site site;
   Field<std::string> joint;
   bool ros2_control = false;
+  Parameters parameters;  ///< its interfaces, and what each is given
 };
 
 /// URDF: a `<material>` of the robot, outside any visual.
@@ -353,6 +357,8 @@ struct Root {
   std::vector<Physics> physics;
   std::vector<GazeboBlock> gazebo_blocks;
   std::vector<ControlledJoint> controlled_joints;
+  Parameters ros2_controls;  ///< URDF: each `<ros2_control>`, with its hardware and components
+  Parameters transmissions;  ///< URDF: each `<transmission>`
   std::vector<RobotMaterial> materials;
 
   const World& operator[](Id<World> id) const { return worlds[id.value]; }

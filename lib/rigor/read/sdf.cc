@@ -364,6 +364,7 @@ void SdfReader::read_plugin(xml::Element element, model::Plugin plugin) {
   plugin.site = site_of(element);
   plugin.name = string_field(attribute_text(element, "name"));
   plugin.filename = string_field(attribute_text(element, "filename"));
+  plugin.parameters = parameters_in(element);
   root_.plugins.push_back(std::move(plugin));
 }
 

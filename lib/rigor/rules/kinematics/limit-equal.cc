@@ -21,7 +21,7 @@ std::optional<Fix> fixed_instead(const model::Joint& joint, const model::Axis& a
                                  const Context& context) {
   std::vector<Edit> edits{{joint.type_name.span, "fixed"}};
   if (axis.site.element != joint.site.element) {
-    const auto without_axis = xml::remove_element(context.document(), context.element(axis.site));
+    const auto without_axis = removed(context, axis.site);
     edits.insert(edits.end(), without_axis.begin(), without_axis.end());
   }
   return fix_of("make it fixed", Applicability::kUnsafe, std::move(edits));
