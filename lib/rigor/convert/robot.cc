@@ -284,15 +284,6 @@ class RobotBuilder {
     }
   }
 
-  /// What nobody wrote is no limit, and neither is the zero that SDF up to 1.3 has for its default: a
-  /// joint that cannot move.
-  double most(const model::Joint& joint, const model::Field<double>& field) const {
-    const bool old = joint.model && root_[joint.model].format == model::Format::kSdf &&
-                     root_[joint.model].version <= 3;
-    if (!field.written || (old && field.value == 0)) return kEndless;
-    return ceiling(field.value);
-  }
-
   RobotAxis axis(Id<model::Joint> id, std::size_t k) const {
     const model::Joint& joint = root_[id];
     const model::Axis& written = joint.axes[k];
@@ -308,8 +299,8 @@ class RobotBuilder {
     const bool endless = joint.type == JointType::kContinuous;
     axis.lower = endless ? -kEndless : without_sentinel(written.lower.value);
     axis.upper = endless ? kEndless : without_sentinel(written.upper.value);
-    axis.effort = most(joint, written.effort);
-    axis.velocity = most(joint, written.velocity);
+    axis.effort = effort_limit(root_, joint, written);
+    axis.velocity = velocity_limit(root_, joint, written);
     axis.damping = written.damping.value;
     axis.friction = written.friction.value;
     axis.spring_reference = written.spring_reference.value;
@@ -396,12 +387,9 @@ class RobotBuilder {
 
 }  // namespace
 
-double without_sentinel(double limit) {
-  if (limit >= kUnlimited) return kEndless;
-  return limit <= -kUnlimited ? -kEndless : limit;
-}
+double without_sentinel(double limit) { return model::position_limit(limit); }
 
-double ceiling(double value) { return value < 0 ? kEndless : without_sentinel(value); }
+double ceiling(double value) { return model::magnitude_limit(value); }
 
 std::vector<RobotAxis> planar_axes(const Vector3& normal) {
   const auto [u, v] = plane_directions(normal);

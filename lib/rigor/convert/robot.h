@@ -29,14 +29,14 @@
 #include <rigor/mass/mass_properties.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
+#include <rigor/model/motion.h>
 #include <rigor/text/span.h>
 
 namespace rigor::convert {
 
 inline constexpr std::uint32_t kNoIndex = 0xffffffffU;
 
-/// A limit, effort or velocity of this size or more is none: SDF's own word for infinity before 1.10.
-inline constexpr double kUnlimited = 1e16;
+using model::kUnlimited;
 
 /// The name of the body that stands for the world.
 inline constexpr const char* kWorldBody = "world";

@@ -27,6 +27,8 @@ model::PoseField read_origin(xml::Element parent) {
   field.site = site_of(*origin);
   const auto xyz = vector_field(attribute_text(*origin, "xyz"), {});
   const auto rpy = vector_field(attribute_text(*origin, "rpy"), {});
+  field.malformed = xyz.written != origin->attribute("xyz").has_value() ||
+                    rpy.written != origin->attribute("rpy").has_value();
   field.pose.value = {xyz.value, model::from_rpy(rpy.value.x, rpy.value.y, rpy.value.z)};
   field.pose.span = origin->tag_span();
   field.pose.written = true;
@@ -138,9 +140,12 @@ class UrdfReader {
       } else if (name == "joint") {
         read_joint(child);
       } else if (name == "material") {
-        root_.materials.push_back({site_of(child), string_field(attribute_text(child, "name"))});
+        const model::Material material = read_urdf_material(child);
+        root_.materials.push_back({material.site, material.name, material.defines_color});
       } else if (name == "gazebo") {
         read_gazebo(child);
+      } else if (name == "mujoco") {
+        if (root_.mujoco.empty()) root_.mujoco = parameters_in(child);
       } else if (name == "transmission") {
         root_.transmissions.push_back(parameter_of(child));
         read_controlled_joints(root_.transmissions.back());
@@ -247,6 +252,7 @@ class UrdfReader {
     model::Sensor sensor;
     read_measurement(element, sensor);
     sensor.link = link;
+    sensor.gazebo_reference = reference;
     sensor.pose = read_block_pose(element);
     for (const xml::Element child : element.children()) {
       if (child.name() == "plugin") read_plugin(child, {.sensor = id}, reference);

@@ -83,6 +83,10 @@ model::Field<bool> bool_field(const std::optional<Text>& text, bool fallback) {
   return {fallback, {}, false};
 }
 
+model::Field<bool> bool_field(const model::Parameter& parameter) {
+  return bool_field(Text{parameter.value.value, parameter.value.span}, false);
+}
+
 model::Field<model::Vector3> vector_field(const std::optional<Text>& text,
                                           model::Vector3 fallback) {
   if (text) {

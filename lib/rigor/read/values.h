@@ -70,6 +70,7 @@ model::Field<double> number_field(const std::optional<Text>& text, double fallba
 /// A parameter's text as a number; not written when it is none.
 model::Field<double> number_field(const model::Parameter& parameter);
 model::Field<bool> bool_field(const std::optional<Text>& text, bool fallback);
+model::Field<bool> bool_field(const model::Parameter& parameter);
 model::Field<model::Vector3> vector_field(const std::optional<Text>& text, model::Vector3 fallback);
 
 }  // namespace rigor::read

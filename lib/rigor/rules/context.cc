@@ -122,7 +122,7 @@ const std::vector<NameScope>& Context::repeated_names() {
 }
 
 const SdformatRobot& Context::sdformat_robot() {
-  if (!sdformat_robot_) sdformat_robot_ = rules::sdformat_robot(root(), frames(), document());
+  if (!sdformat_robot_) sdformat_robot_ = rules::sdformat_robot(root(), frames());
   return *sdformat_robot_;
 }
 

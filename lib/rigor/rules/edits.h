@@ -39,6 +39,14 @@ inline std::vector<Edit> renamed(const Context& context, const model::Site& site
   return xml::rename_element(context.document(), context.element(site), name);
 }
 
+/// Puts a child into an element, behind the child that the span `after` is in the tag or text of; as the
+/// last one when that is nowhere.
+inline std::vector<Edit> inserted(const Context& context, const model::Site& parent, Span after,
+                                  std::string_view child) {
+  const auto before = after.nowhere() ? std::nullopt : context.document().element_at(after.begin);
+  return xml::insert_child(context.document(), context.element(parent), before, child);
+}
+
 /// Takes an attribute away, and the blanks before it; nothing where there is none.
 inline std::vector<Edit> attribute_removed(const Context& context, const model::Site& site,
                                            std::string_view name) {

@@ -7,11 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <variant>
 
-#include <rigor/convert/robot.h>
+#include <rigor/model/motion.h>
 #include <rigor/simulate/build_draft.h>
 
 namespace rigor::simulate {
@@ -156,8 +155,8 @@ class JointBuilder {
     axis.where = written.site.name;
     axis.limit_where = written.limit_site.name;
     if (joint.type != JointType::kContinuous) add_limits(axis, written, joint);
-    axis.effort = most(joint, written.effort);
-    axis.velocity = most(joint, written.velocity);
+    axis.effort = effort_limit(root_, joint, written);
+    axis.velocity = velocity_limit(root_, joint, written);
     axis.damping = passive(written.damping, "damping", joint);
     axis.friction = passive(written.friction, "friction", joint);
     axis.spring_reference = written.spring_reference.value;
@@ -169,22 +168,14 @@ class JointBuilder {
   }
 
   void add_limits(SceneAxis& axis, const model::Axis& written, const model::Joint& joint) {
-    axis.lower = convert::without_sentinel(written.lower.value);
-    axis.upper = convert::without_sentinel(written.upper.value);
+    axis.lower = model::position_limit(written.lower.value);
+    axis.upper = model::position_limit(written.upper.value);
     const bool shut =
         axis.lower > axis.upper || axis.lower == kInfinity || axis.upper == -kInfinity;
     if (!shut) return;
     const Span where = written.lower.written ? written.lower.span : written.upper.span;
     say(FactKind::kLimitsCrossed, where.nowhere() ? written.limit_site.name : where, joint, {},
         axis.lower, axis.upper);
-  }
-
-  /// What nobody wrote is no limit, and neither is the zero that SDF up to 1.3 has for its default.
-  double most(const model::Joint& joint, const model::Field<double>& field) const {
-    const bool old = joint.model && root_[joint.model].format == model::Format::kSdf &&
-                     root_[joint.model].version <= 3;
-    if (!field.written || (old && field.value == 0)) return kInfinity;
-    return convert::ceiling(field.value);
   }
 
   /// A negative one would drive the joint.
@@ -253,31 +244,22 @@ class JointBuilder {
     say(FactKind::kElementIgnored, e.text_span(), joint, std::string(e.name()), *value);
   }
 
-  /// Gazebo read `<thread_pitch>` as radians per metre of a left-handed thread; from SDF 1.10 there is
-  /// `<screw_thread_pitch>`, metres per turn of a right-handed one, 1 by default.
   void add_screw(SceneJoint& out, const model::Joint& joint) {
-    const auto pitch = draft_.element(joint.site).child("screw_thread_pitch");
-    const bool newer = joint.model && root_[joint.model].version >= 10;
-    if (pitch || (newer && !joint.thread_pitch.written)) {
-      const double turn = pitch ? SceneDraft::parsed_number(pitch->text()).value_or(1) : 1;
-      out.screw_pitch = turn / (2 * std::numbers::pi);
-    } else {
-      const double pitch_of_old = joint.thread_pitch.value;
-      out.screw_pitch = pitch_of_old == 0 ? 0 : -1 / pitch_of_old;
-    }
-    const Span where = pitch ? pitch->text_span() : joint.thread_pitch.span;
+    out.screw_pitch = screw_lead(root_, joint);
+    const bool per_turn = joint.screw_thread_pitch.written;
+    const Span where = per_turn ? joint.screw_thread_pitch.span : joint.thread_pitch.span;
     say(FactKind::kJointEmulated, or_name(where, joint), joint, "screw", out.screw_pitch);
   }
 
   bool add_gearbox(SceneJoint& out, const model::Joint& joint) {
     out.gearbox_ratio = joint.gearbox_ratio.value;
-    const auto written = draft_.element(joint.site).child("gearbox_reference_body");
-    const Id<model::Link> link = written && joint.model
-                                     ? draft_.input.frames.names().find_link(
-                                           joint.model, std::string(read::trimmed(written->text())))
-                                     : Id<model::Link>{};
+    const model::Field<std::string>& written = joint.gearbox_reference;
+    Id<model::Link> link;
+    if (written.written && joint.model) {
+      link = draft_.input.frames.names().find_link(joint.model, written.value);
+    }
     if (!link || !known(link)) {
-      say(FactKind::kJointIgnored, written ? written->text_span() : place(joint), joint,
+      say(FactKind::kJointIgnored, written.written ? written.span : place(joint), joint,
           "gearbox_reference_body");
       return false;
     }

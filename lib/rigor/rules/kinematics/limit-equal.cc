@@ -32,7 +32,8 @@ void check(const model::Joint& joint, Context& context) {
   const model::Axis& axis = joint.axes.front();
   // Files of those versions have no other way to say it.
   if (context.is_sdf() && context.root().version < 6) return;
-  if (!axis.lower.written || !axis.upper.written || axis.mimic || is_stuck(axis)) return;
+  if (!axis.lower.written || !axis.upper.written || axis.mimic) return;
+  if (is_stuck(context.root(), joint, axis)) return;
   if (axis.lower.value != axis.upper.value || !std::isfinite(axis.upper.value)) return;
   context.report(
       {.where = axis.upper.span,

@@ -11,7 +11,7 @@ namespace {
 
 void check(const model::Sensor& sensor, Context& context) {
   if (!sensor.lidar) return;
-  const auto& samples = sensor.lidar->samples;
+  const auto& samples = sensor.lidar->horizontal.samples;
   if (!samples.written || samples.value >= 1) return;
   context.report({.where = samples.span,
                   .message = fmt::format("the lidar sends {} rays", samples.value),
