@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include <rigor/convert/turned_joints.h>
@@ -294,7 +293,7 @@ class RobotBuilder {
     if (joint.type == JointType::kPrismatic) axis.motion = RobotAxis::Motion::kSlide;
     if (joint.type == JointType::kScrew) {
       axis.motion = RobotAxis::Motion::kScrew;
-      axis.slide = screw_slide(id);
+      axis.slide = screw_lead(root_, joint);
     }
     const bool endless = joint.type == JointType::kContinuous;
     axis.lower = endless ? -kEndless : without_sentinel(written.lower.value);
@@ -323,22 +322,6 @@ class RobotBuilder {
     follow.multiplier = mimic.multiplier.value;
     follow.offset = mimic.offset.value - mimic.multiplier.value * mimic.reference.value;
     return follow;
-  }
-
-  /// Gazebo read `<thread_pitch>` as radians per metre of a left-handed thread;
-  /// from SDF 1.10 there is
-  /// `<screw_thread_pitch>`, metres per turn of a right-handed one, 1 by
-  /// default.
-  double screw_slide(Id<model::Joint> id) const {
-    if (lookups_.screw_slide) {
-      if (const auto slide = lookups_.screw_slide(id)) return *slide;
-    }
-    const model::Joint& joint = root_[id];
-    if (!joint.thread_pitch.written && root_[joint.model].version >= 10) {
-      return 1 / (2 * std::numbers::pi);
-    }
-    const double pitch = joint.thread_pitch.value;
-    return pitch == 0 ? 0 : -1 / pitch;
   }
 
   /// Unit vector in the joint frame.

@@ -151,8 +151,6 @@ struct RobotLookups {
   /// The path that a URI leads to, from the source it stands in; empty when it leads nowhere.
   std::function<std::string(const std::string& uri, SourceId from)> find_file = {};
   std::function<std::optional<Color>(model::Id<model::Visual>)> color_of = {};
-  /// m per rad of a screw joint; without this, what `thread_pitch` says.
-  std::function<std::optional<double>(model::Id<model::Joint>)> screw_slide = {};
   /// Of a URDF joint, which has its spring in a `<gazebo>` block: reference and stiffness.
   std::function<std::array<double, 2>(model::Id<model::Joint>)> spring = {};
 };

@@ -3,6 +3,7 @@
 
 #include <rigor/model/motion.h>
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -47,7 +48,8 @@ double screw_lead(const Root& root, const Joint& joint) {
     return joint.screw_thread_pitch.value / (2 * std::numbers::pi);
   }
   const double radians_per_metre = joint.thread_pitch.value;
-  return radians_per_metre == 0 ? 0 : -1 / radians_per_metre;
+  if (radians_per_metre == 0 || !std::isfinite(radians_per_metre)) return 0;
+  return -1 / radians_per_metre;
 }
 
 }  // namespace rigor::model

@@ -189,25 +189,26 @@ class JointBuilder {
 
   void add_stops(SceneAxis& axis, const model::Joint& joint) {
     if (in_urdf(joint)) {
-      for (const xml::Element e : blocks(joint, {"stopErp", "stopCfm"})) {
-        (e.name() == "stopErp" ? axis.stop_erp : axis.stop_cfm) = stop(e, joint);
+      for (const auto* given : blocks(joint, {"stopErp", "stopCfm"})) {
+        (given->name == "stopErp" ? axis.stop_erp : axis.stop_cfm) = stop(*given, joint);
       }
     } else if (const auto limit =
                    element_at(draft_.element(joint.site), {"physics", "ode", "limit"})) {
-      if (const auto erp = limit->child("erp")) axis.stop_erp = stop(*erp, joint);
-      if (const auto cfm = limit->child("cfm")) axis.stop_cfm = stop(*cfm, joint);
+      const model::Parameter given = read::parameter_of(*limit);
+      if (const auto* erp = find(given.children, "erp")) axis.stop_erp = stop(*erp, joint);
+      if (const auto* cfm = find(given.children, "cfm")) axis.stop_cfm = stop(*cfm, joint);
     }
     axis.stop_erp = std::min(axis.stop_erp, 1.0);
   }
 
-  double stop(xml::Element e, const model::Joint& joint) {
-    return std::max(0.0, draft_.number(read::Text{e.text(), e.text_span()}, 0, e.name(), joint));
+  double stop(const model::Parameter& given, const model::Joint& joint) {
+    return std::max(0.0, draft_.number(given, 0, joint));
   }
 
   void add_spring_blocks(SceneAxis& axis, const model::Joint& joint) {
-    for (const xml::Element e : blocks(joint, {"springReference", "springStiffness"})) {
-      const double value = draft_.number(read::Text{e.text(), e.text_span()}, 0, e.name(), joint);
-      if (e.name() == "springReference") {
+    for (const auto* given : blocks(joint, {"springReference", "springStiffness"})) {
+      const double value = draft_.number(*given, 0, joint);
+      if (given->name == "springReference") {
         axis.spring_reference = value;
       } else {
         axis.spring_stiffness = std::max(0.0, value);
@@ -217,31 +218,31 @@ class JointBuilder {
 
   void say_what_axes_lose(const model::Axis& written, const model::Joint& joint) {
     if (in_urdf(joint)) {
-      for (const xml::Element e : blocks(joint, {"fudgeFactor"})) ignore_unless(e, 0, joint);
+      for (const auto* given : blocks(joint, {"fudgeFactor"})) ignore_unless(given, 0, joint);
       return;
     }
-    const xml::Element axis = draft_.element(written.site);
-    if (const auto start = axis.child("initial_position")) ignore_unless(*start, 0, joint);
-    if (const auto hard = element_at(axis, {"limit", "stiffness"})) {
-      ignore_unless(*hard, 1e8, joint);
+    const model::Parameter axis = read::parameter_of(draft_.element(written.site));
+    ignore_unless(find(axis.children, "initial_position"), 0, joint);
+    if (const auto* limit = find(axis.children, "limit")) {
+      ignore_unless(find(limit->children, "stiffness"), 1e8, joint);
+      ignore_unless(find(limit->children, "dissipation"), 1, joint);
     }
-    if (const auto soft = element_at(axis, {"limit", "dissipation"})) {
-      ignore_unless(*soft, 1, joint);
-    }
-    const auto ode = element_at(draft_.element(joint.site), {"physics", "ode"});
-    if (!ode || &written != &joint.axes.front()) return;
+    const auto physics = element_at(draft_.element(joint.site), {"physics", "ode"});
+    if (!physics || &written != &joint.axes.front()) return;
+    const model::Parameter ode = read::parameter_of(*physics);
     for (const IgnoredSetting& setting : kIgnoredSettings) {
-      if (const auto e = ode->child(setting.name)) ignore_unless(*e, setting.neutral, joint);
+      ignore_unless(find(ode.children, setting.name), setting.neutral, joint);
     }
-    if (const auto suspension = ode->child("suspension")) {
-      say(FactKind::kElementIgnored, suspension->name_span(), joint, "suspension");
+    if (const auto* suspension = find(ode.children, "suspension")) {
+      say(FactKind::kElementIgnored, suspension->site.name, joint, "suspension");
     }
   }
 
-  void ignore_unless(xml::Element e, double neutral, const model::Joint& joint) {
-    const auto value = SceneDraft::parsed_number(e.text());
+  void ignore_unless(const model::Parameter* given, double neutral, const model::Joint& joint) {
+    if (given == nullptr) return;
+    const auto value = SceneDraft::parsed_number(given->value.value);
     if (!value || *value == neutral) return;
-    say(FactKind::kElementIgnored, e.text_span(), joint, std::string(e.name()), *value);
+    say(FactKind::kElementIgnored, given->value.span, joint, given->name, *value);
   }
 
   void add_screw(SceneJoint& out, const model::Joint& joint) {
@@ -305,8 +306,8 @@ class JointBuilder {
     }
   }
 
-  std::vector<xml::Element> blocks(const model::Joint& joint,
-                                   std::initializer_list<std::string_view> names) const {
+  std::vector<const model::Parameter*> blocks(const model::Joint& joint,
+                                              std::initializer_list<std::string_view> names) const {
     return draft_.blocks.find(root_[joint.model], joint.name.value, names);
   }
   bool in_urdf(const model::Joint& joint) const {

@@ -39,6 +39,14 @@ inline bool has_near_child(const model::Site& site, std::string_view name, const
   return false;
 }
 
+inline bool has_child(const model::Site& site, std::string_view name, const Context& context) {
+  return context.element(site).child(name).has_value();
+}
+
+inline bool has_any_child(const model::Site& site, const Context& context) {
+  return !context.element(site).children().empty();
+}
+
 /// Whether xacro was to put parts into the element: what it lacks may be among them.
 inline bool has_xacro_child(const model::Site& site, const Context& context) {
   return has_xacro_child(context.element(site));
