@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numbers>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -98,26 +97,19 @@ NamedColors named_colors(const model::Root& root, read::Workspace& workspace) {
   return colors;
 }
 
-/// `<screw_thread_pitch>` of SDF 1.10, metres per turn.
-std::optional<double> screw_slide(const model::Joint& joint, read::Workspace& workspace) {
-  const auto element = element_at(workspace, joint.site);
-  const auto pitch = element ? element->child("screw_thread_pitch") : std::nullopt;
-  if (!pitch) return std::nullopt;
-  const auto parsed = schema::parse_double(pitch->text());
-  const double* metres = std::get_if<double>(&parsed);
-  return metres == nullptr ? std::nullopt : std::optional(*metres / (2 * std::numbers::pi));
-}
-
 using Springs = std::map<std::string, std::array<double, 2>>;
 
-Springs springs_of(const model::Root& root, read::Workspace& workspace) {
+Springs springs_of(const model::Root& root) {
   Springs springs;
   for (const model::GazeboBlock& block : root.gazebo_blocks) {
-    const auto element = element_at(workspace, block.site);
-    if (!element) continue;
     auto& [reference, stiffness] = springs[block.reference.value];
-    reference = read::number_field(read::child_text(*element, "springReference"), reference).value;
-    stiffness = read::number_field(read::child_text(*element, "springStiffness"), stiffness).value;
+    const auto take = [&block](double& out, std::string_view name) {
+      const auto* given = find(block.content, name);
+      const auto number = given != nullptr ? read::number_field(*given) : model::Field<double>{};
+      if (number.written) out = number.value;
+    };
+    take(reference, "springReference");
+    take(stiffness, "springStiffness");
   }
   return springs;
 }
@@ -149,10 +141,7 @@ Lookups lookups_in(const model::Root& root, read::Workspace& workspace,
                       named = named_colors(root, workspace)](model::Id<model::Visual> id) {
     return color_of(root, workspace, named, root[id]);
   };
-  lookups.screw_slide = [&root, &workspace](model::Id<model::Joint> id) {
-    return screw_slide(root[id], workspace);
-  };
-  lookups.spring = [&root, springs = springs_of(root, workspace)](model::Id<model::Joint> id) {
+  lookups.spring = [&root, springs = springs_of(root)](model::Id<model::Joint> id) {
     const auto found = springs.find(root[id].name.value);
     return found == springs.end() ? std::array<double, 2>{} : found->second;
   };

@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include <rigor/mass/resolve.h>
@@ -280,15 +279,6 @@ class RobotBuilder {
     }
   }
 
-  /// What nobody wrote is no limit, and neither is the zero that SDF up to 1.3 has for its default: a
-  /// joint that cannot move.
-  double most(const model::Joint& joint, const model::Field<double>& field) const {
-    const bool old = joint.model && root_[joint.model].format == model::Format::kSdf &&
-                     root_[joint.model].version <= 3;
-    if (!field.written || (old && field.value == 0)) return kEndless;
-    return ceiling(field.value);
-  }
-
   Axis axis(Id<model::Joint> id, std::size_t k) const {
     const model::Joint& joint = root_[id];
     const model::Axis& written = joint.axes[k];
@@ -299,13 +289,13 @@ class RobotBuilder {
     if (joint.type == JointType::kPrismatic) axis.motion = Axis::Motion::kSlide;
     if (joint.type == JointType::kScrew) {
       axis.motion = Axis::Motion::kScrew;
-      axis.slide = screw_slide(id);
+      axis.slide = screw_lead(root_, joint);
     }
     const bool endless = joint.type == JointType::kContinuous;
     axis.lower = endless ? -kEndless : without_sentinel(written.lower.value);
     axis.upper = endless ? kEndless : without_sentinel(written.upper.value);
-    axis.effort = most(joint, written.effort);
-    axis.velocity = most(joint, written.velocity);
+    axis.effort = effort_limit(root_, joint, written);
+    axis.velocity = velocity_limit(root_, joint, written);
     axis.damping = written.damping.value;
     axis.friction = written.friction.value;
     axis.spring_reference = written.spring_reference.value;
@@ -328,22 +318,6 @@ class RobotBuilder {
     follow.multiplier = mimic.multiplier.value;
     follow.offset = mimic.offset.value - mimic.multiplier.value * mimic.reference.value;
     return follow;
-  }
-
-  /// Gazebo read `<thread_pitch>` as radians per metre of a left-handed thread;
-  /// from SDF 1.10 there is
-  /// `<screw_thread_pitch>`, metres per turn of a right-handed one, 1 by
-  /// default.
-  double screw_slide(Id<model::Joint> id) const {
-    if (lookups_.screw_slide) {
-      if (const auto slide = lookups_.screw_slide(id)) return *slide;
-    }
-    const model::Joint& joint = root_[id];
-    if (!joint.thread_pitch.written && root_[joint.model].version >= 10) {
-      return 1 / (2 * std::numbers::pi);
-    }
-    const double pitch = joint.thread_pitch.value;
-    return pitch == 0 ? 0 : -1 / pitch;
   }
 
   /// Unit vector in the joint frame.
@@ -392,12 +366,9 @@ class RobotBuilder {
 
 }  // namespace
 
-double without_sentinel(double limit) {
-  if (limit >= kUnlimited) return kEndless;
-  return limit <= -kUnlimited ? -kEndless : limit;
-}
+double without_sentinel(double limit) { return model::position_limit(limit); }
 
-double ceiling(double value) { return value < 0 ? kEndless : without_sentinel(value); }
+double ceiling(double value) { return model::magnitude_limit(value); }
 
 std::vector<Axis> planar_axes(const Vector3& normal) {
   const auto [u, v] = plane_directions(normal);

@@ -29,14 +29,14 @@
 #include <rigor/mass/mass_properties.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
+#include <rigor/model/motion.h>
 #include <rigor/text/span.h>
 
 namespace rigor::robot {
 
 inline constexpr std::uint32_t kNoIndex = 0xffffffffU;
 
-/// A limit, effort or velocity of this size or more is none: SDF's own word for infinity before 1.10.
-inline constexpr double kUnlimited = 1e16;
+using model::kUnlimited;
 
 /// The name of the body that stands for the world.
 inline constexpr const char* kWorldBody = "world";
@@ -151,8 +151,6 @@ struct Lookups {
   /// The path that a URI leads to, from the source it stands in; empty when it leads nowhere.
   std::function<std::string(const std::string& uri, SourceId from)> find_file = {};
   std::function<std::optional<Color>(model::Id<model::Visual>)> color_of = {};
-  /// m per rad of a screw joint; without this, what `thread_pitch` says.
-  std::function<std::optional<double>(model::Id<model::Joint>)> screw_slide = {};
   /// Of a URDF joint, which has its spring in a `<gazebo>` block: reference and stiffness.
   std::function<std::array<double, 2>(model::Id<model::Joint>)> spring = {};
 };

@@ -102,6 +102,7 @@ struct MeshUse {
   const model::Geometry& geometry;
   std::string subject;
   bool collision;
+  bool painted;  ///< whether the visual has a `<material>` of its own
 };
 
 /// A mesh file, by itself or as a model places it. Of several uses with the same role and scale the

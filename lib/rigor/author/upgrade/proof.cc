@@ -407,9 +407,9 @@ class UpgradeProof {
     if (!a.lidar || !b.lidar) return;
     same("range", a.lidar->range_min, b.lidar->range_min);
     same("range", a.lidar->range_max, b.lidar->range_max);
-    same("samples", a.lidar->samples, b.lidar->samples);
-    same("angle", a.lidar->angle_min, b.lidar->angle_min);
-    same("angle", a.lidar->angle_max, b.lidar->angle_max);
+    same("samples", a.lidar->horizontal.samples, b.lidar->horizontal.samples);
+    same("angle", a.lidar->horizontal.min_angle, b.lidar->horizontal.min_angle);
+    same("angle", a.lidar->horizontal.max_angle, b.lidar->horizontal.max_angle);
   }
 
   void light(std::uint32_t i, const model::Light& a, const model::Light& b) {

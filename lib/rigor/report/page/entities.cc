@@ -5,6 +5,7 @@
 
 #include <rigor/mass/resolve.h>
 #include <rigor/report/page/json_page.h>
+#include <rigor/model/motion.h>
 #include <rigor/write/inertial_text.h>
 
 namespace rigor::report {
@@ -13,10 +14,7 @@ namespace {
 using model::Id;
 using model::JointType;
 
-/// SDF writes "unlimited" as this number, too.
-constexpr double kUnlimited = 1e16;
-
-Json limit(double value) { return std::abs(value) < kUnlimited ? finite(value) : Json(nullptr); }
+Json limit(double value) { return finite(model::position_limit(value)); }
 
 bool can_be_set(JointType type) {
   switch (type) {

@@ -8,15 +8,13 @@ namespace rigor::rules::placement_frame_without_pose {
 
 void check(const model::Include& include, Context& context) {
   if (!include.placement_frame.written || include.placement_frame.value.empty()) return;
-  const xml::Element element = context.element(include.site);
-  const auto frame = element.child("placement_frame");
-  if (!frame || element.child("pose")) return;
+  if (!include.pose.site.span.nowhere()) return;
   context.report({.where = include.placement_frame.span,
                   .message = "the placement frame '" + include.placement_frame.value +
                              "' is put nowhere: the include has no <pose>",
                   .fix = fix_of("put it at the origin", Applicability::kUnsafe,
-                                xml::insert_child(context.document(), element, *frame,
-                                                  "<pose>0 0 0 0 0 0</pose>"))});
+                                inserted(context, include.site, include.placement_frame.span,
+                                         "<pose>0 0 0 0 0 0</pose>"))});
 }
 
 Rule rule() {

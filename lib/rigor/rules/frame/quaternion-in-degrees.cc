@@ -11,15 +11,12 @@ namespace rigor::rules::quaternion_in_degrees {
 
 std::optional<Finding> check_pose(const model::PoseField& pose, const Context& context) {
   if (!pose.pose.written || !context.root().own(pose.site)) return std::nullopt;
-  const xml::Element element = context.element(pose.site);
-  const auto format = element.attribute("rotation_format");
-  if (!format || format->value() != "quat_xyzw") return std::nullopt;
-  const auto degrees = element.attribute("degrees");
-  if (!degrees || (degrees->value() != "true" && degrees->value() != "1")) return std::nullopt;
-  return Finding{.where = degrees->value_span(),
+  const RotationFormat format = rotation_format(pose, context);
+  if (!format.quaternion || !format.degrees) return std::nullopt;
+  return Finding{.where = format.degrees_span,
                  .message = "a quaternion has no unit: degrees=\"true\" does not apply to it",
                  .fix = fix_of("take it out", Applicability::kSafe,
-                               xml::remove_attribute(context.document(), *degrees))};
+                               attribute_removed(context, pose.site, "degrees"))};
 }
 
 Rule rule() {

@@ -40,8 +40,7 @@ std::optional<Fix> divided(const WrittenRotation& rotation, double length, const
 
 std::optional<Finding> check_pose(const model::PoseField& pose, const Context& context) {
   if (!pose.pose.written || !context.root().own(pose.site)) return std::nullopt;
-  const xml::Element element = context.element(pose.site);
-  if (!element.attribute("rotation_format")) return std::nullopt;
+  if (!rotation_format(pose, context).declared) return std::nullopt;
   const auto rotation = written_rotation(pose, context);
   if (!rotation || rotation->numbers.size() != 4 || rotation->degrees) return std::nullopt;
   double square = 0;
@@ -53,7 +52,7 @@ std::optional<Finding> check_pose(const model::PoseField& pose, const Context& c
   }
   Finding finding{.where = rotation->span,
                   .message = fmt::format("the quaternion has the length {:.6g}, not 1", length)};
-  if (element.text_verbatim()) finding.fix = divided(*rotation, length, context);
+  if (rotation->verbatim) finding.fix = divided(*rotation, length, context);
   return finding;
 }
 

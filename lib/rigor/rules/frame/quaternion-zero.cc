@@ -25,7 +25,7 @@ std::optional<Fix> unit_quaternion(const WrittenRotation& rotation, const Contex
 std::optional<Finding> check_pose(const model::PoseField& pose, const Context& context) {
   // A zero quaternion is read as no rotation, so only that needs a closer look.
   if (!pose.pose.written || !(pose.pose.value.rotation == model::Quaternion{})) return std::nullopt;
-  if (!context.element(pose.site).attribute("rotation_format")) return std::nullopt;
+  if (!rotation_format(pose, context).declared) return std::nullopt;
   const auto rotation = written_rotation(pose, context);
   if (!rotation || rotation->numbers.size() != 4) return std::nullopt;
   const auto zero = [](double number) { return number == 0; };

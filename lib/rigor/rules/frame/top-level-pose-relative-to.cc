@@ -15,14 +15,12 @@ void check(const model::Model& model, Context& context) {
   const model::Field<std::string>& frame = model.pose.relative_to;
   // Other names are told as the nothing, or the circle, that they are.
   if (!frame.written || frame.value != "world") return;
-  const auto attribute = context.element(model.pose.site).attribute("relative_to");
-  if (!attribute) return;
   context.report({.where = frame.span,
                   .message = "no frame is around a model at the top of a file: relative_to has to "
                              "be left out",
                   .subject = context.subject(model),
                   .fix = fix_of("take it out", Applicability::kSafe,
-                                xml::remove_attribute(context.document(), *attribute))});
+                                attribute_removed(context, model.pose.site, "relative_to"))});
 }
 
 Rule rule() {

@@ -79,8 +79,7 @@ void check(const model::Link& link, Context& context) {
                                 other.name.value.empty() ? "" : ": '" + other.name.value + "'"),
          .subject = context.subject(collision),
          .related = {{other.site.name, "the first one"}},
-         .fix = fix_of("remove it", Applicability::kUnsafe,
-                       xml::remove_element(context.document(), context.element(collision.site)))});
+         .fix = fix_of("remove it", Applicability::kUnsafe, removed(context, collision.site))});
   }
 }
 

@@ -10,7 +10,7 @@
 namespace rigor::rules::collision_missing {
 
 void report_link(const model::Link& link, Context& context) {
-  if (misspelt_child(context.element(link.site), "collision", context)) return;  // unknown-element
+  if (misspelt_child(link.site, "collision", context)) return;  // unknown-element
   context.report({.where = link.site.name,
                   .message = "the link '" + link.name.value +
                              "' can be seen but not touched: it has a visual and no collision",

@@ -12,12 +12,12 @@ void check(const Part& part, Context& context) {
   const model::Geometry& geometry = part.geometry;
   if (!geometry.written || geometry.explicitly_empty) return;
   if (!std::holds_alternative<model::NoShape>(geometry.shape)) return;
-  const auto children = context.element(geometry.site).children();
-  if (!children.empty() && !context.is_urdf()) return;  // unknown-element
-  const std::string name(children.empty() ? "" : (*children.begin()).name());
-  context.report({.where = children.empty() ? geometry.site.name : (*children.begin()).name_span(),
-                  .message = children.empty() ? "the geometry holds no shape"
-                                              : "<" + name + "> is no shape of URDF",
+  const Span other = geometry.no_shape.name;
+  if (!other.nowhere() && !context.is_urdf()) return;  // unknown-element
+  context.report({.where = other.nowhere() ? geometry.site.name : other,
+                  .message = other.nowhere() ? "the geometry holds no shape"
+                                             : "<" + std::string(context.bytes(other)) +
+                                                   "> is no shape of URDF",
                   .subject = context.subject(part)});
 }
 

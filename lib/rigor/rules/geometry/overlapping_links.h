@@ -33,12 +33,12 @@ class SelfColliding {
   SelfColliding(const model::Root& root, const Context& context) : root_(root), context_(context) {
     if (!context.is_urdf()) {
       for (const model::Model& model : root.models) {
-        models_.push_back(root.own(model.site) && flag(context.element(model.site)));
+        models_.push_back(root.own(model.site) && model.self_collide.value);
       }
       return;
     }
     for (const model::GazeboBlock& block : root.gazebo_blocks) {
-      if (!root.own(block.site) || !flag(context.element(block.site))) continue;
+      if (!root.own(block.site) || !is_flagged(block)) continue;
       if (block.reference.value.empty()) all_ = true;
       blocks_.push_back(block.reference.value);
     }
@@ -57,15 +57,14 @@ class SelfColliding {
       return all_ || std::find(blocks_.begin(), blocks_.end(), link.name.value) != blocks_.end();
     }
     if (!root_.own(link.site)) return false;
-    const xml::Element element = context_.element(link.site);
-    if (element.child("self_collide")) return flag(element);
-    return models_[link.model.value];
+    return link.self_collide.written ? link.self_collide.value : models_[link.model.value];
   }
 
  private:
-  static bool flag(xml::Element element) {
+  static bool is_flagged(const model::GazeboBlock& block) {
     for (const std::string_view name : {"self_collide", "selfCollide"}) {
-      if (read::bool_field(read::child_text(element, name), false).value) return true;
+      const auto* flag = find(block.content, name);
+      if (flag != nullptr && read::bool_field(*flag).value) return true;
     }
     return false;
   }

@@ -5,26 +5,19 @@
 
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/misspelt.h>
 
 namespace rigor::rules::plane_on_moving_link {
 
-/// Whether there is a <static> already, if only a misspelt one, that has to be put right first.
-bool has_near_static(xml::Element model) {
-  for (const xml::Element child : model.children()) {
-    if (child.name() == "static" || !schema::near(child.name(), {"static"}).empty()) return true;
-  }
-  return false;
-}
-
 /// The model that would have to be static: its own, when nothing in it can move.
 std::optional<Fix> make_static(const model::Model& model, Context& context) {
+  // One that is there, if only misspelt, has to be put right first.
   if (!context.root().own(model.site) || !model.joints.empty() || model.links.size() != 1 ||
-      model.is_static.written || has_near_static(context.element(model.site))) {
+      model.is_static.written || has_near_child(model.site, "static", context)) {
     return std::nullopt;
   }
   return fix_of("make the model static", Applicability::kUnsafe,
-                xml::insert_child(context.document(), context.element(model.site), std::nullopt,
-                                  "<static>true</static>"));
+                inserted(context, model.site, {}, "<static>true</static>"));
 }
 
 void check(const model::Collision& collision, Context& context) {

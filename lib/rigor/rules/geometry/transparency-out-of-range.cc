@@ -5,7 +5,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
@@ -20,8 +19,7 @@ std::optional<Fix> as_share(const model::Field<double>& field) {
 }
 
 void check(const model::Visual& visual, Context& context) {
-  const auto transparency =
-      read::number_field(read::child_text(context.element(visual.site), "transparency"), 0);
+  const auto& transparency = visual.transparency;
   if (transparency.value >= 0 && transparency.value <= 1) return;
   context.report(
       {.where = transparency.span,

@@ -11,11 +11,11 @@
 namespace rigor::rules::added_mass_negative {
 
 void check(const model::Link& link, Context& context) {
-  if (!link.inertial.written) return;
-  const auto added = context.element(link.inertial.site).child("fluid_added_mass");
-  if (!added) return;
-  for (const std::string_view name : {"xx", "yy", "zz", "pp", "qq", "rr"}) {
-    const auto number = read::number_field(read::child_text(*added, name), 0);
+  if (!link.inertial.added_mass) return;
+  const auto& [xx, yy, zz, pp, qq, rr] = *link.inertial.added_mass;
+  const std::pair<const char*, const model::Field<double>&> diagonal[] = {
+      {"xx", xx}, {"yy", yy}, {"zz", zz}, {"pp", pp}, {"qq", qq}, {"rr", rr}};
+  for (const auto& [name, number] : diagonal) {
     if (!(number.value < 0)) continue;
     const std::string text(read::trimmed(context.bytes(number.span)));
     context.report({.where = number.span,

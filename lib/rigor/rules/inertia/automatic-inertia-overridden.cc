@@ -14,14 +14,12 @@ namespace rigor::rules::automatic_inertia_overridden {
 void check(const model::Link& link, Context& context) {
   const model::Inertial& inertial = link.inertial;
   if (!is_computed(link, context)) return;
-  const xml::Element element = context.element(inertial.site);
   std::vector<Edit> edits;
   std::string what;
-  for (const std::string_view name : {"pose", "inertia"}) {
-    const auto child = element.child(name);
-    if (!child) continue;
-    what += (what.empty() ? "<" : " and <") + std::string(name) + ">";
-    for (Edit& edit : xml::remove_element(context.document(), *child)) edits.push_back(edit);
+  for (const model::Site& unused : {inertial.pose.site, inertial.tensor_site}) {
+    if (unused.span.nowhere()) continue;
+    what += (what.empty() ? "<" : " and <") + std::string(context.bytes(unused.name)) + ">";
+    for (Edit& edit : removed(context, unused)) edits.push_back(edit);
   }
   if (what.empty()) return;
   context.report(

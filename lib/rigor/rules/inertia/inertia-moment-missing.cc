@@ -6,6 +6,7 @@
 #include <rigor/rules/inertia/inertial_fix.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/misspelt.h>
 
 namespace rigor::rules::inertia_moment_missing {
 
@@ -13,13 +14,13 @@ void check(const model::Link& link, Context& context) {
   const model::Inertial& inertial = link.inertial;
   if (!inertial.tensor_written || mass::is_automatic(link)) return;
   // An entry that cannot be read is not written either, and another rule's affair.
-  const xml::Element tensor = context.element(inertial.tensor_site);
   std::string missing;
   for (const char* name : {"ixx", "iyy", "izz"}) {
-    if (tensor.child(name)) continue;
+    if (has_child(inertial.tensor_site, name, context)) continue;
     missing += (missing.empty() ? "<" : " and <") + std::string(name) + ">";
   }
-  if (missing.empty() || tensor.children().empty() || tensor.cut()) return;
+  // An empty element is another rule's.
+  if (missing.empty() || !has_any_child(inertial.tensor_site, context)) return;
   context.report({.where = inertial.tensor_site.name,
                   .message = "the tensor has no " + missing + ": 1 kg·m² is taken instead",
                   .subject = context.subject(link),

@@ -15,8 +15,7 @@ void check(const model::Link& link, Context& context) {
   if (!(inertial.mass.value > 0)) return;  // mass-negative and mass-zero speak of that
   if (!inertial.mass.written || inertial.tensor_written || mass::is_automatic(link)) return;
   if (!is_dynamic(link, context)) return;
-  if (misspelt_child(context.element(inertial.site), "inertia", context))
-    return;  // unknown-element
+  if (misspelt_child(inertial.site, "inertia", context)) return;  // unknown-element
   context.report(
       {.where = inertial.site.name,
        .message = fmt::format("the mass is {} kg, but there is no <inertia>: the moments "

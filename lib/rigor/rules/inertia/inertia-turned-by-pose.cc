@@ -12,10 +12,8 @@ namespace rigor::rules::inertia_turned_by_pose {
 /// Of a URDF, where the rotation is an attribute of its own.
 std::optional<Fix> without_rotation(const model::Inertial& inertial, const Context& context) {
   if (!context.is_urdf()) return std::nullopt;
-  const auto rpy = context.element(inertial.pose.site).attribute("rpy");
-  if (!rpy) return std::nullopt;
   return fix_of("take the rotation out of the inertial", Applicability::kUnsafe,
-                xml::remove_attribute(context.document(), *rpy));
+                attribute_removed(context, inertial.pose.site, "rpy"));
 }
 
 void check(const model::Link& link, Context& context) {

@@ -52,7 +52,7 @@ std::set<model::Id<model::Link>> anchored_links(const model::Model& model, Conte
 }
 
 void report(const model::Link& link, Context& context) {
-  if (misspelt_child(context.element(link.site), "inertial", context)) return;  // unknown-element
+  if (misspelt_child(link.site, "inertial", context)) return;  // unknown-element
   context.report({.where = link.site.name,
                   .message = "the link '" + link.name.value +
                              "' has no <inertial>: it is taken to be 1 kg with a moment of 1 kg·m² "

@@ -5,14 +5,14 @@
 
 #include <rigor/rules/kinematics/leader.h>
 #include <rigor/rules/rule.h>
-#include <rigor/rules/xml/xacro.h>
+#include <rigor/rules/schema/misspelt.h>
 
 namespace rigor::rules::axis2_missing {
 
 void check(const model::Joint& joint, Context& context) {
   if (degrees_of_freedom(joint.type) != 2 || joint.axes.size() != 1) return;
-  const xml::Element element = context.element(joint.site);
-  if (element.child("axis2") || has_xacro_child(element)) return;
+  const bool second = context.bytes(joint.axes.front().site.name) == "axis2";
+  if (second || has_xacro_child(joint.site, context)) return;
   context.report({.where = joint.type_name.span,
                   .message = "a " + std::string(to_string(joint.type)) +
                              " joint has two axes, and this one has no <axis2>",

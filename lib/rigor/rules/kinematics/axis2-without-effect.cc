@@ -12,14 +12,14 @@ namespace rigor::rules::axis2_without_effect {
 void check(const model::Joint& joint, Context& context) {
   if (joint.type == model::JointType::kUnknown || joint.type == model::JointType::kGearbox) return;
   if (degrees_of_freedom(joint.type) == 2) return;
-  const auto axis = context.element(joint.site).child("axis2");
-  if (!axis) return;
-  context.report({.where = axis->name_span(),
+  if (joint.axes.empty()) return;
+  const model::Site& axis = joint.axes.back().site;
+  if (context.bytes(axis.name) != "axis2") return;
+  context.report({.where = axis.name,
                   .message = "a " + std::string(to_string(joint.type)) +
                              " joint has no second axis: this one is ignored",
                   .subject = context.subject(joint),
-                  .fix = fix_of("remove it", Applicability::kUnsafe,
-                                xml::remove_element(context.document(), *axis))});
+                  .fix = fix_of("remove it", Applicability::kUnsafe, removed(context, axis))});
 }
 
 Rule rule() {

@@ -2,27 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <string>
-#include <string_view>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::controlled_joint_duplicate {
 
 /// "elbow position", for each interface that moves it.
-std::vector<std::string> commands_of(xml::Element joint, const model::ControlledJoint& controlled) {
+std::vector<std::string> commands_of(const model::ControlledJoint& controlled) {
   const char* kind = controlled.ros2_control ? "command_interface" : "hardwareInterface";
   std::vector<std::string> commands;
-  for (const xml::Element child : joint.children()) {
-    if (child.name() != kind) continue;
-    const auto name = child.attribute("name");
-    std::string command = controlled.joint.value + ' ';
-    command += controlled.ros2_control ? (name ? name->value() : std::string_view())
-                                       : read::trimmed(child.text());
-    commands.push_back(kind + (' ' + command));
+  for (const model::Parameter& given : controlled.parameters) {
+    if (given.name != kind) continue;
+    const auto* name = controlled.ros2_control ? attribute(given, "name") : &given.value;
+    const std::string command = name != nullptr ? name->value : std::string();
+    commands.push_back(kind + (' ' + controlled.joint.value) + ' ' + command);
   }
   return commands;
 }
@@ -32,7 +28,7 @@ void check(const model::Root& root, Context& context) {
   for (const model::ControlledJoint& controlled : root.controlled_joints) {
     if (controlled.joint.value.empty() || !root.own(controlled.site)) continue;
     bool told = false;
-    for (std::string& command : commands_of(context.element(controlled.site), controlled)) {
+    for (std::string& command : commands_of(controlled)) {
       const auto [known, is_new] = first.emplace(std::move(command), controlled.joint.span);
       if (is_new || told || known->second == controlled.joint.span) continue;
       told = true;

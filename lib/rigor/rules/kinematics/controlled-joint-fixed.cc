@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <string_view>
+#include <string>
 
 #include <fmt/core.h>
 
@@ -11,12 +11,13 @@
 namespace rigor::rules::controlled_joint_fixed {
 
 /// Others, such as those that only name the ends of a chain, move nothing.
-bool moves_a_joint(xml::Element element, const model::ControlledJoint& controlled) {
-  if (controlled.ros2_control) return element.child("command_interface").has_value();
+bool moves_a_joint(const model::ControlledJoint& controlled) {
+  const model::Parameters& given = controlled.parameters;
+  if (controlled.ros2_control) return find(given, "command_interface") != nullptr;
   bool any = false;
-  for (const xml::Element child : element.children()) {
-    if (child.name() != "hardwareInterface") continue;
-    if (child.text().find("JointInterface") != std::string_view::npos) return true;
+  for (const model::Parameter& parameter : given) {
+    if (parameter.name != "hardwareInterface") continue;
+    if (parameter.value.value.find("JointInterface") != std::string::npos) return true;
     any = true;
   }
   return !any;
@@ -27,7 +28,7 @@ void check(const model::Root& root, Context& context) {
     if (root.models.empty() || !root.own(controlled.site)) continue;
     const auto id = joint_named(context.frames(), {0}, controlled.joint.value);
     if (!id || root[id].type != model::JointType::kFixed) continue;
-    if (!moves_a_joint(context.element(controlled.site), controlled)) continue;
+    if (!moves_a_joint(controlled)) continue;
     context.report(
         {.where = controlled.joint.span,
          .message = fmt::format("{} drives the joint '{}', which is fixed",

@@ -8,7 +8,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/kinematics/leader.h>
 #include <rigor/rules/rule.h>
 
@@ -55,18 +54,17 @@ std::string obstacle(const model::Joint& joint) {
 void check(const model::Plugin& plugin, Context& context) {
   const Drive* drive = drive_of(plugin);
   if (drive == nullptr || !plugin.model) return;
-  for (const xml::Element child : context.element(plugin.site).children()) {
-    if (std::find(drive->joints.begin(), drive->joints.end(), child.name()) ==
-        drive->joints.end()) {
+  for (const model::Parameter& given : plugin.parameters) {
+    if (std::find(drive->joints.begin(), drive->joints.end(), given.name) == drive->joints.end()) {
       continue;
     }
-    const auto id = joint_named(context.frames(), plugin.model, read::trimmed(child.text()));
+    const auto id = joint_named(context.frames(), plugin.model, given.value.value);
     if (!id) continue;
     const model::Joint& joint = context.root()[id];
     const std::string why = obstacle(joint);
     if (why.empty()) continue;
     context.report(
-        {.where = child.text_span(),
+        {.where = given.value.span,
          .message = "the plugin turns the joint '" + joint.name.value + "', which " + why,
          .subject = context.subject(plugin)});
   }

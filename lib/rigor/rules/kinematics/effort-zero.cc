@@ -10,11 +10,9 @@ namespace rigor::rules::effort_zero {
 
 void check(const model::Joint& joint, Context& context) {
   if (!has_axis(joint.type)) return;
-  // Up to SDF 1.3 zero is what stands for "no limit".
-  if (context.is_sdf() && context.root().version <= 3) return;
   for (const model::Axis& axis : joint.axes) {
-    if (axis.mimic || !axis.effort.written || axis.effort.value != 0) continue;
-    const bool still = axis.velocity.written && axis.velocity.value == 0;
+    if (axis.mimic || effort_limit(context.root(), joint, axis) != 0) continue;
+    const bool still = velocity_limit(context.root(), joint, axis) == 0;
     context.report({.where = axis.effort.span,
                     .message = fmt::format(
                         "the effort limit is 0 {}{}: nothing can drive the joint",

@@ -12,12 +12,10 @@ void check(const model::Joint& joint, Context& context) {
   if (axis.site.element == joint.site.element) return;  // only a limit, or the like
   // Exporters of URDF write 0 0 0 there, and mean none; of SDF axis-zero speaks.
   if (axis.xyz.value == model::Vector3{}) return;
-  context.report(
-      {.where = axis.site.name,
-       .message = "a fixed joint has no axis: this one is ignored",
-       .subject = context.subject(joint),
-       .fix = fix_of("remove it", Applicability::kUnsafe,
-                     xml::remove_element(context.document(), context.element(axis.site)))});
+  context.report({.where = axis.site.name,
+                  .message = "a fixed joint has no axis: this one is ignored",
+                  .subject = context.subject(joint),
+                  .fix = fix_of("remove it", Applicability::kUnsafe, removed(context, axis.site))});
 }
 
 Rule rule() {

@@ -1,7 +1,6 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 #include <rigor/write/numbers.h>
 
@@ -17,21 +16,18 @@ void check_joint(const model::Joint& joint, Context& context) {
                   .subject = context.subject(joint)});
 }
 
-void check_reduction(xml::Element holder, Context& context) {
-  const auto reduction = holder.child("mechanicalReduction");
-  if (!reduction) return;
-  const auto number = write::number_in(read::trimmed(reduction->text()));
-  if (number != 0.0) return;
-  context.report({.where = reduction->text_span(), .message = "the reduction of the gear is 0"});
+void check_reduction(const model::Parameter& holder, Context& context) {
+  const auto* reduction = find(holder.children, "mechanicalReduction");
+  if (reduction == nullptr || write::number_in(reduction->value.value) != 0.0) return;
+  context.report({.where = reduction->value.span, .message = "the reduction of the gear is 0"});
 }
 
-void check_transmissions(const model::Root&, Context& context) {
-  if (!context.is_urdf() || !context.document().root()) return;
-  for (const xml::Element child : context.document().root()->children()) {
-    if (child.name() != "transmission") continue;
-    check_reduction(child, context);
-    for (const xml::Element part : child.children()) {
-      if (part.name() == "joint" || part.name() == "actuator") check_reduction(part, context);
+void check_transmissions(const model::Root& root, Context& context) {
+  for (const model::Parameter& transmission : root.transmissions) {
+    if (!root.own(transmission.site)) continue;
+    check_reduction(transmission, context);
+    for (const model::Parameter& part : transmission.children) {
+      if (part.name == "joint" || part.name == "actuator") check_reduction(part, context);
     }
   }
 }

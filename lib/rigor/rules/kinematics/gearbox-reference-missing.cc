@@ -6,18 +6,15 @@
 #include <variant>
 
 #include <rigor/model/names.h>
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
-#include <rigor/rules/xml/xacro.h>
+#include <rigor/rules/schema/misspelt.h>
 
 namespace rigor::rules::gearbox_reference_missing {
 
 void check(const model::Joint& joint, Context& context) {
   if (joint.type != model::JointType::kGearbox || !joint.model) return;
-  const xml::Element element = context.element(joint.site);
-  if (has_xacro_child(element)) return;
-  const auto reference = element.child("gearbox_reference_body");
-  const std::string_view name = reference ? read::trimmed(reference->text()) : std::string_view();
+  if (has_xacro_child(joint.site, context)) return;
+  const std::string_view name = joint.gearbox_reference.value;
   if (name.empty()) {
     context.report(
         {.where = joint.type_name.span,
@@ -31,7 +28,7 @@ void check(const model::Joint& joint, Context& context) {
   if (names.find_link(joint.model, name)) return;
   if (!std::holds_alternative<std::monostate>(names.find({joint.model, {}}, name))) return;
   context.report(
-      {.where = reference->text_span(),
+      {.where = joint.gearbox_reference.span,
        .message = "the gears turn in '" + std::string(name) + "', which this model does not have",
        .subject = context.subject(joint)});
 }

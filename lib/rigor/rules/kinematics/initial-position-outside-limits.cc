@@ -7,7 +7,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/kinematics/leader.h>
 #include <rigor/rules/kinematics/motion.h>
 #include <rigor/rules/rule.h>
@@ -17,17 +16,18 @@ namespace rigor::rules::initial_position_outside_limits {
 
 constexpr double kTolerance = 1e-6;
 
-void check_value(xml::Element value, model::Id<model::Joint> id, Context& context) {
+void check_value(const model::Field<std::string>& value, model::Id<model::Joint> id,
+                 Context& context) {
   if (!id) return;
   const model::Joint& joint = context.root()[id];
   if (!is_limited(joint.type) || joint.axes.empty()) return;
   const model::Axis& axis = joint.axes.front();
-  const auto position = write::number_in(read::trimmed(value.text()));
+  const auto position = write::number_in(value.value);
   if (!position || axis.lower.value > axis.upper.value) return;
   if (*position >= axis.lower.value - kTolerance && *position <= axis.upper.value + kTolerance) {
     return;
   }
-  context.report({.where = value.text_span(),
+  context.report({.where = value.span,
                   .message = fmt::format("the joint '{}' is to begin at {:.6g} {}, but its limits "
                                          "are {:.6g} and {:.6g}",
                                          joint.name.value, *position, position_unit(joint.type),
@@ -41,18 +41,17 @@ void check_plugin(const model::Plugin& plugin, Context& context) {
   if (!trajectory && plugin.filename.value.find("joint-position-controller") == std::string::npos) {
     return;
   }
-  std::vector<xml::Element> names;
-  std::vector<xml::Element> positions;
-  for (const xml::Element child : context.element(plugin.site).children()) {
-    if (child.name() == "joint_name") names.push_back(child);
-    if (child.name() == "initial_position") positions.push_back(child);
+  std::vector<model::Field<std::string>> names;
+  std::vector<model::Field<std::string>> positions;
+  for (const model::Parameter& given : plugin.parameters) {
+    if (given.name == "joint_name") names.push_back(given.value);
+    if (given.name == "initial_position") positions.push_back(given.value);
   }
   if (positions.empty()) return;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (trajectory && i >= positions.size()) return;
     check_value(trajectory ? positions[i] : positions.front(),
-                joint_named(context.frames(), plugin.model, read::trimmed(names[i].text())),
-                context);
+                joint_named(context.frames(), plugin.model, names[i].value), context);
   }
 }
 
@@ -66,12 +65,14 @@ void check_ros2_control(const model::Root& root, Context& context) {
   for (const model::ControlledJoint& controlled : root.controlled_joints) {
     if (!controlled.ros2_control || root.models.empty() || !root.own(controlled.site)) continue;
     const auto id = joint_named(context.frames(), {0}, controlled.joint.value);
-    for (const xml::Element face : context.element(controlled.site).children()) {
-      const auto of = face.attribute("name");
-      if (face.name() != "state_interface" || !of || of->value() != "position") continue;
-      for (const xml::Element parameter : face.children()) {
-        const auto name = parameter.attribute("name");
-        if (name && name->value() == "initial_value") check_value(parameter, id, context);
+    for (const model::Parameter& face : controlled.parameters) {
+      const auto* of = attribute(face, "name");
+      if (face.name != "state_interface" || of == nullptr || of->value != "position") continue;
+      for (const model::Parameter& parameter : face.children) {
+        const auto* name = attribute(parameter, "name");
+        if (name != nullptr && name->value == "initial_value") {
+          check_value(parameter.value, id, context);
+        }
       }
     }
   }

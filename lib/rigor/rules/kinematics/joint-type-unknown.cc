@@ -21,7 +21,7 @@ void check(const read::SchemaFact& fact, Context& context) {
 }
 
 void check_empty(const model::Joint& joint, Context& context) {
-  report_empty_type(context.element(joint.site), context.subject(joint), context);
+  report_empty_type(joint.site, context.subject(joint), context);
 }
 
 Rule rule() {

@@ -20,7 +20,7 @@ std::optional<Fix> fixed_instead(const model::Joint& joint, const model::Axis& a
                                  const Context& context) {
   std::vector<Edit> edits{{joint.type_name.span, "fixed"}};
   if (axis.site.element != joint.site.element) {
-    const auto without_axis = xml::remove_element(context.document(), context.element(axis.site));
+    const auto without_axis = removed(context, axis.site);
     edits.insert(edits.end(), without_axis.begin(), without_axis.end());
   }
   return fix_of("make it fixed", Applicability::kUnsafe, std::move(edits));
@@ -31,7 +31,8 @@ void check(const model::Joint& joint, Context& context) {
   const model::Axis& axis = joint.axes.front();
   // Files of those versions have no other way to say it.
   if (context.is_sdf() && context.root().version < 6) return;
-  if (!axis.lower.written || !axis.upper.written || axis.mimic || is_stuck(axis)) return;
+  if (!axis.lower.written || !axis.upper.written || axis.mimic) return;
+  if (is_stuck(context.root(), joint, axis)) return;
   if (axis.lower.value != axis.upper.value || !std::isfinite(axis.upper.value)) return;
   context.report(
       {.where = axis.upper.span,

@@ -4,7 +4,7 @@
 #include <string>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/xml/xacro.h>
+#include <rigor/rules/schema/misspelt.h>
 
 namespace rigor::rules::limit_missing {
 
@@ -12,7 +12,7 @@ void check(const model::Joint& joint, Context& context) {
   const bool limited =
       joint.type == model::JointType::kRevolute || joint.type == model::JointType::kPrismatic;
   if (!limited || (!joint.axes.empty() && joint.axes.front().limit_written)) return;
-  if (has_xacro_child(context.element(joint.site))) return;
+  if (has_xacro_child(joint.site, context)) return;
   context.report({.where = joint.site.name,
                   .message = "the " + std::string(to_string(joint.type)) + " joint has no <limit>",
                   .subject = context.subject(joint),

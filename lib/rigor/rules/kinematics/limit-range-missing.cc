@@ -14,7 +14,7 @@ void check(const model::Joint& joint, Context& context) {
   }
   for (const model::Axis& axis : joint.axes) {
     if (!axis.limit_written || axis.lower.written || axis.upper.written) continue;
-    if (is_stuck(axis)) continue;
+    if (is_stuck(context.root(), joint, axis)) continue;
     context.report({.where = axis.limit_site.name,
                     .message = fmt::format("neither lower nor upper is written: both are 0, and "
                                            "the {} joint cannot move",

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <string>
-#include <string_view>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/sdformat_robot.h>
 
@@ -15,10 +13,8 @@ namespace rigor::rules::no_link_left_in_sdf {
 bool made_static(const Context& context) {
   const auto& blocks = context.root().gazebo_blocks;
   return std::any_of(blocks.begin(), blocks.end(), [&](const model::GazeboBlock& block) {
-    const auto flag = context.element(block.site).child("static");
-    if (!flag || !block.reference.value.empty()) return false;
-    const std::string_view text = read::trimmed(flag->text());
-    return text == "true" || text == "1";
+    const auto* flag = find(block.content, "static");
+    return flag != nullptr && block.reference.value.empty() && is_true(*flag);
   });
 }
 

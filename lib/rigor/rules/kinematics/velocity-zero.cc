@@ -10,11 +10,9 @@ namespace rigor::rules::velocity_zero {
 
 void check(const model::Joint& joint, Context& context) {
   if (!has_axis(joint.type)) return;
-  // Up to SDF 1.3 zero is what stands for "no limit".
-  if (context.is_sdf() && context.root().version <= 3) return;
   for (const model::Axis& axis : joint.axes) {
-    if (axis.mimic || !axis.velocity.written || axis.velocity.value != 0) continue;
-    if (axis.effort.written && axis.effort.value == 0) continue;  // effort-zero says both
+    if (axis.mimic || velocity_limit(context.root(), joint, axis) != 0) continue;
+    if (effort_limit(context.root(), joint, axis) == 0) continue;  // effort-zero says both
     context.report({.where = axis.velocity.span,
                     .message = fmt::format("the velocity limit is 0 {}/s: the joint can never move",
                                            position_unit(joint.type)),

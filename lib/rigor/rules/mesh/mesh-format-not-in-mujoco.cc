@@ -17,7 +17,7 @@ bool is_of_others(std::string_view ending) {
 }
 
 void check(const model::Root& /*root*/, Context& context) {
-  const MujocoCompiler settings = mujoco_compiler(context.document());
+  const MujocoCompiler settings = mujoco_compiler(context.root());
   for (const MujocoMesh& one : mujoco_meshes(settings, context)) {
     const std::string& uri = one.mesh->uri.value;
     if (!is_of_others(extension(uri))) continue;

@@ -27,7 +27,7 @@ bool same_scale(const model::Mesh& a, const model::Mesh& b) {
 }
 
 void check(const model::Root& /*root*/, Context& context) {
-  const MujocoCompiler settings = mujoco_compiler(context.document());
+  const MujocoCompiler settings = mujoco_compiler(context.root());
   std::map<std::string, Known> by_name;
   for (const MujocoMesh& one : mujoco_meshes(settings, context)) {
     const std::string& uri = one.mesh->uri.value;

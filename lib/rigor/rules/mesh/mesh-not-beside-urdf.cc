@@ -13,7 +13,7 @@
 namespace rigor::rules::mesh_not_beside_urdf {
 
 void check(const model::Root& /*root*/, Context& context) {
-  const MujocoCompiler settings = mujoco_compiler(context.document());
+  const MujocoCompiler settings = mujoco_compiler(context.root());
   const std::string folder = join_path(context.folder(), settings.mesh_folder);
   const MujocoMesh* first = nullptr;
   std::string place;

@@ -10,11 +10,8 @@ namespace rigor::rules::mesh_texture_missing {
 
 /// Gazebo draws a visual that has a <material> of its own with that, whatever the mesh says. RViz
 /// takes a URDF's material only for meshes without any.
-bool painted_over(const MeshFile& file, Context& context) {
-  if (!context.is_sdf() || !file.use) return false;
-  std::optional<xml::Element> at = context.element(file.use->geometry.site);
-  while (at && at->name() != "visual") at = at->parent();
-  return at && at->child("material").has_value();
+bool painted_over(const MeshFile& file, const Context& context) {
+  return context.is_sdf() && file.use != nullptr && file.use->painted;
 }
 
 void check(const MeshFile& file, Context& context) {

@@ -8,9 +8,10 @@
 namespace rigor::rules::name_empty {
 
 /// Of a URDF libsdformat keeps no fixed joints: their links are one.
-bool in_model(xml::Element element) {
-  const auto type = element.attribute("type");
-  return element.name() != "joint" || !type || type->value() != "fixed";
+bool in_model(const model::Joint& joint) { return joint.type_name.value != "fixed"; }
+template <class Other>
+bool in_model(const Other&) {
+  return true;
 }
 
 template <class Entity>
@@ -22,7 +23,7 @@ void check(const Entity& entity, Context& context) {
   context.report({.where = entity.site.tag,
                   .message = "the name of this " + kind + " is empty",
                   .subject = context.subject(entity),
-                  .refused = in_model(context.element(entity.site))});
+                  .refused = in_model(entity)});
 }
 
 Rule rule() {

@@ -9,14 +9,11 @@
 namespace rigor::rules::material_pbr_not_in_classic {
 
 void check(const model::Visual& visual, Context& context) {
-  const auto material = context.element(visual.site).child("material");
-  const auto pbr = material ? material->child("pbr") : std::nullopt;
-  if (!pbr) return;
-  for (const std::string_view shown : {"script", "ambient", "diffuse", "emissive"}) {
-    if (material->child(shown)) return;
-  }
+  const model::Material& material = visual.material;
+  const bool scripted = !material.script.span.nowhere();
+  if (material.pbr.span.nowhere() || scripted || material.has_color) return;
   context.report(
-      {.where = pbr->name_span(),
+      {.where = material.pbr.name,
        .message = "Gazebo classic passes over <pbr>, and nothing else says how this looks",
        .subject = context.subject(visual)});
 }

@@ -4,32 +4,25 @@
 #include <cstdint>
 #include <string_view>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::material_script_incomplete {
 
 /// Whether the script has a value under this name. In SDF 1.0 these were attributes. `__default__` is
 /// libsdformat's own sign for "nothing was written", which old Gazebo wrote into files.
-bool has(xml::Element script, std::string_view name) {
-  const auto text = read::child_text(script, name);
-  if (!text) return false;
-  const std::string_view value = read::trimmed(text->text);
-  return !value.empty() && value != "__default__";
+bool is_given(const model::Field<std::string>& field) {
+  return !field.value.empty() && field.value != "__default__";
 }
 
-void check(const model::Root& root, Context& context) {
+void check(const model::Visual& visual, Context& context) {
   constexpr int kFirstVersionWithUri = 2;
-  if (root.version < kFirstVersionWithUri) return;
-  for (const xml::Element script : context.elements_about_files()) {
-    const auto parent = script.parent();
-    if (script.name() != "script" || !parent || parent->name() != "material") continue;
-    const bool uri = has(script, "uri");
-    if (uri && has(script, "name")) continue;
-    context.report({.where = script.name_span(),
-                    .message = uri ? "this material <script> has no <name>"
-                                   : "this material <script> has no <uri>"});
-  }
+  const model::Material& material = visual.material;
+  if (context.root().version < kFirstVersionWithUri || material.script.span.nowhere()) return;
+  const bool uri = is_given(material.script_uri);
+  if (uri && is_given(material.name)) return;
+  context.report({.where = material.script.name,
+                  .message = uri ? "this material <script> has no <name>"
+                                 : "this material <script> has no <uri>"});
 }
 
 Rule rule() {
@@ -43,7 +36,7 @@ Rule rule() {
              "material in it.",
       .what_to_do =
           "Write <uri> and <name>, or colours in place of the script: new Gazebo reads no scripts.",
-      .checks = {on<model::Root>(check)},
+      .checks = {on<model::Visual>(check)},
   };
 }
 

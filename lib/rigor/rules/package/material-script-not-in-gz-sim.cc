@@ -5,23 +5,17 @@
 #include <string>
 #include <string_view>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::material_script_not_in_gz_sim {
 
 void check(const model::Visual& visual, Context& context) {
-  const auto material = context.element(visual.site).child("material");
-  const auto script = material ? material->child("script") : std::nullopt;
-  if (!script) return;
-  for (const std::string_view shown : {"pbr", "ambient", "diffuse", "emissive"}) {
-    if (material->child(shown)) return;
-  }
-  const auto name = read::child_text(*script, "name");
-  const std::string_view text = name ? read::trimmed(name->text) : std::string_view();
+  const model::Material& material = visual.material;
+  if (!material.pbr.span.nowhere() || material.has_color) return;
+  const std::string_view text = material.name.value;
   // The colours of Gazebo's own materials gz-sim knows by heart, from version 8.
   if (text.empty() || text.starts_with("Gazebo/") || text == "__default__") return;
-  context.report({.where = name->span,
+  context.report({.where = material.name.span,
                   .message = "gz-sim reads no material scripts: nothing is seen of '" +
                              std::string(text) + "'",
                   .subject = context.subject(visual)});

@@ -7,7 +7,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/physics/contact_settings.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::contact_depth_too_large {
@@ -35,9 +34,7 @@ std::optional<double> thickness(const model::Shape& shape) {
 void check(const model::Collision& collision, Context& context) {
   const auto thick = thickness(collision.geometry.shape);
   if (!thick || !(*thick > 0)) return;
-  const auto settings = contact_settings(collision, context);
-  if (!settings) return;
-  const auto depth = contact_setting(*settings, "min_depth");
+  const auto& depth = collision.surface.min_depth;
   if (!depth.written || depth.value <= std::max(kUsual, kMost * *thick)) return;
   context.report(
       {.where = depth.span,

@@ -3,15 +3,12 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/physics/contact_settings.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::contact_stiffness_not_positive {
 
 void check(const model::Collision& collision, Context& context) {
-  const auto settings = contact_settings(collision, context);
-  if (!settings) return;
-  if (const auto kp = contact_setting(*settings, "kp"); kp.written && kp.value <= 0) {
+  if (const auto& kp = collision.surface.kp; kp.written && kp.value <= 0) {
     context.report(
         {.where = kp.span,
          .message = fmt::format("the contact's stiffness kp is {} N/m: nothing pushes the "
@@ -19,7 +16,7 @@ void check(const model::Collision& collision, Context& context) {
                                 kp.value),
          .subject = context.subject(collision)});
   }
-  if (const auto kd = contact_setting(*settings, "kd"); kd.written && kd.value < 0) {
+  if (const auto& kd = collision.surface.kd; kd.written && kd.value < 0) {
     context.report(
         {.where = kd.span,
          .message = fmt::format("the contact's damping kd is {} N·s/m: it adds energy to "

@@ -10,7 +10,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::friction_direction_turns {
@@ -39,30 +38,11 @@ bool is_wheel(const model::Shape& shape, const model::Pose& X_WC, const model::V
   return off < kCentred * radius;
 }
 
-struct Direction {
-  model::Field<model::Vector3> along;  ///< in the collision's frame
-  double mu = 1;
-  double mu2 = 1;
-};
-
-/// Nothing when none is written, when it stands in a frame of its own, or when both directions are alike.
-std::optional<Direction> direction_of(const model::Collision& collision, const Context& context) {
-  std::optional<xml::Element> element = context.element(collision.site);
-  for (const char* name : {"surface", "friction", "ode"}) {
-    if (element) element = element->child(name);
-  }
-  if (!element) return std::nullopt;
-  const auto fdir1 = element->child("fdir1");
-  if (fdir1 && !fdir1->attributes().empty()) return std::nullopt;  // expressed in another frame
-  Direction result;
-  result.along = read::vector_field(read::child_text(*element, "fdir1"), {});
-  if (!result.along.written || !(model::length(result.along.value) > 0)) return std::nullopt;
-  result.mu = read::number_field(read::child_text(*element, "mu"), 1).value;
-  result.mu2 = read::number_field(read::child_text(*element, "mu2"), 1).value;
-  const double slip1 = read::number_field(read::child_text(*element, "slip1"), 0).value;
-  const double slip2 = read::number_field(read::child_text(*element, "slip2"), 0).value;
-  if (result.mu == result.mu2 && slip1 == slip2) return std::nullopt;
-  return result;
+/// Not when none is written, when it stands in a frame of its own, or when both directions are alike.
+bool has_direction(const model::Surface& surface) {
+  if (!surface.fdir1.written || surface.fdir1_in_frame) return false;
+  if (!(model::length(surface.fdir1.value) > 0)) return false;
+  return surface.mu.value != surface.mu2.value || surface.slip1.value != surface.slip2.value;
 }
 
 void check(const model::Joint& joint, Context& context) {
@@ -78,16 +58,15 @@ void check(const model::Joint& joint, Context& context) {
     const model::Collision& collision = root[collision_id];
     const auto X_WC = context.frames().pose(collision_id);
     if (!X_WC || !is_wheel(collision.geometry.shape, *X_WC, *axis_W, X_WJ->translation)) continue;
-    const auto direction = direction_of(collision, context);
-    if (!direction) continue;
-    const model::Vector3 along_W = model::rotate(X_WC->rotation, direction->along.value);
-    const double aligned =
-        std::abs(model::dot(along_W, *axis_W)) / model::length(direction->along.value);
+    if (!has_direction(collision.surface)) continue;
+    const auto& along = collision.surface.fdir1;
+    const model::Vector3 along_W = model::rotate(X_WC->rotation, along.value);
+    const double aligned = std::abs(model::dot(along_W, *axis_W)) / model::length(along.value);
     if (aligned > kAligned) continue;
     const model::Vector3 axle =
         model::rotate(model::conjugate(X_WC->rotation), *axis_W);  // in the collision's frame
     context.report(
-        {.where = direction->along.span,
+        {.where = along.span,
          .message = fmt::format(
              "the friction direction is {:.0f}° off the axle of '{}': it turns with "
              "the wheel, and points into the ground twice a turn",

@@ -9,7 +9,6 @@
 #include <fmt/core.h>
 
 #include <rigor/mass/resolve.h>
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::spring_damper_unstable {
@@ -31,20 +30,6 @@ double step_of(const model::Root& root) {
     }
   }
   return kUsualStep;
-}
-
-/// The element says that the joint's spring and damper are to be solved with the constraints.
-bool is_implicit(const model::Joint& joint, const Context& context) {
-  std::optional<xml::Element> element = context.element(joint.site);
-  for (const char* name : {"physics", "ode"}) {
-    if (element) element = element->child(name);
-  }
-  if (!element) return false;
-  for (const char* name : {"implicit_spring_damper", "cfm_damping"}) {
-    const auto text = read::child_text(*element, name);
-    if (text && read::bool_field(text, false).value) return true;
-  }
-  return false;
 }
 
 class Bodies {
@@ -101,7 +86,7 @@ void check(const model::Root& root, Context& context) {
     }
     const auto child = context.frames().ends({i}).child;
     const auto axis_W = context.frames().axis({i}, 0);
-    if (!child || !axis_W || is_implicit(joint, context)) continue;
+    if (!child || !axis_W || joint.implicit_spring_damper) continue;
     if (!bodies) bodies.emplace(context);
     const auto inertia = bodies->moved({i}, child, *axis_W);
     if (!inertia || !(*inertia > 0)) continue;

@@ -1,27 +1,20 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <optional>
-
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/xml/xacro.h>
 
 namespace rigor::rules::hardware_plugin_missing {
 
-void check(const model::Root& /*root*/, Context& context) {
-  const auto robot = context.document().root();
-  if (!robot) return;
-  for (const xml::Element control : robot->children()) {
-    if (control.name() != "ros2_control" || has_xacro_child(control)) continue;
-    const auto hardware = control.child("hardware");
-    if (hardware && has_xacro_child(*hardware)) continue;
-    const auto plugin = hardware ? hardware->child("plugin") : std::nullopt;
-    if (plugin && !read::trimmed(plugin->text()).empty()) continue;
-    const Span where = plugin     ? plugin->name_span()
-                       : hardware ? hardware->name_span()
-                                  : control.name_span();
-    context.report({.where = where,
+void check(const model::Root& root, Context& context) {
+  for (const model::Parameter& control : root.ros2_controls) {
+    if (!root.own(control.site) || has_xacro_child(control)) continue;
+    const auto* hardware = find(control.children, "hardware");
+    if (hardware != nullptr && has_xacro_child(*hardware)) continue;
+    const auto* plugin = hardware != nullptr ? find(hardware->children, "plugin") : nullptr;
+    if (plugin != nullptr && !plugin->value.value.empty()) continue;
+    const auto& lacking = plugin != nullptr ? *plugin : hardware != nullptr ? *hardware : control;
+    context.report({.where = lacking.site.name,
                     .message = plugin ? "this <plugin> names no hardware interface"
                                : hardware
                                    ? "this <hardware> has no <plugin>"

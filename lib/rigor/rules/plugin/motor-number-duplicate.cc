@@ -6,7 +6,6 @@
 #include <string>
 #include <tuple>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/plugin/systems.h>
 #include <rigor/rules/rule.h>
 
@@ -24,20 +23,19 @@ void check(const model::Root& root, Context& context) {
     if (!root.own(plugin.site)) continue;
     const GazeboSystem* const system = gazebo_system(plugin.filename.value);
     if (system == nullptr || system->library != "multicopter-motor-model") continue;
-    const xml::Element element = context.element(plugin.site);
-    auto number = element.child("actuator_number");
-    if (!number) number = element.child("motorNumber");
-    if (!number) continue;
-    const auto text = [&element](const char* name) {
-      const auto child = element.child(name);
-      return child ? std::string(read::trimmed(child->text())) : std::string();
+    const auto* number = find(plugin.parameters, "actuator_number");
+    if (number == nullptr) number = find(plugin.parameters, "motorNumber");
+    if (number == nullptr) continue;
+    const auto text = [&plugin](const char* name) {
+      const auto* parameter = find(plugin.parameters, name);
+      return parameter != nullptr ? parameter->value.value : std::string();
     };
     const std::string joint = text("jointName");
     const Place place{plugin.model.value, text("robotNamespace"), text("commandSubTopic"),
-                      std::string(read::trimmed(number->text()))};
-    const auto [entry, first] = seen.try_emplace(place, Motor{number->text_span(), joint});
+                      number->value.value};
+    const auto [entry, first] = seen.try_emplace(place, Motor{number->value.span, joint});
     if (first || entry->second.joint == joint) continue;
-    context.report({.where = number->text_span(),
+    context.report({.where = number->value.span,
                     .message = "two motors have the number " + std::get<3>(place),
                     .subject = context.subject(plugin),
                     .related = {{entry->second.where, "the other one"}}});

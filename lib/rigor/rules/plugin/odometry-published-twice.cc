@@ -9,7 +9,6 @@
 #include <string_view>
 #include <utility>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/plugin/systems.h>
 #include <rigor/rules/rule.h>
 
@@ -25,16 +24,16 @@ bool publishes_odometry(const model::Plugin& plugin) {
 }
 
 /// Without a topic all of them take the one that is named after the model.
-std::string topic_of(xml::Element plugin) {
-  const auto topic = plugin.child("odom_topic");
-  return topic ? std::string(read::trimmed(topic->text())) : std::string();
+std::string topic_of(const model::Plugin& plugin) {
+  const auto* topic = find(plugin.parameters, "odom_topic");
+  return topic != nullptr ? topic->value.value : std::string();
 }
 
 void check(const model::Root& root, Context& context) {
   std::map<std::pair<std::uint32_t, std::string>, const model::Plugin*> seen;
   for (const model::Plugin& plugin : root.plugins) {
     if (!plugin.model || !root.own(plugin.site) || !publishes_odometry(plugin)) continue;
-    const std::string topic = topic_of(context.element(plugin.site));
+    const std::string topic = topic_of(plugin);
     const auto [entry, first] = seen.try_emplace({plugin.model.value, topic}, &plugin);
     if (first) continue;
     const model::Plugin& other = *entry->second;

@@ -21,13 +21,12 @@ void check(const model::Root& root, Context& context) {
     if (!root.own(plugin.site) || plugin.filename.value.empty()) continue;
     const auto [entry, first] = seen.emplace(place(plugin), &plugin);
     if (first) continue;
-    context.report(
-        {.where = plugin.site.name,
-         .message = "the same plugin stands here twice: " + plugin.filename.value,
-         .subject = context.subject(plugin),
-         .related = {{entry->second->site.name, "the first one"}},
-         .fix = fix_of("remove the second", Applicability::kUnsafe,
-                       xml::remove_element(context.document(), context.element(plugin.site)))});
+    context.report({.where = plugin.site.name,
+                    .message = "the same plugin stands here twice: " + plugin.filename.value,
+                    .subject = context.subject(plugin),
+                    .related = {{entry->second->site.name, "the first one"}},
+                    .fix = fix_of("remove the second", Applicability::kUnsafe,
+                                  removed(context, plugin.site))});
   }
 }
 

@@ -11,7 +11,6 @@
 #include <fmt/core.h>
 
 #include <rigor/model/names.h>
-#include <rigor/read/values.h>
 #include <rigor/rules/plugin/parameters.h>
 #include <rigor/rules/reference/nearest.h>
 #include <rigor/rules/rule.h>
@@ -52,13 +51,12 @@ void check(const model::Root& root, Context& context) {
   for (const model::Plugin& plugin : root.plugins) {
     if (!plugin.model || !root.own(plugin.site)) continue;
     const std::string name = library(plugin.filename.value);
-    for (const xml::Element child : context.element(plugin.site).children()) {
+    for (const model::Parameter& child : plugin.parameters) {
       const auto parameter = std::find_if(
-          std::begin(kPluginParameters), std::end(kPluginParameters), [&](const auto& known) {
-            return known.library == name && known.element == child.name();
-          });
+          std::begin(kPluginParameters), std::end(kPluginParameters),
+          [&](const auto& known) { return known.library == name && known.element == child.name; });
       if (parameter == std::end(kPluginParameters)) continue;
-      const std::string value(read::trimmed(child.text()));
+      const std::string& value = child.value.value;
       const std::string_view inner = within(root[plugin.model], value);
       // Some plugins of ROS 1 take a list.
       if (value.empty() || value.find_first_of(", ") != std::string::npos) continue;
@@ -67,7 +65,7 @@ void check(const model::Root& root, Context& context) {
       const auto all = [&] { return names.in({plugin.model, {}}); };
       const char* kind = parameter->what == ParameterOf::kJoint ? "joint" : "link";
       context.report(
-          with_nearest({.where = child.text_span(),
+          with_nearest({.where = child.value.span,
                         .message = fmt::format("the plugin needs the {} '{}', which the model does "
                                                "not have",
                                                kind, value),

@@ -11,10 +11,11 @@
 namespace rigor::rules::plugin_parameter_missing {
 
 /// A parameter whose name is misspelt is not missing: plugin-parameter-unknown speaks of it.
-bool is_misspelt_in(xml::Element plugin, std::string_view parameter, std::string_view parameters) {
-  for (const xml::Element child : plugin.children()) {
-    if (has_word(parameters, child.name())) continue;
-    if (!schema::near(child.name(), {parameter}).empty()) return true;
+bool is_misspelt_in(const model::Plugin& plugin, std::string_view parameter,
+                    std::string_view parameters) {
+  for (const model::Parameter& given : plugin.parameters) {
+    if (has_word(parameters, given.name)) continue;
+    if (!schema::near(given.name, {parameter}).empty()) return true;
   }
   return false;
 }
@@ -22,10 +23,10 @@ bool is_misspelt_in(xml::Element plugin, std::string_view parameter, std::string
 void check(const model::Plugin& plugin, Context& context) {
   const GazeboSystem* const system = gazebo_system(plugin.filename.value);
   if (system == nullptr || system->required.empty()) return;
-  const xml::Element element = context.element(plugin.site);
   std::string missing;
   some_word(system->required, [&](std::string_view parameter) {
-    if (!element.child(parameter) && !is_misspelt_in(element, parameter, system->parameters)) {
+    const bool given = find(plugin.parameters, parameter) != nullptr;
+    if (!given && !is_misspelt_in(plugin, parameter, system->parameters)) {
       missing += (missing.empty() ? "<" : ", <") + std::string(parameter) + ">";
     }
     return false;

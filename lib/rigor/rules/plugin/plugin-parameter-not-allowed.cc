@@ -5,7 +5,6 @@
 #include <string>
 #include <string_view>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/plugin/systems.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/xml/xacro.h>
@@ -29,16 +28,16 @@ void check(const model::Plugin& plugin, Context& context) {
   if (system == nullptr) return;
   for (const Choice& choice : kChoices) {
     if (choice.library != system->library) continue;
-    const auto child = context.element(plugin.site).child(choice.parameter);
-    if (!child) continue;
-    const std::string_view value = read::trimmed(child->text());
+    const auto* given = find(plugin.parameters, choice.parameter);
+    if (given == nullptr) continue;
+    const std::string_view value = given->value.value;
     if (has_word(choice.values, value) || has_xacro(value)) continue;
     std::string list;
     some_word(choice.values, [&list](std::string_view word) {
       list += (list.empty() ? "" : ", ") + std::string(word);
       return false;
     });
-    context.report({.where = value.empty() ? child->name_span() : child->text_span(),
+    context.report({.where = value.empty() ? given->site.name : given->value.span,
                     .message = "'" + std::string(value) + "' is no value of <" +
                                std::string(choice.parameter) + ">",
                     .subject = context.subject(plugin),

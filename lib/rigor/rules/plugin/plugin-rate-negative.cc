@@ -19,9 +19,9 @@ constexpr std::string_view kRates[] = {"updateRate", "update_rate", "odom_publis
                                        "publish_rate", "publishRate"};
 
 void check(const model::Plugin& plugin, Context& context) {
-  for (const xml::Element child : context.element(plugin.site).children()) {
-    if (std::find(std::begin(kRates), std::end(kRates), child.name()) == std::end(kRates)) continue;
-    const auto rate = read::number_field(read::Text{child.text(), child.text_span()}, 0);
+  for (const model::Parameter& given : plugin.parameters) {
+    if (std::find(std::begin(kRates), std::end(kRates), given.name) == std::end(kRates)) continue;
+    const auto rate = read::number_field(given);
     if (!rate.written || !(rate.value < 0)) continue;
     context.report(
         {.where = rate.span,

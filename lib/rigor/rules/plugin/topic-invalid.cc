@@ -41,13 +41,12 @@ std::string valid(std::string_view topic) {
   return text;
 }
 
-void look_at(std::string_view written, Span where, std::string subject, Context& context) {
-  const std::string_view topic = read::trimmed(written);
+void look_at(std::string_view topic, Span where, std::string subject, Context& context) {
   const std::string_view forbidden = forbidden_in(topic);
   if (forbidden.empty() || has_xacro(topic)) return;
   const std::string good = valid(topic);
   std::optional<Fix> fix;
-  if (!good.empty() && context.bytes(where) == written) {
+  if (!good.empty() && read::trimmed(context.bytes(where)) == topic) {
     fix = Fix{"write '" + good + "'", Applicability::kUnsafe, {{where, good}}};
   }
   const std::string what = forbidden == " " ? "a space" : "'" + std::string(forbidden) + "'";
@@ -63,11 +62,11 @@ void check_sensor(const model::Sensor& sensor, Context& context) {
 }
 
 void check_plugin(const model::Plugin& plugin, Context& context) {
-  for (const xml::Element child : context.element(plugin.site).children()) {
-    if (std::find(std::begin(kTopics), std::end(kTopics), child.name()) == std::end(kTopics)) {
+  for (const model::Parameter& given : plugin.parameters) {
+    if (std::find(std::begin(kTopics), std::end(kTopics), given.name) == std::end(kTopics)) {
       continue;
     }
-    look_at(child.text(), child.text_span(), context.subject(plugin), context);
+    look_at(given.value.value, given.value.span, context.subject(plugin), context);
   }
 }
 

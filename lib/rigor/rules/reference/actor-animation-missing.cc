@@ -6,33 +6,25 @@
 #include <unordered_set>
 #include <vector>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/reference/nearest.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::actor_animation_missing {
 
 void look_at(const model::Actor& actor, Context& context) {
-  const xml::Element element = context.element(actor.site);
-  const auto script = element.child("script");
-  if (!script) return;
   std::vector<std::string> animations;
-  for (const xml::Element child : element.children()) {
-    if (child.name() != "animation") continue;
-    if (const auto name = child.attribute("name")) animations.emplace_back(name->value());
-  }
+  for (const auto& name : actor.animations) animations.push_back(name.value);
   const std::unordered_set<std::string_view> names(animations.begin(), animations.end());
   // One that only stands in for what moves along a path has none.
   if (animations.empty()) return;
-  for (const xml::Element trajectory : script->children()) {
-    if (trajectory.name() != "trajectory") continue;
-    const auto type = trajectory.attribute("type");
-    if (!type || type->value().empty() || names.count(type->value()) != 0) continue;
+  for (const model::Trajectory& trajectory : actor.trajectories) {
+    const auto& type = trajectory.type;
+    if (type.value.empty() || names.count(type.value) != 0) continue;
     context.report(with_nearest(
-        {.where = type->value_span(),
-         .message = "the trajectory plays '" + std::string(type->value()) +
-                    "', which is no animation of the actor '" + actor.name.value + "'"},
-        type->value(), [&animations] { return animations; }, context));
+        {.where = type.span,
+         .message = "the trajectory plays '" + type.value + "', which is no animation of the actor '" +
+                    actor.name.value + "'"},
+        type.value, [&animations] { return animations; }, context));
   }
 }
 

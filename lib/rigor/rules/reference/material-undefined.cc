@@ -8,16 +8,10 @@
 
 namespace rigor::rules::material_undefined {
 
-bool has_looks(xml::Element material) {
-  const auto color = material.child("color");
-  const auto texture = material.child("texture");
-  return (color && color->attribute("rgba")) || (texture && texture->attribute("filename"));
-}
-
 void check(const model::Root& root, Context& context) {
   std::unordered_set<std::string_view> defined;
   for (const model::RobotMaterial& material : root.materials) {
-    if (has_looks(context.element(material.site))) defined.insert(material.name.value);
+    if (material.defines_color) defined.insert(material.name.value);
   }
   for (const model::Visual& visual : root.visuals) {
     if (visual.material.defines_color) defined.insert(visual.material.name.value);

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <unordered_set>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/reference/nearest.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/xml/xacro.h>
@@ -27,15 +26,14 @@ bool is_among(const std::string_view (&list)[count], std::string_view name) {
 
 using Links = std::unordered_set<std::string_view>;
 
-void look_at(xml::Element frame_element, const model::Sensor& sensor, const Links& links,
-             Context& context) {
-  if (!is_among(kFrames, frame_element.name())) return;
-  const std::string_view name = read::trimmed(frame_element.text());
+void look_at(const model::Field<std::string>& field, const model::Sensor& sensor,
+             const Links& links, Context& context) {
+  const std::string_view name = field.value;
   // A namespace may stand in front.
   const std::string_view frame = name.substr(name.rfind('/') + 1);
   if (frame.empty() || links.count(frame) != 0 || is_among(kOutside, frame)) return;
   if (has_xacro(name)) return;
-  const Span where = frame_element.text_span();
+  const Span where = field.span;
   context.report(with_nearest(
       {.where = where,
        .message = "the sensor measures in the frame '" + std::string(name) +
@@ -49,10 +47,13 @@ void check(const model::Root& root, Context& context) {
   const Links links = name_set(root.links);
   for (const model::Sensor& sensor : root.sensors) {
     if (!root.own(sensor.site)) continue;
-    for (const xml::Element child : context.element(sensor.site).children()) {
-      look_at(child, sensor, links, context);
-      if (child.name() != "plugin") continue;
-      for (const xml::Element part : child.children()) look_at(part, sensor, links, context);
+    for (const auto& frame : sensor.frames) look_at(frame, sensor, links, context);
+  }
+  for (const model::Plugin& plugin : root.plugins) {
+    if (!plugin.sensor || !root.own(plugin.site)) continue;
+    for (const model::Parameter& given : plugin.parameters) {
+      if (!is_among(kFrames, given.name)) continue;
+      look_at(given.value, root[plugin.sensor], links, context);
     }
   }
 }

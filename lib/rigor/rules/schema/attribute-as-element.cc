@@ -11,7 +11,7 @@
 namespace rigor::rules::attribute_as_element {
 
 std::optional<Fix> as_attribute(const read::SchemaFact& fact, const Context& context) {
-  const xml::Element element = fact.element;
+  const auto& element = fact.element;
   const auto parent = element.parent();
   const std::string_view value = read::trimmed(element.text());
   const bool plain = element.attributes().empty() && element.children().empty();

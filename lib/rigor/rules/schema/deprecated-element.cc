@@ -10,12 +10,10 @@
 namespace rigor::rules::deprecated_element {
 
 /// What to do about it: the concise report has the message alone.
-std::string instead_of(const schema::Node& node, xml::Element element) {
-  const auto parent = element.parent();
-  const auto above = parent ? parent->parent() : std::nullopt;
-  if (node.instead() == node.name() && above) {
-    return ": write it in <" + std::string(above->name()) + ">";
-  }
+std::string instead_of(const read::SchemaFact& fact) {
+  const schema::Node& node = *fact.node;
+  const std::string above(fact.ancestor(2));
+  if (node.instead() == node.name() && !above.empty()) return ": write it in <" + above + ">";
   if (!node.instead().empty()) return ": write '" + std::string(node.instead()) + "'";
   return node.doc().starts_with("Without effect") ? ": it has no effect" : "";
 }
@@ -25,7 +23,7 @@ void check(const read::SchemaFact& fact, Context& context) {
   std::string message = "'" + std::string(fact.node->name()) + "' is deprecated";
   if (context.is_sdf() && since) message += " since SDF " + schema::to_string(*since);
   context.report({.where = fact.where,
-                  .message = message + instead_of(*fact.node, fact.element),
+                  .message = message + instead_of(fact),
                   .subject = subject_of(fact.element)});
 }
 

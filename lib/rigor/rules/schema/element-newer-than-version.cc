@@ -9,13 +9,12 @@
 namespace rigor::rules::element_newer_than_version {
 
 /// Every version of libsdformat reads an <include> by itself, whatever the version of the file.
-bool of_include(xml::Element element) {
-  const auto parent = element.parent();
-  return element.name() == "include" || (parent && parent->name() == "include");
+bool of_include(const read::SchemaFact& fact) {
+  return fact.element.name() == "include" || fact.ancestor(1) == "include";
 }
 
 void check(const read::SchemaFact& fact, Context& context) {
-  if (context.is_sdf() && of_include(fact.element)) return;
+  if (context.is_sdf() && of_include(fact)) return;
   if (context.is_urdf() && fact.element.name() == "capsule") return;  // shape-newer-than-urdf
   const std::string format = context.is_urdf() ? "URDF " : "SDF ";
   const std::string since = schema::to_string(fact.node->since());

@@ -11,17 +11,16 @@
 
 namespace rigor::rules::element_removed_in_version {
 
-bool is_end_of_joint(xml::Element element) {
-  const auto above = element.parent();
-  return above && above->name() == "joint" &&
-         (element.name() == "parent" || element.name() == "child");
+bool is_end_of_joint(const read::SchemaFact& fact) {
+  const std::string_view name = fact.element.name();
+  return fact.ancestor(1) == "joint" && (name == "parent" || name == "child");
 }
 
 void check(const read::SchemaFact& fact, Context& context) {
   if (written_as_attribute(fact)) return;
   std::optional<Fix> fix;
   if (fact.attribute && holds_value(*fact.attribute, fact.element, *fact.parent)) {
-    if (is_end_of_joint(fact.element)) return;  // missing-element
+    if (is_end_of_joint(fact)) return;  // missing-element
     fix = value_as_text(*fact.attribute, fact.element, context);
   }
   const std::string format = context.is_urdf() ? "URDF " : "SDF ";

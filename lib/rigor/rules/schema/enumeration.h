@@ -26,16 +26,13 @@ enum class ListKeeper {
   kNobody,   ///< nobody looks, and the simulator does as it likes
 };
 
-inline bool of_force_torque_frame(xml::Element element) {
-  const auto parent = element.parent();
-  return element.name() == "frame" && parent && parent->name() == "force_torque";
+inline bool of_force_torque_frame(const read::SchemaFact& fact) {
+  return fact.element.name() == "frame" && fact.ancestor(1) == "force_torque";
 }
 
-inline bool of_camera_noise(xml::Element element) {
-  const auto noise = element.parent();
-  const auto camera = noise ? noise->parent() : std::nullopt;
-  return element.name() == "type" && noise->name() == "noise" && camera &&
-         camera->name() == "camera";
+inline bool of_camera_noise(const read::SchemaFact& fact) {
+  return fact.element.name() == "type" && fact.ancestor(1) == "noise" &&
+         fact.ancestor(2) == "camera";
 }
 
 inline ListKeeper keeper_of(const read::SchemaFact& fact) {
@@ -50,7 +47,7 @@ inline ListKeeper keeper_of(const read::SchemaFact& fact) {
       element == "format" || (element == "particle_emitter" && attribute == "type") ||
       (element == "atmosphere" && attribute == "type") || element == "surface_model" ||
       element == "world_frame_orientation" || attribute == "rotation_format" ||
-      of_force_torque_frame(fact.element) || of_camera_noise(fact.element);
+      of_force_torque_frame(fact) || of_camera_noise(fact);
   return refused ? ListKeeper::kRefuses : ListKeeper::kNobody;
 }
 

@@ -21,23 +21,16 @@ std::string list(const std::vector<std::string>& places) {
   return places.size() > kMostPlaces ? text + " and others" : text;
 }
 
-/// The models, links and lights of a world's <state> have the names of others, and hold less.
-bool in_state(xml::Element element) {
-  for (auto at = element.parent(); at; at = at->parent()) {
-    if (at->name() == "state") return true;
-  }
-  return false;
-}
-
 void check(const read::SchemaFact& fact, Context& context) {
   const schema::Version version = fact.parent->version();
   const std::string name(fact.element.name());
   const auto places = context.schema()->parents_of(name, version);
   if (places.empty()) return;  // unknown-element
+  // The models, links and lights of a world's <state> have the names of others, and hold less.
   context.report({.where = fact.where,
                   .message = "<" + name + "> has no effect in <" +
                              std::string(fact.parent->name()) +
-                             (in_state(fact.element) ? "> of a <state>" : ">"),
+                             (fact.is_inside("state") ? "> of a <state>" : ">"),
                   .subject = subject_of(fact.element),
                   .help = "it belongs in " + list(places)});
 }

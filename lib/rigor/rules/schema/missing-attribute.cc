@@ -18,7 +18,7 @@ std::string instead(const read::SchemaFact& fact, std::string_view name) {
     if (schema::near(attribute.name(), {name}).empty()) continue;
     return "did you mean '" + std::string(name) + "' by '" + std::string(attribute.name()) + "'?";
   }
-  if (!fact.element.child(name)) return {};
+  if (!fact.has_child(name)) return {};
   return "<" + std::string(name) + "> is written as a child: it is an attribute";
 }
 
@@ -33,19 +33,19 @@ std::optional<Fix> respelt(const read::SchemaFact& fact, std::string_view name) 
   return std::nullopt;
 }
 
-bool looks_at_axis(xml::Element joint) {
-  const auto type = joint.attribute("type");
+bool looks_at_axis(const read::SchemaFact& fact) {
+  const auto type = fact.element.parent()->attribute("type");
   return !type || (type->value() != "fixed" && type->value() != "floating");
 }
 
 /// urdfdom takes the default where there is one (but of an axis), passes over a colour or texture without
 /// a value, and reads no sensors.
-bool needed(xml::Element element, const schema::Node& attribute, const Context& context) {
-  const std::string_view name = element.name();
+bool needed(const read::SchemaFact& fact, const schema::Node& attribute, const Context& context) {
+  const std::string_view name = fact.element.name();
   if (name == "sdf" || name == "gazebo")
     return attribute.name() != "version";  // sdf-version-missing
   if (!context.is_urdf()) return true;
-  if (name == "axis") return attribute.name() == "xyz" && looks_at_axis(*element.parent());
+  if (name == "axis") return attribute.name() == "xyz" && looks_at_axis(fact);
   return !attribute.default_value() && name != "color" && name != "texture" && name != "sensor";
 }
 
@@ -54,7 +54,7 @@ std::string missing(const read::SchemaFact& fact, const Context& context) {
   std::string names;
   for (const schema::Node attribute : fact.parent->required_attributes()) {
     if (fact.element.attribute(attribute.name())) continue;
-    if (!needed(fact.element, attribute, context)) continue;
+    if (!needed(fact, attribute, context)) continue;
     names += (names.empty() ? "'" : ", '") + std::string(attribute.name()) + "'";
   }
   return names;
@@ -68,7 +68,7 @@ bool urdf_refused(const read::SchemaFact& fact) {
 
 void check(const read::SchemaFact& fact, Context& context) {
   const std::string_view name = fact.node->name();
-  if (!needed(fact.element, *fact.node, context)) return;
+  if (!needed(fact, *fact.node, context)) return;
   const std::string names = missing(fact, context);
   if (!names.starts_with("'" + std::string(name) + "'")) return;  // told at the first of them
   context.report({.where = fact.where,

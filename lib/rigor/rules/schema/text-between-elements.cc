@@ -49,7 +49,7 @@ std::optional<schema::Node> meant_child(const read::SchemaFact& fact, std::strin
   for (const schema::Node child : fact.node->children()) {
     const bool one = child.type() == schema::Type::kDouble || child.type() == schema::Type::kFloat;
     if (!one && !has_several_numbers(child.type())) continue;
-    if (fact.element.child(child.name()) || schema::check(child.type(), numbers)) continue;
+    if (fact.has_child(child.name()) || schema::check(child.type(), numbers)) continue;
     if (!one) several.push_back(child);
     if (child.cardinality() == schema::Cardinality::kOne) required.push_back(child);
   }

@@ -20,9 +20,8 @@ bool holds_its_value(const read::SchemaFact& fact) {
   return false;
 }
 
-bool is_mass_of_link(xml::Element element) {
-  const auto parent = element.parent();
-  return element.name() == "mass" && parent && parent->name() == "inertial";
+bool is_mass_of_link(const read::SchemaFact& fact) {
+  return fact.element.name() == "mass" && fact.ancestor(1) == "inertial";
 }
 
 void check(const read::SchemaFact& fact, Context& context) {
@@ -31,7 +30,7 @@ void check(const read::SchemaFact& fact, Context& context) {
   if (fact.node->type() == schema::Type::kPose)
     return;  // <pose relative_to="a"/> is how it is done
   if (!fact.attribute && holds_its_value(fact)) return;  // unknown-attribute
-  if (is_mass_of_link(fact.element)) return;             // mass-not-written
+  if (is_mass_of_link(fact)) return;                     // mass-not-written
   const auto value = fact.node->default_value();
   std::string message = owner_of(fact) + " is empty";
   if (value && !value->empty()) message += ": it is " + std::string(*value);

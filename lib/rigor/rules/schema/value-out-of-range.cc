@@ -14,14 +14,6 @@ namespace rigor::rules::value_out_of_range {
 
 using FaultKind = schema::ValueFault::Kind;
 
-/// The element as the newest version has it: libsdformat holds every file to that one's bounds.
-std::optional<schema::Node> newest(xml::Element element, const schema::Schema& schema) {
-  const auto parent = element.parent();
-  if (!parent) return schema.root(element.name(), schema.latest());
-  const auto around = newest(*parent, schema);
-  return around ? around->child(element.name()) : std::nullopt;
-}
-
 bool is_outside(std::string_view value, const schema::Node& node) {
   const auto number = [](std::string_view text) {
     const auto parsed = schema::parse_double(text);
@@ -54,7 +46,8 @@ void check(const read::SchemaFact& fact, Context& context) {
   if (bad ? !ours : context.is_urdf()) return;  // urdfdom has no bounds: value-negative
   std::optional<schema::Node> node = fact.node;
   if (!bad) {
-    node = newest(fact.element, *context.schema());
+    // libsdformat holds every file to the bounds of the newest version.
+    node = node_in(context.schema()->latest(), fact.element, *context.schema());
     if (!node || fact.attribute || !is_outside(fact.text, *node)) return;
   }
   context.report({.where = fact.where,

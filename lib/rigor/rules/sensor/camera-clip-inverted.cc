@@ -28,7 +28,7 @@ void check(const model::Sensor& sensor, Context& context) {
                                            camera.near_clip.value, camera.far_clip.value),
                     .subject = context.subject(sensor),
                     .fix = std::move(fix),
-                    .refused = context.is_urdf() && is_in_part(sensor, context) &&
+                    .refused = context.is_urdf() && is_in_part(sensor) &&
                                (camera.near_clip.value < kLeastNearInSdf ||
                                 camera.far_clip.value < kLeastFarInSdf)});
   }

@@ -32,7 +32,7 @@ void check(const model::Sensor& sensor, Context& context) {
                                "can show",
                                fov.value),
         .subject = context.subject(sensor),
-        .refused = context.is_urdf() && is_in_part(sensor, context) &&
+        .refused = context.is_urdf() && is_in_part(sensor) &&
                    !(fov.value >= kLeastInSdf && fov.value <= kMostInSdf)};
     if (!(fov.value > 0)) {
       finding.message = fmt::format("the camera sees {} rad across, which is nothing", fov.value);

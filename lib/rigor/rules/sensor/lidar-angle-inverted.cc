@@ -3,15 +3,14 @@
 
 #include <fmt/core.h>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::lidar_angle_inverted {
 
-void look_at(xml::Element scan, const model::Sensor& sensor, Context& context) {
-  const auto least = read::number_field(read::child_text(scan, "min_angle"), 0);
-  const auto most = read::number_field(read::child_text(scan, "max_angle"), 0);
+void look_at(const model::LidarScan& scan, const model::Sensor& sensor, Context& context) {
+  const auto& least = scan.min_angle;
+  const auto& most = scan.max_angle;
   if (!least.written || !most.written || !(least.value > most.value)) return;
   context.report(
       {.where = least.span,
@@ -24,11 +23,8 @@ void look_at(xml::Element scan, const model::Sensor& sensor, Context& context) {
 
 void check(const model::Sensor& sensor, Context& context) {
   if (!sensor.lidar) return;
-  const auto scan = context.element(sensor.lidar->site).child("scan");
-  if (!scan) return;
-  for (const char* direction : {"horizontal", "vertical"}) {
-    if (const auto element = scan->child(direction)) look_at(*element, sensor, context);
-  }
+  look_at(sensor.lidar->horizontal, sensor, context);
+  look_at(sensor.lidar->vertical, sensor, context);
 }
 
 Rule rule() {

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
@@ -11,10 +10,7 @@ namespace rigor::rules::lidar_resolution_not_positive {
 
 void check(const model::Sensor& sensor, Context& context) {
   if (!sensor.lidar) return;
-  const auto scan = context.element(sensor.lidar->site).child("scan");
-  const auto horizontal = scan ? scan->child("horizontal") : std::nullopt;
-  if (!horizontal) return;
-  const auto resolution = read::number_field(read::child_text(*horizontal, "resolution"), 1);
+  const auto& resolution = sensor.lidar->horizontal.resolution;
   if (!resolution.written || resolution.value > 0) return;
   context.report(
       {.where = resolution.span,

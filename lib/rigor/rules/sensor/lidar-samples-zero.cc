@@ -10,7 +10,7 @@ namespace rigor::rules::lidar_samples_zero {
 
 void check(const model::Sensor& sensor, Context& context) {
   if (!sensor.lidar) return;
-  const auto& samples = sensor.lidar->samples;
+  const auto& samples = sensor.lidar->horizontal.samples;
   if (!samples.written || samples.value >= 1) return;
   context.report({.where = samples.span,
                   .message = fmt::format("the lidar sends {} rays", samples.value),

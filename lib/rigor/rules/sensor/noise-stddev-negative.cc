@@ -2,17 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <string_view>
+#include <vector>
 
 #include <fmt/core.h>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::noise_stddev_negative {
 
-void look_at(xml::Element noise, const model::Sensor& sensor, Context& context) {
-  const auto deviation = read::number_field(read::child_text(noise, "stddev"), 0);
+void look_at(const model::Field<double>& deviation, const model::Sensor& sensor, Context& context) {
   if (!deviation.written || !(deviation.value < 0)) return;
   const std::string_view bytes = context.bytes(deviation.span);
   const std::size_t minus = bytes.find('-');
@@ -29,24 +28,18 @@ void look_at(xml::Element noise, const model::Sensor& sensor, Context& context) 
        .fix = std::move(fix)});
 }
 
-void look_into(xml::Element block, const model::Sensor& sensor, Context& context) {
-  for (const xml::Element child : block.children()) {
-    if (child.name() == "noise") look_at(child, sensor, context);
-  }
+void look_into(const std::vector<model::Noise>& noises, const model::Sensor& sensor,
+               Context& context) {
+  for (const model::Noise& noise : noises) look_at(noise.stddev, sensor, context);
 }
 
 /// The schema of SDF has a least value for the noise of all other sensors; in a URDF there is none.
 void check(const model::Sensor& sensor, Context& context) {
   for (const model::Camera& camera : sensor.cameras) {
-    look_into(context.element(camera.site), sensor, context);
+    look_into(camera.noises, sensor, context);
   }
-  if (sensor.lidar) look_into(context.element(sensor.lidar->site), sensor, context);
-  if (context.is_sdf()) return;
-  const auto imu = context.element(sensor.site).child("imu");
-  if (!imu) return;
-  for (const xml::Element quantity : imu->children()) {
-    for (const xml::Element axis : quantity.children()) look_into(axis, sensor, context);
-  }
+  if (sensor.lidar) look_into(sensor.lidar->noises, sensor, context);
+  if (context.is_urdf()) look_into(sensor.imu_noises, sensor, context);
 }
 
 Rule rule() {

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include <fmt/core.h>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sensor_angle_looks_like_degrees {
@@ -16,10 +17,9 @@ namespace rigor::rules::sensor_angle_looks_like_degrees {
 constexpr double kMost = 1.01 * 2 * std::numbers::pi;
 
 /// Looks at two angles that are of the same unit, and speaks of one.
-void look_at(xml::Element element, const char* first, const char* second,
+void look_at(std::initializer_list<std::pair<const char*, model::Field<double>>> angles,
              const std::string& subject, Context& context) {
-  for (const char* name : {first, second}) {
-    const auto angle = read::number_field(read::child_text(element, name), 0);
+  for (const auto& [name, angle] : angles) {
     if (!angle.written || !std::isfinite(angle.value) || std::abs(angle.value) <= kMost) continue;
     context.report({.where = angle.span,
                     .message = fmt::format("<{0}> is {1}, which looks like degrees: it is in "
@@ -32,17 +32,15 @@ void look_at(xml::Element element, const char* first, const char* second,
 
 void check_sensor(const model::Sensor& sensor, Context& context) {
   if (!sensor.lidar) return;
-  const auto scan = context.element(sensor.lidar->site).child("scan");
-  if (!scan) return;
-  for (const char* direction : {"horizontal", "vertical"}) {
-    const auto rays = scan->child(direction);
-    if (rays) look_at(*rays, "min_angle", "max_angle", context.subject(sensor), context);
+  for (const auto* scan : {&sensor.lidar->horizontal, &sensor.lidar->vertical}) {
+    look_at({{"min_angle", scan->min_angle}, {"max_angle", scan->max_angle}},
+            context.subject(sensor), context);
   }
 }
 
 void check_light(const model::Light& light, Context& context) {
-  const auto spot = context.element(light.site).child("spot");
-  if (spot) look_at(*spot, "inner_angle", "outer_angle", context.subject(light), context);
+  look_at({{"inner_angle", light.spot_inner_angle}, {"outer_angle", light.spot_outer_angle}},
+          context.subject(light), context);
 }
 
 Rule rule() {

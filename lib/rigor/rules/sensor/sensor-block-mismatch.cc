@@ -34,14 +34,6 @@ bool contains(const std::string_view (&list)[count], std::string_view type) {
   return std::find(std::begin(list), std::end(list), type) != std::end(list);
 }
 
-/// A sensor that says nothing of itself is a stub: its plugin, or a test, makes something of it.
-bool is_stub(const model::Sensor& sensor, Context& context) {
-  for (const xml::Element child : context.element(sensor.site).children()) {
-    if (child.name() != "plugin") return false;
-  }
-  return true;
-}
-
 void check(const model::Sensor& sensor, Context& context) {
   const std::string& type = sensor.type.value;
   const bool camera = !sensor.cameras.empty();
@@ -54,7 +46,8 @@ void check(const model::Sensor& sensor, Context& context) {
     message = "a sensor of type '" + type + "' needs a <lidar>";
     if (camera) message += "; this one has a <camera>";
   }
-  if (message.empty() || is_stub(sensor, context)) return;
+  // One without any settings is a stub: its plugin, or a test, makes something of it.
+  if (message.empty() || !sensor.configured) return;
   context.report({.where = sensor.type.span,
                   .message = std::move(message),
                   .subject = context.subject(sensor)});

@@ -8,7 +8,7 @@ namespace rigor::rules::sensor_name_missing {
 
 void check(const model::Sensor& sensor, Context& context) {
   // In SDF the schema's rules say so; an empty name is what name-empty speaks of.
-  if (!context.is_urdf() || sensor.name.written || !is_in_part(sensor, context)) return;
+  if (!context.is_urdf() || sensor.name.written || !is_in_part(sensor)) return;
   context.report({.where = sensor.site.name,
                   .message = "the sensor has no name",
                   .subject = context.subject(sensor)});

@@ -77,10 +77,10 @@ void check_block(const model::Sensor& sensor, Context& context) {
 }
 
 void check_sensor(const model::Sensor& sensor, Context& context) {
-  if (context.is_urdf() && !is_in_part(sensor, context)) return;  // sensor-without-link
+  if (context.is_urdf() && !is_in_part(sensor)) return;  // sensor-without-link
   const bool empty = sensor.type.written && sensor.type.value.empty();
   if (context.is_urdf() && !empty) return check_block(sensor, context);
-  report_empty_type(context.element(sensor.site), context.subject(sensor), context);
+  report_empty_type(sensor.site, context.subject(sensor), context);
 }
 
 Rule rule() {

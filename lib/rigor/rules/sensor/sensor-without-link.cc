@@ -8,7 +8,7 @@ namespace rigor::rules::sensor_without_link {
 
 void check(const model::Sensor& sensor, Context& context) {
   // A reference to nothing is what gazebo-reference-missing speaks of.
-  if (is_in_part(sensor, context)) return;
+  if (is_in_part(sensor)) return;
   context.report({.where = sensor.site.name,
                   .message = "the sensor '" + sensor.name.value +
                              "' stands in a <gazebo> that refers to no link",

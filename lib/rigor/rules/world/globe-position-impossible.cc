@@ -5,7 +5,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
@@ -17,10 +16,8 @@ constexpr double kMostLatitude = 90;  // degrees
 constexpr double kMostLongitude = 360;
 
 void check(const model::World& world, Context& context) {
-  const auto place = context.element(world.site).child("spherical_coordinates");
-  if (!place) return;
-  const auto latitude = read::number_field(read::child_text(*place, "latitude_deg"), 0);
-  const auto longitude = read::number_field(read::child_text(*place, "longitude_deg"), 0);
+  if (!world.globe_position) return;
+  const auto& [latitude, longitude] = *world.globe_position;
   if (std::abs(latitude.value) > kMostLatitude) {
     const bool swapped = longitude.written && std::abs(longitude.value) <= kMostLatitude &&
                          std::abs(latitude.value) <= kMostLongitude;

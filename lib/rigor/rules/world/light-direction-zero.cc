@@ -1,15 +1,13 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::light_direction_zero {
 
 void check(const model::Light& light, Context& context) {
   if (light.type.value != "directional" && light.type.value != "spot") return;
-  const auto direction =
-      read::vector_field(read::child_text(context.element(light.site), "direction"), {0, 0, -1});
+  const auto& direction = light.direction;
   if (!direction.written || length(direction.value) > 0) return;
   context.report(
       {.where = direction.span,

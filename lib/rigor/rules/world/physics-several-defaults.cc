@@ -6,13 +6,6 @@
 
 namespace rigor::rules::physics_several_defaults {
 
-std::optional<Fix> no_default(const model::Physics& physics, const Context& context) {
-  const auto attribute = context.element(physics.site).attribute("default");
-  if (!attribute) return std::nullopt;
-  return fix_of("keep the first as the default", Applicability::kUnsafe,
-                xml::remove_attribute(context.document(), *attribute));
-}
-
 void check(const model::Physics& physics, Context& context) {
   if (!physics.is_default.value || !physics.world) return;
   for (const model::Physics& other : context.root().physics) {
@@ -22,7 +15,8 @@ void check(const model::Physics& physics, Context& context) {
                     .message = "a second <physics> is the default: the first one, '" +
                                other.name.value + "', counts",
                     .related = {{other.is_default.span, "the first"}},
-                    .fix = no_default(physics, context)});
+                    .fix = fix_of("keep the first as the default", Applicability::kUnsafe,
+                                  attribute_removed(context, physics.site, "default"))});
     return;
   }
 }

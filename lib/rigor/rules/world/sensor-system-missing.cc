@@ -99,13 +99,13 @@ Unserved unserved_by(const Prefix& prefix, const model::Root& root) {
 /// Behind the plugins that the world has.
 std::optional<Fix> load_them(const Unserved& unserved, const model::World& world,
                              const Context& context) {
-  const xml::Element element = context.element(world.site);
-  std::optional<xml::Element> last;
-  for (const xml::Element child : element.children()) {
-    if (child.name() == "plugin") last = child;
+  Span last;
+  for (const model::Plugin& plugin : context.root().plugins) {
+    const bool inside = plugin.world && &context.root()[plugin.world] == &world;
+    if (inside && context.root().own(plugin.site)) last = plugin.site.tag;
   }
   return fix_of(fmt::format("load {}", unserved.systems), Applicability::kUnsafe,
-                xml::insert_child(context.document(), element, last, unserved.elements));
+                inserted(context, world.site, last, unserved.elements));
 }
 
 void check(const model::World& world, Context& context) {

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
@@ -11,10 +10,8 @@ namespace rigor::rules::spot_angles_inverted {
 
 void check(const model::Light& light, Context& context) {
   if (light.type.value != "spot") return;
-  const auto spot = context.element(light.site).child("spot");
-  if (!spot) return;
-  const auto inner = read::number_field(read::child_text(*spot, "inner_angle"), 0);
-  const auto outer = read::number_field(read::child_text(*spot, "outer_angle"), 0);
+  const auto& inner = light.spot_inner_angle;
+  const auto& outer = light.spot_outer_angle;
   if (!inner.written || !outer.written || inner.value <= outer.value) return;
   context.report(
       {.where = inner.span,

@@ -5,17 +5,14 @@
 
 #include <fmt/core.h>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::waypoint_time_not_rising {
 
 /// Told once of a trajectory: one wrong time may be followed by many.
-void look_at(xml::Element trajectory, const model::Actor& actor, Context& context) {
+void look_at(const model::Trajectory& trajectory, const model::Actor& actor, Context& context) {
   std::optional<model::Field<double>> before;
-  for (const xml::Element waypoint : trajectory.children()) {
-    if (waypoint.name() != "waypoint") continue;
-    const auto time = read::number_field(read::child_text(waypoint, "time"), 0);
+  for (const model::Field<double>& time : trajectory.times) {
     if (!time.written) continue;
     if (before && time.value <= before->value) {
       context.report({.where = time.span,
@@ -32,11 +29,7 @@ void look_at(xml::Element trajectory, const model::Actor& actor, Context& contex
 void check(const model::Root& root, Context& context) {
   for (const model::Actor& actor : root.actors) {
     if (!root.own(actor.site)) continue;
-    const auto script = context.element(actor.site).child("script");
-    if (!script) continue;
-    for (const xml::Element child : script->children()) {
-      if (child.name() == "trajectory") look_at(child, actor, context);
-    }
+    for (const model::Trajectory& each : actor.trajectories) look_at(each, actor, context);
   }
 }
 

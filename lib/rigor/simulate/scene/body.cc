@@ -67,22 +67,18 @@ class BodyBuilder {
       if (!draft_.takes(link.model)) continue;
       Flags& flags = flags_[i];
       flags = {link.gravity.value, link.kinematic.value};
-      for (const xml::Element e : blocks(link, {"turnGravityOff", "gravity", "kinematic"})) {
-        const bool value = flag(e);
-        if (e.name() == "kinematic") flags.kinematic = value;
-        if (e.name() == "gravity") flags.gravity = value;
-        if (e.name() == "turnGravityOff") flags.gravity = !value;
+      for (const auto* given : blocks(link, {"turnGravityOff", "gravity", "kinematic"})) {
+        const bool value = read::bool_field(*given).value;
+        if (given->name == "kinematic") flags.kinematic = value;
+        if (given->name == "gravity") flags.gravity = value;
+        if (given->name == "turnGravityOff") flags.gravity = !value;
       }
     }
   }
 
-  std::vector<xml::Element> blocks(const model::Link& link,
-                                   std::initializer_list<std::string_view> names) const {
+  std::vector<const model::Parameter*> blocks(const model::Link& link,
+                                              std::initializer_list<std::string_view> names) const {
     return draft_.blocks.find(root_[link.model], link.name.value, names);
-  }
-
-  static bool flag(xml::Element e) {
-    return read::bool_field(read::Text{e.text(), e.text_span()}, false).value;
   }
 
   /// A URDF's link without mass is a frame of what it is fixed to: gravity and kinematics are not its own.
@@ -216,24 +212,29 @@ class BodyBuilder {
   void read_link_element(SceneBody& body, const model::Link& link) {
     if (root_[link.model].format == model::Format::kUrdf) {
       const auto whole = draft_.blocks.find(root_[link.model], "", {"self_collide", "selfCollide"});
-      for (const xml::Element e : whole) body.self_collide |= flag(e);
-      for (const xml::Element e : blocks(link, {"selfCollide", "self_collide"})) {
-        body.self_collide |= flag(e);
+      for (const auto* flag : whole) body.self_collide |= read::bool_field(*flag).value;
+      for (const auto* flag : blocks(link, {"selfCollide", "self_collide"})) {
+        body.self_collide |= read::bool_field(*flag).value;
       }
-      for (const xml::Element e : blocks(link, {"dampingFactor"})) {
-        set_decay(body.linear_damping, e, link);
-        set_decay(body.angular_damping, e, link);
+      for (const auto* factor : blocks(link, {"dampingFactor"})) {
+        set_decay(body.linear_damping, *factor, link);
+        set_decay(body.angular_damping, *factor, link);
       }
       return;
     }
     const xml::Element element = draft_.element(link.site);
-    const auto own = read::bool_field(read::child_text(element, "self_collide"), false);
-    body.self_collide |= own.written ? own.value : model_self_collides(link.model);
+    const model::Field<bool>& own = link.self_collide;
+    body.self_collide |= own.written ? own.value : root_[link.model].self_collide.value;
     auto decay = element.child("velocity_decay");
     if (!decay) decay = element.child("damping");  // SDF 1.0
     if (decay) {
-      if (const auto linear = decay->child("linear")) set_decay(body.linear_damping, *linear, link);
-      if (const auto turn = decay->child("angular")) set_decay(body.angular_damping, *turn, link);
+      const model::Parameter given = read::parameter_of(*decay);
+      if (const auto* linear = find(given.children, "linear")) {
+        set_decay(body.linear_damping, *linear, link);
+      }
+      if (const auto* turn = find(given.children, "angular")) {
+        set_decay(body.angular_damping, *turn, link);
+      }
     }
     const auto wind = read::child_text(element, "enable_wind");
     if (wind && read::bool_field(wind, false).value) {
@@ -245,17 +246,9 @@ class BodyBuilder {
     }
   }
 
-  bool model_self_collides(Id<model::Model> id) const {
-    const model::Model& model = root_[id];
-    if (model.format != model::Format::kSdf) return false;
-    return read::bool_field(read::child_text(draft_.element(model.site), "self_collide"), false)
-        .value;
-  }
-
   /// A share of the velocity that is lost in each step.
-  void set_decay(double& out, xml::Element e, const model::Link& link) {
-    const double value = draft_.number(read::Text{e.text(), e.text_span()}, 0, e.name(), link);
-    out = std::max(out, std::clamp(value, 0.0, 1.0));
+  void set_decay(double& out, const model::Parameter& given, const model::Link& link) {
+    out = std::max(out, std::clamp(draft_.number(given, 0, link), 0.0, 1.0));
   }
 
   /// A URDF in which no link has mass is a drawing: that is said once, of the model.

@@ -80,8 +80,8 @@ std::vector<Id<model::Model>> chosen_models(SceneDraft& draft) {
 
 bool urdf_says_static(const SceneDraft& draft, const model::Model& model) {
   bool is_static = false;
-  for (const xml::Element e : draft.blocks.find(model, "", {"static"})) {
-    is_static = read::bool_field(read::Text{e.text(), e.text_span()}, false).value;
+  for (const model::Parameter* flag : draft.blocks.find(model, "", {"static"})) {
+    is_static = read::bool_field(*flag).value;
   }
   return is_static;
 }

@@ -24,7 +24,7 @@ bool GazeboBlocks::Less::operator()(const Key& a, const Key& b) const {
          std::tie(b.first.source, b.first.begin, b.second);
 }
 
-GazeboBlocks::GazeboBlocks(const model::Root& root, const read::Documents& documents) {
+GazeboBlocks::GazeboBlocks(const model::Root& root) {
   std::vector<Span> robots;
   for (const model::Model& model : root.models) {
     if (model.format == model::Format::kUrdf) robots.push_back(model.site.span);
@@ -37,21 +37,21 @@ GazeboBlocks::GazeboBlocks(const model::Root& root, const read::Documents& docum
     const auto robot = std::find_if(robots.begin(), robots.end(),
                                     [&](const Span& whole) { return holds_span(whole, span); });
     if (robot == robots.end()) continue;
-    blocks_[{*robot, block.reference.value}].push_back(documents.element(block.site));
+    blocks_[{*robot, block.reference.value}].push_back(&block);
   }
 }
 
-std::vector<xml::Element> GazeboBlocks::find(const model::Model& robot,
-                                             const std::string& reference,
-                                             std::initializer_list<std::string_view> names) const {
-  std::vector<xml::Element> found;
+std::vector<const model::Parameter*> GazeboBlocks::find(
+    const model::Model& robot, const std::string& reference,
+    std::initializer_list<std::string_view> names) const {
+  std::vector<const model::Parameter*> found;
   if (robot.format != model::Format::kUrdf) return found;
   const auto blocks = blocks_.find({robot.site.span, reference});
   if (blocks == blocks_.end()) return found;
-  for (const xml::Element block : blocks->second) {
-    for (const xml::Element child : block.children()) {
-      if (std::find(names.begin(), names.end(), child.name()) != names.end()) {
-        found.push_back(child);
+  for (const model::GazeboBlock* block : blocks->second) {
+    for (const model::Parameter& child : block->content) {
+      if (std::find(names.begin(), names.end(), child.name) != names.end()) {
+        found.push_back(&child);
       }
     }
   }
@@ -62,7 +62,7 @@ SceneDraft::SceneDraft(const SceneInput& from, const SceneOptions& how)
     : input(from),
       options(how),
       root(from.root),
-      blocks(from.root, from.documents),
+      blocks(from.root),
       model_of(root.models.size(), kWorld),
       link_of(root.links.size(), kWorld),
       joint_of(root.joints.size(), kWorld),

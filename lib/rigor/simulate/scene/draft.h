@@ -29,18 +29,18 @@ inline constexpr double kFarthest = 1e6;  // m
 /// URDF's `<gazebo reference="…">` blocks, by the robot that they stand in.
 class GazeboBlocks {
  public:
-  GazeboBlocks(const model::Root& root, const read::Documents& documents);
+  explicit GazeboBlocks(const model::Root& root);
 
   /// Their children of these names, in document order; an empty reference speaks of the robot.
-  std::vector<xml::Element> find(const model::Model& robot, const std::string& reference,
-                                 std::initializer_list<std::string_view> names) const;
+  std::vector<const model::Parameter*> find(const model::Model& robot, const std::string& reference,
+                                            std::initializer_list<std::string_view> names) const;
 
  private:
   using Key = std::pair<Span, std::string>;
   struct Less {
     bool operator()(const Key& a, const Key& b) const;
   };
-  std::map<Key, std::vector<xml::Element>, Less> blocks_;
+  std::map<Key, std::vector<const model::GazeboBlock*>, Less> blocks_;
 };
 
 struct SceneDraft {
@@ -84,6 +84,12 @@ struct SceneDraft {
     if (const auto value = parsed_number(text->text)) return *value;
     say(FactKind::kNotFinite, text->span, entity, std::string(name));
     return fallback;
+  }
+
+  template <class Entity>
+  double number(const model::Parameter& given, double fallback, const Entity& entity) {
+    const read::Text text{given.value.value, given.value.span};
+    return number(text, fallback, given.name, entity);
   }
 
   static std::optional<double> parsed_number(std::string_view text);

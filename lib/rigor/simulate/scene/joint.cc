@@ -7,12 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <variant>
 
-#include <rigor/robot/robot.h>
 #include <rigor/simulate/scene/draft.h>
+#include <rigor/model/motion.h>
 
 namespace rigor::simulate {
 namespace {
@@ -156,8 +155,8 @@ class JointBuilder {
     axis.where = written.site.name;
     axis.limit_where = written.limit_site.name;
     if (joint.type != JointType::kContinuous) add_limits(axis, written, joint);
-    axis.effort = most(joint, written.effort);
-    axis.velocity = most(joint, written.velocity);
+    axis.effort = effort_limit(root_, joint, written);
+    axis.velocity = velocity_limit(root_, joint, written);
     axis.damping = passive(written.damping, "damping", joint);
     axis.friction = passive(written.friction, "friction", joint);
     axis.spring_reference = written.spring_reference.value;
@@ -169,22 +168,14 @@ class JointBuilder {
   }
 
   void add_limits(SceneAxis& axis, const model::Axis& written, const model::Joint& joint) {
-    axis.lower = robot::without_sentinel(written.lower.value);
-    axis.upper = robot::without_sentinel(written.upper.value);
+    axis.lower = model::position_limit(written.lower.value);
+    axis.upper = model::position_limit(written.upper.value);
     const bool shut =
         axis.lower > axis.upper || axis.lower == kInfinity || axis.upper == -kInfinity;
     if (!shut) return;
     const Span where = written.lower.written ? written.lower.span : written.upper.span;
     say(FactKind::kLimitsCrossed, where.nowhere() ? written.limit_site.name : where, joint, {},
         axis.lower, axis.upper);
-  }
-
-  /// What nobody wrote is no limit, and neither is the zero that SDF up to 1.3 has for its default.
-  double most(const model::Joint& joint, const model::Field<double>& field) const {
-    const bool old = joint.model && root_[joint.model].format == model::Format::kSdf &&
-                     root_[joint.model].version <= 3;
-    if (!field.written || (old && field.value == 0)) return kInfinity;
-    return robot::ceiling(field.value);
   }
 
   /// A negative one would drive the joint.
@@ -198,25 +189,26 @@ class JointBuilder {
 
   void add_stops(SceneAxis& axis, const model::Joint& joint) {
     if (in_urdf(joint)) {
-      for (const xml::Element e : blocks(joint, {"stopErp", "stopCfm"})) {
-        (e.name() == "stopErp" ? axis.stop_erp : axis.stop_cfm) = stop(e, joint);
+      for (const auto* given : blocks(joint, {"stopErp", "stopCfm"})) {
+        (given->name == "stopErp" ? axis.stop_erp : axis.stop_cfm) = stop(*given, joint);
       }
     } else if (const auto limit =
                    element_at(draft_.element(joint.site), {"physics", "ode", "limit"})) {
-      if (const auto erp = limit->child("erp")) axis.stop_erp = stop(*erp, joint);
-      if (const auto cfm = limit->child("cfm")) axis.stop_cfm = stop(*cfm, joint);
+      const model::Parameter given = read::parameter_of(*limit);
+      if (const auto* erp = find(given.children, "erp")) axis.stop_erp = stop(*erp, joint);
+      if (const auto* cfm = find(given.children, "cfm")) axis.stop_cfm = stop(*cfm, joint);
     }
     axis.stop_erp = std::min(axis.stop_erp, 1.0);
   }
 
-  double stop(xml::Element e, const model::Joint& joint) {
-    return std::max(0.0, draft_.number(read::Text{e.text(), e.text_span()}, 0, e.name(), joint));
+  double stop(const model::Parameter& given, const model::Joint& joint) {
+    return std::max(0.0, draft_.number(given, 0, joint));
   }
 
   void add_spring_blocks(SceneAxis& axis, const model::Joint& joint) {
-    for (const xml::Element e : blocks(joint, {"springReference", "springStiffness"})) {
-      const double value = draft_.number(read::Text{e.text(), e.text_span()}, 0, e.name(), joint);
-      if (e.name() == "springReference") {
+    for (const auto* given : blocks(joint, {"springReference", "springStiffness"})) {
+      const double value = draft_.number(*given, 0, joint);
+      if (given->name == "springReference") {
         axis.spring_reference = value;
       } else {
         axis.spring_stiffness = std::max(0.0, value);
@@ -226,58 +218,49 @@ class JointBuilder {
 
   void say_what_axes_lose(const model::Axis& written, const model::Joint& joint) {
     if (in_urdf(joint)) {
-      for (const xml::Element e : blocks(joint, {"fudgeFactor"})) ignore_unless(e, 0, joint);
+      for (const auto* given : blocks(joint, {"fudgeFactor"})) ignore_unless(given, 0, joint);
       return;
     }
-    const xml::Element axis = draft_.element(written.site);
-    if (const auto start = axis.child("initial_position")) ignore_unless(*start, 0, joint);
-    if (const auto hard = element_at(axis, {"limit", "stiffness"})) {
-      ignore_unless(*hard, 1e8, joint);
+    const model::Parameter axis = read::parameter_of(draft_.element(written.site));
+    ignore_unless(find(axis.children, "initial_position"), 0, joint);
+    if (const auto* limit = find(axis.children, "limit")) {
+      ignore_unless(find(limit->children, "stiffness"), 1e8, joint);
+      ignore_unless(find(limit->children, "dissipation"), 1, joint);
     }
-    if (const auto soft = element_at(axis, {"limit", "dissipation"})) {
-      ignore_unless(*soft, 1, joint);
-    }
-    const auto ode = element_at(draft_.element(joint.site), {"physics", "ode"});
-    if (!ode || &written != &joint.axes.front()) return;
+    const auto physics = element_at(draft_.element(joint.site), {"physics", "ode"});
+    if (!physics || &written != &joint.axes.front()) return;
+    const model::Parameter ode = read::parameter_of(*physics);
     for (const IgnoredSetting& setting : kIgnoredSettings) {
-      if (const auto e = ode->child(setting.name)) ignore_unless(*e, setting.neutral, joint);
+      ignore_unless(find(ode.children, setting.name), setting.neutral, joint);
     }
-    if (const auto suspension = ode->child("suspension")) {
-      say(FactKind::kElementIgnored, suspension->name_span(), joint, "suspension");
+    if (const auto* suspension = find(ode.children, "suspension")) {
+      say(FactKind::kElementIgnored, suspension->site.name, joint, "suspension");
     }
   }
 
-  void ignore_unless(xml::Element e, double neutral, const model::Joint& joint) {
-    const auto value = SceneDraft::parsed_number(e.text());
+  void ignore_unless(const model::Parameter* given, double neutral, const model::Joint& joint) {
+    if (given == nullptr) return;
+    const auto value = SceneDraft::parsed_number(given->value.value);
     if (!value || *value == neutral) return;
-    say(FactKind::kElementIgnored, e.text_span(), joint, std::string(e.name()), *value);
+    say(FactKind::kElementIgnored, given->value.span, joint, given->name, *value);
   }
 
-  /// Gazebo read `<thread_pitch>` as radians per metre of a left-handed thread; from SDF 1.10 there is
-  /// `<screw_thread_pitch>`, metres per turn of a right-handed one, 1 by default.
   void add_screw(SceneJoint& out, const model::Joint& joint) {
-    const auto pitch = draft_.element(joint.site).child("screw_thread_pitch");
-    const bool newer = joint.model && root_[joint.model].version >= 10;
-    if (pitch || (newer && !joint.thread_pitch.written)) {
-      const double turn = pitch ? SceneDraft::parsed_number(pitch->text()).value_or(1) : 1;
-      out.screw_pitch = turn / (2 * std::numbers::pi);
-    } else {
-      const double pitch_of_old = joint.thread_pitch.value;
-      out.screw_pitch = pitch_of_old == 0 ? 0 : -1 / pitch_of_old;
-    }
-    const Span where = pitch ? pitch->text_span() : joint.thread_pitch.span;
+    out.screw_pitch = screw_lead(root_, joint);
+    const bool per_turn = joint.screw_thread_pitch.written;
+    const Span where = per_turn ? joint.screw_thread_pitch.span : joint.thread_pitch.span;
     say(FactKind::kJointEmulated, or_name(where, joint), joint, "screw", out.screw_pitch);
   }
 
   bool add_gearbox(SceneJoint& out, const model::Joint& joint) {
     out.gearbox_ratio = joint.gearbox_ratio.value;
-    const auto written = draft_.element(joint.site).child("gearbox_reference_body");
-    const Id<model::Link> link = written && joint.model
-                                     ? draft_.input.frames.names().find_link(
-                                           joint.model, std::string(read::trimmed(written->text())))
-                                     : Id<model::Link>{};
+    const model::Field<std::string>& written = joint.gearbox_reference;
+    Id<model::Link> link;
+    if (written.written && joint.model) {
+      link = draft_.input.frames.names().find_link(joint.model, written.value);
+    }
     if (!link || !known(link)) {
-      say(FactKind::kJointIgnored, written ? written->text_span() : place(joint), joint,
+      say(FactKind::kJointIgnored, written.written ? written.span : place(joint), joint,
           "gearbox_reference_body");
       return false;
     }
@@ -332,8 +315,8 @@ class JointBuilder {
     return false;
   }
 
-  std::vector<xml::Element> blocks(const model::Joint& joint,
-                                   std::initializer_list<std::string_view> names) const {
+  std::vector<const model::Parameter*> blocks(const model::Joint& joint,
+                                              std::initializer_list<std::string_view> names) const {
     return draft_.blocks.find(root_[joint.model], joint.name.value, names);
   }
   bool in_urdf(const model::Joint& joint) const {

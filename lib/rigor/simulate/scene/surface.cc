@@ -30,14 +30,14 @@ class SurfaceReader {
     if (model.format == model::Format::kSdf) {
       read_collision(draft_.element(collision_.site));
     } else {
-      for (const xml::Element e : draft_.blocks.find(model, link.name.value, {"collision"})) {
-        read_collision(e);
+      for (const auto* given : draft_.blocks.find(model, link.name.value, {"collision"})) {
+        read_collision(draft_.element(given->site));
       }
-      for (const xml::Element e :
+      for (const auto* given :
            draft_.blocks.find(model, link.name.value,
                               {"mu1", "mu", "mu2", "fdir1", "kp", "kd", "maxContacts",
                                "max_contacts", "maxVel", "minDepth"})) {
-        read_block(e);
+        read_block(*given);
       }
     }
     return out_;
@@ -85,17 +85,17 @@ class SurfaceReader {
     }
   }
 
-  void read_block(xml::Element e) {
-    const read::Text text{e.text(), e.text_span()};
-    const std::string_view name = e.name();
+  void read_block(const model::Parameter& given) {
+    const read::Text text{given.value.value, given.value.span};
+    const std::string_view name = given.name;
     if (name == "mu1" || name == "mu") take_friction(out_.mu, text);
     if (name == "mu2") take_friction(out_.mu2, text);
     if (name == "fdir1") take_direction(text);
     if (name == "kp") take(out_.kp, text, name);
     if (name == "kd") take(out_.kd, text, name);
     if (name == "maxContacts" || name == "max_contacts") take_contacts(text);
-    if (name == "maxVel") ignore_unless(e, "max_vel", 0.01);
-    if (name == "minDepth") ignore_unless(e, "min_depth", 0);
+    if (name == "maxVel") ignore_unless(text, "max_vel", 0.01);
+    if (name == "minDepth") ignore_unless(text, "min_depth", 0);
   }
 
   void take(double& out, xml::Element holder, std::string_view name) {
@@ -140,8 +140,12 @@ class SurfaceReader {
   }
 
   void ignore_unless(std::optional<xml::Element> e, std::string_view name, double neutral) {
-    const auto value = e ? SceneDraft::parsed_number(e->text()) : std::nullopt;
-    if (value && *value != neutral) ignore(e->text_span(), name, *value);
+    if (e) ignore_unless(read::Text{e->text(), e->text_span()}, name, neutral);
+  }
+
+  void ignore_unless(const read::Text& text, std::string_view name, double neutral) {
+    const auto value = SceneDraft::parsed_number(text.text);
+    if (value && *value != neutral) ignore(text.span, name, *value);
   }
 
   /// Once a model: what its first shape has, the others have as well.

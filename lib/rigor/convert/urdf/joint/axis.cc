@@ -27,9 +27,6 @@ using model::Vector3;
 /// prismatic joint per metre of travel, in readers that do not normalise.
 constexpr double kUnitTolerance = 1e-9;
 
-/// Up to SDF 1.3 an effort or velocity of zero is the default, so that it cannot mean zero.
-constexpr int kLastWithZeroUnlimited = 3;
-
 class UrdfAxisWriter {
  public:
   UrdfAxisWriter(UrdfDraft& draft, Id<model::Joint> id, std::size_t k, UrdfJoint& target)
@@ -41,9 +38,6 @@ class UrdfAxisWriter {
         index_(k),
         target_(target) {
     if (k < joint_.axes.size()) axis_ = joint_.axes[k];
-    if (!joint_.model) return;
-    const model::Model& model = draft.source.root[joint_.model];
-    if (model.format == model::Format::kSdf) version_ = model.version;
   }
 
   void write() {
@@ -120,11 +114,13 @@ class UrdfAxisWriter {
 
   // --- Limits ---
 
-  static bool is_endless(double limit) { return !(std::abs(limit) < robot::kUnlimited); }
+  static bool is_endless(double limit) { return !std::isfinite(model::position_limit(limit)); }
 
-  bool is_unlimited(const Field<double>& field) const {
-    return !(field.value >= 0) || is_endless(field.value) ||
-           (field.value == 0 && version_ <= kLastWithZeroUnlimited);
+  bool has_effort() const {
+    return std::isfinite(model::effort_limit(draft_.source.root, joint_, axis_));
+  }
+  bool has_velocity() const {
+    return std::isfinite(model::velocity_limit(draft_.source.root, joint_, axis_));
   }
 
   std::string said(const Field<double>& field) const {
@@ -140,16 +136,14 @@ class UrdfAxisWriter {
     return number;
   }
 
-  Number ceiling(const Field<double>& field, NoteKind kind) {
-    if (is_unlimited(field)) return stand_in(field, kind, draft_.options.unlimited);
+  Number taken(const Field<double>& field) {
     ledger_.take(field);
     return written_number(documents_, field);
   }
 
   Number bound(const Field<double>& field, double endless) {
     if (is_endless(field.value)) return stand_in(field, NoteKind::kLimitStandIn, endless);
-    ledger_.take(field);
-    return written_number(documents_, field);
+    return taken(field);
   }
 
   void write_limits() {
@@ -163,7 +157,7 @@ class UrdfAxisWriter {
       ledger_.take(axis_.lower, Outcome::kRewritten);
       ledger_.take(axis_.upper, Outcome::kRewritten);
     }
-    if (continuous && is_unlimited(axis_.effort) && is_unlimited(axis_.velocity)) {
+    if (continuous && !has_effort() && !has_velocity()) {
       // Without `<limit>` a continuous joint has none: exact.
       ledger_.take(axis_.effort, Outcome::kRewritten);
       ledger_.take(axis_.velocity, Outcome::kRewritten);
@@ -178,8 +172,11 @@ class UrdfAxisWriter {
              said(axis_.lower) + " to " + said(axis_.upper));
       }
     }
-    limit.effort = ceiling(axis_.effort, NoteKind::kEffortStandIn);
-    limit.velocity = ceiling(axis_.velocity, NoteKind::kVelocityStandIn);
+    const double none = draft_.options.unlimited;
+    limit.effort =
+        has_effort() ? taken(axis_.effort) : stand_in(axis_.effort, NoteKind::kEffortStandIn, none);
+    limit.velocity = has_velocity() ? taken(axis_.velocity)
+                                    : stand_in(axis_.velocity, NoteKind::kVelocityStandIn, none);
     target_.limit = limit;
   }
 
@@ -213,7 +210,6 @@ class UrdfAxisWriter {
   std::size_t index_;
   UrdfJoint& target_;
   Axis axis_ = default_axis();
-  int version_ = 99;  // later than any: what is not SDF has no old sentinels
 
   static Axis default_axis() {
     Axis axis;

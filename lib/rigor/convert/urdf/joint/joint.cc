@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 #include <rigor/convert/urdf/joint/axis.h>
+#include <rigor/model/motion.h>
 #include <rigor/model/subject.h>
 #include <rigor/read/values.h>
 #include <rigor/write/numbers.h>
@@ -19,9 +19,6 @@ namespace {
 
 using model::Id;
 using model::JointType;
-
-/// From this version on the pitch of a screw has an element of its own.
-constexpr int kScrewThreadPitch = 10;
 
 class UrdfJointWriter {
  public:
@@ -188,23 +185,11 @@ class UrdfJointWriter {
     add(std::move(turn));
   }
 
-  /// `<screw_thread_pitch>` is metres per turn of a right-handed thread; `<thread_pitch>`, as Gazebo
-  /// has read it ever since, radians per metre of a left-handed one.
   double screw_slide() {
-    constexpr double kTurn = 2 * std::numbers::pi;
-    const auto written = draft_.source.documents.element(joint_.site).child("screw_thread_pitch");
-    if (written) {
-      const auto pitch = read::number_field(read::Text{written->text(), written->text_span()}, 1);
-      ledger_.take(pitch);
-      ledger_.take(joint_.thread_pitch, Outcome::kImplied);
-      return pitch.value / kTurn;
-    }
-    ledger_.take(joint_.thread_pitch);
-    const bool turns =
-        joint_.model && draft_.source.root[joint_.model].version >= kScrewThreadPitch;
-    if (!joint_.thread_pitch.written && turns) return 1 / kTurn;
-    const double pitch = joint_.thread_pitch.value;
-    return pitch == 0 || !std::isfinite(pitch) ? 0 : -1 / pitch;
+    const bool per_turn = joint_.screw_thread_pitch.written;
+    ledger_.take(joint_.screw_thread_pitch);
+    ledger_.take(joint_.thread_pitch, per_turn ? Outcome::kImplied : Outcome::kConverted);
+    return screw_lead(draft_.source.root, joint_);
   }
 
   void write_unknown() {
