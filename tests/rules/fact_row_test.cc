@@ -46,7 +46,8 @@ void expect_words(const std::vector<Fact>& facts) {
   for (const Fact& fact : facts) {
     std::set<std::string_view> rules;
     for (const read::Loaded* loaded : {&sdf, &urdf}) {
-      for (const Diagnostic& one : run(runner, environment, sources, *loaded, fact).list()) {
+      const Diagnostics found = run(runner, environment, sources, *loaded, fact);
+      for (const Diagnostic& one : found.list()) {
         EXPECT_EQ(one.message.find_first_of("{}"), std::string::npos) << one.message;
         rules.insert(one.rule);
       }

@@ -30,8 +30,8 @@ bool SchemaFact::is_inside(std::string_view name) const {
 bool SchemaFact::has_child(std::string_view name) const { return element.child(name).has_value(); }
 
 bool SchemaFact::has_sibling(std::string_view name) const {
-  const auto parent = element.parent();
-  return parent && parent->child(name);
+  const auto above = element.parent();
+  return above && above->child(name);
 }
 
 namespace {

@@ -177,7 +177,7 @@ inline Check on_suppression(std::vector<SuppressionFactKind> kinds,
 }
 
 struct Rule {
-  std::string_view name;  ///< kebab-case; states the defect; also the file's name
+  std::string_view name;               ///< kebab-case; states the defect; also the file's name
   Category category = Category::kXml;  ///< of its folder; the registry sets it
   Severity severity = Severity::kError;
   Refusals refused = {};  ///< whether libsdformat refuses a file for it

@@ -1,23 +1,14 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <fmt/core.h>
-
 #include <rigor/rules/rule.h>
+#include <rigor/rules/sensor/picture.h>
 
 namespace rigor::rules::camera_image_empty {
 
 void check(const model::Sensor& sensor, Context& context) {
-  for (const model::Camera& camera : sensor.cameras) {
-    for (const auto* size : {&camera.width, &camera.height}) {
-      if (!size->written || size->value >= 1) continue;
-      context.report({.where = size->span,
-                      .message = fmt::format("the picture is {} by {} pixels", camera.width.value,
-                                             camera.height.value),
-                      .subject = context.subject(sensor)});
-      break;
-    }
-  }
+  report_pictures(
+      sensor, [](double pixels) { return !(pixels >= 1); }, context);
 }
 
 Rule rule() {
