@@ -32,8 +32,8 @@ std::uint64_t resident_in_use();
 /// All to their defaults, none blocked: a crash must be a crash.
 void reset_signals();
 
-/// Sets the limits from now on, on top of the time and memory that are used by now. They can be raised again
-/// for the next request. The wall clock is the caller's.
+/// Sets the limits from now on, on top of the time and memory that are used by now; the next request has its
+/// own. Past the CPU time SIGPROF ends the process. The wall clock is the caller's.
 void confine(const RequestLimits& limits);
 
 }  // namespace rigor::process
