@@ -24,6 +24,8 @@
 #include <rigor/text/disk.h>
 #include <rigor/text/sources.h>
 
+#include "support/workers.h"
+
 namespace rigor::test {
 
 inline const schema::Schema& sdf_schema() {
@@ -58,7 +60,7 @@ struct Converted {
   explicit Converted(std::map<std::string, std::string> files, convert::UrdfOptions options = {})
       : disk(std::move(files)), source(disk, "robot.sdf") {
     result = sdf_to_urdf({source.loaded.root, source.frames, source.documents, source.resolver,
-                          sdf_schema(), "robot.sdf"},
+                          sdf_schema(), workers(), "robot.sdf"},
                          options);
   }
   /// What stands in the one model of an SDF file of this version.

@@ -9,7 +9,9 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
+#include <ctime>
 #include <new>
 #include <optional>
 #include <stdexcept>
@@ -81,6 +83,12 @@ std::vector<Service> sound_services() {
       {"take",
        [](const std::string& bytes, const Ask&) -> Reply {
          return std::to_string(std::vector<char>(number(bytes)).size());
+       }},
+      {"use",
+       [](const std::string& bytes, const Ask&) -> Reply {
+         const auto begin = std::clock();
+         while ((std::clock() - begin) * 1000 / CLOCKS_PER_SEC < std::stol(bytes)) continue;
+         return std::string();
        }},
       {"hoard",
        [](const std::string& bytes, const Ask&) -> Reply {

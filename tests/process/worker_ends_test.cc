@@ -5,10 +5,15 @@
 
 #include <rigor/process/workers.h>
 
+#include <poll.h>
+
 #include <csignal>
 #include <cstdlib>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <variant>
 
 #include <gtest/gtest.h>
 
@@ -70,27 +75,62 @@ TEST_F(WorkerEnds, DeathWhileWritingIsNoResult) {
   EXPECT_EQ(result.bytes, "");
 }
 
+/// A request to a worker, until the deadline.
+class TimedExchange {
+ public:
+  TimedExchange(IdleWorker worker, Request request, Exchange::Clock::time_point deadline)
+      : exchange_(std::move(worker), std::move(request), answer_, deadline) {
+    for (exchange_.advance(); !exchange_.over(); exchange_.advance()) {
+      pollfd wanted = exchange_.wanted();
+      ::poll(&wanted, 1, -1);
+    }
+  }
+
+  RequestResult result() { return exchange_.take_result(); }
+  std::optional<IdleWorker> worker() { return exchange_.take_worker(); }
+
+ private:
+  const Answer answer_ = [](std::string_view) { return std::nullopt; };
+  Exchange exchange_;
+};
+
+IdleWorker new_worker() {
+  return {std::get<WorkerProcess>(WorkerProcess::start(RIGOR_TEST_WORKER)), RIGOR_TEST_WORKER};
+}
+
 TEST_F(WorkerEnds, RunningForeverEndsAsOutOfTime) {
   const RequestLimits second{.cpu_seconds = 1};
-  call("echo");  // the limit is that of a request, not of the worker
-  const RequestResult result = call("spin", "", second);
+  // Without a clock on the wall, which a busy machine would be too slow for.
+  const auto never = Exchange::Clock::time_point::max();
+  TimedExchange spin(new_worker(), {.kind = "spin", .limits = second}, never);
+  const RequestResult result = spin.result();
   EXPECT_EQ(result.end, End::kOutOfTime);
   EXPECT_EQ(describe(result, second), "took more than 1 s of CPU time");
+  EXPECT_FALSE(spin.worker());
+}
+
+TEST_F(WorkerEnds, TheTimeIsARequestsAndNotTheWorkers) {
+  const RequestLimits second{.cpu_seconds = 1};
+  const auto never = Exchange::Clock::time_point::max();
+  std::optional<IdleWorker> worker = new_worker();
+  // Together they take more than a second.
+  for (int i = 0; i < 3 && worker; ++i) {
+    TimedExchange some(std::move(*worker), {.kind = "use", .bytes = "600", .limits = second},
+                       never);
+    EXPECT_EQ(some.result().end, End::kDone) << i;
+    auto next = some.worker();
+    worker.reset();
+    if (next) worker.emplace(std::move(*next));
+  }
 }
 
 TEST_F(WorkerEnds, WaitingForeverEndsAsOutOfTime) {
-  auto started = WorkerProcess::start(RIGOR_TEST_WORKER);
-  ASSERT_TRUE(std::holds_alternative<WorkerProcess>(started));
-  const Answer none = [](std::string_view) { return std::nullopt; };
   // Its time has passed already, which a test need not wait for.
-  Exchange exchange({std::get<WorkerProcess>(std::move(started)), RIGOR_TEST_WORKER},
-                    {.kind = "wait"}, none, Exchange::Clock::now());
-  exchange.advance();
-  ASSERT_TRUE(exchange.over());
-  const RequestResult result = exchange.take_result();
+  TimedExchange wait(new_worker(), {.kind = "wait"}, Exchange::Clock::now());
+  const RequestResult result = wait.result();
   EXPECT_EQ(result.end, End::kOutOfTime);
   EXPECT_EQ(describe(result, kLimits), "did not end within 600 s");
-  EXPECT_FALSE(exchange.take_worker());
+  EXPECT_FALSE(wait.worker());
 }
 
 TEST_F(WorkerEnds, MemoryIsBounded) {

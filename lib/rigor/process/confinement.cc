@@ -5,6 +5,7 @@
 
 #include <fcntl.h>
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -27,21 +28,18 @@ constexpr bool kAddressSanitizer = false;
 #endif
 
 /// The hard limit stays, so that the next request may have more.
-void limit_to(decltype(RLIMIT_CPU) resource, rlim_t soft) {
+void limit_to(decltype(RLIMIT_AS) resource, rlim_t soft) {
   rlimit limit = {};
   if (::getrlimit(resource, &limit) != 0) return;
   limit.rlim_cur = std::min(limit.rlim_max, soft);
   ::setrlimit(resource, &limit);
 }
 
-/// Whole seconds: what was begun counts, since the limit has no finer unit.
-rlim_t cpu_seconds_used() {
-  rusage usage = {};
-  ::getrusage(RUSAGE_SELF, &usage);
-  constexpr long kMicroseconds = 1'000'000;
-  const long micros = usage.ru_utime.tv_usec + usage.ru_stime.tv_usec;
-  return static_cast<rlim_t>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec +
-                             (micros + kMicroseconds - 1) / kMicroseconds);
+/// A timer and not RLIMIT_CPU, which counts from the start of the process and in whole seconds.
+void limit_cpu_time(unsigned seconds) {
+  itimerval time = {};
+  time.it_value.tv_sec = static_cast<time_t>(seconds);
+  ::setitimer(ITIMER_PROF, &time, nullptr);
 }
 
 /// Empty where there is no such file.
@@ -83,7 +81,7 @@ void reset_signals() {
 
 void confine(const RequestLimits& limits) {
   limit_to(RLIMIT_CORE, 0);
-  limit_to(RLIMIT_CPU, cpu_seconds_used() + std::max(limits.cpu_seconds, 1U));
+  limit_cpu_time(std::max(limits.cpu_seconds, 1U));
   if (kAddressSanitizer) return;
   limit_to(RLIMIT_AS, address_space_in_use() + limits.memory_bytes);
 }

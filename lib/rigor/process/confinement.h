@@ -18,8 +18,8 @@
 namespace rigor::process {
 
 /// Where the system does not tell how much address space is in use (no /proc), it is taken to be this
-/// much: a worker with all of its libraries has 150 MiB, and limits far below it could not be kept.
-inline constexpr std::uint64_t kAssumedAddressSpace = std::uint64_t{256} << 20U;
+/// much: a worker that had read a scene with assimp had 36 MiB.
+inline constexpr std::uint64_t kAssumedAddressSpace = std::uint64_t{64} << 20U;
 
 /// Bytes, from the text of /proc/self/statm (man 5 proc: the first number, in pages); `kAssumedAddressSpace`
 /// when the text has no number.
@@ -32,8 +32,8 @@ std::uint64_t resident_in_use();
 /// All to their defaults, none blocked: a crash must be a crash.
 void reset_signals();
 
-/// Sets the limits from now on, on top of the time and memory that are used by now. They can be raised again
-/// for the next request. The wall clock is the caller's.
+/// Sets the limits from now on, on top of the time and memory that are used by now; the next request has its
+/// own. Past the CPU time SIGPROF ends the process. The wall clock is the caller's.
 void confine(const RequestLimits& limits);
 
 }  // namespace rigor::process

@@ -26,8 +26,8 @@ namespace {
 
 using End = RequestResult::End;
 
-/// A signal's handler: nobody waits for what this process does once the caller's end is closed.
-void leave_without_caller(int) {
+/// Nobody waits for what this process does once the caller's end is closed. Also a signal's handler.
+void leave_without_caller(int /*signal*/ = 0) {
   const int error = errno;
   pollfd caller{kWorkerSocket, POLLRDHUP, 0};
   if (::poll(&caller, 1, 0) > 0) ::_exit(0);
@@ -52,9 +52,11 @@ Message receive_message() {
   return message;
 }
 
+/// The kernel does not signal to one that waits here that the caller is gone, once it has sent something.
 std::string receive_bytes(std::uint64_t size) {
   std::string bytes(size, '\0');
   if (!receive_all(kWorkerSocket, bytes.data(), bytes.size())) ::_exit(0);
+  leave_without_caller();
   return bytes;
 }
 

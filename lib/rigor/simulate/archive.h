@@ -91,7 +91,7 @@ class ArchiveWriter {
       if (value) put(*value);
     } else if constexpr (kArchiveVariant<T>) {
       put(std::uint64_t{value.index()});
-      std::visit([this](const auto& kind) { put(kind); }, value);
+      std::visit([&](const auto& kind) { this->put(kind); }, value);
     } else if constexpr (kArchivePlain<T>) {
       copy(&value, sizeof value);
     } else {
