@@ -64,16 +64,16 @@ WorkerProgram find_worker_from(const std::string& folder, std::string_view searc
     found.looked_for = {folder + std::string(kWorkerName), in_libexec_of(folder)};
   }
   found.looked_for.push_back(RIGOR_LIBEXEC + std::string(kWorkerName));
+  std::vector<std::string> candidates = found.looked_for;
   while (!search_path.empty()) {
     const std::string_view each = search_path.substr(0, search_path.find(':'));
     search_path.remove_prefix(std::min(each.size() + 1, search_path.size()));
-    if (is_absolute(each)) found.looked_for.push_back(in_libexec_of(each));
+    if (is_absolute(each)) candidates.push_back(in_libexec_of(each));
   }
-  for (const std::string& path : found.looked_for) {
-    if (::access(path.c_str(), X_OK) != 0) continue;
-    found.path = path;
-    break;
-  }
+  const auto known =
+      std::find_if(candidates.begin(), candidates.end(),
+                   [](const std::string& path) { return ::access(path.c_str(), X_OK) == 0; });
+  if (known != candidates.end()) found.path = *known;
   return found;
 }
 

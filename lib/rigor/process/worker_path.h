@@ -19,7 +19,7 @@ namespace rigor::process {
 
 struct WorkerProgram {
   std::optional<std::string> path;
-  std::vector<std::string> looked_for;  ///< the paths, in their order
+  std::vector<std::string> looked_for;  ///< the paths, in their order, before those of PATH
 };
 
 /// In order: beside the file that this library's code is in (a program, or the shared library); in

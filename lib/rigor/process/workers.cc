@@ -25,7 +25,7 @@ std::string missing(const WorkerProgram& program) {
   for (std::size_t i = 0; i < program.looked_for.size(); ++i) {
     text += (i > 0 ? ", " : "") + program.looked_for[i];
   }
-  return text;
+  return text + ", nor one in libexec beside a folder of PATH";
 }
 
 }  // namespace
