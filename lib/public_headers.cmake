@@ -24,7 +24,9 @@ set(rigor_public_headers
   rigor/model/geometry.h
   rigor/model/id.h
   rigor/model/model.h
+  rigor/model/motion.h
   rigor/model/names.h
+  rigor/model/parameter.h
   rigor/model/pose.h
   rigor/model/site.h
   rigor/model/subject.h
@@ -38,6 +40,8 @@ set(rigor_public_headers
   rigor/read/package_manifest.h
   rigor/read/resolver.h
   rigor/read/workspace.h
+  rigor/process/request.h
+  rigor/process/workers.h
   rigor/mesh/fault.h
   rigor/mesh/read.h
   rigor/mesh/triangle_mesh.h

@@ -11,10 +11,10 @@ void check(const model::Root& root, Context& context) {
   const SelfColliding self_colliding(root, context);
   // Nearly no file says it, so that the others need not be measured.
   if (!self_colliding.any()) return;
-  for (const auto& [top, pairs] : lasting_overlaps(root, context.frames())) {
+  for (const auto& [top, pairs] : robot::lasting_overlaps(root, context.frames())) {
     if (!root.own(root[top].site)) continue;
-    std::vector<LinkOverlap> pushed;
-    for (const LinkOverlap& pair : pairs) {
+    std::vector<robot::LinkOverlap> pushed;
+    for (const robot::LinkOverlap& pair : pairs) {
       if (self_collide(pair, self_colliding)) pushed.push_back(pair);
     }
     report_overlaps(root[top], pushed, "at the start and may collide (self_collide)", context);

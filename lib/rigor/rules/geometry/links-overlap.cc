@@ -8,13 +8,13 @@ namespace rigor::rules::links_overlap {
 
 void check(const model::Root& root, Context& context) {
   if (root.links.size() < 2 || root.collisions.size() < 2) return;
-  const LinkOverlaps found = lasting_overlaps(root, context.frames());
+  const robot::LinkOverlaps found = robot::lasting_overlaps(root, context.frames());
   if (found.empty()) return;
   const SelfColliding self_colliding(root, context);
   for (const auto& [top, pairs] : found) {
     if (!root.own(root[top].site)) continue;
-    std::vector<LinkOverlap> quiet;  // of the others links-collide-at-start speaks
-    for (const LinkOverlap& pair : pairs) {
+    std::vector<robot::LinkOverlap> quiet;  // of the others links-collide-at-start speaks
+    for (const robot::LinkOverlap& pair : pairs) {
       if (!self_collide(pair, self_colliding)) quiet.push_back(pair);
     }
     report_overlaps(root[top], quiet, "where the model begins", context);

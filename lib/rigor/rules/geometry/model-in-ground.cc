@@ -9,7 +9,7 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/geometry/placed_shapes.h>
+#include <rigor/robot/placed_collisions.h>
 #include <rigor/rules/geometry/world_shapes.h>
 #include <rigor/rules/rule.h>
 
@@ -42,7 +42,7 @@ bool is_ground_plane(std::string_view uri) {
 
 std::vector<Ground> grounds(const model::Root& root, const model::Frames& frames) {
   std::vector<Ground> found;
-  const auto top = top_models(root);
+  const auto top = robot::top_models(root);
   for (std::uint32_t i = 0; i < root.collisions.size() && found.size() < kMostPlanes; ++i) {
     const auto* plane = std::get_if<model::Plane>(&root.collisions[i].geometry.shape);
     const auto X_WP = frames.pose(Id<model::Collision>{i});
@@ -77,7 +77,7 @@ void check(const model::Root& root, Context& context) {
   const std::vector<Ground> planes = grounds(root, context.frames());
   if (planes.empty()) return;
   std::map<Id<model::Model>, Sunk> sunk;
-  for (const PlacedCollision& placed : placed_collisions(root, context.frames())) {
+  for (const robot::PlacedCollision& placed : robot::placed_collisions(root, context.frames())) {
     if (placed.fast) continue;
     for (const Ground& ground : planes) {
       if (ground.top == placed.top || ground.world != root[placed.top].world) continue;

@@ -22,11 +22,6 @@
 
 namespace rigor::rules {
 
-using robot::lasting_overlaps;
-using robot::LinkOverlap;
-using robot::LinkOverlaps;
-using robot::overlapping_links;
-
 /// Links whose `self_collide` (in URDF a `<gazebo>` block's) is true, and those of models where it is.
 class SelfColliding {
  public:
@@ -77,18 +72,18 @@ class SelfColliding {
 };
 
 /// Whether the two may touch: one that collides with its own model is enough.
-inline bool self_collide(const LinkOverlap& pair, const SelfColliding& self_colliding) {
+inline bool self_collide(const robot::LinkOverlap& pair, const SelfColliding& self_colliding) {
   return self_colliding(pair.a->link) || self_colliding(pair.b->link);
 }
 
 /// One finding for a model, which names the pair that is deepest in each other.
-inline void report_overlaps(const model::Model& model, const std::vector<LinkOverlap>& pairs,
+inline void report_overlaps(const model::Model& model, const std::vector<robot::LinkOverlap>& pairs,
                             std::string_view where, Context& context) {
   if (pairs.empty()) return;
   const model::Root& root = context.root();
-  const LinkOverlap& worst = *std::max_element(
+  const robot::LinkOverlap& worst = *std::max_element(
       pairs.begin(), pairs.end(),
-      [](const LinkOverlap& a, const LinkOverlap& b) { return a.depth < b.depth; });
+      [](const robot::LinkOverlap& a, const robot::LinkOverlap& b) { return a.depth < b.depth; });
   const std::string others = pairs.size() == 1
                                  ? std::string()
                                  : fmt::format("; {} more pair{} too", pairs.size() - 1,
