@@ -14,7 +14,8 @@ namespace {
 
 /// What a file of that text holds; its one source is the text.
 model::Root root_of(const std::string& name, const std::string& text) {
-  const MemoryDisk disk({{name, text}});
+  MemoryDisk disk;
+  disk.put(name, text);
   const Environment environment(disk, {});
   Sources sources;
   Workspace workspace(disk, sources);
