@@ -3,6 +3,8 @@
 //
 // A note of the account of a conversion as a finding.
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,12 +19,18 @@ namespace conversion {
 constexpr std::span<const Row> (*kTables[])() = {file_rows,  graph_rows,   joint_rows, link_rows,
                                                  shape_rows, carried_rows, proof_rows};
 
-/// Whether it speaks of more than the one element or attribute that was lost where it points at. The
-/// count of a refusal is of models, or of links.
+/// Kinds whose count is not of elements and attributes: of models, links, or nothing.
+constexpr convert::NoteKind kWithoutElements[] = {
+    convert::NoteKind::kSeveralModels, convert::NoteKind::kNoModel,
+    convert::NoteKind::kUnresolved,    convert::NoteKind::kSeveralRoots,
+    convert::NoteKind::kRootAdded,     convert::NoteKind::kNoRoot,
+    convert::NoteKind::kNotTheSame,    convert::NoteKind::kRefused,
+    convert::NoteKind::kIdle};
+
+/// Whether more was lost than the one element or attribute that it points at.
 bool lost_several(const convert::Note& note) {
   return note.outcome == convert::Outcome::kLost && note.count > 1 &&
-         note.kind != convert::NoteKind::kSeveralModels &&
-         note.kind != convert::NoteKind::kSeveralRoots;
+         std::ranges::find(kWithoutElements, note.kind) == std::end(kWithoutElements);
 }
 
 void check(const convert::Note& note, Context& context) {
