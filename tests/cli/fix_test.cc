@@ -25,6 +25,8 @@
 
 #include <cli/program.h>
 
+#include "support/part.h"
+
 namespace rigor::test {
 namespace {
 
@@ -237,7 +239,7 @@ Killed kill_often(int signal, int kills) {
 /// `RIGOR_KILLS=1000` for more.
 int kills_wanted() {
   const char* wanted = std::getenv("RIGOR_KILLS");
-  return wanted == nullptr ? 24 : std::atoi(wanted);
+  return wanted == nullptr ? static_cast<int>(24 / test::parts()) : std::atoi(wanted);
 }
 
 TEST(FixCli, LeavesTheOldFileOrTheNewOneWhenKilled) {

@@ -12,6 +12,7 @@
 
 #include "convert/converted.h"
 #include "support/corpus.h"
+#include "support/part.h"
 #include "support/workers.h"
 
 namespace rigor::convert {
@@ -332,7 +333,7 @@ TEST(SdfToUrdf, TheCorpusConverts) {
   const RealDisk disk;
   std::size_t converted = 0;
   std::size_t refused = 0;
-  for (const std::string& path : test::corpus_models()) {
+  for (const std::string& path : test::corpus_part()) {
     const test::ReadRobot source(disk, path);
     if (source.loaded.root.format != model::Format::kSdf) continue;
     const UrdfConversion result =

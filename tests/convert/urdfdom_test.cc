@@ -7,6 +7,7 @@
 
 #include <robot/robots.h>
 #include "support/corpus.h"
+#include "support/part.h"
 #include "support/workers.h"
 
 namespace rigor::test {
@@ -76,7 +77,7 @@ TEST(Urdfdom, LoopsEnd) {
 TEST(Urdfdom, AgreesOverTheCorpus) {
   RIGOR_NEEDS_CORPUS();
   std::size_t read = 0, refused = 0;
-  for (const std::string& path : corpus_models()) {
+  for (const std::string& path : corpus_part()) {
     if (!path.ends_with(".urdf")) continue;
     const std::string text = read_file(path);
     const UrdfdomVerdict verdict = judge_by_urdfdom(text, workers());

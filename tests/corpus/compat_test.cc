@@ -16,6 +16,7 @@
 #include <rigor/rules/validate.h>
 
 #include "support/corpus.h"
+#include "support/part.h"
 
 namespace rigor {
 namespace {
@@ -61,6 +62,7 @@ TEST(CorpusCompat, AgreesWithTheOfficialChecker) {
     const RealDisk disk;
     const Environment environment(disk, compat_paths(set));
     for (const auto& [file, official] : files) {
+      if (!test::in_part(file)) continue;
       Sources sources;
       rules::ValidateOptions options{.paths = {test::corpus() + "/" + file},
                                      .meshes = rules::MeshPolicy::kDoNotOpen};
@@ -77,7 +79,7 @@ TEST(CorpusCompat, AgreesWithTheOfficialChecker) {
   std::printf(
       "refused by both %d, by the official checker alone %d, by rigor alone %d, by neither %d\n",
       count[1][1], count[1][0], count[0][1], count[0][0]);
-  ASSERT_GE(all, 1500) << "another corpus?";
+  ASSERT_GE(all, static_cast<int>(test::part_of(1500))) << "another corpus?";
   // All agree when this was written. A file or two may change sides with a new rule; no more.
   EXPECT_LE(count[1][0], 2);
   EXPECT_LE(count[0][1], 2);

@@ -18,6 +18,7 @@
 
 #include "corpus/judged_conversion.h"
 #include "corpus/urdfdom_robot.h"
+#include "support/part.h"
 
 namespace rigor::judge {
 namespace {
@@ -164,9 +165,9 @@ TEST(CorpusConversionJudges, LibsdformatAndUrdfdomSeeOneRobot) {
   std::printf(
       "poses at %u configurations: %d of links, %d of collisions, %d of visuals; frames %d\n",
       kConfigurations, agreed.links, agreed.collisions, agreed.visuals, agreed.frames);
-  EXPECT_GT(counts.models, 1900);
+  EXPECT_GT(counts.models, static_cast<int>(test::part_of(1900)));
   EXPECT_GE(counts.converted, counts.models * 99 / 100);
-  EXPECT_GT(agreed.moving, 300);
+  EXPECT_GT(agreed.moving, static_cast<int>(test::part_of(300)));
 }
 
 }  // namespace

@@ -27,6 +27,7 @@
 #include <rigor/rules/environment.h>
 
 #include "corpus/source_robot.h"
+#include "support/part.h"
 
 namespace rigor::judge {
 
@@ -210,6 +211,7 @@ ConversionCounts for_each_conversion(const Callback& callback) {
   std::map<std::string, Environment> environments;
   ConversionCounts counts;
   for (SourceRobot& source : source_robots(oracle_rows("poses.tsv.gz"))) {
+    if (!test::in_part(source.file)) continue;
     const std::string set = source.file.substr(0, source.file.find('/'));
     const Environment& environment =
         environments.try_emplace(set, disk, folders[set]).first->second;

@@ -23,6 +23,7 @@
 #include <rigor/text/edit.h>
 
 #include "support/corpus.h"
+#include "support/part.h"
 
 namespace rigor {
 namespace {
@@ -105,7 +106,7 @@ TEST(CorpusMesh, WhatIsAppliedLeavesAllInItsPlace) {
   std::size_t shapes = 0;
   std::map<std::string_view, std::size_t> left;
   double worst = 0;
-  for (const std::string& path : test::corpus_models()) {
+  for (const std::string& path : test::corpus_part()) {
     SCOPED_TRACE(path);
     const PlacedShapes before(environment, path, {});
     std::set<std::string> meshes;
@@ -142,7 +143,7 @@ TEST(CorpusMesh, WhatIsAppliedLeavesAllInItsPlace) {
     ++files;
     shapes += changed;
   }
-  EXPECT_GT(files, 100U);
+  EXPECT_GT(files, test::part_of(100));
   std::printf("%zu files, %zu shapes; worst displacement %.3g m\n", files, shapes, worst);
   for (const auto& [why, count] : left) {
     std::printf("%zu left: %.*s\n", count, static_cast<int>(why.size()), why.data());

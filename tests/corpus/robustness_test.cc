@@ -12,6 +12,7 @@
 #include <rigor/rules/validate.h>
 
 #include "support/corpus.h"
+#include "support/part.h"
 
 namespace rigor {
 namespace {
@@ -29,6 +30,7 @@ TEST(CorpusRobustness, EveryFileIsChecked) {
 TEST(CorpusRobustness, FilesCutAnywhereGetADiagnostic) {
   RIGOR_NEEDS_CORPUS();
   constexpr std::size_t kLargest = 100'000;  // a few worlds would take most of the time
+  const int cuts = 200 / static_cast<int>(test::parts());
   const MemoryDisk disk;
   const Environment environment(disk, {});
   const auto paths = test::corpus_models();
@@ -38,7 +40,7 @@ TEST(CorpusRobustness, FilesCutAnywhereGetADiagnostic) {
     const std::string text = test::read_file(path);
     if (text.size() > kLargest) continue;
     ++file;
-    for (int cut = 0; cut < 200; ++cut) {
+    for (int cut = 0; cut < cuts; ++cut) {
       const std::string part = text.substr(0, random() % (text.size() + 1));
       Sources sources;
       rules::ValidateOptions options;

@@ -16,6 +16,7 @@
 #include <rigor/xml/style.h>
 
 #include "support/corpus.h"
+#include "support/part.h"
 
 namespace rigor::xml {
 namespace {
@@ -275,7 +276,7 @@ void check_all(const Document& document, Element element, Random& random) {
 }
 
 TEST(EditProperties, HoldForRandomDocuments) {
-  for (unsigned seed = 0; seed < 3'000; ++seed) {
+  for (unsigned seed = 0; seed < 3'000 / test::parts(); ++seed) {
     const std::string text = Author(seed).document();
     const Document document = parse(text, {});
     ASSERT_TRUE(document.complete()) << text;
@@ -293,7 +294,7 @@ TEST(EditProperties, HoldForRealFiles) {
   RIGOR_NEEDS_CORPUS();
   Random random(1);
   int checked = 0;
-  for (const std::string& path : test::corpus_models()) {
+  for (const std::string& path : test::corpus_part()) {
     const std::string text = test::read_file(path);
     const Document document = parse(text, {});
     if (!document.complete()) continue;
@@ -305,7 +306,7 @@ TEST(EditProperties, HoldForRealFiles) {
                                  << document.element(index).name();
     }
   }
-  EXPECT_GT(checked, 1'000);
+  EXPECT_GT(checked, static_cast<int>(test::part_of(1'000)));
 }
 
 }  // namespace

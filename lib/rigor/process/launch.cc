@@ -14,52 +14,19 @@
 #include <csignal>
 #include <utility>
 
+#include <rigor/process/spawn.h>
+
 namespace rigor::process {
 namespace {
 
-class SpawnActions {
- public:
-  /// `socket` becomes kWorkerSocket; it may have one of the standard numbers, so it goes first.
-  explicit SpawnActions(int socket) {
-    ::posix_spawn_file_actions_init(&actions_);
-    ::posix_spawn_file_actions_adddup2(&actions_, socket, kWorkerSocket);
-    ::posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDWR, 0);
-    ::posix_spawn_file_actions_adddup2(&actions_, STDIN_FILENO, STDOUT_FILENO);
-    ::posix_spawn_file_actions_adddup2(&actions_, STDIN_FILENO, STDERR_FILENO);
-    ::posix_spawn_file_actions_addclosefrom_np(&actions_, kWorkerSocket + 1);
-  }
-  ~SpawnActions() { ::posix_spawn_file_actions_destroy(&actions_); }
-  SpawnActions(const SpawnActions&) = delete;
-  SpawnActions& operator=(const SpawnActions&) = delete;
-
-  const posix_spawn_file_actions_t* get() const { return &actions_; }
-
- private:
-  posix_spawn_file_actions_t actions_;
-};
-
-class SpawnAttributes {
- public:
-  /// Signals that this process ignores or blocks would stay so.
-  SpawnAttributes() {
-    sigset_t all;
-    sigset_t none;
-    ::sigfillset(&all);
-    ::sigemptyset(&none);
-    ::posix_spawnattr_init(&attributes_);
-    ::posix_spawnattr_setsigdefault(&attributes_, &all);
-    ::posix_spawnattr_setsigmask(&attributes_, &none);
-    ::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
-  }
-  ~SpawnAttributes() { ::posix_spawnattr_destroy(&attributes_); }
-  SpawnAttributes(const SpawnAttributes&) = delete;
-  SpawnAttributes& operator=(const SpawnAttributes&) = delete;
-
-  const posix_spawnattr_t* get() const { return &attributes_; }
-
- private:
-  posix_spawnattr_t attributes_;
-};
+/// `socket` becomes kWorkerSocket; it may have one of the standard numbers, so it goes first.
+void give_socket(SpawnFiles& files, int socket) {
+  files.give(socket, kWorkerSocket);
+  files.give_nothing(STDIN_FILENO);
+  files.give(STDIN_FILENO, STDOUT_FILENO);
+  files.give(STDIN_FILENO, STDERR_FILENO);
+  files.close_from(kWorkerSocket + 1);
+}
 
 }  // namespace
 
@@ -72,11 +39,12 @@ std::variant<WorkerProcess, int> WorkerProcess::start(const std::string& program
 
   std::string name = "rigor-worker";
   const std::array<char*, 2> words{name.data(), nullptr};
-  const SpawnActions actions(others.number());
+  SpawnFiles files;
+  give_socket(files, others.number());
   const SpawnAttributes attributes;
   pid_t pid = -1;
   const int error =
-      ::posix_spawn(&pid, program.c_str(), actions.get(), attributes.get(), words.data(), environ);
+      ::posix_spawn(&pid, program.c_str(), files.get(), attributes.get(), words.data(), environ);
   if (error != 0) return error;
   return WorkerProcess(pid, std::move(own));
 }

@@ -5,6 +5,8 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <spawn.h>
+#include <sys/pidfd.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -20,65 +22,33 @@
 #include <utility>
 
 #include <rigor/process/descriptor.h>
+#include <rigor/process/spawn.h>
 
 namespace rigor::process {
 namespace {
 
 using ProgramEnd = ProgramResult::End;
 
-/// Where the program's side says why it could not be started; closed once it is.
-constexpr int kStartFailure = STDERR_FILENO + 1;
+/// Above the numbers that a program's own descriptors get, so that none is in the way of another.
+int above_standard(int descriptor) {
+  if (descriptor < 0 || descriptor > STDERR_FILENO) return descriptor;
+  const Descriptor low(descriptor);
+  return ::fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+}
 
 /// A pipe that nobody else inherits; without one, its numbers are negative.
 struct ProgramPipe {
   ProgramPipe() {
     std::array<int, 2> ends = {-1, -1};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) return;
-    reading = Descriptor(ends[0]);
-    writing = Descriptor(ends[1]);
+    reading = Descriptor(above_standard(ends[0]));
+    writing = Descriptor(above_standard(ends[1]));
   }
+  bool open() const { return reading.number() >= 0 && writing.number() >= 0; }
 
   Descriptor reading{-1};
   Descriptor writing{-1};
 };
-
-/// After the fork: nothing here may allocate, since another thread may have held the allocator's lock.
-[[noreturn]] void become(char* const* words, const ProgramLimits& limits, int out, int err,
-                         int failure) {
-  // A pipe's end may have one of the numbers that are given here, so all go above them first.
-  const int kept_out = ::fcntl(out, F_DUPFD, kStartFailure + 1);
-  const int kept_err = ::fcntl(err, F_DUPFD, kStartFailure + 1);
-  const int kept_failure = ::fcntl(failure, F_DUPFD, kStartFailure + 1);
-  ::close(STDIN_FILENO);
-  ::open("/dev/null", O_RDONLY);  // takes the lowest number
-  ::dup2(kept_out, STDOUT_FILENO);
-  ::dup2(kept_err, STDERR_FILENO);
-  ::dup3(kept_failure, kStartFailure, O_CLOEXEC);
-  ::close_range(kStartFailure + 1, ~0U, 0);
-  ::signal(SIGPIPE, SIG_DFL);
-  sigset_t none;
-  ::sigemptyset(&none);
-  ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  ::alarm(limits.wall_seconds);  // should this process be gone by then
-  if (limits.memory_bytes > 0) {
-    const rlimit limit = {limits.memory_bytes, limits.memory_bytes};
-    ::setrlimit(RLIMIT_AS, &limit);
-  }
-  ::execvp(words[0], words);
-  const int why = errno;
-  const ssize_t told = ::write(kStartFailure, &why, sizeof why);
-  ::_exit(told > 0 ? 127 : 126);
-}
-
-/// Why it could not be started; 0 when it was.
-int start_failure(int descriptor) {
-  int why = 0;
-  ssize_t got = -1;
-  do {
-    got = ::read(descriptor, &why, sizeof why);
-  } while (got < 0 && errno == EINTR);
-  return got == static_cast<ssize_t>(sizeof why) ? why : 0;
-}
 
 /// Takes what both pipes give until they are closed, or a limit is passed.
 class ProgramOutput {
@@ -88,19 +58,28 @@ class ProgramOutput {
         end_(std::chrono::steady_clock::now() + std::chrono::seconds(limits.wall_seconds)) {}
 
   /// How it has to be ended; nothing when it ends by itself.
-  std::optional<ProgramEnd> read(int out, int err, ProgramResult& result) {
+  std::optional<ProgramEnd> read(int out, int err, ProgramResult& result) const {
     std::array<pollfd, 2> pipes{{{out, POLLIN, 0}, {err, POLLIN, 0}}};
     const std::array<std::string*, 2> texts{&result.out, &result.err};
     while (pipes[0].fd >= 0 || pipes[1].fd >= 0) {
-      const auto left =
-          std::chrono::ceil<std::chrono::milliseconds>(end_ - std::chrono::steady_clock::now());
-      if (left.count() <= 0) return ProgramEnd::kOutOfTime;
-      if (::poll(pipes.data(), pipes.size(), static_cast<int>(left.count())) < 0) continue;
+      if (milliseconds_left() == 0) return ProgramEnd::kOutOfTime;
+      if (::poll(pipes.data(), pipes.size(), milliseconds_left()) < 0) continue;
       for (std::size_t i = 0; i < pipes.size(); ++i) {
         if (pipes[i].fd < 0 || pipes[i].revents == 0) continue;
         if (!take(pipes[i].fd, *texts[i])) pipes[i].fd = -1;
         if (texts[i]->size() > limits_.output_bytes) return ProgramEnd::kTooMuchOutput;
       }
+    }
+    return std::nullopt;
+  }
+
+  /// The same of one that has closed its pipes. pidfd_open(2): without it, there is no limit here.
+  std::optional<ProgramEnd> wait_for(pid_t pid) const {
+    const Descriptor program(::pidfd_open(pid, 0));
+    pollfd gone{program.number(), POLLIN, 0};
+    while (gone.fd >= 0 && gone.revents == 0) {
+      if (milliseconds_left() == 0) return ProgramEnd::kOutOfTime;
+      ::poll(&gone, 1, milliseconds_left());
     }
     return std::nullopt;
   }
@@ -114,6 +93,12 @@ class ProgramOutput {
     if (got <= 0) return false;
     text.append(chunk.data(), static_cast<std::size_t>(got));
     return true;
+  }
+
+  int milliseconds_left() const {
+    const auto left = end_ - std::chrono::steady_clock::now();
+    return std::max(0,
+                    static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(left).count()));
   }
 
   const ProgramLimits& limits_;
@@ -132,7 +117,7 @@ std::optional<int> wait_for_program(pid_t pid) {
 ProgramEnd end_of(std::optional<int> status) {
   if (!status) return ProgramEnd::kUnknown;
   if (WIFEXITED(*status)) return ProgramEnd::kExited;
-  return WTERMSIG(*status) == SIGALRM ? ProgramEnd::kOutOfTime : ProgramEnd::kCrashed;
+  return ProgramEnd::kCrashed;
 }
 
 ProgramResult program_not_started(int why) {
@@ -152,25 +137,27 @@ ProgramResult run_program(const std::vector<std::string>& words, const ProgramLi
 
   ProgramPipe out;
   ProgramPipe err;
-  ProgramPipe failure;
-  for (const ProgramPipe* pipe : {&out, &err, &failure}) {
-    if (pipe->reading.number() < 0) return program_not_started(errno);
+  if (!out.open() || !err.open()) return program_not_started(errno);
+  SpawnFiles files;
+  files.give_nothing(STDIN_FILENO);
+  files.give(out.writing.number(), STDOUT_FILENO);
+  files.give(err.writing.number(), STDERR_FILENO);
+  files.close_from(STDERR_FILENO + 1);
+  pid_t pid = -1;
+  const int why = ::posix_spawnp(&pid, arguments[0], files.get(), SpawnAttributes().get(),
+                                 arguments.data(), environ);
+  if (why != 0) return program_not_started(why);
+  if (limits.memory_bytes > 0) {
+    const rlimit limit = {limits.memory_bytes, limits.memory_bytes};
+    ::prlimit(pid, RLIMIT_AS, &limit, nullptr);
   }
-  const pid_t pid = ::fork();
-  if (pid < 0) return program_not_started(errno);
-  if (pid == 0) {
-    become(arguments.data(), limits, out.writing.number(), err.writing.number(),
-           failure.writing.number());
-  }
-  for (ProgramPipe* pipe : {&out, &err, &failure}) pipe->writing.close();
+  out.writing.close();
+  err.writing.close();
 
-  if (const int why = start_failure(failure.reading.number()); why != 0) {
-    wait_for_program(pid);
-    return program_not_started(why);
-  }
   ProgramResult result;
-  const std::optional<ProgramEnd> ended =
-      ProgramOutput(limits).read(out.reading.number(), err.reading.number(), result);
+  const ProgramOutput output(limits);
+  std::optional<ProgramEnd> ended = output.read(out.reading.number(), err.reading.number(), result);
+  if (!ended) ended = output.wait_for(pid);
   if (ended) ::kill(pid, SIGKILL);
   const std::optional<int> status = wait_for_program(pid);
   result.exit_code = status && WIFEXITED(*status) ? WEXITSTATUS(*status) : 0;
