@@ -128,17 +128,22 @@ class SarifLog {
             {"properties", {{"applicability", to_string(fix.applicability)}}}};
   }
 
+  Json location(const Diagnostic& diagnostic) {
+    Json json = {{"physicalLocation", physical(diagnostic.where, diagnostic.path)}};
+    if (!diagnostic.subject.empty()) {
+      json["logicalLocations"] = Json::array({{{"fullyQualifiedName", diagnostic.subject}}});
+    }
+    return json;
+  }
+
   Json result(const Diagnostic& diagnostic, const std::string& id) {
     Json json = {{"ruleId", diagnostic.rule}};
     const auto rule = rules_.index.find(diagnostic.rule);
     if (rule != rules_.index.end()) json["ruleIndex"] = rule->second;
     json["level"] = sarif_level(diagnostic.severity);
     json["message"] = {{"text", sarif_message(diagnostic)}};
-    Json location = {{"physicalLocation", physical(diagnostic.where, diagnostic.path)}};
-    if (!diagnostic.subject.empty()) {
-      location["logicalLocations"] = Json::array({{{"fullyQualifiedName", diagnostic.subject}}});
-    }
-    json["locations"] = Json::array({std::move(location)});
+    json["locations"] = Json::array({location(diagnostic)});
+    for (const Diagnostic& other : diagnostic.others) json["locations"].push_back(location(other));
     Json related = related_of(diagnostic);
     if (!related.empty()) json["relatedLocations"] = std::move(related);
     json["partialFingerprints"] = fingerprints(diagnostic, id);
@@ -186,6 +191,11 @@ class SarifLog {
 
 }  // namespace
 
-std::string sarif(const Validation& validation) { return SarifLog(validation).text(); }
+std::string sarif(const Validation& ungrouped) {
+  const rules::ValidateResult result = grouped(ungrouped.result, GroupScope::kRun);
+  return SarifLog({result, ungrouped.sources, ungrouped.registry, ungrouped.folders,
+                   ungrouped.exit_code})
+      .text();
+}
 
 }  // namespace rigor::report

@@ -59,7 +59,11 @@ std::string findings(const Diagnostics& diagnostics) {
     const std::size_t count = diagnostics.count(severity);
     if (count > 0) parts.push_back(counted(count, to_string(severity)));
   }
-  return parts.empty() ? ", no problems" : ": " + joined(parts, ", ");
+  if (parts.empty()) return ", no problems";
+  const std::size_t places = diagnostics.places();
+  const bool grouped = std::any_of(diagnostics.list().begin(), diagnostics.list().end(),
+                                   [](const Diagnostic& each) { return !each.others.empty(); });
+  return ": " + joined(parts, ", ") + (grouped ? " at " + counted(places, "place") : "");
 }
 
 std::string counted(std::size_t count, std::string_view noun, std::string_view plural) {

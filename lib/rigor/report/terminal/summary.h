@@ -21,7 +21,7 @@ std::string summary(const rules::ValidateResult& result);
 /// many. Includes that were not followed are findings of their own.
 std::string left_out(const rules::ValidateResult& result);
 
-/// ": 1 error, 2 warnings", or ", no problems".
+/// ": 1 error, 2 warnings", or ", no problems"; once grouped with their places: ": 1 error at 40 places".
 std::string findings(const Diagnostics& diagnostics);
 
 /// "1 link", "1,204 links"; the plural where it is irregular: "2 vertices".
