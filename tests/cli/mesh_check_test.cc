@@ -86,7 +86,7 @@ TEST(MeshCheckCli, AModelThatCannotBeReadIsAnError) {
   }
   const Ran left = folder.rigor("mesh-check f");
   EXPECT_EQ(left.exit, 0);
-  EXPECT_NE(left.err.find("not looked at: f/a.xacro"), std::string::npos) << left.err;
+  EXPECT_NE(left.err.find("skipped: f/a.xacro"), std::string::npos) << left.err;
   EXPECT_EQ(folder.rigor("mesh-check f -o out.obj").exit, 2);
 }
 

@@ -34,9 +34,8 @@ Rules rules_left(std::vector<Diagnostic> findings) {
   Diagnostics list;
   for (Diagnostic& finding : findings) list.add(std::move(finding));
   Rules rules;
-  for (const Diagnostic& left : without_consequences(std::move(list)).list()) {
-    rules.push_back(left.rule);
-  }
+  const Diagnostics left = without_consequences(std::move(list));
+  for (const Diagnostic& finding : left.list()) rules.push_back(finding.rule);
   return rules;
 }
 

@@ -32,7 +32,8 @@ Sizes group_sizes(std::vector<Diagnostic> findings) {
   Diagnostics list;
   for (Diagnostic& finding : findings) list.add(std::move(finding));
   Sizes sizes;
-  for (const Diagnostic& group : grouped(list).list()) sizes.push_back(1 + group.others.size());
+  const Diagnostics groups = grouped(list);
+  for (const Diagnostic& group : groups.list()) sizes.push_back(1 + group.others.size());
   return sizes;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 
 #include <fmt/core.h>
 
@@ -94,8 +95,11 @@ std::string other_places(const Diagnostic& diagnostic, Places& places) {
   PlaceList list(diagnostic, places);
   const std::size_t listed = std::min(diagnostic.others.size(), kMostPlaces);
   for (std::size_t i = 0; i < listed; ++i) list.add(diagnostic.others[i]);
-  return fmt::format("{} more: {}{}", diagnostic.others.size(), list.text(),
-                     listed < diagnostic.others.size() ? ", …" : "");
+  std::set<std::string_view> files{places.path(diagnostic)};
+  for (const Diagnostic& other : diagnostic.others) files.insert(places.path(other));
+  return fmt::format("{} more{}: {}{}", diagnostic.others.size(),
+                     files.size() == 1 ? "" : fmt::format(" in {} files", files.size()),
+                     list.text(), listed < diagnostic.others.size() ? ", …" : "");
 }
 
 std::vector<std::string> origin_lines(const Diagnostic& diagnostic, Places& places) {

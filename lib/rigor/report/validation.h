@@ -52,7 +52,7 @@ std::string project_path(const Validation& validation, std::string_view path);
 /// "path:line:column", on one line; the path alone where the finding stands in no text.
 std::string place_text(const Diagnostic& diagnostic, Places& places);
 
-/// "16 more: lines 41, 88, arm.urdf:12, …": the other places of a group, the first few of many; empty when
+/// "16 more in 2 files: lines 41, 88, arm.urdf:12, …": the other places of a group, the first few of many; empty when
 /// there are none.
 std::string other_places(const Diagnostic& diagnostic, Places& places);
 

@@ -19,7 +19,7 @@
 #include <rigor/rules/package/assets.h>
 #include <rigor/rules/schema/place.h>
 #include <rigor/rules/sdformat_robot.h>
-#include <rigor/rules/uris.h>
+#include <rigor/rules/package/uris.h>
 #include <rigor/rules/xml/xacro.h>
 #include <rigor/text/path.h>
 

@@ -16,7 +16,7 @@ class InertiaCommand final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
     CLI::App* app =
-        add_command(program, "inertia", "Mass, centre of mass and inertia, exactly",
+        add_command(program, "inertia", "Exact mass, center of mass and inertia",
                     {"rigor inertia cylinder --radius 0.1 --length 0.05 --mass 0.4",
                      "rigor inertia mesh hull.stl --scale 0.001 --material aluminium",
                      "rigor inertia my_robot", "rigor inertia my_robot --material abs --write"});

@@ -24,7 +24,7 @@ class MeshCheck final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
     CLI::App* app = add_command(
-        program, "mesh-check", "Check, repair, centre, scale, reduce and convert meshes",
+        program, "mesh-check", "Check, repair, center, scale, reduce and convert meshes",
         {"rigor mesh-check meshes/chassis.dae", "rigor mesh-check my_robot",
          "rigor mesh-check scan.stl --repair --unit mm --center bottom --reduce 5000 -o hull.dae",
          "rigor mesh-check hull.stl --fit best -o collision.stl",
@@ -112,7 +112,7 @@ int MeshChecking::conclude(const MeshWork& work) const {
   }
   for (const std::string& argument : result_.unusable) say("rigor: " + report::printable(argument));
   for (const read::LeftOut& left : result_.left_out) {
-    say("not looked at: " + report::printable(left.path + ": " + left.why));
+    say("skipped: " + report::printable(left.path + ": " + left.why));
   }
   if (!result_.unusable.empty()) return kUsage;
   say(report::counted(result_.meshes.size(), "mesh", "meshes") + " checked" +

@@ -75,7 +75,7 @@ class New final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
     CLI::App* app =
-        add_command(program, "new", "Make the folder of a new model, complete and explained",
+        add_command(program, "new", "Create a folder with a new model, complete and explained",
                     {"rigor new my_robot", "rigor new my_arm --template arm"});
     app->add_option("name", name_, "The model's name, and its folder, which must not be there yet")
         ->required()

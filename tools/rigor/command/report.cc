@@ -160,7 +160,7 @@ class Report final : public Command {
   Pictures pictures() const {
     if (no_pictures_) return Pictures::kNone;
     if (!view::tracer().empty()) return Pictures::kDraw;
-    say("rigor: no pictures: Embree is not installed");
+    say("rigor: no images: Embree is not installed");
     return Pictures::kNone;
   }
 

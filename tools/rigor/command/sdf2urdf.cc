@@ -55,7 +55,7 @@ class SdfToUrdf final : public Command {
                   "Links stay where they are, beside the frames of their joints")
         ->group(group);
     app->add_option("--unlimited", unlimited_,
-                    "Stands for an unlimited effort, velocity or position")
+                    "Finite number that represents an unlimited effort, velocity or position")
         ->type_name("NUMBER")
         ->group(group);
     return app;

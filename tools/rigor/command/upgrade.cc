@@ -39,7 +39,7 @@ class UpgradeCommand final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
     CLI::App* app =
-        add_command(program, "upgrade", "Bring SDF files to a later version, their meaning kept",
+        add_command(program, "upgrade", "Convert SDF files to a later version without changing their meaning",
                     {"rigor upgrade my_robot/model.sdf --to 1.9 --diff",
                      "rigor upgrade models worlds --to 1.9 --write"});
     app->add_option("paths", paths_, "SDF files; folders, of which all SDF files are taken")

@@ -76,7 +76,7 @@ class Validate final : public Command {
         ->check(CLI::Range(0, 1024));
     a_.shard.declare(*app, "Only this part of the files");
     a_.cache.declare(*app);
-    app->add_option("--stdin-filename", a_.stdin_filename, "Name of what - reads")
+    app->add_option("--stdin-filename", a_.stdin_filename, "File name for stdin (-)")
         ->type_name("PATH");
     a_.search.declare(*app);
     a_.show_config.declare(*app);

@@ -53,7 +53,7 @@ void ConversionCommand::declare(CLI::App& app) {
   app.add_flag("--no-verify", no_verify_, "Do not");
   app.add_option("--check", check_, "Compare with this file instead of writing one")
       ->type_name("FILE");
-  app.add_flag("-v,--verbose", verbose_, "Tell what is exact as well");
+  app.add_flag("-v,--verbose", verbose_, "Report what is exact, too");
   output_.declare(app, {"pretty", "concise", "json"}, "--report,--output");
   color_.declare(app);
   selection_.declare(app);

@@ -76,12 +76,12 @@ void MeshOperationOptions::declare(CLI::App& app) {
   offer(word("--up", up_, "The file's axis that points up: y or z", "AXIS"), kUpAxes);
   offer(word("--center", center_, "Move to the origin: com, bounds, bottom, or none", "WHAT"),
         kCenterNames);
-  word("--normals", normals_, "Normals anew, smooth across edges of fewer degrees; 0 is flat",
+  word("--normals", normals_, "Recompute normals, smooth across edges of fewer degrees; 0 is flat",
        "DEGREES");
   word("--reduce", reduce_, "To so many triangles, or that share of them", "N|RATIO");
   word("--max-error", max_error_, "Stop reducing there, m", "E");
   app.add_flag("--keep-seams", keep_seams_,
-               "Reduce no further than seams of texture and colour allow")
+               "Reduce no further than seams of texture and color allow")
       ->group(group);
   app.add_flag("--convex-hull", convex_hull_, "The convex hull")->group(group);
   word("--convex-pieces", convex_pieces_, "At most so many convex pieces", "N");

@@ -39,9 +39,9 @@ void SelectionOptions::declare(CLI::App& app) {
             ->type_name("LEVEL"),
         kFailOnLevels);
   list_option(app, "--select", select_, "RULE,...", "Only these rules or categories");
-  list_option(app, "--ignore", ignore_, "RULE,...", "Not these rules or categories");
+  list_option(app, "--ignore", ignore_, "RULE,...", "Skip these rules or categories");
   app.add_option("--severity", severity_,
-                 "Give a rule or category another severity: error, warning, info")
+                 "Change the severity of a rule or category: error, warning, info")
       ->type_name("RULE=LEVEL")
       ->allow_extra_args(false);
   offer(list_option(app, "--target", targets_, "NAME,...",

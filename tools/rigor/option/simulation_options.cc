@@ -103,7 +103,7 @@ void SimulationChoices::declare(CLI::App& app) {
   tests.emplace_back("all");
   offer(app.add_option(
             "--test", tests_,
-            "What is tried: settle (the default), drop, drive, turn, brake, push, joint-sweep, "
+            "Tests to run: settle (the default), drop, drive, turn, brake, push, joint-sweep, "
             "hold, tilt-table, or all"),
         tests)
       ->type_name("NAME,...")
@@ -122,7 +122,7 @@ void SimulationChoices::declare(CLI::App& app) {
       ->type_name("JOINT,...")
       ->delimiter(',')
       ->allow_extra_args(false);
-  app.add_option("--joint", joints_, "Begin with a joint at this position, rad or m")
+  app.add_option("--joint", joints_, "Initial position of a joint, rad or m")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   app.add_option("--model", model_, "The one to simulate, where the file has several")

@@ -21,9 +21,9 @@ std::vector<std::string_view> validation_formats();
 
 /// What is listed on a terminal.
 struct TerminalView {
-  enum class Form : std::uint8_t { kFindings, kTable };
+  enum class Form : std::uint8_t { kList, kTable };
   Severity least = Severity::kWarning;
-  Form form = Form::kFindings;
+  Form form = Form::kList;
 };
 
 /// Whether a format is for people, who are shown what a `TerminalView` says; the others are complete.

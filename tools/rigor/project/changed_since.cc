@@ -43,7 +43,7 @@ std::string commit_of(const std::string& revision, const std::string& root) {
   }
   throw UsageError("--changed-since " + revision + ": git knows no such commit in " + root + " (" +
                    process::describe(ran, kGitLimits) +
-                   "); a shallow clone holds the last one only: fetch it first");
+                   "); a shallow clone has only the last commit: fetch it first");
 }
 
 void add_paths(const std::string& list, const std::string& root, std::set<std::string>& paths) {

@@ -95,7 +95,7 @@ void Checking::choose_files(const Disk& disk) {
     } else if (!options_.buffer) {
       options_.buffer = {a.stdin_filename.empty() ? "<stdin>" : a.stdin_filename, read_stdin()};
       if (options_.buffer->bytes.size() > read::kMaxModelBytes) {
-        throw UsageError("stdin holds more than the 64 MiB that a model may have");
+        throw UsageError("stdin exceeds the limit of 64 MiB for a model");
       }
     }
   }

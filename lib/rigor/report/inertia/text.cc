@@ -164,18 +164,18 @@ model::Vector3 shown(const model::Vector3& p) {
 }
 
 std::string total_line(const std::string& what, const MassProperties& body) {
-  return fmt::format("  {:8} {} kg, centre of mass {} m, ixx iyy izz {} kg·m² about it\n", what,
+  return fmt::format("  {:8} {} kg, center of mass {} m, ixx iyy izz {} kg·m² about it\n", what,
                      number(body.mass, kInertiaDigits), numbers(shown(body.com), kInertiaDigits),
                      moments(body));
 }
 
 std::string stance_line(const mass::Stance& stance) {
-  if (!stance.margin) return "  stands on fewer than three points\n";
+  if (!stance.margin) return "  has fewer than three contact points\n";
   if (*stance.margin < 0) {
-    return fmt::format("  falls over: its centre of mass is {} m outside its support polygon\n",
+    return fmt::format("  tips over: its center of mass is {} m outside its support polygon\n",
                        number(-*stance.margin, 3));
   }
-  return fmt::format("  stands: its centre of mass is {} m inside its support polygon\n",
+  return fmt::format("  stable: its center of mass is {} m inside its support polygon\n",
                      number(*stance.margin, 3));
 }
 
@@ -191,7 +191,7 @@ std::string inertia_text(const InertiaTable& table) {
   }
   std::string out = printable(table.table.path) + '\n' + grid.text();
   if (table.table.included > 0) {
-    out += fmt::format("and {} of included files, which are looked at with those\n",
+    out += fmt::format("and {} of included files, which are checked with those files\n",
                        counted(table.table.included, "link"));
   }
   for (const RobotTotal& total : table.totals) {

@@ -100,7 +100,7 @@ std::string junit(const Validation& ungrouped) {
                         .name = std::string(kToolName),
                         .file = path,
                         .outcome = Outcome::kSkipped,
-                        .message = "not looked at: " + printable(item.what)}}});
+                        .message = "skipped: " + printable(item.what)}}});
   }
   std::stable_sort(suites.begin(), suites.end(),
                    [](const JunitSuite& a, const JunitSuite& b) { return a.name < b.name; });

@@ -32,7 +32,7 @@ std::string words(const mesh::Fault& fault) {
     case Kind::kNoEndsolid: return "ends without endsolid";
     case Kind::kSeveralSolids: return "holds " + counted(fault.count, "solid");
     case Kind::kNotTriangles:
-      return counted(fault.count, "element") + " that is no face is passed over";
+      return counted(fault.count, "element") + " that is not a face is ignored";
     case Kind::kExtensionMismatch: return "is a " + fault.detail + " file, whatever its name says";
   }
   return {};

@@ -82,7 +82,7 @@ std::string defects_text(const mesh::Topology& t) {
 std::string volume_text(const mass::MeshShape& shape) {
   std::string text = "area " + number(shape.moments.area, kMeshDigits);
   if (!shape.topology.closed() || shape.moments.volume == 0) return text;
-  return number(shape.moments.volume, kMeshDigits) + ", " + text + ", centre " +
+  return number(shape.moments.volume, kMeshDigits) + ", " + text + ", center " +
          point(mass::centroid(shape.moments));
 }
 

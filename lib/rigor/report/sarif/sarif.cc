@@ -171,7 +171,7 @@ class SarifLog {
     for (const rules::NotLookedAt& item : validation_.result.not_looked_at) {
       json["toolExecutionNotifications"].push_back(
           {{"level", "note"},
-           {"message", {{"text", "not looked at: " + item.what}}},
+           {"message", {{"text", "skipped: " + item.what}}},
            {"locations",
             Json::array({{{"physicalLocation", {{"artifactLocation", artifact(item.path)}}}}})}});
     }

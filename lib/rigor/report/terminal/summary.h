@@ -3,7 +3,7 @@
 //
 // What a run came to, in a line for stderr.
 //
-//   "3 files checked: 1 error, 2 warnings; 1 include not looked at"
+//   "3 files checked: 1 error, 2 warnings; 1 include skipped"
 //   "12 files checked, no problems"
 
 #pragma once
