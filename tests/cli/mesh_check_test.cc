@@ -301,7 +301,7 @@ TEST(MeshCheckCli, AttachingWhereNoFolderCanBeMade) {
   const std::string before = model.folder.get("arm/model.sdf");
   const Ran ran = model.folder.rigor("mesh-check new.obj --attach arm::base::hull");
   EXPECT_EQ(ran.exit, 2);
-  EXPECT_NE(ran.err.find("arm/meshes: cannot be made"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find("arm/meshes: cannot be created"), std::string::npos) << ran.err;
   EXPECT_EQ(model.folder.get("arm/model.sdf"), before);
 }
 

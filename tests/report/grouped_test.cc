@@ -98,6 +98,7 @@ TEST_F(OneCause, Sarif) {
   const auto results = PlacesJson::parse(sarif(found_.validation()))["runs"][0]["results"];
   ASSERT_EQ(results.size(), 2U);
   ASSERT_EQ(results[0]["locations"].size(), 3U);
+  EXPECT_EQ(results[0]["message"]["text"], "'a' is not found. And 2 more places.");
   const auto& last = results[0]["locations"][2];
   EXPECT_EQ(last["physicalLocation"]["artifactLocation"]["uri"], "leg.sdf");
   EXPECT_EQ(last["logicalLocations"][0]["fullyQualifiedName"], "leg/link d");

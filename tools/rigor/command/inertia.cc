@@ -113,7 +113,7 @@ class InertiaCommand final : public Command {
 
 std::optional<double> density_of(const InertiaArguments& arguments, const std::string& path) {
   if (!arguments.density.empty() && !arguments.material.empty()) {
-    throw UsageError("--density and --material say the same: give one of them");
+    throw UsageError("--density and --material exclude each other: both give the density");
   }
   if (!arguments.density.empty()) {
     return positive_number("--density", arguments.density, "kg/m³");

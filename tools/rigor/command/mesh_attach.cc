@@ -99,7 +99,7 @@ class Attachment {
       const std::string folder(parent_path(copy.to));
       std::error_code error;
       std::filesystem::create_directories(folder, error);
-      if (error) throw UsageError(folder + ": cannot be made: " + error.message());
+      if (error) throw UsageError(folder + ": cannot be created: " + error.message());
       replace_file(copy.to, copy.bytes);
       say("rigor: copied to " + report::printable(copy.to));
     }

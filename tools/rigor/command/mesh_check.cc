@@ -13,6 +13,7 @@
 #include <rigor/report/terminal/concise.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
+#include <rigor/text/grouping.h>
 
 #include "command/command.h"
 #include "option/selection.h"
@@ -67,13 +68,13 @@ class MeshCheck final : public Command {
   void refuse_contradictions() const {
     const std::string changes = a_.operations.given();
     a_.operations.operations();  // says what is wrong with their values, whatever comes of them
-    if (a_.apply && !a_.attach.empty()) throw UsageError("--apply and --attach: give one of them");
-    if (a_.apply && a_.test_world) throw UsageError("--apply and --test-world: give one of them");
+    if (a_.apply && !a_.attach.empty()) throw UsageError("--apply and --attach exclude each other");
+    if (a_.apply && a_.test_world) throw UsageError("--apply and --test-world exclude each other");
     if (a_.apply && changes.empty()) {
-      throw UsageError("--apply: of what? Say --center, --unit, --repair or another of these");
+      throw UsageError("--apply needs an operation: --center, --unit, --repair or another");
     }
     if (!changes.empty() && changes != "--fit" && !a_.apply && a_.out.empty()) {
-      throw UsageError(changes + " changes the mesh: say where to write it, with -o OUT");
+      throw UsageError(changes + " changes the mesh: give the output file with -o OUT");
     }
   }
 
@@ -106,7 +107,7 @@ int MeshChecking::conclude(const MeshWork& work) const {
   for (const Target& target : targets_) {
     switch (target.format) {
       case 0: write(target, mesh_check_text(report, arguments_.color.of(target))); break;
-      case 1: write(target, report::concise(result_.diagnostics, sources_)); break;
+      case 1: write(target, report::concise(grouped(result_.diagnostics), sources_)); break;
       default: write(target, mesh_check_json(report));
     }
   }
@@ -116,7 +117,7 @@ int MeshChecking::conclude(const MeshWork& work) const {
   }
   if (!result_.unusable.empty()) return kUsage;
   say(report::counted(result_.meshes.size(), "mesh", "meshes") + " checked" +
-      report::findings(result_.diagnostics));
+      report::findings(grouped(result_.diagnostics)));
   return arguments_.selection.fails(result_.diagnostics) ? kFindings : kClean;
 }
 

@@ -189,7 +189,7 @@ class Render final : public Command {
   int render_thumbnails(const ModelPainter& painter, const view::Drawing& drawing) const {
     std::error_code error;
     std::filesystem::create_directories(out_, error);
-    if (error) throw UsageError(out_ + ": cannot be made: " + error.message());
+    if (error) throw UsageError(out_ + ": cannot be created: " + error.message());
     int number = 0;
     for (const View view : kThumbnailViews) {
       const std::string name = std::to_string(++number) + ".png";

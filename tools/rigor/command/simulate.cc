@@ -38,7 +38,8 @@ class Simulate final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
     CLI::App* app = add_command(
-        program, "simulate", "Simulate a model: drop it, drive it, sweep its joints, and get a verdict",
+        program, "simulate",
+        "Simulate a model: drop it, drive it, sweep its joints, and get a verdict",
         {"rigor simulate my_robot",
          "rigor simulate my_robot --test settle,drive,turn --output html:run.html",
          "rigor simulate arm.urdf --command elbow=position:1.5 --duration 3 --format csv",
@@ -189,7 +190,7 @@ class Simulate final : public Command {
       file = target.file;
     }
     if (resume_ && file.empty()) {
-      throw UsageError("--resume goes with --output jsonl:FILE, which it reads");
+      throw UsageError("--resume needs --output jsonl:FILE, which it reads");
     }
     return file;
   }

@@ -139,7 +139,7 @@ class Validate final : public Command {
  private:
   int watch_files() {
     if (a_.fix.asked() || std::count(a_.paths.begin(), a_.paths.end(), "-") > 0) {
-      throw UsageError("--watch checks files again and again: it goes with neither - nor fixes");
+      throw UsageError("--watch cannot be combined with - (stdin) or with fixes");
     }
     a_.baseline.read(RealDisk(), a_.search.config().baseline(a_.paths));
     return watch(
@@ -156,7 +156,7 @@ class Validate final : public Command {
   /// What prints no report of its own takes no other format for it.
   static void require_pretty(const std::string& option, const std::vector<Target>& targets) {
     const bool pretty = targets.size() == 1 && targets[0].format == 0 && targets[0].file.empty();
-    if (!pretty) throw UsageError(option + " goes with no other format and writes no reports");
+    if (!pretty) throw UsageError(option + " cannot be combined with another format or report");
   }
 
   void print(const std::vector<Target>& targets, const report::Validation& validation,

@@ -104,7 +104,8 @@ class ViewPage final : public Command {
     std::string begin(kWhereTheTitleIs, '\0');
     begin.resize(there ? there->read(0, begin.data(), begin.size()) : 0);
     if (begin.find(kPageTitle) == std::string::npos) {
-      throw UsageError(file + " is there and is no page of rigor: say where to write with -o");
+      throw UsageError(file +
+                       " already exists and was not written by rigor: choose another file with -o");
     }
     return file;
   }

@@ -70,7 +70,9 @@ void BaselineOptions::declare(CLI::App& app) {
 void BaselineOptions::read(const Disk& disk, const std::optional<std::string>& configured) {
   if (path().empty() && configured) path_ = *configured;
   if (!path_.empty() && !write_.empty()) {
-    throw UsageError("--baseline hides known findings, --baseline-write rewrites the file: give one of them");
+    throw UsageError(
+        "--baseline and --baseline-write exclude each other: one hides known findings, the other "
+        "rewrites the file");
   }
   if (path_.empty() && (prune_ || strict_)) {
     throw UsageError(std::string(prune_ ? "--baseline-prune" : "--baseline-strict") +

@@ -41,7 +41,7 @@ std::string commit_of(const std::string& revision, const std::string& root) {
   if (ran.end == process::ProgramResult::End::kExited && ran.exit_code == 0) {
     return without_line_end(ran.out);
   }
-  throw UsageError("--changed-since " + revision + ": git knows no such commit in " + root + " (" +
+  throw UsageError("--changed-since " + revision + ": no such commit in " + root + " (" +
                    process::describe(ran, kGitLimits) +
                    "); a shallow clone has only the last commit: fetch it first");
 }

@@ -100,7 +100,7 @@ void Checking::choose_files(const Disk& disk) {
     }
   }
   if (!a.stdin_filename.empty() && !options_.buffer) {
-    throw UsageError("--stdin-filename names what - reads, and there is no - among the paths");
+    throw UsageError("--stdin-filename needs - among the paths");
   }
   if (options_.paths.empty() && !options_.buffer) options_.paths.push_back(".");
 }

@@ -49,7 +49,7 @@ ConfigOptions::Opened& ConfigOptions::opened() const {
   using config::ConfigChoice;
   ConfigChoice choice;
   if (isolated_ && !file_.empty()) {
-    throw UsageError("--config names a configuration and --isolated wants none: give one of them");
+    throw UsageError("--config and --isolated exclude each other");
   }
   if (isolated_) choice.of = ConfigChoice::Of::kNone;
   if (!file_.empty()) choice = {ConfigChoice::Of::kFile, file_};

@@ -118,7 +118,7 @@ const char* hull_reason(mass::MeshState state) {
   switch (state) {
     case mass::MeshState::kOpen: return "is not closed";
     case mass::MeshState::kOverlapping: return "overlaps itself";
-    case mass::MeshState::kMixed: return "is inside out in parts";
+    case mass::MeshState::kMixed: return "is partly inverted";
     case mass::MeshState::kFlat: return "encloses nothing";
     default: return "is no solid";
   }
@@ -128,10 +128,10 @@ void notes(const LinkInertia& link, Grid& grid) {
   for (const mass::PartBody& part : link.body.parts) {
     if (part.why != mass::NoSolid::kNone) continue;
     if (part.from == mass::BodyFrom::kHull) {
-      grid.note(fmt::format("'{}': the mesh {}; its convex hull is taken", printable(part.name),
+      grid.note(fmt::format("'{}': the mesh {}; its convex hull is used", printable(part.name),
                             hull_reason(part.mesh)));
     } else if (part.from == mass::BodyFrom::kTurnedMesh) {
-      grid.note(fmt::format("'{}': the mesh is inside out; it is taken the other way round",
+      grid.note(fmt::format("'{}': the mesh is inverted; its opposite orientation is used",
                             printable(part.name)));
     }
   }

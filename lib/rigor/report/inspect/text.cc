@@ -128,7 +128,7 @@ class Tree {
     const bool computed = taken == mass::Taken::kAutomatic;
     if (computed) line(depth, "inertial computed from the collisions");
     if (taken == mass::Taken::kAutomaticUnknown) {
-      line(depth, "inertial to be computed, but a collision is no solid");
+      line(depth, "inertial is automatic, but a collision is not a solid");
     }
     line(depth, fmt::format("mass {} kg{}, center of mass {} m{}", number(body.mass),
                             mark(computed || written.mass.written), numbers(body.com, kTextDigits),

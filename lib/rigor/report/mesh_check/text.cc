@@ -12,6 +12,7 @@
 #include <rigor/report/terminal/pretty.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
+#include <rigor/text/grouping.h>
 
 namespace rigor::report {
 namespace {
@@ -151,7 +152,7 @@ std::string mesh_check_text(const MeshCheckReport& report, Color color) {
   std::string text;
   for (const rules::CheckedMesh& mesh : report.result.meshes) text += mesh_text(mesh, color);
   if (!report.result.diagnostics.list().empty()) {
-    text += '\n' + pretty(report.result.diagnostics, report.sources, color);
+    text += '\n' + pretty(grouped(report.result.diagnostics), report.sources, color);
   }
   if (!report.steps.empty()) text += '\n';
   for (const author::MeshStep& step : report.steps) {

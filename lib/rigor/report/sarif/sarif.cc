@@ -3,6 +3,7 @@
 
 #include <rigor/report/sarif/sarif.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -21,6 +22,8 @@ namespace rigor::report {
 namespace {
 
 constexpr std::string_view kSarifSchema = "https://json.schemastore.org/sarif-2.1.0.json";
+/// Of a result: GitHub refuses a log with more.
+constexpr std::size_t kMostLocations = 1000;
 constexpr std::string_view kSourceRoot = "SRCROOT";
 
 class SarifLog {
@@ -143,7 +146,10 @@ class SarifLog {
     json["level"] = sarif_level(diagnostic.severity);
     json["message"] = {{"text", sarif_message(diagnostic)}};
     json["locations"] = Json::array({location(diagnostic)});
-    for (const Diagnostic& other : diagnostic.others) json["locations"].push_back(location(other));
+    for (const Diagnostic& other : diagnostic.others) {
+      if (json["locations"].size() == kMostLocations) break;
+      json["locations"].push_back(location(other));
+    }
     Json related = related_of(diagnostic);
     if (!related.empty()) json["relatedLocations"] = std::move(related);
     json["partialFingerprints"] = fingerprints(diagnostic, id);
