@@ -8,7 +8,7 @@
     tools/findings.py old.json new.json [--renamed old-rule=new-rule]... [--all]
 
 A finding is found again where the new report has a place of its rule in the same lines; else where another
-rule of the new report speaks of those lines or of the same subject, which is what hides a consequence beside
+rule of the new report refers to those lines or to the same subject, which is what hides a consequence beside
 its root; else it is dropped. Prints the numbers of both reports, and a line for each rule and what became of
 its places; with --all a line for each place. Ends with 1 where a place of an error or a warning was dropped.
 """

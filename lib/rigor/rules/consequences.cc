@@ -15,7 +15,7 @@ namespace rigor::rules {
 namespace {
 
 constexpr Consequences kConsequences[] = {
-    // What is no mass has no density and no tensor.
+    // An invalid mass gives no density and no tensor.
     {"mass-not-finite mass-negative mass-zero mass-not-written",
      "inertia-identity inertia-singular inertia-exceeds-shapes inertia-geometry-mismatch "
      "density-too-low density-too-high"},
@@ -23,7 +23,7 @@ constexpr Consequences kConsequences[] = {
      "inertia-moment-missing inertia-not-written",
      "inertia-identity inertia-singular inertia-exceeds-shapes inertia-geometry-mismatch "
      "inertia-axes-swapped inertia-turned-by-pose products-of-inertia-negated"},
-    // A placeholder, or the right numbers in the wrong places, has the wrong size for that reason.
+    // A placeholder, or the right numbers in the wrong places, explains a wrong size.
     {"inertia-identity inertia-axes-swapped inertia-turned-by-pose products-of-inertia-negated "
      "inertia-about-link-origin",
      "inertia-singular inertia-exceeds-shapes inertia-geometry-mismatch"},
@@ -34,7 +34,7 @@ constexpr Consequences kConsequences[] = {
      "value-negative value-not-finite size-not-positive mesh-scale-zero",
      "visual-collision-scale size-suspicious mesh-size-suspicious mesh-flat"},
     {"mesh-scale-zero", "mesh-scale-nonuniform"},
-    // What an axis or a limit would be.
+    // An invalid type, axis or limit, and what is derived from it.
     {"axis-zero axis-missing", "axis-not-unit wheel-axis-mismatch"},
     {"joint-type-unknown",
      "limit-missing axis-missing limit-without-effect fixed-joint-with-axis mimic-dof-mismatch "
@@ -48,7 +48,7 @@ constexpr Consequences kConsequences[] = {
      "mimic-refused-by-ros2-control mimic-outside-limits mimic-dof-mismatch"},
     {"controlled-joint-fixed", "fixed-joint-with-axis"},
     {"model-far-from-origin", "model-in-ground"},
-    // A mesh that cannot be read to its end is not closed.
+    // A mesh that cannot be read to its end is never closed.
     {"mesh-truncated mesh-malformed mesh-index-out-of-range mesh-not-finite",
      "mesh-not-watertight mesh-unreferenced-vertex mesh-size-suspicious"},
     // A name that does not exist, and all that refer to it.

@@ -1,8 +1,8 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which findings follow from another: whoever mends a tensor that no body can have mends its density too, so
-// that alone is reported.
+// Which findings follow from another one: a tensor that no rigid body can have also has the wrong size, and
+// only the tensor is reported.
 //
 //   Diagnostics left = without_consequences(std::move(found));
 

@@ -1,11 +1,11 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// One cause, one finding: what a missing package does to forty meshes is one thing to mend.
+// One cause, one finding: a missing package is one finding, and not one for each of its forty meshes.
 //
 // Findings of the same rule, severity and cause become one, that of the first place; the others are its
-// `others`, each with a message of its own. The cause is what the rule says it is. A rule that names none is
-// taken at its word: findings of any file with the same message and help have the same cause, and those of
+// `others`, each with a message of its own. A rule may name the cause. Otherwise the message is the cause:
+// findings of any file with the same message and help have the same cause, and those of
 // one file whose messages differ only in the names of their subjects. So the message of a group is true of
 // each of its places, but for the name of the first.
 //
