@@ -41,7 +41,8 @@ class MeshCheck final : public Command {
                     "Put the mesh in place of a visual's or collision's shape")
         ->type_name("MODEL::LINK::SHAPE")
         ->group(group);
-    app->add_flag("--apply", a_.apply, "Do all that to a model's meshes, and fit the model to them")
+    app->add_flag("--apply", a_.apply,
+                  "Apply the operations to a model's meshes, and update the model")
         ->group(group);
     app->add_flag("--test-world", a_.test_world, "Write a world with the mesh alone on the ground")
         ->group(group);

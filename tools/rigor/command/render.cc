@@ -91,7 +91,7 @@ class Render final : public Command {
     app->add_option("--joint", joints_, "Position of a joint, rad or m; VALUE,VALUE for two axes")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
-    app->add_option("--compare", compare_, "Show this older model beside it, and what differs")
+    app->add_option("--compare", compare_, "Show this older model next to it, and the differences")
         ->type_name("OLD");
     app->add_option("--threads", threads_, "How many cores to use, default all")
         ->type_name("N")

@@ -48,10 +48,10 @@ void ConversionCommand::declare(CLI::App& app) {
       ->required();
   app.add_option("-o,--out", out_, "Write the result there; to stdout when absent")
       ->type_name("FILE");
-  app.add_flag("--allow-loss", allow_loss_, "Write it though a loss is an error");
+  app.add_flag("--allow-loss", allow_loss_, "Write the result even if a loss is an error");
   app.add_flag("--verify", verify_, "Read the result again and compare (the default)");
   app.add_flag("--no-verify", no_verify_, "Do not");
-  app.add_option("--check", check_, "Compare with this file instead of writing one")
+  app.add_option("--check", check_, "Compare the result with this file instead of writing it")
       ->type_name("FILE");
   app.add_flag("-v,--verbose", verbose_, "Report what is exact, too");
   output_.declare(app, {"pretty", "concise", "json"}, "--report,--output");

@@ -64,7 +64,8 @@ void BaselineOptions::declare(CLI::App& app) {
                  "Write the findings of this run to the file, and hide them from now on")
       ->type_name("FILE");
   app.add_flag("--baseline-prune", prune_, "Remove from the baseline what is no longer found");
-  app.add_flag("--baseline-strict", strict_, "Fail when the baseline counts more than is found");
+  app.add_flag("--baseline-strict", strict_,
+               "Fail if the baseline counts more findings than there are");
 }
 
 void BaselineOptions::read(const Disk& disk, const std::optional<std::string>& configured) {

@@ -11,7 +11,7 @@ namespace rigor::tool {
 void FileOptions::declare(CLI::App& app) {
   app.add_flag("--no-gitignore", no_gitignore_, "Include files that git ignores");
   app.add_flag("--force-exclude", force_exclude_,
-               "Leave out what is ignored or excluded even when it is named");
+               "Skip ignored or excluded files even when they are named");
 }
 
 read::DiscoverOptions FileOptions::discover() const {

@@ -34,7 +34,7 @@ CLI::Option* list_option(CLI::App& app, const std::string& name, std::vector<std
 
 void SelectionOptions::declare(CLI::App& app) {
   offer(app.add_option("--fail-on", fail_on_,
-                       "Least severity that makes the exit code 1: "
+                       "Lowest severity that makes the exit code 1: "
                        "error (default), warning, info, never")
             ->type_name("LEVEL"),
         kFailOnLevels);

@@ -22,7 +22,7 @@ Severity show_level(const std::string& name) {
 
 void ShowOptions::declare(CLI::App& app) {
   offer(app.add_option("--show", least_,
-                       "Least severity that is listed: error, warning (the default) or info")
+                       "Lowest severity that is listed: error, warning (the default) or info")
             ->type_name("LEVEL"),
         kShowLevels);
   app.add_flag("--summary", summary_, "A table of rules instead of a list of findings");

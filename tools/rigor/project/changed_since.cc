@@ -157,7 +157,7 @@ bool ChangedFiles::leads_to_one(const read::Resolver& resolver, std::string_view
 
 void ChangedSinceOption::declare(CLI::App& app) {
   app.add_option("--changed-since", revision_,
-                 "Only files that differ from this revision of git, or that name one that does")
+                 "Only files that differ from this revision of git, or that refer to one that does")
       ->type_name("REV")
       ->check([](const std::string& revision) {
         return revision.empty() ? std::string("an empty revision; is a variable not set?")
