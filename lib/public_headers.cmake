@@ -8,6 +8,7 @@ set(rigor_public_headers
   rigor/text/diagnostic.h
   rigor/text/disk.h
   rigor/text/edit.h
+  rigor/text/grouping.h
   rigor/text/other_case.h
   rigor/text/shard.h
   rigor/text/sources.h
@@ -79,4 +80,5 @@ set(rigor_public_headers
   rigor/report/terminal/color.h
   rigor/report/terminal/concise.h
   rigor/report/terminal/pretty.h
+  rigor/report/terminal/shown.h
   rigor/report/validation.h)

@@ -33,9 +33,8 @@ TEST(Readme, FirstScreenIsWhatRigorPrints) {
   const Environment environment(disk, {});
   Sources sources;
   const auto result = rules::validate(environment, {.paths = {"cart.sdf"}}, sources);
-  EXPECT_EQ(
-      report::pretty(result.diagnostics, sources, report::Color::kPlain, environment.registry),
-      block(readme, "text"));
+  EXPECT_EQ(report::pretty_with_reasons(result.diagnostics, sources, report::Color::kPlain),
+            block(readme, "text"));
 }
 
 TEST(RulesPage, HasAPageForEveryRule) {

@@ -14,19 +14,19 @@ mkdir "$out/rules"
 "$rigor" schema urdf >"$out/urdf.md"
 "$rigor" schema 1.12 >"$out/sdf.md"
 
-# One page of all rules is longer than a site shows: the table, and a page for each category.
+# One page of all rules is longer than a site shows: the table, and a page for each rule, which reports name
+# (`docs` in JSON).
 "$rigor" rules --format markdown | awk -v out="$out" '
   /^\| \[/ {  # | [axis-zero](#axis-zero) | kinematics | …
     split($0, cell, "[][]"); name = cell[2]
-    split($0, column, " [|] "); category[name] = column[2]
-    sub("\\(#", "(rules/" column[2] ".md#")
+    known[name] = 1
+    sub("\\(#" name, "(rules/" name ".md")
   }
-  /^## / && ($2 in category) {
-    page = out "/rules/" category[$2] ".md"
-    if (!(page in seen)) print "# Rules: " category[$2] "\n" >page
-    else print "" >page
-    seen[page] = 1
+  /^## / && ($2 in known) {
+    if (page) close(page)
+    page = out "/rules/" $2 ".md"
     blank = 0
+    sub("^## ", "# ")
   }
   !page { print >(out "/rules.md"); next }
   # The blank line before a heading belongs to none of the two pages.

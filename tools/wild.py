@@ -86,8 +86,9 @@ def run_rigor(program, corpus):
         files += said["summary"]["files"]
         sets += 1
         for found in said["diagnostics"]:
-            hits.append({field: found[field] for field in
-                         ("rule", "category", "severity", "message", "path", "line")})
+            for place in [found, *found.get("places", [])]:
+                hits.append({field: place.get(field, found[field]) for field in
+                             ("rule", "category", "severity", "message", "path", "line")})
     return {"sets": sets, "files": files, "hits": hits}
 
 

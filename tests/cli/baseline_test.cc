@@ -43,12 +43,8 @@ TEST(CliBaseline, HidesWhatWasFoundUntilThereIsMore) {
   folder.put("models/a b.sdf", known_by_none(3));
   const Ran more = folder.rigor(kStrictly + "--format concise --baseline rigor.baseline");
   EXPECT_EQ(more.exit, 1);
-  std::size_t shown = 0;
-  for (std::size_t at = 0; (at = more.out.find("[unknown-element]", at)) != std::string::npos;
-       ++at) {
-    ++shown;
-  }
-  EXPECT_EQ(shown, 3U) << more.out;
+  EXPECT_NE(more.out.find("(and 2 more: lines 3, 4) [unknown-element]"), std::string::npos)
+      << more.out;
 }
 
 TEST(CliBaseline, InAFolderThatIsGone) {

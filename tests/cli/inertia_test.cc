@@ -178,7 +178,7 @@ TEST(InertiaCli, RefusesMeshesThatAreNoSolid) {
   EXPECT_NE(folder.rigor("inertia mesh cut.stl --mass 1").exit, 0);
   EXPECT_EQ(folder.rigor("inertia mesh open.stl --hull --mass 1").exit, 0);
   EXPECT_EQ(folder.rigor("inertia mesh turned.stl --hull --mass 1").exit, 0);
-  expect_refused(folder, "mesh open.stl --hull --hollow 0.1 --mass 1", 2, "give one of them");
+  expect_refused(folder, "mesh open.stl --hull --hollow 0.1 --mass 1", 2, "exclude each other");
   expect_refused(folder, "open.stl", 2, "did you mean rigor inertia mesh");
   expect_refused(folder, "mesh . --mass 1", 2, "is a folder");
   EXPECT_EQ(folder.rigor("inertia mesh millimetres.stl --scale 1 --mass 1").exit, 0);

@@ -86,7 +86,7 @@ TEST(MeshCheckCli, AModelThatCannotBeReadIsAnError) {
   }
   const Ran left = folder.rigor("mesh-check f");
   EXPECT_EQ(left.exit, 0);
-  EXPECT_NE(left.err.find("not looked at: f/a.xacro"), std::string::npos) << left.err;
+  EXPECT_NE(left.err.find("skipped: f/a.xacro"), std::string::npos) << left.err;
   EXPECT_EQ(folder.rigor("mesh-check f -o out.obj").exit, 2);
 }
 
@@ -301,7 +301,7 @@ TEST(MeshCheckCli, AttachingWhereNoFolderCanBeMade) {
   const std::string before = model.folder.get("arm/model.sdf");
   const Ran ran = model.folder.rigor("mesh-check new.obj --attach arm::base::hull");
   EXPECT_EQ(ran.exit, 2);
-  EXPECT_NE(ran.err.find("arm/meshes: cannot be made"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find("arm/meshes: cannot be created"), std::string::npos) << ran.err;
   EXPECT_EQ(model.folder.get("arm/model.sdf"), before);
 }
 

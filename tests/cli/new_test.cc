@@ -107,7 +107,7 @@ TEST(CliNew, WhatIsThereStays) {
   for (const std::string name : {"empty", "empty/", "link", "file", "full"}) {
     const Ran ran = folder.rigor("new " + name);
     EXPECT_EQ(ran.exit, 2) << name;
-    EXPECT_NE(ran.err.find("is there already"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("already exists"), std::string::npos) << ran.err;
     EXPECT_EQ(ran.out, "");
   }
   EXPECT_EQ(paths_under(folder), before);

@@ -38,7 +38,7 @@ class ValidateOptionsTogether : public testing::Test {
 
 TEST_F(ValidateOptionsTogether, SeverityIsThatOfTheCategoryUnlessTheRuleHasItsOwn) {
   EXPECT_EQ(validate("").exit, 1);
-  const Ran category = validate("--severity kinematics=info");
+  const Ran category = validate("--severity kinematics=info --show info");
   EXPECT_EQ(category.exit, 0);
   EXPECT_NE(category.out.find("info: "), std::string::npos) << category.out;
   const Ran both = validate("--severity joint-limit-inverted=warning --severity kinematics=info");

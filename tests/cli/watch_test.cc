@@ -135,7 +135,7 @@ TEST(Watch, WhatIsMalformedFixesNothing) {
   const std::string broken = watcher.answer();
   EXPECT_NE(broken.find("error[xml-"), std::string::npos) << broken;
   EXPECT_EQ(broken.find("fixed"), std::string::npos) << broken;
-  EXPECT_NE(broken.find("not looked for in what cannot be read"), std::string::npos) << broken;
+  EXPECT_NE(broken.find("not checked in files that cannot be read"), std::string::npos) << broken;
 
   put_at_once(folder, "arm.urdf", watched_arm(kTurned));
   const std::string back = watcher.answer();

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,13 +53,14 @@ class Found {
     return {source_, begin, begin + static_cast<std::uint32_t>(text.size())};
   }
 
-  Validation validation() const { return {result, sources, registry, folders, exit_code}; }
+  Validation validation() const { return {result, sources, registry, folders, exit_code, fail_on}; }
 
   rules::ValidateResult result;
   Sources sources;
   rules::Registry registry;
   ProjectFolders folders;
   int exit_code = 0;
+  std::function<Severity(const std::string& path)> fail_on;
 
  private:
   SourceId source_ = kNoSource;

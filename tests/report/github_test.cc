@@ -29,7 +29,9 @@ std::vector<std::string> lines_with(std::size_t errors, std::size_t warnings, st
   Found found;
   found.file("a.sdf", "x");
   const auto add = [&found](std::size_t count, Severity severity) {
-    for (std::size_t i = 0; i < count; ++i) found.at("x", {.severity = severity, .message = "it"});
+    for (std::size_t i = 0; i < count; ++i) {
+      found.at("x", {.severity = severity, .message = "it " + std::to_string(i)});
+    }
   };
   add(infos, Severity::kInfo);
   add(warnings, Severity::kWarning);
@@ -124,7 +126,7 @@ TEST(GithubSummary, ListsAllAndKeepsTextText) {
 TEST(GithubSummary, StaysBelowWhatGithubTakes) {
   Found found;
   found.file("a.sdf", "x");
-  for (int i = 0; i < 1500; ++i) found.at("x", {.message = std::string(1000, 'm')});
+  for (int i = 0; i < 1500; ++i) found.at("x", {.message = std::to_string(i) + std::string(1000, 'm')});
   const std::string text = github_summary(found.validation());
   EXPECT_LE(text.size(), 1024U * 1024U);
   EXPECT_GT(text.size(), 900U * 1000U);

@@ -57,12 +57,12 @@ class JsonReport : public testing::Test {
 TEST_F(JsonReport, KeysStandInTheOrderOfTheContract) {
   EXPECT_EQ(keys(json_), (Names{"tool", "schema_version", "summary", "files", "diagnostics"}));
   EXPECT_EQ(keys(json_["summary"]),
-            (Names{"files", "errors", "warnings", "infos", "not_looked_at"}));
+            (Names{"files", "errors", "warnings", "infos", "not_looked_at", "places"}));
   EXPECT_EQ(keys(json_["files"][0]),
             (Names{"path", "kind", "version", "models", "links", "joints"}));
   EXPECT_EQ(keys(json_["diagnostics"][0]),
             (Names{"rule", "category", "severity", "message", "path", "line", "column", "end_line",
-                   "end_column", "subject", "related", "fix"}));
+                   "end_column", "subject", "related", "fix", "why", "help", "docs", "places", "origin"}));
   EXPECT_EQ(keys(json_["diagnostics"][0]["related"][0]),
             (Names{"message", "path", "line", "column", "end_line", "end_column"}));
   EXPECT_EQ(keys(json_["diagnostics"][0]["fix"]), (Names{"title", "applicability", "edits"}));

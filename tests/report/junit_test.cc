@@ -82,12 +82,13 @@ TEST(Junit, ACleanFilePasses) {
   EXPECT_TRUE(report.only_case().NoChildren());
 }
 
-TEST(Junit, SeveritiesAreOutcomes) {
+TEST(Junit, WhatFailsTheRunIsAFailure) {
   Found found;
   found.file("arm.sdf", "x")
       .at("x", {.rule = "xml-not-well-formed", .category = "xml", .message = "no end"})
       .at("x", {.severity = Severity::kWarning, .message = "odd"})
       .at("x", {.rule = "axis-missing", .severity = Severity::kInfo, .message = "know this"});
+  found.fail_on = [](const std::string& /*path*/) { return Severity::kWarning; };
   const JunitReport report(found);
   EXPECT_EQ(attribute_of(report.suites(), "tests"), "3");
   EXPECT_EQ(attribute_of(report.suites(), "failures"), "1");
@@ -105,7 +106,7 @@ TEST(Junit, SeveritiesAreOutcomes) {
 
 TEST(Junit, EqualCasesAreNumberedAndSuitesSorted) {
   Found found;
-  found.file("b.sdf", "x y").at("x", {.message = "it"}).at("y", {.message = "it"});
+  found.file("b.sdf", "x y").at("x", {.message = "it"}).at("y", {.message = "other"});
   found.file("a.sdf", "x").at("x", {.message = "it"});
   const JunitReport report(found);
   EXPECT_EQ(attributes_of_all(report.suites(), "name"), (Texts{"a.sdf", "b.sdf"}));

@@ -40,7 +40,7 @@ TEST_P(PrettyGolden, ReadsAsItWasRead) {
   const Environment environment(disk, {});
   Sources sources;
   const auto result = rules::validate(environment, {.paths = {file}}, sources);
-  const std::string text = pretty(result.diagnostics, sources, Color::kPlain, environment.registry);
+  const std::string text = pretty_with_reasons(result.diagnostics, sources, Color::kPlain);
   const std::string golden = kPretty + std::filesystem::path(file).stem().string() + ".txt";
   if (std::getenv("RIGOR_REWRITE_GOLDEN") != nullptr) std::ofstream(golden) << text;
   EXPECT_EQ(text, test::read_file(golden));

@@ -132,12 +132,12 @@ TEST(Summary, SaysHowMuchWasChecked) {
   result.diagnostics.add({.severity = Severity::kWarning});
   EXPECT_EQ(summary(result), "12 files checked: 1 error, 2 warnings");
   result.not_looked_at = {{"a.sdf", "include of https://example.org/arm"}};
-  EXPECT_EQ(summary(result), "12 files checked: 1 error, 2 warnings; 1 include not looked at");
+  EXPECT_EQ(summary(result), "12 files checked: 1 error, 2 warnings; 1 include skipped");
   EXPECT_EQ(left_out(result), "");
   result.not_looked_at.push_back({"b.sdf.erb", "template: expand it first"});
   EXPECT_EQ(summary(result),
-            "12 files checked: 1 error, 2 warnings; 1 include and 1 file not looked at");
-  EXPECT_EQ(left_out(result), "not looked at: b.sdf.erb: template: expand it first\n");
+            "12 files checked: 1 error, 2 warnings; 1 include and 1 file skipped");
+  EXPECT_EQ(left_out(result), "skipped: b.sdf.erb: template: expand it first\n");
 }
 
 TEST(Summary, CountsInThousands) {

@@ -255,7 +255,7 @@ TEST(Sarif, SaysWhatWasNotLookedAt) {
   const SarifJson invocation = sarif_of(found)["runs"][0]["invocations"][0];
   EXPECT_EQ(invocation["executionSuccessful"], false);
   const SarifJson& left = invocation["toolExecutionNotifications"][0];
-  EXPECT_EQ(left["message"]["text"], "not looked at: template: expand it first");
+  EXPECT_EQ(left["message"]["text"], "skipped: template: expand it first");
   EXPECT_EQ(left["locations"][0]["physicalLocation"]["artifactLocation"]["uri"], "t.sdf.erb");
   EXPECT_EQ(invocation["toolConfigurationNotifications"][0]["message"]["text"],
             "nowhere: no such file or folder");

@@ -14,7 +14,7 @@
 #include <rigor/author/mesh_uri.h>
 #include <rigor/model/subject.h>
 #include <rigor/read/values.h>
-#include <rigor/rules/uris.h>
+#include <rigor/rules/package/uris.h>
 #include <rigor/text/path.h>
 #include <rigor/write/numbers.h>
 #include <rigor/write/write_pose.h>

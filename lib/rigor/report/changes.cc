@@ -97,7 +97,7 @@ std::string changes(const std::vector<KnownFinding>& before, const Diagnostics& 
   out += after.list().empty() ? "no problems" : counted(found.same, "finding") + " as before";
   if (!found.hidden.empty()) {
     out += ", " + std::to_string(found.hidden.size()) +
-           " not looked for in what cannot be read to its end";
+           " not checked in files that cannot be read to the end";
   }
   return out + '\n';
 }

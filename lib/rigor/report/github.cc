@@ -68,6 +68,9 @@ std::string annotation_message(const Diagnostic& diagnostic, Places& places) {
     }
     text += printable(label.message);
   }
+  const std::string others = other_places(diagnostic, places);
+  if (!others.empty()) text += "\nand " + others;
+  for (const std::string& line : origin_lines(diagnostic, places)) text += '\n' + line;
   if (!diagnostic.help.empty()) text += "\nhelp: " + printable(diagnostic.help);
   return text;
 }
@@ -112,9 +115,19 @@ std::string markdown_cell(std::string_view text) {
   return out;
 }
 
+/// The first place, and how many more there are.
+std::string where_text(const Diagnostic& diagnostic, Places& places) {
+  const std::string first = place_text(diagnostic, places);
+  if (diagnostic.others.empty()) return first;
+  return first + " and " + counted(diagnostic.others.size(), "more place");
+}
+
 }  // namespace
 
-std::string github(const Validation& validation) {
+std::string github(const Validation& ungrouped) {
+  const rules::ValidateResult result = grouped(ungrouped.result, GroupScope::kRun);
+  const Validation validation{result, ungrouped.sources, ungrouped.registry, ungrouped.folders,
+                              ungrouped.exit_code};
   const Findings errors = of_severity(validation, Severity::kError);
   const Findings warnings = of_severity(validation, Severity::kWarning);
   const Findings infos = of_severity(validation, Severity::kInfo);
@@ -142,7 +155,10 @@ std::string github(const Validation& validation) {
   return out;
 }
 
-std::string github_summary(const Validation& validation) {
+std::string github_summary(const Validation& ungrouped) {
+  const rules::ValidateResult result = grouped(ungrouped.result, GroupScope::kRun);
+  const Validation validation{result, ungrouped.sources, ungrouped.registry, ungrouped.folders,
+                              ungrouped.exit_code};
   Places places(validation.sources);
   std::string out = "### rigor\n\n" + markdown_cell(summary(validation.result)) + "\n";
   if (validation.result.diagnostics.list().empty()) return out;
@@ -152,7 +168,7 @@ std::string github_summary(const Validation& validation) {
     for (const Diagnostic* diagnostic : of_severity(validation, severity)) {
       const std::string row =
           fmt::format("| {} | {} | {} | {} |\n", to_string(severity),
-                      markdown_cell(place_text(*diagnostic, places)),
+                      markdown_cell(where_text(*diagnostic, places)),
                       markdown_cell(diagnostic->message), markdown_cell(diagnostic->rule));
       if (out.size() + row.size() > kMostSummary) {
         return out + "\nAnd " + counted(left, "more finding") + ": see the log.\n";

@@ -51,7 +51,10 @@ std::string line_of(const rules::NotLookedAt& item, const Validation& validation
 
 }  // namespace
 
-std::string jsonl(const Validation& validation) {
+std::string jsonl(const Validation& ungrouped) {
+  const rules::ValidateResult result = grouped(ungrouped.result, GroupScope::kFile);
+  const Validation validation{result, ungrouped.sources, ungrouped.registry, ungrouped.folders,
+                              ungrouped.exit_code};
   const Reasons reasons = reasons_of(validation.result);
   Places places(validation.sources);
   std::string out;

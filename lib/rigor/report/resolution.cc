@@ -16,13 +16,14 @@ using Json = nlohmann::ordered_json;
 
 /// What to do so that it is found the next time.
 std::string_view advice(const read::Resolution& resolution) {
-  if (!resolution.other_case.empty()) return "letter case differs: write the name as it is on disk";
-  if (resolution.remote) return "rigor never downloads: fetch it into the Fuel cache first";
+  if (!resolution.other_case.empty()) return "letter case differs: use the name as it is on disk";
+  if (resolution.remote) return "rigor never downloads: download it into the Fuel cache first";
   if (resolution.scheme == "package") {
-    return "give --package NAME=DIR, or set ROS_PACKAGE_PATH to the folder that holds the package";
+    return "use --package NAME=DIR, or set ROS_PACKAGE_PATH to the folder that contains the "
+           "package";
   }
   if (resolution.scheme == "file") return "no such file on this machine";
-  return "give --model-path DIR, or set GZ_SIM_RESOURCE_PATH to the folder that holds the model";
+  return "use --model-path DIR, or set GZ_SIM_RESOURCE_PATH to the folder that contains the model";
 }
 
 }  // namespace

@@ -11,8 +11,11 @@
 
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <rigor/report/places.h>
 #include <rigor/rules/registry.h>
@@ -33,7 +36,15 @@ struct Validation {
   const rules::Registry& registry;
   ProjectFolders folders = {};
   int exit_code = 0;  ///< of the program
+  /// The least severity that is a failure, of the file at a path. Without the function an error.
+  std::function<Severity(const std::string& path)> fail_on = {};
 };
+
+/// Whether findings of one rule and cause are one in a whole run, or in each file.
+enum class GroupScope : std::uint8_t { kRun, kFile };
+
+/// With one finding a cause (text/grouping.h); it belongs to the file of its first place.
+rules::ValidateResult grouped(const rules::ValidateResult& result, GroupScope scope);
 
 /// The path from the project's root, with `..` for what lies outside.
 std::string project_path(const Validation& validation, std::string_view path);
@@ -41,7 +52,15 @@ std::string project_path(const Validation& validation, std::string_view path);
 /// "path:line:column", on one line; the path alone where the finding stands in no text.
 std::string place_text(const Diagnostic& diagnostic, Places& places);
 
-/// "path:line:column: severity: message [rule-name]", as the format `concise` says it.
+/// "16 more in 2 files: lines 41, 88, arm.urdf:12, …": the other places of a group, the first few of many; empty when
+/// there are none.
+std::string other_places(const Diagnostic& diagnostic, Places& places);
+
+/// "in macro 'leg' (prefix='FL'), called at robot.xacro:88", a line a call, the innermost first.
+std::vector<std::string> origin_lines(const Diagnostic& diagnostic, Places& places);
+
+/// "path:line:column: severity: message [rule-name]", as the format `concise` says it. Of a group with
+/// "(and 16 more: lines 41, 88, …)" behind the message.
 std::string concise_line(const Diagnostic& diagnostic, Places& places);
 
 /// Whether the finding says that nothing else of its file could be checked.

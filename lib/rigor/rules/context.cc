@@ -19,7 +19,7 @@
 #include <rigor/rules/package/assets.h>
 #include <rigor/rules/schema/place.h>
 #include <rigor/rules/sdformat_robot.h>
-#include <rigor/rules/uris.h>
+#include <rigor/rules/package/uris.h>
 #include <rigor/rules/xml/xacro.h>
 #include <rigor/text/path.h>
 
@@ -85,6 +85,8 @@ Diagnostic Context::told_by_rule(const Finding& finding) const {
   Diagnostic diagnostic;
   diagnostic.rule = rule_;
   diagnostic.category = category_;
+  diagnostic.page_why = page_.why;
+  diagnostic.page_help = page_.help;
   diagnostic.severity = severity_of(finding);
   diagnostic.where = finding.where;
   if (finding.where.nowhere()) diagnostic.path = inputs_.path;
@@ -121,6 +123,10 @@ void Context::report(Finding finding) {
       finding.subject.empty() ? subject_at(finding.where) : std::move(finding.subject);
   diagnostic.related = std::move(finding.related);
   diagnostic.help = std::move(finding.help);
+  // What is wrong with one mesh has another cause than the same of another mesh.
+  diagnostic.cause = mesh_.empty() || !finding.cause.empty() ? std::move(finding.cause)
+                                                             : mesh_ + '\n' + diagnostic.message;
+  diagnostic.why = std::move(finding.why);
   if (finding.fix) diagnostic.fixes.push_back(std::move(*finding.fix));
   diagnostics_.add(std::move(diagnostic));
 }
@@ -159,8 +165,7 @@ const std::vector<NameScope>& Context::repeated_names() {
 }
 
 const SdformatRobot& Context::sdformat_robot() {
-  if (!found_->sdformat_robot)
-    found_->sdformat_robot = rules::sdformat_robot(root(), frames());
+  if (!found_->sdformat_robot) found_->sdformat_robot = rules::sdformat_robot(root(), frames());
   return *found_->sdformat_robot;
 }
 

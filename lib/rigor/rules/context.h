@@ -58,6 +58,17 @@ struct Finding {
   std::optional<Fix> fix = std::nullopt;
   bool refused =
       false;  ///< whether libsdformat refuses the file for it, where the rule leaves that open
+  /// What it has in common with other findings of the rule: a URI, a missing package, a misspelt name. When
+  /// empty, the message, with the subject's own names taken out.
+  std::string cause = {};
+  std::string why =
+      {};  ///< what a consumer makes of this case; when empty, the rule's page says it
+};
+
+/// The first sentences of a rule's page; static data.
+struct PageInBrief {
+  std::string_view why;
+  std::string_view help;
 };
 
 class Context {
@@ -151,9 +162,11 @@ class Context {
   void end_mesh() { mesh_.clear(); }
 
   /// The rule that is at work; set by the runner.
-  void begin_rule(std::string_view name, std::string_view category, Severity severity) {
+  void begin_rule(std::string_view name, std::string_view category, Severity severity,
+                  PageInBrief page = {}) {
     rule_ = name;
     category_ = category;
+    page_ = page;
     severity_ = severity;
     refusal_.reset();
   }
@@ -178,6 +191,7 @@ class Context {
   std::string mesh_;  // empty when none is looked at
   std::string_view rule_;
   std::string_view category_;
+  PageInBrief page_;
   Severity severity_ = Severity::kError;
   std::optional<Refusal> refusal_;  // nothing when rigor's own judgement counts
 };

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include <rigor/model/subject.h>
+#include <rigor/rules/consequences.h>
 #include <rigor/rules/context.h>
 
 namespace rigor::rules {
@@ -51,6 +52,15 @@ Refusal refusal_in(const Refusals& refused, model::Format format) {
   return format == model::Format::kUrdf ? refused.urdf : refused.sdf;
 }
 
+/// Up to the first full stop that ends one; "e.g. this" does not.
+std::string_view first_sentence(std::string_view prose) {
+  for (std::size_t stop = prose.find(". "); stop != prose.npos; stop = prose.find(". ", stop + 1)) {
+    const bool shortened = stop >= 2 && prose[stop - 2] == '.';
+    if (!shortened) return prose.substr(0, stop + 1);
+  }
+  return prose;
+}
+
 const schema::Schema* schema_of(const Environment& environment, model::Format format) {
   if (format == model::Format::kSdf) return &environment.sdf;
   if (format == model::Format::kUrdf) return &environment.urdf;
@@ -88,7 +98,13 @@ void Runner::add(const Rule& rule, Severity severity, Compat compat) {
     std::visit(
         [&](const auto& one) {
           std::get<Slot<std::decay_t<decltype(one)>>>(slots_).push_back(
-              {{rule.name, to_string(rule.category), severity, compat, rule.formats, rule.refused},
+              {{rule.name,
+                to_string(rule.category),
+                {first_sentence(rule.why), first_sentence(rule.what_to_do)},
+                severity,
+                compat,
+                rule.formats,
+                rule.refused},
                one});
         },
         check);
@@ -145,7 +161,7 @@ class Runner::Walk {
   Diagnostics taken() {
     context_.report_counted();
     diagnostics_.sort();
-    return std::exchange(diagnostics_, {});
+    return without_consequences(std::exchange(diagnostics_, {}));
   }
 
   void check_all() {
@@ -163,7 +179,7 @@ class Runner::Walk {
   bool begin(const Active& active) {
     const model::Format format = loaded_.root.format;
     if (!applies(active.formats, format)) return false;
-    context_.begin_rule(active.rule, active.category, active.severity);
+    context_.begin_rule(active.rule, active.category, active.severity, active.page);
     if (active.compat == Compat::kSdformat) context_.judge_by(refusal_in(active.refused, format));
     return true;
   }

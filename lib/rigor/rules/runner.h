@@ -64,6 +64,7 @@ class Runner {
   struct Active {
     std::string_view rule;
     std::string_view category;
+    PageInBrief page;
     Severity severity;
     Compat compat;
     Formats formats;

@@ -21,6 +21,20 @@ std::string_view to_string(Severity severity) {
   return "info";
 }
 
+std::string_view why_of(const Diagnostic& diagnostic) {
+  return diagnostic.why.empty() ? diagnostic.page_why : std::string_view(diagnostic.why);
+}
+
+std::string_view help_of(const Diagnostic& diagnostic) {
+  return diagnostic.help.empty() ? diagnostic.page_help : std::string_view(diagnostic.help);
+}
+
+std::size_t Diagnostics::places() const {
+  std::size_t places = 0;
+  for (const Diagnostic& diagnostic : list_) places += diagnostic.count + diagnostic.others.size();
+  return places;
+}
+
 std::size_t Diagnostics::count(Severity severity) const {
   std::size_t count = 0;
   for (const Diagnostic& diagnostic : list_) {

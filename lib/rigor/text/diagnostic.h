@@ -15,6 +15,7 @@
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <rigor/text/edit.h>
@@ -36,6 +37,13 @@ struct Label {
   std::string message;
 };
 
+/// A call of a macro that an element of an expanded document came from.
+struct MacroCall {
+  std::string macro;
+  Span where;  ///< of the call
+  std::vector<std::pair<std::string, std::string>> params;
+};
+
 struct Diagnostic {
   std::string_view rule;      ///< kebab-case name; points into the registry, which is static data
   std::string_view category;  ///< of the rule
@@ -48,7 +56,19 @@ struct Diagnostic {
   std::string help;        ///< what to do, in the imperative; empty when the message says it all
   std::vector<Fix> fixes;  ///< none or one; the first is the one to apply
   std::size_t count = 1;   ///< findings it stands for: many when it says how many are not listed
+  /// What findings of one rule have in common: the URI, the missing package, the misspelt name. Empty when
+  /// the message says it (`text/grouping.h`).
+  std::string cause;
+  std::string why;             ///< what a consumer makes of this case; empty when the page says it
+  std::string_view page_why;   ///< of the rule's page, in one sentence; static data
+  std::string_view page_help;  ///< the same
+  std::vector<MacroCall> origin;   ///< of what was expanded, the innermost call first
+  std::vector<Diagnostic> others;  ///< the same rule and cause at other places, once grouped
 };
+
+/// Those of the case, else those of the rule's page.
+std::string_view why_of(const Diagnostic& diagnostic);
+std::string_view help_of(const Diagnostic& diagnostic);
 
 /// Append-only. Rules and readers add, nobody removes.
 class Diagnostics {
@@ -64,6 +84,8 @@ class Diagnostics {
   const std::vector<Diagnostic>& list() const { return list_; }
   /// Findings, those that are counted and not listed among them.
   std::size_t count(Severity severity) const;
+  /// Places of all findings: as many as there are findings before they are grouped.
+  std::size_t places() const;
 
   /// By place (source, then offset), then rule, so that output depends on nothing else.
   void sort();

@@ -16,7 +16,7 @@ class InertiaCommand final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
     CLI::App* app =
-        add_command(program, "inertia", "Mass, centre of mass and inertia, exactly",
+        add_command(program, "inertia", "Exact mass, center of mass and inertia",
                     {"rigor inertia cylinder --radius 0.1 --length 0.05 --mass 0.4",
                      "rigor inertia mesh hull.stl --scale 0.001 --material aluminium",
                      "rigor inertia my_robot", "rigor inertia my_robot --material abs --write"});
@@ -113,7 +113,7 @@ class InertiaCommand final : public Command {
 
 std::optional<double> density_of(const InertiaArguments& arguments, const std::string& path) {
   if (!arguments.density.empty() && !arguments.material.empty()) {
-    throw UsageError("--density and --material say the same: give one of them");
+    throw UsageError("--density and --material exclude each other: both give the density");
   }
   if (!arguments.density.empty()) {
     return positive_number("--density", arguments.density, "kg/m³");

@@ -49,7 +49,7 @@ void refuse_shape_options(const InertiaArguments& a) {
   refuse(!a.hollow.empty(), "--hollow");
   refuse(!a.pose.empty(), "--pose");
   refuse(a.hull, "--hull");
-  if (a.diff && a.write) throw UsageError("--diff shows and --write writes: give one of them");
+  if (a.diff && a.write) throw UsageError("--diff and --write exclude each other");
 }
 
 InertiaOptions options_of(const InertiaArguments& a) {
@@ -206,7 +206,7 @@ int run_model_inertia(const InertiaArguments& a) {
   const read::Loaded loaded = load(reader, open_model(workspace, a.what));
   const std::string path = loaded.file->path;
   if (const std::string why = problem(loaded); !why.empty()) {
-    say("rigor: " + report::printable(path) + " " + why + "; `rigor validate` says more");
+    say("rigor: " + report::printable(path) + " " + why + "; run `rigor validate` for details");
     return kFindings;
   }
   tell_unfollowed(loaded);

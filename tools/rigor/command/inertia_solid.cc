@@ -155,7 +155,7 @@ std::string problem(const mass::MeshSurvey& survey, MeshState state) {
     case MeshState::kOverlapping:
       return fmt::format("overlaps itself: {:.0f} % of its inside would count twice",
                          100 * survey.winding.doubled);
-    case MeshState::kMixed: return "is inside out in parts";
+    case MeshState::kMixed: return "is partly inverted";
     case MeshState::kFlat: return "encloses nothing";
     case MeshState::kUnusable: return "cannot be used";
   }
@@ -169,7 +169,7 @@ mesh::TriangleMesh scaled_mesh(const InertiaArguments& a, const model::Vector3& 
 }
 
 Solid shell(const InertiaArguments& a, const model::Vector3& scale, const mass::MeshBody& body) {
-  if (a.hull) throw UsageError("--hull and --hollow: give one of them");
+  if (a.hull) throw UsageError("--hull and --hollow exclude each other");
   const double wall = positive_number("--hollow", a.hollow, "m");
   const auto solid = mass::shell_of(scaled_mesh(a, scale), wall);
   if (!solid) throw NoAnswer(a.mesh + " has no area");
@@ -209,19 +209,19 @@ Solid mesh_solid(const InertiaArguments& a) {
   const bool turned = body.from == mass::BodyFrom::kTurnedMesh;
   if (a.hull && body.solid) {
     say("rigor: " + report::printable(a.mesh) + " " + why +
-        (turned ? "; it is taken the other way round" : "; its convex hull is taken"));
+        (turned ? "; it is taken the other way round" : "; its convex hull is used"));
     return *body.solid;
   }
-  if (turned) throw NoAnswer(a.mesh + " " + why + "; --hull takes it the other way round");
-  if (!body.solid) throw NoAnswer(a.mesh + " " + why + "; --hollow T takes it for a sheet of T m");
-  throw NoAnswer(a.mesh + " " + why + "; --hull takes its convex hull, --hollow T a sheet of T m");
+  if (turned) throw NoAnswer(a.mesh + " " + why + "; --hull uses its opposite orientation");
+  if (!body.solid) throw NoAnswer(a.mesh + " " + why + "; --hollow T treats it as a sheet of T m");
+  throw NoAnswer(a.mesh + " " + why + "; --hull uses its convex hull, --hollow T a sheet of T m");
 }
 
 double mass_of(const InertiaArguments& a, const Solid& solid) {
   const auto density = density_of(a, a.mesh.empty() ? "." : a.mesh);
   if (a.masses.size() > 1) throw UsageError("--mass is given twice");
   if (density && !a.masses.empty()) {
-    throw UsageError("--mass and a density say the same: give one of them");
+    throw UsageError("--mass and a density exclude each other");
   }
   if (density) return *density * solid.volume;
   if (a.masses.empty()) {
@@ -239,7 +239,7 @@ void require_possible(double mass, const Solid& solid) {
         report::number(mass), report::number(solid.volume), report::number(density, 4)));
   }
   if (!mass::judge(mass::with_mass(solid, mass)).possible()) {
-    throw NoAnswer("the numbers are too small or too large to compute with");
+    throw NoAnswer("the numbers are too small or too large for the computation");
   }
 }
 

@@ -28,7 +28,7 @@ class Init final : public Command {
     if (disk.kind(folder_) != PathKind::kFolder) throw UsageError(folder_ + ": no such folder");
     const std::string path = join_path(folder_, config::kConfigName);
     if (disk.kind(path) != PathKind::kMissing) {
-      throw UsageError(path + ": is there already, and stays as it is");
+      throw UsageError(path + ": already exists and is left unchanged");
     }
     replace_file(path, config::starter_config());
     say("wrote " + report::printable(path) +

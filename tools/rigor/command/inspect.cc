@@ -79,7 +79,7 @@ class Inspect final : public Command {
     tell_unfollowed(loaded);
     const std::string why = problem(loaded, frames);
     if (why.empty()) return kClean;
-    say("rigor: " + why + "; `rigor validate` says more");
+    say("rigor: " + why + "; run `rigor validate` for details");
     return kFindings;
   }
 

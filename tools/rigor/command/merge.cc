@@ -37,7 +37,7 @@ class Merge final : public Command {
 
   int run() override {
     for (const std::string& path : files_) read(path);
-    if (results_.empty() && total_ == 0) throw UsageError("the files hold no results");
+    if (results_.empty() && total_ == 0) throw UsageError("the files contain no results");
     name_missing();
     if (problems_ > 0) {
       say("rigor: " + report::counted(problems_, "case") +
@@ -69,7 +69,7 @@ class Merge final : public Command {
     for (unsigned number = 1; std::getline(file, line); ++number) {
       const auto one = case_of(line);
       const std::string where = path + ':' + std::to_string(number);
-      if (!one) throw UsageError(where + ": is no result of a run");
+      if (!one) throw UsageError(where + ": is not a result of a run");
       if (total_ != 0 && one->of != total_) {
         throw UsageError(where + ": is of a run of " + std::to_string(one->of) + " cases, not " +
                          std::to_string(total_));

@@ -46,7 +46,7 @@ void refuse(const author::AttachedMesh& done, const std::string& name) {
     case AttachProblem::kAmbiguous:
       throw UsageError(what + "several have that name; write one of " + all_of(done.candidates));
     case AttachProblem::kIncluded:
-      throw UsageError(what + "it stands in the included file " + done.path + "; attach it there");
+      throw UsageError(what + "it is in the included file " + done.path + "; attach it there");
     case AttachProblem::kPose: throw UsageError(what + "its pose cannot be read");
     case AttachProblem::kCutDocument: throw UsageError(what + "the model file is damaged");
   }
@@ -99,7 +99,7 @@ class Attachment {
       const std::string folder(parent_path(copy.to));
       std::error_code error;
       std::filesystem::create_directories(folder, error);
-      if (error) throw UsageError(folder + ": cannot be made: " + error.message());
+      if (error) throw UsageError(folder + ": cannot be created: " + error.message());
       replace_file(copy.to, copy.bytes);
       say("rigor: copied to " + report::printable(copy.to));
     }

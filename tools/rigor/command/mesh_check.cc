@@ -13,6 +13,7 @@
 #include <rigor/report/terminal/concise.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
+#include <rigor/text/grouping.h>
 
 #include "command/command.h"
 #include "option/selection.h"
@@ -24,7 +25,7 @@ class MeshCheck final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
     CLI::App* app = add_command(
-        program, "mesh-check", "Check, repair, centre, scale, reduce and convert meshes",
+        program, "mesh-check", "Check, repair, center, scale, reduce and convert meshes",
         {"rigor mesh-check meshes/chassis.dae", "rigor mesh-check my_robot",
          "rigor mesh-check scan.stl --repair --unit mm --center bottom --reduce 5000 -o hull.dae",
          "rigor mesh-check hull.stl --fit best -o collision.stl",
@@ -40,7 +41,8 @@ class MeshCheck final : public Command {
                     "Put the mesh in place of a visual's or collision's shape")
         ->type_name("MODEL::LINK::SHAPE")
         ->group(group);
-    app->add_flag("--apply", a_.apply, "Do all that to a model's meshes, and fit the model to them")
+    app->add_flag("--apply", a_.apply,
+                  "Apply the operations to a model's meshes, and update the model")
         ->group(group);
     app->add_flag("--test-world", a_.test_world, "Write a world with the mesh alone on the ground")
         ->group(group);
@@ -67,13 +69,13 @@ class MeshCheck final : public Command {
   void refuse_contradictions() const {
     const std::string changes = a_.operations.given();
     a_.operations.operations();  // says what is wrong with their values, whatever comes of them
-    if (a_.apply && !a_.attach.empty()) throw UsageError("--apply and --attach: give one of them");
-    if (a_.apply && a_.test_world) throw UsageError("--apply and --test-world: give one of them");
+    if (a_.apply && !a_.attach.empty()) throw UsageError("--apply and --attach exclude each other");
+    if (a_.apply && a_.test_world) throw UsageError("--apply and --test-world exclude each other");
     if (a_.apply && changes.empty()) {
-      throw UsageError("--apply: of what? Say --center, --unit, --repair or another of these");
+      throw UsageError("--apply needs an operation: --center, --unit, --repair or another");
     }
     if (!changes.empty() && changes != "--fit" && !a_.apply && a_.out.empty()) {
-      throw UsageError(changes + " changes the mesh: say where to write it, with -o OUT");
+      throw UsageError(changes + " changes the mesh: give the output file with -o OUT");
     }
   }
 
@@ -106,17 +108,17 @@ int MeshChecking::conclude(const MeshWork& work) const {
   for (const Target& target : targets_) {
     switch (target.format) {
       case 0: write(target, mesh_check_text(report, arguments_.color.of(target))); break;
-      case 1: write(target, report::concise(result_.diagnostics, sources_)); break;
+      case 1: write(target, report::concise(grouped(result_.diagnostics), sources_)); break;
       default: write(target, mesh_check_json(report));
     }
   }
   for (const std::string& argument : result_.unusable) say("rigor: " + report::printable(argument));
   for (const read::LeftOut& left : result_.left_out) {
-    say("not looked at: " + report::printable(left.path + ": " + left.why));
+    say("skipped: " + report::printable(left.path + ": " + left.why));
   }
   if (!result_.unusable.empty()) return kUsage;
   say(report::counted(result_.meshes.size(), "mesh", "meshes") + " checked" +
-      report::findings(result_.diagnostics));
+      report::findings(grouped(result_.diagnostics)));
   return arguments_.selection.fails(result_.diagnostics) ? kFindings : kClean;
 }
 

@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuse_folder(const std::string& path, int error) {
-  throw UsageError(path + ": cannot be made: " + std::generic_category().message(error));
+  throw UsageError(path + ": cannot be created: " + std::generic_category().message(error));
 }
 
 /// A folder beside the one that it is to become; what is in it is gone unless it becomes that.
@@ -75,7 +75,7 @@ class New final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
     CLI::App* app =
-        add_command(program, "new", "Make the folder of a new model, complete and explained",
+        add_command(program, "new", "Create a folder with a new model, complete and explained",
                     {"rigor new my_robot", "rigor new my_arm --template arm"});
     app->add_option("name", name_, "The model's name, and its folder, which must not be there yet")
         ->required()
@@ -119,7 +119,7 @@ class New final : public Command {
   void refuse_what_is_there() const {
     std::error_code ignored;
     if (fs::symlink_status(name_, ignored).type() != fs::file_type::not_found) {
-      throw UsageError(name_ + ": is there already, and stays as it is");
+      throw UsageError(name_ + ": already exists and is left unchanged");
     }
     const std::string parent(parent_path(name_));
     if (!parent.empty() && RealDisk().kind(parent) != PathKind::kFolder) {
@@ -138,7 +138,7 @@ class New final : public Command {
     const std::string above(parent_path(name_));
     const std::string models =
         above.empty() || above == "." ? "$PWD" : quoted(fs::absolute(above).string());
-    say("made a model of the template " + template_ + "; what to try next:");
+    say("created a model from the template " + template_ + "; what to try next:");
     for (const std::string& line : {
              "rigor validate " + folder,
              "rigor inertia " + folder,

@@ -60,7 +60,7 @@ class Render final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
     CLI::App* app = add_command(
-        program, "render", "Make pictures, without a window or a graphics card",
+        program, "render", "Render images, without a window or a graphics card",
         {"rigor render my_robot -o my_robot.png",
          "rigor render arm.urdf -o arm.png --joint elbow=1.2",
          "rigor render my_robot -o inside.png --show visual,inertia,com --view "
@@ -72,7 +72,7 @@ class Render final : public Command {
                     "on one sheet")
         ->required()
         ->type_name("MODEL");
-    app->add_option("-o,--out", out_, "The picture, a PNG; with --view thumbnails, the folder")
+    app->add_option("-o,--out", out_, "The image, a PNG; with --view thumbnails, the folder")
         ->required()
         ->type_name("FILE");
     offer(app->add_option("--view", view_,
@@ -81,7 +81,7 @@ class Render final : public Command {
               ->type_name("VIEW"),
           known_views());
     app->add_option("--size", size_,
-                    "Of the picture, in pixels, default 960x640; of each on a "
+                    "Of the image, in pixels, default 960x640; of each on a "
                     "sheet, 320x240")
         ->type_name("WxH");
     offer(app->add_option("--show", show_,
@@ -91,7 +91,7 @@ class Render final : public Command {
     app->add_option("--joint", joints_, "Position of a joint, rad or m; VALUE,VALUE for two axes")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
-    app->add_option("--compare", compare_, "Show this older model beside it, and what differs")
+    app->add_option("--compare", compare_, "Show this older model next to it, and the differences")
         ->type_name("OLD");
     app->add_option("--threads", threads_, "How many cores to use, default all")
         ->type_name("N")
@@ -170,7 +170,7 @@ class Render final : public Command {
   }
 
   static void write_picture(const std::string& path, const view::Picture& picture) {
-    if (picture.pixels.empty()) throw UsageError("this would be too large a picture");
+    if (picture.pixels.empty()) throw UsageError("the image would be too large");
     replace_file(path, view::to_png(picture));
   }
 
@@ -189,7 +189,7 @@ class Render final : public Command {
   int render_thumbnails(const ModelPainter& painter, const view::Drawing& drawing) const {
     std::error_code error;
     std::filesystem::create_directories(out_, error);
-    if (error) throw UsageError(out_ + ": cannot be made: " + error.message());
+    if (error) throw UsageError(out_ + ": cannot be created: " + error.message());
     int number = 0;
     for (const View view : kThumbnailViews) {
       const std::string name = std::to_string(++number) + ".png";
@@ -217,8 +217,8 @@ class Render final : public Command {
                                {std::move(after), now.path},
                                {std::move(red), pixels == 0 ? "no difference" : "differences"}},
                               3));
-    say(pixels == 0 ? "rigor: the pictures are the same"
-                    : "rigor: the pictures differ in " + report::counted(pixels, "pixel"));
+    say(pixels == 0 ? "rigor: the images are the same"
+                    : "rigor: the images differ in " + report::counted(pixels, "pixel"));
     return kClean;
   }
 

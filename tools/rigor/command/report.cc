@@ -18,8 +18,9 @@
 #include <rigor/report/team/report.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
-#include <rigor/simulate/test/tests.h>
+#include <rigor/report/validation.h>
 #include <rigor/simulate/engine/ode_version.h>
+#include <rigor/simulate/test/tests.h>
 #include <rigor/text/for_each_index.h>
 #include <rigor/text/path.h>
 #include <rigor/view/trace.h>
@@ -115,8 +116,9 @@ class Report final : public Command {
     baseline_.read(disk, a_.search.config().baseline(checking.options().paths));
 
     Sources sources;
-    const rules::ValidateResult result =
-        baseline_.apply(checking.environment(), checking.options(), checking.run(sources));
+    const rules::ValidateResult result = report::grouped(
+        baseline_.apply(checking.environment(), checking.options(), checking.run(sources)),
+        report::GroupScope::kFile);
     report::TeamReport report({result, sources, checking.environment().registry}, options);
     ModelGatherer gatherer(checking, sources);
     const author::Simulator simulator(checking.environment(), sources, gatherer.workspace(),
@@ -160,7 +162,7 @@ class Report final : public Command {
   Pictures pictures() const {
     if (no_pictures_) return Pictures::kNone;
     if (!view::tracer().empty()) return Pictures::kDraw;
-    say("rigor: no pictures: Embree is not installed");
+    say("rigor: no images: Embree is not installed");
     return Pictures::kNone;
   }
 
@@ -236,7 +238,8 @@ class Report final : public Command {
       std::error_code error;
       std::filesystem::create_directories(parent_path(path), error);
       if (error) {
-        throw UsageError(std::string(parent_path(path)) + ": cannot be made: " + error.message());
+        throw UsageError(std::string(parent_path(path)) +
+                         ": cannot be created: " + error.message());
       }
       replace_file(path, file.bytes);
     }

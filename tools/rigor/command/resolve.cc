@@ -25,12 +25,12 @@ constexpr const char* kHere = "./model.sdf";
 class Resolve final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
-    CLI::App* app = add_command(program, "resolve", "Show where a URI leads, and the search",
+    CLI::App* app = add_command(program, "resolve", "Show which file a URI names, and the search",
                                 {"rigor resolve model://arm/meshes/base.stl --from arm/model.sdf"});
     app->add_option("uri", uri_, "model://, package://, file:// or a path")
         ->required()
         ->type_name("URI");
-    app->add_option("--from", from_, "The file that the URI stands in")->type_name("FILE");
+    app->add_option("--from", from_, "The file that contains the URI")->type_name("FILE");
     output_.declare(*app, {"text", "json"});
     search_.declare(*app);
     return app;

@@ -27,10 +27,10 @@ class SdfToUrdf final : public Command {
                                  "rigor sdf2urdf model.sdf --mesh-uri package://my_robot",
                                  "rigor sdf2urdf model.sdf --check my_robot.urdf"});
     common_.declare(*app);
-    app->add_option("--model", how_.model, "The one to convert, where the file has several")
+    app->add_option("--model", how_.model, "Model to convert, if the file has several")
         ->type_name("NAME");
     app->add_option("--mesh-uri", mesh_uri_,
-                    "What meshes are named by: package://NAME, file or keep")
+                    "How mesh URIs are written: package://NAME, file or keep")
         ->type_name("HOW");
     offer(app->add_option(
                  "--urdf-version", urdf_version_,
@@ -38,9 +38,10 @@ class SdfToUrdf final : public Command {
               ->type_name("VERSION"),
           kUrdfVersions);
     app->add_option("--root", how_.root,
-                    "Add a root link without mass, such as base_footprint: ROS wants none with one")
+                    "Add a root link without mass, such as base_footprint: KDL does not support "
+                    "a root link with inertia")
         ->type_name("NAME");
-    const std::string group = "Where URDF leaves a choice (the first is the default)";
+    const std::string group = "Where URDF allows a choice (the first is the default)";
     const auto policy = [&](const std::string& name, std::string& value, const char* what,
                             Names known) {
       offer(app->add_option(name, value, what)->group(group), known);
@@ -55,7 +56,7 @@ class SdfToUrdf final : public Command {
                   "Links stay where they are, beside the frames of their joints")
         ->group(group);
     app->add_option("--unlimited", unlimited_,
-                    "Stands for an unlimited effort, velocity or position")
+                    "Finite number that represents an unlimited effort, velocity or position")
         ->type_name("NUMBER")
         ->group(group);
     return app;

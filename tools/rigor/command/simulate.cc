@@ -38,7 +38,8 @@ class Simulate final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
     CLI::App* app = add_command(
-        program, "simulate", "Drop it, drive it, sweep its joints, and get a verdict",
+        program, "simulate",
+        "Simulate a model: drop it, drive it, sweep its joints, and get a verdict",
         {"rigor simulate my_robot",
          "rigor simulate my_robot --test settle,drive,turn --output html:run.html",
          "rigor simulate arm.urdf --command elbow=position:1.5 --duration 3 --format csv",
@@ -189,7 +190,7 @@ class Simulate final : public Command {
       file = target.file;
     }
     if (resume_ && file.empty()) {
-      throw UsageError("--resume goes with --output jsonl:FILE, which it reads");
+      throw UsageError("--resume needs --output jsonl:FILE, which it reads");
     }
     return file;
   }
@@ -199,7 +200,7 @@ class Simulate final : public Command {
                            const std::vector<author::SimulationCase>& all,
                            const author::Simulator& simulator) {
     const std::string is = where + ": is of another run: of ";
-    const std::string how = "; leave --resume out to begin anew, or name another file";
+    const std::string how = "; leave out --resume to start over, or name another file";
     if (kept.one.of != all.size()) {
       throw UsageError(is + std::to_string(kept.one.of) + " cases, not " +
                        std::to_string(all.size()) + how);

@@ -38,10 +38,10 @@ using author::UpgradeNoteKind;
 class UpgradeCommand final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
-    CLI::App* app =
-        add_command(program, "upgrade", "Bring SDF files to a later version, their meaning kept",
-                    {"rigor upgrade my_robot/model.sdf --to 1.9 --diff",
-                     "rigor upgrade models worlds --to 1.9 --write"});
+    CLI::App* app = add_command(
+        program, "upgrade", "Convert SDF files to a later version without changing their meaning",
+        {"rigor upgrade my_robot/model.sdf --to 1.9 --diff",
+         "rigor upgrade models worlds --to 1.9 --write"});
     app->add_option("paths", paths_, "SDF files; folders, of which all SDF files are taken")
         ->required()
         ->type_name("PATH");
@@ -203,10 +203,10 @@ class UpgradeCommand final : public Command {
     const auto parsed =
         version ? schema::parse_version(read::trimmed(version->text)) : std::nullopt;
     if (root->name() == "robot") {
-      throw UsageError(path + ": is URDF; rigor urdf2sdf makes SDF of it");
+      throw UsageError(path + ": is URDF; convert it with rigor urdf2sdf");
     }
     if (root->name() != "sdf" && root->name() != "gazebo") {
-      throw UsageError(path + ": is no SDF file");
+      throw UsageError(path + ": is not an SDF file");
     }
     if (parsed && *parsed > to) {
       throw UsageError(

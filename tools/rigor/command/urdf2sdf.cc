@@ -21,21 +21,21 @@ class UrdfToSdf final : public Command {
                                  "rigor urdf2sdf robot.urdf --check model.sdf"});
     common_.declare(*app);
     app->add_option("--mesh-uri", mesh_uri_,
-                    "What meshes are named by: model://NAME, package://NAME, file or keep")
+                    "How mesh URIs are written: model://NAME, package://NAME, file or keep")
         ->type_name("HOW");
     offer(app->add_option("--sdf-version", version_,
                           "1.9 to 1.11 (default: 1.9, or 1.11 for mimic joints)")
               ->type_name("VERSION"),
           kSdfVersions);
-    const std::string group = "Where SDF leaves a choice (the first is the default)";
+    const std::string group = "Where SDF allows a choice (the first is the default)";
     offer(app->add_option("--fixed", fixed_,
-                          "Links on fixed joints: keep, lump (into what carries them)")
+                          "Links on fixed joints: keep, lump (into the parent link)")
               ->group(group),
           kFixedNames);
     offer(
         app->add_option("--massless", massless_,
                         "Links without mass that are fixed: link (a frame when it has no shapes), "
-                        "frame (its shapes go to what carries it)")
+                        "frame (its shapes move to the parent link)")
             ->group(group),
         kMasslessNames);
     return app;

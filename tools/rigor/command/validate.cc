@@ -11,10 +11,14 @@
 
 #include <rigor/report/github.h>
 #include <rigor/report/terminal/printable.h>
+#include <rigor/report/terminal/shown.h>
 #include <rigor/report/terminal/summary.h>
+#include <rigor/report/validation.h>
+#include <rigor/text/grouping.h>
 #include "command/command.h"
 #include "option/baseline_options.h"
 #include "option/fix_options.h"
+#include "option/show_options.h"
 #include "option/validation_format.h"
 #include "output/output.h"
 #include "project/checking.h"
@@ -33,6 +37,7 @@ struct ValidateArguments : CheckArguments {
   BaselineOptions baseline;
   bool watch = false;
   ShowConfigOption show_config;
+  ShowOptions show;
 };
 
 void conclude(const rules::ValidateResult& result) {
@@ -42,7 +47,7 @@ void conclude(const rules::ValidateResult& result) {
   std::string left_out = report::left_out(result);
   if (!left_out.empty()) left_out.pop_back();
   if (!left_out.empty()) say(left_out);
-  say(report::summary(result));
+  say(report::summary(report::grouped(result, report::GroupScope::kRun)));
 }
 
 class Validate final : public Command {
@@ -57,6 +62,7 @@ class Validate final : public Command {
         ->type_name("PATH");
     a_.output.declare(*app, validation_formats());
     a_.color.declare(*app);
+    a_.show.declare(*app);
     a_.selection.declare(*app);
     a_.compat.declare(*app);
     a_.fix.declare(*app);
@@ -70,7 +76,7 @@ class Validate final : public Command {
         ->check(CLI::Range(0, 1024));
     a_.shard.declare(*app, "Only this part of the files");
     a_.cache.declare(*app);
-    app->add_option("--stdin-filename", a_.stdin_filename, "Name of what - reads")
+    app->add_option("--stdin-filename", a_.stdin_filename, "File name for stdin (-)")
         ->type_name("PATH");
     a_.search.declare(*app);
     a_.show_config.declare(*app);
@@ -79,6 +85,7 @@ class Validate final : public Command {
 
   int run() override {
     const std::vector<Target> targets = a_.output.targets();
+    a_.show.check(targets);
     if (a_.watch) require_pretty("--watch", targets);
     if (a_.fix.diff()) require_pretty("--diff", targets);
     a_.search.config().open();
@@ -109,8 +116,19 @@ class Validate final : public Command {
     }
     result = a_.baseline.apply(checking.environment(), checking.options(), std::move(result));
     const int code = exit_code(checking, result);
-    print(targets, {result, *sources, checking.environment().registry, project_folders(), code},
-          checking.options());
+    const RuleSettings& settings = checking.settings();
+    const TerminalView view = a_.show.view(result, settings);
+    print(targets,
+          {result, *sources, checking.environment().registry, project_folders(), code,
+           [&settings](const std::string& path) {
+             return settings.fail_on(path).value_or(Severity::kError);  // the report still says it
+           }},
+          checking.options(), view);
+    if (std::any_of(targets.begin(), targets.end(),
+                    [](const Target& target) { return is_for_people(target.format); })) {
+      const std::string left = report::not_shown(grouped(result.diagnostics), view.least);
+      if (!left.empty()) say(left);
+    }
     if (const auto nothing = checking.nothing_changed()) say(*nothing);
     conclude(result);
     a_.baseline.conclude();
@@ -121,7 +139,7 @@ class Validate final : public Command {
  private:
   int watch_files() {
     if (a_.fix.asked() || std::count(a_.paths.begin(), a_.paths.end(), "-") > 0) {
-      throw UsageError("--watch checks files again and again: it goes with neither - nor fixes");
+      throw UsageError("--watch cannot be combined with - (stdin) or with fixes");
     }
     a_.baseline.read(RealDisk(), a_.search.config().baseline(a_.paths));
     return watch(
@@ -132,20 +150,20 @@ class Validate final : public Command {
           return a_.baseline.apply(checking.environment(), checking.options(),
                                    checking.run(sources));
         },
-        conclude, a_.color.of({0, {}}));
+        conclude, a_.color.of({0, {}}), a_.show.least());
   }
 
   /// What prints no report of its own takes no other format for it.
   static void require_pretty(const std::string& option, const std::vector<Target>& targets) {
     const bool pretty = targets.size() == 1 && targets[0].format == 0 && targets[0].file.empty();
-    if (!pretty) throw UsageError(option + " goes with no other format and writes no reports");
+    if (!pretty) throw UsageError(option + " cannot be combined with another format or report");
   }
 
   void print(const std::vector<Target>& targets, const report::Validation& validation,
-             const rules::ValidateOptions& options) const {
+             const rules::ValidateOptions& options, TerminalView view) const {
     const std::vector<std::string_view> names = validation_formats();
     for (const Target& target : targets) {
-      a_.fix.write(target, emit(target.format, validation, a_.color.of(target)), options);
+      a_.fix.write(target, emit(target.format, validation, a_.color.of(target), view), options);
       if (names[target.format] != "github") continue;
       add_to_step_summary(report::github_summary(validation));
     }

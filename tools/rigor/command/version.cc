@@ -11,7 +11,7 @@ namespace {
 class Version final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
-    CLI::App* app = add_command(program, "version", "Name this version and the engines inside",
+    CLI::App* app = add_command(program, "version", "Print the version of rigor and of its engines",
                                 {"rigor --version", "rigor --version --format json"});
     output_.declare(*app, {"text", "json"});
     return app;

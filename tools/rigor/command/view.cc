@@ -55,9 +55,9 @@ class ViewPage final : public Command {
             ->type_name("FILE");
     CLI::Option* serve =
         app->add_flag("--serve", serve_,
-                      "Serve it to this machine only, and show what changes; Ctrl-C ends")
+                      "Serve the page to this machine only, and update it on changes; Ctrl-C ends")
             ->excludes(out);
-    app->add_option("--port", port_, "Of --serve; 0, the default: one that is free")
+    app->add_option("--port", port_, "Port of --serve; 0, the default: any free port")
         ->type_name("N")
         ->needs(serve);
     search_.declare(*app);
@@ -104,7 +104,8 @@ class ViewPage final : public Command {
     std::string begin(kWhereTheTitleIs, '\0');
     begin.resize(there ? there->read(0, begin.data(), begin.size()) : 0);
     if (begin.find(kPageTitle) == std::string::npos) {
-      throw UsageError(file + " is there and is no page of rigor: say where to write with -o");
+      throw UsageError(file +
+                       " already exists and was not written by rigor: choose another file with -o");
     }
     return file;
   }

@@ -38,7 +38,7 @@ constexpr Entry kVariables[] = {
      "Where model:// and package:// URIs are searched, in this order, after --model-path, "
      "--package, "
      "and the model's own neighbours and package. `rigor resolve URI` shows the search."},
-    {"NO_COLOR, CLICOLOR_FORCE, TERM", "Whether a terminal is coloured, unless --color says."},
+    {"NO_COLOR, CLICOLOR_FORCE, TERM", "Whether terminal output is colored, unless --color is given."},
     {"RIGOR_CACHE", "`off` forgets what earlier runs found of large meshes."},
     {"XDG_CACHE_HOME", "Where that is kept, in rigor; else ~/.cache/rigor."},
 };
@@ -212,7 +212,7 @@ std::string program_man_page(const std::vector<CommandFacts>& commands) {
       "references, "
       "frames,\ninertia, joints, shapes, meshes and packages. It converts and simulates them, "
       "works "
-      "offline, and changes\na file only where it is told to.\n";
+      "offline, and changes\na file only on request.\n";
   text += roff_heading("Commands");
   for (const CommandFacts& command : commands) {
     text += fmt::format(".TP\n\\fB{}\\fR\n{}. See \\fBrigor\\-{}\\fR(1).\n", roff(command.name),

@@ -48,12 +48,12 @@ void ConversionCommand::declare(CLI::App& app) {
       ->required();
   app.add_option("-o,--out", out_, "Write the result there; to stdout when absent")
       ->type_name("FILE");
-  app.add_flag("--allow-loss", allow_loss_, "Write it though a loss is an error");
+  app.add_flag("--allow-loss", allow_loss_, "Write the result even if a loss is an error");
   app.add_flag("--verify", verify_, "Read the result again and compare (the default)");
   app.add_flag("--no-verify", no_verify_, "Do not");
-  app.add_option("--check", check_, "Compare with this file instead of writing one")
+  app.add_option("--check", check_, "Compare the result with this file instead of writing it")
       ->type_name("FILE");
-  app.add_flag("-v,--verbose", verbose_, "Tell what is exact as well");
+  app.add_flag("-v,--verbose", verbose_, "Report what is exact, too");
   output_.declare(app, {"pretty", "concise", "json"}, "--report,--output");
   color_.declare(app);
   selection_.declare(app);
@@ -73,9 +73,9 @@ void ConversionCommand::refuse_stdout_twice() const {
 
 int ConversionCommand::run(const Convert& convert) const {
   refuse_stdout_twice();
-  if (verify_ && no_verify_) throw UsageError("--verify and --no-verify: give one of them");
+  if (verify_ && no_verify_) throw UsageError("--verify and --no-verify exclude each other");
   if (!out_.empty() && !check_.empty())
-    throw UsageError("--check compares and -o writes: give one of them");
+    throw UsageError("--check and -o exclude each other: one compares, the other writes");
 
   const RealDisk disk;
   const Environment environment(disk, search_.paths());
@@ -87,7 +87,7 @@ int ConversionCommand::run(const Convert& convert) const {
   if (loaded.root.format != from_ || !file.document->complete()) {
     say("rigor: " + report::printable(file.path) +
         (file.document->complete() ? ": holds no " : ": is not well-formed ") +
-        (from_ == model::Format::kSdf ? "SDF" : "URDF") + "; `rigor validate` says more");
+        (from_ == model::Format::kSdf ? "SDF" : "URDF") + "; run `rigor validate` for details");
     return kFindings;
   }
   author::ConversionOptions options;
@@ -132,7 +132,7 @@ void ConversionCommand::tell(const author::Conversion& result, const Sources& so
 /// The side files first: a result that names a file is never there without it.
 void ConversionCommand::write_result(const author::Conversion& result) const {
   if (out_.empty() && !result.files.empty()) {
-    throw UsageError("some shapes become files beside the result: write it with -o FILE");
+    throw UsageError("some shapes become files next to the result: give it with -o FILE");
   }
   for (const convert::SideFile& file : result.files) {
     replace_file(join_path(parent_path(out_), file.name), file.bytes);

@@ -114,7 +114,7 @@ void tell_unfollowed(const read::Loaded& loaded) {
   const auto count = std::count_if(loaded.facts.begin(), loaded.facts.end(), unfollowed);
   if (count == 0) return;
   say("rigor: " + report::counted(static_cast<std::size_t>(count), "include") +
-      " not looked at, as nothing is downloaded: this is the model without");
+      " skipped, since nothing is downloaded: this is the model without");
 }
 
 model::JointPositions joint_positions(const model::Root& root,

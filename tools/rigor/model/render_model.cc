@@ -72,7 +72,7 @@ view::Picture ModelPainter::picture(const view::Drawing& drawing, view::View vie
                                      .height = options.height,
                                      .threads = options.threads,
                                      .background = kBackdrop});
-  if (!traced.picture) throw UsageError("no picture: " + traced.problem);
+  if (!traced.picture) throw UsageError("no image: " + traced.problem);
   return std::move(*traced.picture);
 }
 

@@ -79,7 +79,8 @@ std::optional<robot::Robot> RobotFiles::robot(const read::Loaded& loaded,
     if (robot.unknown.empty()) return robot;
     why = ": " + robot.unknown.front();
   }
-  say("rigor: " + report::printable(loaded.file->path + why) + "; `rigor validate` says more");
+  say("rigor: " + report::printable(loaded.file->path + why) +
+      "; run `rigor validate` for details");
   return std::nullopt;
 }
 

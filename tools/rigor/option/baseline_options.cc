@@ -63,14 +63,17 @@ void BaselineOptions::declare(CLI::App& app) {
   app.add_option("--baseline-write", write_,
                  "Write the findings of this run to the file, and hide them from now on")
       ->type_name("FILE");
-  app.add_flag("--baseline-prune", prune_, "Take out of the baseline what is no longer found");
-  app.add_flag("--baseline-strict", strict_, "Fail when the baseline counts more than is found");
+  app.add_flag("--baseline-prune", prune_, "Remove from the baseline what is no longer found");
+  app.add_flag("--baseline-strict", strict_,
+               "Fail if the baseline counts more findings than there are");
 }
 
 void BaselineOptions::read(const Disk& disk, const std::optional<std::string>& configured) {
   if (path().empty() && configured) path_ = *configured;
   if (!path_.empty() && !write_.empty()) {
-    throw UsageError("--baseline hides what is known, --baseline-write writes it anew: give one");
+    throw UsageError(
+        "--baseline and --baseline-write exclude each other: one hides known findings, the other "
+        "rewrites the file");
   }
   if (path_.empty() && (prune_ || strict_)) {
     throw UsageError(std::string(prune_ ? "--baseline-prune" : "--baseline-strict") +

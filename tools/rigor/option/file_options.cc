@@ -9,9 +9,9 @@
 namespace rigor::tool {
 
 void FileOptions::declare(CLI::App& app) {
-  app.add_flag("--no-gitignore", no_gitignore_, "Take what git ignores, too");
+  app.add_flag("--no-gitignore", no_gitignore_, "Include files that git ignores");
   app.add_flag("--force-exclude", force_exclude_,
-               "Leave out what is ignored or excluded even when it is named");
+               "Skip ignored or excluded files even when they are named");
 }
 
 read::DiscoverOptions FileOptions::discover() const {

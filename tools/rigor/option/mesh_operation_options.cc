@@ -62,7 +62,7 @@ void MeshOperationOptions::declare(CLI::App& app) {
   const auto word = [&](const char* name, std::string& value, const char* what, const char* type) {
     return app.add_option(name, value, what)->type_name(type)->group(group);
   };
-  app.add_flag("--weld", weld_, "Make vertices of equal coordinates one")->group(group);
+  app.add_flag("--weld", weld_, "Merge vertices with equal coordinates")->group(group);
   app.add_flag("--repair", repair_,
                "Drop degenerate and duplicate faces, wind consistently and outward, fill small "
                "holes, drop specks")
@@ -76,15 +76,15 @@ void MeshOperationOptions::declare(CLI::App& app) {
   offer(word("--up", up_, "The file's axis that points up: y or z", "AXIS"), kUpAxes);
   offer(word("--center", center_, "Move to the origin: com, bounds, bottom, or none", "WHAT"),
         kCenterNames);
-  word("--normals", normals_, "Normals anew, smooth across edges of fewer degrees; 0 is flat",
+  word("--normals", normals_, "Recompute normals, smooth across edges of fewer degrees; 0 is flat",
        "DEGREES");
-  word("--reduce", reduce_, "To so many triangles, or that share of them", "N|RATIO");
+  word("--reduce", reduce_, "Target number of triangles, or fraction of them", "N|RATIO");
   word("--max-error", max_error_, "Stop reducing there, m", "E");
   app.add_flag("--keep-seams", keep_seams_,
-               "Reduce no further than seams of texture and colour allow")
+               "Reduce no further than seams of texture and color allow")
       ->group(group);
   app.add_flag("--convex-hull", convex_hull_, "The convex hull")->group(group);
-  word("--convex-pieces", convex_pieces_, "At most so many convex pieces", "N");
+  word("--convex-pieces", convex_pieces_, "Maximum number of convex pieces", "N");
   offer(word("--fit", fit_, "The box, sphere, cylinder or capsule around it, or the best", "SHAPE"),
         kFitNames);
   offer(word("--split", split_, "One file for each component or material", "BY"), kSplitNames);

@@ -146,6 +146,10 @@ rules::Selection RuleSettings::selection(const std::string& path) const {
   return selection;
 }
 
+std::optional<Severity> RuleSettings::fail_on(const std::string& path) const {
+  return fail_on_level(said(path).fail_on.value);
+}
+
 bool RuleSettings::fails(const rules::ValidateResult& result) const {
   const std::vector<Diagnostic>& all = result.diagnostics.list();
   return std::any_of(result.files.begin(), result.files.end(), [&](const auto& file) {

@@ -60,6 +60,8 @@ class RuleSettings {
 
   /// Whether any finding is at or above the level of its own file.
   bool fails(const rules::ValidateResult& result) const;
+  /// The least severity that fails the run, of a file; nothing when none does.
+  std::optional<Severity> fail_on(const std::string& path) const;
 
   /// The same of what a simulation found about one file.
   bool fails(const std::string& path, const Diagnostics& found) const;

@@ -27,7 +27,7 @@ void SearchOptions::declare(CLI::App& app) {
   app.add_option("--model-path", model_paths_, "Search model:// and relative URIs here first")
       ->type_name("DIR")
       ->allow_extra_args(false);
-  app.add_option("--package", packages_, "Where package://NAME leads")
+  app.add_option("--package", packages_, "Folder of package://NAME")
       ->type_name("NAME=DIR")
       ->allow_extra_args(false);
   config_.declare(app);

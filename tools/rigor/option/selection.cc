@@ -34,14 +34,14 @@ CLI::Option* list_option(CLI::App& app, const std::string& name, std::vector<std
 
 void SelectionOptions::declare(CLI::App& app) {
   offer(app.add_option("--fail-on", fail_on_,
-                       "Least severity that makes the exit code 1: "
+                       "Lowest severity that makes the exit code 1: "
                        "error (default), warning, info, never")
             ->type_name("LEVEL"),
         kFailOnLevels);
   list_option(app, "--select", select_, "RULE,...", "Only these rules or categories");
-  list_option(app, "--ignore", ignore_, "RULE,...", "Not these rules or categories");
+  list_option(app, "--ignore", ignore_, "RULE,...", "Skip these rules or categories");
   app.add_option("--severity", severity_,
-                 "Give a rule or category another severity: error, warning, info")
+                 "Change the severity of a rule or category: error, warning, info")
       ->type_name("RULE=LEVEL")
       ->allow_extra_args(false);
   offer(list_option(app, "--target", targets_, "NAME,...",

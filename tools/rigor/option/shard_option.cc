@@ -73,7 +73,8 @@ Shard shard_of_ci() {
 }  // namespace
 
 void ShardOption::declare(CLI::App& app, const std::string& help, const std::string& group) {
-  CLI::Option* option = app.add_option("--shard", shard_, help + "; auto: as the CI service says");
+  CLI::Option* option =
+      app.add_option("--shard", shard_, help + "; auto: from the variables of the CI service");
   option->type_name("I/N");
   if (!group.empty()) option->group(group);
 }

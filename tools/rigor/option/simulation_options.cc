@@ -103,7 +103,7 @@ void SimulationChoices::declare(CLI::App& app) {
   tests.emplace_back("all");
   offer(app.add_option(
             "--test", tests_,
-            "What is tried: settle (the default), drop, drive, turn, brake, push, joint-sweep, "
+            "Tests to run: settle (the default), drop, drive, turn, brake, push, joint-sweep, "
             "hold, tilt-table, or all"),
         tests)
       ->type_name("NAME,...")
@@ -117,15 +117,15 @@ void SimulationChoices::declare(CLI::App& app) {
       ->type_name("JOINT=KIND:VALUE")
       ->allow_extra_args(false);
   app.add_option("--duration", duration_, "Of the commands, s (5)")->type_name("S");
-  app.add_option("--ramp", ramp_, "Time in which a command is reached, s (1)")->type_name("S");
-  app.add_option("--wheels", wheels_, "The joints that drive the robot; found when absent")
+  app.add_option("--ramp", ramp_, "Time to ramp up a command, s (1)")->type_name("S");
+  app.add_option("--wheels", wheels_, "Joints that drive the robot; detected if not given")
       ->type_name("JOINT,...")
       ->delimiter(',')
       ->allow_extra_args(false);
-  app.add_option("--joint", joints_, "Begin with a joint at this position, rad or m")
+  app.add_option("--joint", joints_, "Initial position of a joint, rad or m")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
-  app.add_option("--model", model_, "The one to simulate, where the file has several")
+  app.add_option("--model", model_, "Model to simulate, if the file has several")
       ->type_name("NAME");
   const std::string solver = "How it is computed";
   app.add_option("--time-step", time_step_, "s (the world's, else 0.001)")
@@ -147,11 +147,11 @@ void SimulationChoices::declare(CLI::App& app) {
         kMeshesNames)
       ->type_name("HOW")
       ->group(solver);
-  app.add_flag("--no-confirm", no_confirm_, "Believe a failure without running it again")
+  app.add_flag("--no-confirm", no_confirm_, "Do not confirm a failure with further runs")
       ->group(solver);
   const std::string many = "Many runs";
   app.add_option("--seed", seed_, "Of the solver's random order (0)")->type_name("N")->group(many);
-  app.add_option("--seeds", seeds_, "Run with so many seeds")->type_name("N")->group(many);
+  app.add_option("--seeds", seeds_, "Number of seeds to run with")->type_name("N")->group(many);
   app.add_option("--grid", grid_, "Vary friction, mass, inertia, gravity or time-step")
       ->type_name("NAME=FROM:TO:COUNT")
       ->allow_extra_args(false)

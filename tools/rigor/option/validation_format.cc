@@ -13,6 +13,8 @@
 #include <rigor/report/sarif/sarif.h>
 #include <rigor/report/terminal/concise.h>
 #include <rigor/report/terminal/pretty.h>
+#include <rigor/report/terminal/shown.h>
+#include <rigor/text/grouping.h>
 
 namespace rigor::tool {
 namespace {
@@ -22,22 +24,41 @@ using report::Validation;
 
 struct ValidationFormat {
   std::string_view name;
-  std::string (*emit)(const Validation&, Color);
+  std::string (*emit)(const Validation&, Color, TerminalView);
+  bool for_people = false;
 };
 
+Diagnostics listed(const Validation& validation, TerminalView view) {
+  return report::shown(grouped(validation.result.diagnostics), view.least);
+}
+
+std::string emit_pretty(const Validation& v, Color color, TerminalView view) {
+  const Diagnostics findings = listed(v, view);
+  return view.form == TerminalView::Form::kTable
+             ? report::rule_table(findings, v.sources)
+             : report::pretty_with_reasons(findings, v.sources, color);
+}
+
+std::string emit_concise(const Validation& v, Color /*color*/, TerminalView view) {
+  return report::concise(listed(v, view), v.sources);
+}
+
+template <std::string (*report)(const Validation&)>
+std::string emit_complete(const Validation& v, Color /*color*/, TerminalView /*view*/) {
+  return report(v);
+}
+
+std::string json_report(const Validation& v) { return report::json(v.result, v.sources); }
+
 constexpr ValidationFormat kValidationFormats[] = {
-    {"pretty",
-     [](const Validation& v, Color color) {
-       return report::pretty(v.result.diagnostics, v.sources, color, v.registry);
-     }},
-    {"concise",
-     [](const Validation& v, Color) { return report::concise(v.result.diagnostics, v.sources); }},
-    {"json", [](const Validation& v, Color) { return report::json(v.result, v.sources); }},
-    {"jsonl", [](const Validation& v, Color) { return report::jsonl(v); }},
-    {"sarif", [](const Validation& v, Color) { return report::sarif(v); }},
-    {"github", [](const Validation& v, Color) { return report::github(v); }},
-    {"gitlab", [](const Validation& v, Color) { return report::gitlab(v); }},
-    {"junit", [](const Validation& v, Color) { return report::junit(v); }},
+    {"pretty", emit_pretty, true},
+    {"concise", emit_concise, true},
+    {"json", emit_complete<json_report>},
+    {"jsonl", emit_complete<report::jsonl>},
+    {"sarif", emit_complete<report::sarif>},
+    {"github", emit_complete<report::github>},
+    {"gitlab", emit_complete<report::gitlab>},
+    {"junit", emit_complete<report::junit>},
 };
 
 }  // namespace
@@ -48,8 +69,10 @@ std::vector<std::string_view> validation_formats() {
   return names;
 }
 
-std::string emit(std::size_t format, const Validation& validation, Color color) {
-  return kValidationFormats[format].emit(validation, color);
+bool is_for_people(std::size_t format) { return kValidationFormats[format].for_people; }
+
+std::string emit(std::size_t format, const Validation& validation, Color color, TerminalView view) {
+  return kValidationFormats[format].emit(validation, color, view);
 }
 
 }  // namespace rigor::tool

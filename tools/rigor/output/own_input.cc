@@ -71,13 +71,13 @@ void refuse_outputs_over_inputs(const CLI::App& command) {
   for (auto written = files.written.begin(); written != files.written.end(); ++written) {
     for (const std::string& read : files.read) {
       if (is_same_file(*written, read))
-        throw UsageError(*written + " is also read: nothing is written over it");
+        throw UsageError(*written + " is also an input and is not overwritten");
     }
     const bool special = fs::exists(*written, error) && !fs::is_regular_file(*written, error);
     const auto again = std::find_if(files.written.begin(), written, [&](const std::string& other) {
       return normalize_path(other) == normalize_path(*written) || is_same_file(other, *written);
     });
-    if (again != written && !special) throw UsageError(*written + " is to be written twice");
+    if (again != written && !special) throw UsageError(*written + " is the target of two outputs");
   }
 }
 

@@ -44,7 +44,7 @@ std::string this_program() {
 
 void CacheOption::declare(CLI::App& app) {
   app.add_flag("--no-cache", off_,
-               "Forget what earlier runs found of large meshes; so does RIGOR_CACHE=off");
+               "Do not use or keep cached results of large meshes; so does RIGOR_CACHE=off");
 }
 
 std::optional<mass::MeshCache> CacheOption::cache(const process::Workers& workers) const {

@@ -41,9 +41,9 @@ std::string commit_of(const std::string& revision, const std::string& root) {
   if (ran.end == process::ProgramResult::End::kExited && ran.exit_code == 0) {
     return without_line_end(ran.out);
   }
-  throw UsageError("--changed-since " + revision + ": git knows no such commit in " + root + " (" +
+  throw UsageError("--changed-since " + revision + ": no such commit in " + root + " (" +
                    process::describe(ran, kGitLimits) +
-                   "); a shallow clone holds the last one only: fetch it first");
+                   "); a shallow clone has only the last commit: fetch it first");
 }
 
 void add_paths(const std::string& list, const std::string& root, std::set<std::string>& paths) {
@@ -157,7 +157,7 @@ bool ChangedFiles::leads_to_one(const read::Resolver& resolver, std::string_view
 
 void ChangedSinceOption::declare(CLI::App& app) {
   app.add_option("--changed-since", revision_,
-                 "Only files that differ from this revision of git, or that name one that does")
+                 "Only files that differ from this revision of git, or that refer to one that does")
       ->type_name("REV")
       ->check([](const std::string& revision) {
         return revision.empty() ? std::string("an empty revision; is a variable not set?")

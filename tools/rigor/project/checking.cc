@@ -95,12 +95,12 @@ void Checking::choose_files(const Disk& disk) {
     } else if (!options_.buffer) {
       options_.buffer = {a.stdin_filename.empty() ? "<stdin>" : a.stdin_filename, read_stdin()};
       if (options_.buffer->bytes.size() > read::kMaxModelBytes) {
-        throw UsageError("stdin holds more than the 64 MiB that a model may have");
+        throw UsageError("stdin exceeds the limit of 64 MiB for a model");
       }
     }
   }
   if (!a.stdin_filename.empty() && !options_.buffer) {
-    throw UsageError("--stdin-filename names what - reads, and there is no - among the paths");
+    throw UsageError("--stdin-filename needs - among the paths");
   }
   if (options_.paths.empty() && !options_.buffer) options_.paths.push_back(".");
 }

@@ -39,7 +39,7 @@ bool lies_in(std::string_view path, std::string_view folder) {
 }  // namespace
 
 void ConfigOptions::declare(CLI::App& app) {
-  app.add_option("--config", file_, "Use this configuration, not the nearest rigor.toml")
+  app.add_option("--config", file_, "Use this configuration instead of the nearest rigor.toml")
       ->type_name("FILE");
   app.add_flag("--isolated", isolated_, "Use no configuration at all");
 }
@@ -49,7 +49,7 @@ ConfigOptions::Opened& ConfigOptions::opened() const {
   using config::ConfigChoice;
   ConfigChoice choice;
   if (isolated_ && !file_.empty()) {
-    throw UsageError("--config names a configuration and --isolated wants none: give one of them");
+    throw UsageError("--config and --isolated exclude each other");
   }
   if (isolated_) choice.of = ConfigChoice::Of::kNone;
   if (!file_.empty()) choice = {ConfigChoice::Of::kFile, file_};

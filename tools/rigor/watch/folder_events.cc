@@ -32,7 +32,7 @@ constexpr std::uint32_t kWatchedEvents = IN_CLOSE_WRITE | IN_CREATE | IN_DELETE 
 
 FolderEvents::FolderEvents(const std::set<std::string>& folders, const std::string& option)
     : descriptor_(::inotify_init1(IN_CLOEXEC | IN_NONBLOCK)) {
-  if (descriptor_.number() < 0) throw UsageError(option + ": the system gives no watch");
+  if (descriptor_.number() < 0) throw UsageError(option + ": the system provides no file watch");
   for (const std::string& folder : folders) {
     if (::inotify_add_watch(descriptor_.number(), folder.c_str(), kWatchedEvents | IN_ONLYDIR) >= 0)
       continue;

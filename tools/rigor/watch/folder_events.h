@@ -19,7 +19,7 @@ namespace rigor::tool {
 /// Wakes up when something happens in one of the folders.
 class FolderEvents {
  public:
-  /// A UsageError, which begins with `option`, when the system gives no watch.
+  /// A UsageError, which begins with `option`, when the system provides no file watch.
   FolderEvents(const std::set<std::string>& folders, const std::string& option);
   FolderEvents(const FolderEvents&) = delete;
   FolderEvents& operator=(const FolderEvents&) = delete;

@@ -9,7 +9,9 @@
 #include <rigor/report/changes.h>
 #include <rigor/report/terminal/pretty.h>
 #include <rigor/report/terminal/printable.h>
+#include <rigor/report/terminal/shown.h>
 #include <rigor/report/terminal/summary.h>
+#include <rigor/text/grouping.h>
 #include "command/command.h"
 #include "output/output.h"
 #include "watch/asked_disk.h"
@@ -18,7 +20,8 @@
 namespace rigor::tool {
 
 int watch(const WatchedCheck& check,
-          const std::function<void(const rules::ValidateResult&)>& conclude, report::Color color) {
+          const std::function<void(const rules::ValidateResult&)>& conclude, report::Color color,
+          Severity least) {
   end_well_on_interrupt();
   std::vector<report::KnownFinding> before;
   for (bool first = true;; first = false) {
@@ -26,11 +29,12 @@ int watch(const WatchedCheck& check,
     Sources sources;
     try {
       const rules::ValidateResult result = check(disk, sources);
-      write({0, {}}, first ? report::pretty(result.diagnostics, sources, color)
-                           : report::changes(before, result.diagnostics, sources, color));
+      const Diagnostics listed = report::shown(result.diagnostics, least);
+      write({0, {}}, first ? report::pretty(grouped(listed), sources, color)
+                           : report::changes(before, listed, sources, color));
       conclude(result);
       if (first && result.files.empty() && !result.unusable.empty()) return kUsage;
-      before = report::remembered(before, report::known_findings(result.diagnostics, sources));
+      before = report::remembered(before, report::known_findings(listed, sources));
     } catch (const UsageError& error) {
       if (first) throw;
       say("rigor: " + report::printable(error.what()));

@@ -28,6 +28,7 @@ using WatchedCheck = std::function<rules::ValidateResult(const Disk& disk, Sourc
 /// is told. Comes back only when the first check could use none of its arguments (then with the exit code of a wrong
 /// invocation). `conclude` is called after each check. Findings go to stdout.
 int watch(const WatchedCheck& check,
-          const std::function<void(const rules::ValidateResult&)>& conclude, report::Color color);
+          const std::function<void(const rules::ValidateResult&)>& conclude, report::Color color,
+          Severity least);
 
 }  // namespace rigor::tool

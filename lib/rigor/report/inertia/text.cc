@@ -118,7 +118,7 @@ const char* hull_reason(mass::MeshState state) {
   switch (state) {
     case mass::MeshState::kOpen: return "is not closed";
     case mass::MeshState::kOverlapping: return "overlaps itself";
-    case mass::MeshState::kMixed: return "is inside out in parts";
+    case mass::MeshState::kMixed: return "is partly inverted";
     case mass::MeshState::kFlat: return "encloses nothing";
     default: return "is no solid";
   }
@@ -128,10 +128,10 @@ void notes(const LinkInertia& link, Grid& grid) {
   for (const mass::PartBody& part : link.body.parts) {
     if (part.why != mass::NoSolid::kNone) continue;
     if (part.from == mass::BodyFrom::kHull) {
-      grid.note(fmt::format("'{}': the mesh {}; its convex hull is taken", printable(part.name),
+      grid.note(fmt::format("'{}': the mesh {}; its convex hull is used", printable(part.name),
                             hull_reason(part.mesh)));
     } else if (part.from == mass::BodyFrom::kTurnedMesh) {
-      grid.note(fmt::format("'{}': the mesh is inside out; it is taken the other way round",
+      grid.note(fmt::format("'{}': the mesh is inverted; its opposite orientation is used",
                             printable(part.name)));
     }
   }
@@ -164,18 +164,18 @@ model::Vector3 shown(const model::Vector3& p) {
 }
 
 std::string total_line(const std::string& what, const MassProperties& body) {
-  return fmt::format("  {:8} {} kg, centre of mass {} m, ixx iyy izz {} kg·m² about it\n", what,
+  return fmt::format("  {:8} {} kg, center of mass {} m, ixx iyy izz {} kg·m² about it\n", what,
                      number(body.mass, kInertiaDigits), numbers(shown(body.com), kInertiaDigits),
                      moments(body));
 }
 
 std::string stance_line(const mass::Stance& stance) {
-  if (!stance.margin) return "  stands on fewer than three points\n";
+  if (!stance.margin) return "  has fewer than three contact points\n";
   if (*stance.margin < 0) {
-    return fmt::format("  falls over: its centre of mass is {} m outside its support polygon\n",
+    return fmt::format("  tips over: its center of mass is {} m outside its support polygon\n",
                        number(-*stance.margin, 3));
   }
-  return fmt::format("  stands: its centre of mass is {} m inside its support polygon\n",
+  return fmt::format("  stable: its center of mass is {} m inside its support polygon\n",
                      number(*stance.margin, 3));
 }
 
@@ -191,7 +191,7 @@ std::string inertia_text(const InertiaTable& table) {
   }
   std::string out = printable(table.table.path) + '\n' + grid.text();
   if (table.table.included > 0) {
-    out += fmt::format("and {} of included files, which are looked at with those\n",
+    out += fmt::format("and {} of included files, which are checked with those files\n",
                        counted(table.table.included, "link"));
   }
   for (const RobotTotal& total : table.totals) {

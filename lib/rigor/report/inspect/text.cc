@@ -23,7 +23,7 @@ std::string quoted_name(std::string_view name) { return '"' + printable(name) + 
 std::string_view mark(bool written) { return written ? "" : " (default)"; }
 
 std::string pose_text(const std::optional<model::Pose>& pose) {
-  if (!pose) return "unknown: a frame problem stands in the way";
+  if (!pose) return "unknown: a frame cannot be resolved";
   return fmt::format("{} m, rpy {} rad", numbers(pose->translation, kTextDigits),
                      numbers(to_rpy(pose->rotation), kTextDigits));
 }
@@ -128,9 +128,9 @@ class Tree {
     const bool computed = taken == mass::Taken::kAutomatic;
     if (computed) line(depth, "inertial computed from the collisions");
     if (taken == mass::Taken::kAutomaticUnknown) {
-      line(depth, "inertial to be computed, but a collision is no solid");
+      line(depth, "inertial is automatic, but a collision is not a solid");
     }
-    line(depth, fmt::format("mass {} kg{}, centre of mass {} m{}", number(body.mass),
+    line(depth, fmt::format("mass {} kg{}, center of mass {} m{}", number(body.mass),
                             mark(computed || written.mass.written), numbers(body.com, kTextDigits),
                             mark(computed || written.pose.pose.written)));
     line(depth,
@@ -177,7 +177,7 @@ class Tree {
     line(1,
          fmt::format("total: {}, {}, {} kg{}", counted(all.links, "link"),
                      counted(all.joints, "joint"), number(all.mass),
-                     all.com ? ", centre of mass " + numbers(*all.com, kTextDigits) + " m" : ""));
+                     all.com ? ", center of mass " + numbers(*all.com, kTextDigits) + " m" : ""));
   }
 
   const Inspection& inspection_;

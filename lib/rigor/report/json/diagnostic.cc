@@ -3,6 +3,7 @@
 
 #include <rigor/report/json/diagnostic.h>
 
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -33,6 +34,34 @@ Json fix_of(const Diagnostic& diagnostic) {
   return {{"title", fix.title}, {"applicability", to_string(fix.applicability)}, {"edits", edits}};
 }
 
+Json origin_json(const Diagnostic& diagnostic, Places& places) {
+  Json origin = Json::array();
+  for (const MacroCall& call : diagnostic.origin) {
+    Json one = {{"macro", call.macro}, {"path", nullptr}, {"line", nullptr}, {"column", nullptr}};
+    if (!call.where.nowhere()) {
+      const Position begin = places.begin(call.where);
+      one["path"] = places.path(call.where);
+      one["line"] = begin.line;
+      one["column"] = begin.column;
+    }
+    one["params"] = Json::object();
+    for (const auto& [name, value] : call.params) one["params"][name] = value;
+    origin.push_back(std::move(one));
+  }
+  return origin;
+}
+
+/// Another place of a group, with what is its own.
+Json place_json(const Diagnostic& other, Places& places) {
+  Json json = Json::object();
+  add_place(json, other.where, other.path, places);
+  json["subject"] = other.subject;
+  json["message"] = other.message;
+  json["fix"] = fix_of(other);
+  json["origin"] = origin_json(other, places);
+  return json;
+}
+
 }  // namespace
 
 Json diagnostic_json(const Diagnostic& diagnostic, Places& places) {
@@ -49,6 +78,14 @@ Json diagnostic_json(const Diagnostic& diagnostic, Places& places) {
     json["related"].push_back(std::move(related));
   }
   json["fix"] = fix_of(diagnostic);
+  json["why"] = why_of(diagnostic);
+  json["help"] = help_of(diagnostic);
+  json["docs"] = "rules/" + std::string(diagnostic.rule) + ".md";
+  json["places"] = Json::array();
+  for (const Diagnostic& other : diagnostic.others) {
+    json["places"].push_back(place_json(other, places));
+  }
+  json["origin"] = origin_json(diagnostic, places);
   return json;
 }
 

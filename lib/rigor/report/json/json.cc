@@ -8,6 +8,7 @@
 #include <rigor/report/json/diagnostic.h>
 #include <rigor/report/json/file.h>
 #include <rigor/report/tool.h>
+#include <rigor/report/validation.h>
 
 namespace rigor::report {
 namespace {
@@ -27,7 +28,8 @@ Json summary_of(const rules::ValidateResult& result) {
           {"errors", result.diagnostics.count(Severity::kError)},
           {"warnings", result.diagnostics.count(Severity::kWarning)},
           {"infos", result.diagnostics.count(Severity::kInfo)},
-          {"not_looked_at", result.not_looked_at.size()}};
+          {"not_looked_at", result.not_looked_at.size()},
+          {"places", result.diagnostics.places()}};
 }
 
 }  // namespace
@@ -37,7 +39,8 @@ Json file_json(const rules::FileSummary& file) {
           {"models", file.models}, {"links", file.links},       {"joints", file.joints}};
 }
 
-std::string json(const rules::ValidateResult& result, const Sources& sources) {
+std::string json(const rules::ValidateResult& each, const Sources& sources) {
+  const rules::ValidateResult result = grouped(each, GroupScope::kRun);
   Json files = Json::array();
   for (const rules::FileSummary& file : result.files) files.push_back(file_json(file));
   const Json document = {{"tool", {{"name", kToolName}, {"version", tool_version()}}},

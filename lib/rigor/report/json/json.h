@@ -12,8 +12,9 @@
 
 namespace rigor::report {
 
+/// Findings of one rule and cause are one, with its other places in `places`.
 /// Two spaces of indentation, keys in a fixed order, a line break at the end. Bytes of a message
 /// that are not UTF-8 become U+FFFD, because JSON cannot hold them.
-std::string json(const rules::ValidateResult& result, const Sources& sources);
+std::string json(const rules::ValidateResult& each, const Sources& sources);
 
 }  // namespace rigor::report

@@ -36,15 +36,18 @@ std::string finding_details(const Diagnostic& diagnostic, Places& places) {
     }
     text += excerpt(marks, places, {gutter_width(marks, places), Color::kPlain, Paint::kError});
   }
+  for (const std::string& line : origin_lines(diagnostic, places)) text += line + '\n';
   if (!diagnostic.help.empty()) text += "help: " + printable(diagnostic.help) + '\n';
   return text;
 }
 
-JunitCase finding_case(const Diagnostic& diagnostic, const std::string& path, Places& places) {
+/// What does not fail the run passes here, and says what it found in its output.
+JunitCase finding_case(const Diagnostic& diagnostic, const std::string& path, bool fails,
+                       Places& places) {
   JunitCase one{
       .class_name = junit_class(path), .name = std::string(diagnostic.rule), .file = path};
   if (!diagnostic.where.nowhere()) one.line = places.begin(diagnostic.where).line;
-  if (diagnostic.severity == Severity::kInfo) {
+  if (!fails) {
     one.output = finding_details(diagnostic, places);
     return one;
   }
@@ -57,9 +60,12 @@ JunitCase finding_case(const Diagnostic& diagnostic, const std::string& path, Pl
 
 JunitSuite suite_of(const rules::FileSummary& file, const Validation& validation, Places& places) {
   const std::string path = printable(project_path(validation, file.path));
+  const Severity fail_on = validation.fail_on ? validation.fail_on(file.path) : Severity::kError;
   JunitSuite suite{path, path, {}};
   for (std::size_t i = file.first_finding; i < file.end_finding; ++i) {
-    suite.cases.push_back(finding_case(validation.result.diagnostics.list()[i], path, places));
+    const Diagnostic& finding = validation.result.diagnostics.list()[i];
+    const bool fails = finding.severity <= fail_on;
+    suite.cases.push_back(finding_case(finding, path, fails, places));
   }
   if (suite.cases.empty()) {
     suite.cases.push_back(
@@ -70,7 +76,14 @@ JunitSuite suite_of(const rules::FileSummary& file, const Validation& validation
 
 }  // namespace
 
-std::string junit(const Validation& validation) {
+std::string junit(const Validation& ungrouped) {
+  const rules::ValidateResult result = grouped(ungrouped.result, GroupScope::kFile);
+  const Validation validation{result,
+                              ungrouped.sources,
+                              ungrouped.registry,
+                              ungrouped.folders,
+                              ungrouped.exit_code,
+                              ungrouped.fail_on};
   Places places(validation.sources);
   std::vector<JunitSuite> suites;
   std::set<std::string_view> checked;
@@ -87,7 +100,7 @@ std::string junit(const Validation& validation) {
                         .name = std::string(kToolName),
                         .file = path,
                         .outcome = Outcome::kSkipped,
-                        .message = "not looked at: " + printable(item.what)}}});
+                        .message = "skipped: " + printable(item.what)}}});
   }
   std::stable_sort(suites.begin(), suites.end(),
                    [](const JunitSuite& a, const JunitSuite& b) { return a.name < b.name; });

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A check as a test report: a suite for each file, a case for each finding, and one that passed for a file
-// without findings. Errors and warnings are failures, what kept a file from being read is an error, an
-// info finding passes and says what it is, and a file that was left out is skipped.
+// without findings. Findings of one rule and cause in a file are one case. What is as severe as --fail-on says (an
+// error where that is never) is a failure, or an error where it kept the file from being read; any other finding passes, with its text as
+// output. A file that was left out is skipped.
 
 #pragma once
 

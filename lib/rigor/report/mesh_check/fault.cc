@@ -16,24 +16,26 @@ std::string words(const mesh::Fault& fault) {
     case Kind::kLfsPointer: return "is a Git LFS pointer, not the file: run git lfs pull";
     case Kind::kUnknownFormat: return "has no known mesh format";
     case Kind::kEmpty:
-      return "holds no triangles" + (fault.detail.empty() ? "" : ": " + fault.detail);
+      return "has no triangles" + (fault.detail.empty() ? "" : ": " + fault.detail);
     case Kind::kMalformed: return "cannot be read: " + fault.detail;
     case Kind::kImporterCrashed: return "cannot be read: the importer " + fault.detail;
     case Kind::kImporterMissing: return "cannot be read: assimp is not installed";
     case Kind::kWorkerMissing: return "cannot be read: the importer " + fault.detail;
-    case Kind::kIndexOutOfRange: return "a face names a vertex that there is not";
+    case Kind::kIndexOutOfRange: return "a face refers to a vertex that does not exist";
     case Kind::kNotFinite:
-      return "a coordinate is no finite number" + (fault.detail.empty() ? "" : ": " + fault.detail);
-    case Kind::kTruncated: return counted(fault.count, "triangle") + " fewer than it promises";
-    case Kind::kTrailingBytes: return counted(fault.count, "byte") + " behind the last triangle";
+      return "a coordinate is not finite" + (fault.detail.empty() ? "" : ": " + fault.detail);
+    case Kind::kTruncated:
+      return counted(fault.count, "triangle") + " fewer than the header declares";
+    case Kind::kTrailingBytes: return counted(fault.count, "byte") + " after the last triangle";
     case Kind::kSolidHeader:
-      return "is a binary STL whose header begins with \"solid\", which some readers take for text";
+      return "is a binary STL whose header begins with \"solid\", which some readers misread as "
+             "ASCII";
     case Kind::kDecimalComma: return counted(fault.count, "number") + " with a decimal comma";
     case Kind::kNoEndsolid: return "ends without endsolid";
-    case Kind::kSeveralSolids: return "holds " + counted(fault.count, "solid");
+    case Kind::kSeveralSolids: return "contains " + counted(fault.count, "solid");
     case Kind::kNotTriangles:
-      return counted(fault.count, "element") + " that is no face is passed over";
-    case Kind::kExtensionMismatch: return "is a " + fault.detail + " file, whatever its name says";
+      return counted(fault.count, "element") + " that is not a face is ignored";
+    case Kind::kExtensionMismatch: return "is a " + fault.detail + " file, despite its extension";
   }
   return {};
 }

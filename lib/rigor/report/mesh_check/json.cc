@@ -10,6 +10,7 @@
 #include <rigor/report/mesh_check/mesh_check.h>
 #include <rigor/report/number.h>
 #include <rigor/report/tool.h>
+#include <rigor/text/grouping.h>
 
 namespace rigor::report {
 namespace {
@@ -98,7 +99,7 @@ std::string mesh_check_json(const MeshCheckReport& report) {
   for (const rules::CheckedMesh& mesh : report.result.meshes) {
     document["meshes"].push_back(mesh_of(mesh));
   }
-  document["diagnostics"] = diagnostics_of(report.result.diagnostics, report.sources);
+  document["diagnostics"] = diagnostics_of(grouped(report.result.diagnostics), report.sources);
   document["steps"] = Json::array();
   for (const author::MeshStep& step : report.steps) {
     document["steps"].push_back({{"name", step.name}, {"what", step.what}});

@@ -12,6 +12,7 @@
 #include <rigor/report/terminal/pretty.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
+#include <rigor/text/grouping.h>
 
 namespace rigor::report {
 namespace {
@@ -82,7 +83,7 @@ std::string defects_text(const mesh::Topology& t) {
 std::string volume_text(const mass::MeshShape& shape) {
   std::string text = "area " + number(shape.moments.area, kMeshDigits);
   if (!shape.topology.closed() || shape.moments.volume == 0) return text;
-  return number(shape.moments.volume, kMeshDigits) + ", " + text + ", centre " +
+  return number(shape.moments.volume, kMeshDigits) + ", " + text + ", center " +
          point(mass::centroid(shape.moments));
 }
 
@@ -151,7 +152,7 @@ std::string mesh_check_text(const MeshCheckReport& report, Color color) {
   std::string text;
   for (const rules::CheckedMesh& mesh : report.result.meshes) text += mesh_text(mesh, color);
   if (!report.result.diagnostics.list().empty()) {
-    text += '\n' + pretty(report.result.diagnostics, report.sources, color);
+    text += '\n' + pretty(grouped(report.result.diagnostics), report.sources, color);
   }
   if (!report.steps.empty()) text += '\n';
   for (const author::MeshStep& step : report.steps) {

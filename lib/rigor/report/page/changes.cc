@@ -159,7 +159,7 @@ class ChangeTeller {
       const model::Quaternion turn = conjugate(old.pose->rotation) * now.pose->rotation;
       const double angle =
           2 * std::atan2(model::length({turn.x, turn.y, turn.z}), std::abs(turn.w));
-      if (angle > kSeenTurn) say("link", name, "turned by " + number(angle, kToldDigits) + " rad");
+      if (angle > kSeenTurn) say("link", name, "rotated by " + number(angle, kToldDigits) + " rad");
     } else if (old.pose || now.pose) {
       say("link", name, now.pose ? "has a place again" : "has no place any more");
     }

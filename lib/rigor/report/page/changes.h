@@ -25,7 +25,7 @@ struct PageFacts {
   struct Link {
     std::optional<model::Pose> pose;  ///< in the file's frame
     double mass = 0;                  ///< kg
-    std::string rest;                 ///< centre of mass and inertia, as text
+    std::string rest;                 ///< center of mass and inertia, as text
   };
   std::map<std::string, Link> links;          ///< by scoped name
   std::map<std::string, std::string> joints;  ///< what each is, as text

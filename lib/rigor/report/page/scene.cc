@@ -50,7 +50,7 @@ class SceneWriter {
     if (known->second < 0) {
       not_drawn.push_back(
           {{"name", body.name},
-           {"reason", "a page holds no more than " + counted(kMostPageTriangles, "triangle")}});
+           {"reason", "a page is limited to " + counted(kMostPageTriangles, "triangle")}});
       return;
     }
     Json json = {{"layer", to_string(body.layer)},

@@ -66,7 +66,7 @@ std::string apart_in_words(const Difference& d) {
     text = "moved by " + distance_in_words(d.distance);
   }
   if (d.angle > kShare * d.distance) {
-    text += (text.empty() ? "turned by " : ", turned by ") + number(d.angle) + " rad";
+    text += (text.empty() ? "rotated by " : ", rotated by ") + number(d.angle) + " rad";
   }
   return text;
 }

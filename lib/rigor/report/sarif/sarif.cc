@@ -3,6 +3,7 @@
 
 #include <rigor/report/sarif/sarif.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -21,6 +22,8 @@ namespace rigor::report {
 namespace {
 
 constexpr std::string_view kSarifSchema = "https://json.schemastore.org/sarif-2.1.0.json";
+/// Of a result: GitHub refuses a log with more.
+constexpr std::size_t kMostLocations = 1000;
 constexpr std::string_view kSourceRoot = "SRCROOT";
 
 class SarifLog {
@@ -128,17 +131,25 @@ class SarifLog {
             {"properties", {{"applicability", to_string(fix.applicability)}}}};
   }
 
+  Json location(const Diagnostic& diagnostic) {
+    Json json = {{"physicalLocation", physical(diagnostic.where, diagnostic.path)}};
+    if (!diagnostic.subject.empty()) {
+      json["logicalLocations"] = Json::array({{{"fullyQualifiedName", diagnostic.subject}}});
+    }
+    return json;
+  }
+
   Json result(const Diagnostic& diagnostic, const std::string& id) {
     Json json = {{"ruleId", diagnostic.rule}};
     const auto rule = rules_.index.find(diagnostic.rule);
     if (rule != rules_.index.end()) json["ruleIndex"] = rule->second;
     json["level"] = sarif_level(diagnostic.severity);
     json["message"] = {{"text", sarif_message(diagnostic)}};
-    Json location = {{"physicalLocation", physical(diagnostic.where, diagnostic.path)}};
-    if (!diagnostic.subject.empty()) {
-      location["logicalLocations"] = Json::array({{{"fullyQualifiedName", diagnostic.subject}}});
+    json["locations"] = Json::array({location(diagnostic)});
+    for (const Diagnostic& other : diagnostic.others) {
+      if (json["locations"].size() == kMostLocations) break;
+      json["locations"].push_back(location(other));
     }
-    json["locations"] = Json::array({std::move(location)});
     Json related = related_of(diagnostic);
     if (!related.empty()) json["relatedLocations"] = std::move(related);
     json["partialFingerprints"] = fingerprints(diagnostic, id);
@@ -166,7 +177,7 @@ class SarifLog {
     for (const rules::NotLookedAt& item : validation_.result.not_looked_at) {
       json["toolExecutionNotifications"].push_back(
           {{"level", "note"},
-           {"message", {{"text", "not looked at: " + item.what}}},
+           {"message", {{"text", "skipped: " + item.what}}},
            {"locations",
             Json::array({{{"physicalLocation", {{"artifactLocation", artifact(item.path)}}}}})}});
     }
@@ -186,6 +197,11 @@ class SarifLog {
 
 }  // namespace
 
-std::string sarif(const Validation& validation) { return SarifLog(validation).text(); }
+std::string sarif(const Validation& ungrouped) {
+  const rules::ValidateResult result = grouped(ungrouped.result, GroupScope::kRun);
+  return SarifLog({result, ungrouped.sources, ungrouped.registry, ungrouped.folders,
+                   ungrouped.exit_code})
+      .text();
+}
 
 }  // namespace rigor::report

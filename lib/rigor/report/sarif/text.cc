@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include <rigor/report/terminal/summary.h>
+
 namespace rigor::report {
 namespace {
 
@@ -55,6 +57,10 @@ std::string sarif_message(const Diagnostic& diagnostic) {
     ++id;
     text += label.where.nowhere() ? fmt::format(" {}.", without_links(label.message))
                                   : fmt::format(" [{}]({}).", link_text(label.message), id);
+  }
+  // Most viewers show the first location alone.
+  if (!diagnostic.others.empty()) {
+    text += " And " + counted(diagnostic.others.size(), "more place") + '.';
   }
   if (!diagnostic.help.empty() && !names_machine(diagnostic.help)) {
     text += fmt::format(" Help: {}.", without_links(diagnostic.help));

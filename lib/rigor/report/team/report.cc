@@ -65,7 +65,7 @@ std::string files_left_out(const rules::ValidateResult& result) {
     if (!item.index) continue;  // told with its file
     items += fmt::format("<li>{}: {}</li>\n", escaped(item.path), escaped(printable(item.what)));
   }
-  return items.empty() ? "" : "<h2>Files not looked at</h2>\n<ul>\n" + items + "</ul>\n";
+  return items.empty() ? "" : "<h2>Skipped files</h2>\n<ul>\n" + items + "</ul>\n";
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ std::string facts(const ReportedModel& model, const TeamReportRow& row) {
   out += fact("Links, joints", fmt::format("{}, {}", row.links, row.joints));
   out += fact("Mass", number(row.mass) + " kg");
   if (model.models.size() == 1 && model.models[0].totals.com) {
-    out += fact("Centre of mass", numbers(*model.models[0].totals.com, 4) + " m");
+    out += fact("Center of mass", numbers(*model.models[0].totals.com, 4) + " m");
   }
   std::string triangles =
       fmt::format("{} to see, {} to collide with", row.visual.triangles, row.collision.triangles);
@@ -129,7 +129,7 @@ std::string not_looked_at(const ReportedModel& model, const SectionPage& page) {
       lines.push_back("not simulated: " + each);
     }
   }
-  return lines.empty() ? "" : "<h3>Not looked at</h3>\n" + list_of(lines);
+  return lines.empty() ? "" : "<h3>Skipped</h3>\n" + list_of(lines);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <rigor/report/terminal/pretty.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,7 @@
 #include <rigor/report/places.h>
 #include <rigor/report/terminal/excerpt.h>
 #include <rigor/report/terminal/printable.h>
+#include <rigor/report/validation.h>
 
 namespace rigor::report {
 namespace {
@@ -55,23 +57,16 @@ std::string fix_line(const Fix& fix) {
   return "possible fix, for you to decide: " + fix.title;
 }
 
-/// Up to the first full stop that ends one; "e.g. this" does not.
-std::string_view first_sentence(std::string_view prose) {
-  for (std::size_t stop = prose.find(". "); stop != prose.npos; stop = prose.find(". ", stop + 1)) {
-    const bool shortened = stop >= 2 && prose[stop - 2] == '.';
-    if (!shortened) return prose.substr(0, stop + 1);
-  }
-  return prose;
-}
+/// Whether what the rule's page says is shown where the finding says nothing of its own.
+enum class Page : std::uint8_t { kHidden, kShown };
 
 class Block {
  public:
-  /// `rule` is null when nothing is to be said of it.
-  Block(const Diagnostic& diagnostic, Places& places, Color color, const rules::Rule* rule)
+  Block(const Diagnostic& diagnostic, Places& places, Color color, Page page)
       : diagnostic_(diagnostic),
         places_(places),
         color_(color),
-        rule_(rule),
+        page_(page),
         groups_(groups_of(diagnostic)) {
     for (const Group& group : groups_) gutter_ = std::max(gutter_, gutter_width(group, places));
   }
@@ -128,14 +123,19 @@ class Block {
       notes.push_back(printable(text, kMaxMessage));
     };
     if (!diagnostic_.subject.empty()) note("in: " + diagnostic_.subject);
+    for (const std::string& line : origin_lines(diagnostic_, places_)) note(line);
+    if (const std::string others = other_places(diagnostic_, places_); !others.empty()) {
+      note("and " + others);
+    }
     for (const Label& label : diagnostic_.related) {
       if (label.where.nowhere()) note("note: " + label.message);
     }
-    if (rule_ != nullptr) note("why: " + std::string(first_sentence(rule_->why)));
-    if (!diagnostic_.help.empty()) note("help: " + diagnostic_.help);
-    if (rule_ != nullptr && diagnostic_.help.empty() && diagnostic_.fixes.empty()) {
-      note("help: " + std::string(first_sentence(rule_->what_to_do)));
-    }
+    const bool page = page_ == Page::kShown;
+    const std::string_view why = page ? why_of(diagnostic_) : diagnostic_.why;
+    if (!why.empty()) note("why: " + std::string(why));
+    const bool page_help = page && diagnostic_.fixes.empty();
+    const std::string_view help = page_help ? help_of(diagnostic_) : diagnostic_.help;
+    if (!help.empty()) note("help: " + std::string(help));
     if (!diagnostic_.fixes.empty()) note(fix_line(diagnostic_.fixes.front()));
     return notes;
   }
@@ -143,7 +143,7 @@ class Block {
   const Diagnostic& diagnostic_;
   Places& places_;
   Color color_;
-  const rules::Rule* rule_;
+  Page page_;
   std::vector<Group> groups_;
   std::size_t gutter_ = 1;
   std::string out_;
@@ -155,26 +155,25 @@ std::string pretty(const Diagnostics& diagnostics, const Sources& sources, Color
   Places places(sources);
   std::string out;
   for (const Diagnostic& diagnostic : diagnostics.list()) {
-    out += Block(diagnostic, places, color, nullptr).text();
+    out += Block(diagnostic, places, color, Page::kHidden).text();
   }
   return out;
 }
 
-std::string pretty(const Diagnostics& diagnostics, const Sources& sources, Color color,
-                   const rules::Registry& registry) {
+std::string pretty_with_reasons(const Diagnostics& diagnostics, const Sources& sources,
+                                Color color) {
   Places places(sources);
   std::set<std::string_view> told;
   std::string out;
   for (const Diagnostic& diagnostic : diagnostics.list()) {
     const bool first = told.insert(diagnostic.rule).second;
-    const rules::Rule* rule = first ? registry.find(diagnostic.rule) : nullptr;
-    out += Block(diagnostic, places, color, rule).text();
+    out += Block(diagnostic, places, color, first ? Page::kShown : Page::kHidden).text();
   }
   return out;
 }
 
 FindingDetails finding_details(const Diagnostic& diagnostic, Places& places) {
-  return Block(diagnostic, places, Color::kPlain, nullptr).details();
+  return Block(diagnostic, places, Color::kPlain, Page::kHidden).details();
 }
 
 }  // namespace rigor::report

@@ -22,7 +22,6 @@
 
 #include <rigor/report/places.h>
 #include <rigor/report/terminal/color.h>
-#include <rigor/rules/registry.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/text/sources.h>
 
@@ -33,8 +32,8 @@ std::string pretty(const Diagnostics& diagnostics, const Sources& sources, Color
 
 /// The same, and at the first finding of each rule why it matters, and what to do where the finding itself
 /// says nothing of that: the first sentences of the rule's page.
-std::string pretty(const Diagnostics& diagnostics, const Sources& sources, Color color,
-                   const rules::Registry& registry);
+std::string pretty_with_reasons(const Diagnostics& diagnostics, const Sources& sources,
+                                Color color);
 
 /// What stands below the headline of one finding, plain.
 struct FindingDetails {

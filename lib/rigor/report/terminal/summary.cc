@@ -48,7 +48,7 @@ std::string not_looked_at(const NotChecked& found) {
   std::vector<std::string> parts;
   if (found.includes > 0) parts.push_back(counted(found.includes, "include"));
   if (!found.files.empty()) parts.push_back(counted(found.files.size(), "file"));
-  return parts.empty() ? "" : "; " + joined(parts, " and ") + " not looked at";
+  return parts.empty() ? "" : "; " + joined(parts, " and ") + " skipped";
 }
 
 }  // namespace
@@ -59,7 +59,11 @@ std::string findings(const Diagnostics& diagnostics) {
     const std::size_t count = diagnostics.count(severity);
     if (count > 0) parts.push_back(counted(count, to_string(severity)));
   }
-  return parts.empty() ? ", no problems" : ": " + joined(parts, ", ");
+  if (parts.empty()) return ", no problems";
+  const std::size_t places = diagnostics.places();
+  const bool grouped = std::any_of(diagnostics.list().begin(), diagnostics.list().end(),
+                                   [](const Diagnostic& each) { return !each.others.empty(); });
+  return ": " + joined(parts, ", ") + (grouped ? " at " + counted(places, "place") : "");
 }
 
 std::string counted(std::size_t count, std::string_view noun, std::string_view plural) {
@@ -81,10 +85,10 @@ std::string left_out(const rules::ValidateResult& result) {
   std::string out;
   for (std::size_t i = 0; i < named; ++i) {
     const rules::NotLookedAt& item = *found.files[i];
-    out += fmt::format("not looked at: {}: {}\n", printable(item.path), printable(item.what));
+    out += fmt::format("skipped: {}: {}\n", printable(item.path), printable(item.what));
   }
   if (named < found.files.size()) {
-    out += "not looked at: " + counted(found.files.size() - named, "more file") + "\n";
+    out += "skipped: " + counted(found.files.size() - named, "more file") + "\n";
   }
   return out;
 }

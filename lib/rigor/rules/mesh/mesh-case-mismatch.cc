@@ -10,7 +10,7 @@
 
 #include <rigor/read/resolver.h>
 #include <rigor/rules/rule.h>
-#include <rigor/rules/uri_fix.h>
+#include <rigor/rules/package/uri_fix.h>
 
 namespace rigor::rules::mesh_case_mismatch {
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <rigor/rules/package/missing_part.h>
 #include <rigor/rules/package/own_package.h>
 #include <rigor/rules/package/tried.h>
 #include <rigor/rules/rule.h>
@@ -32,7 +33,8 @@ void check(const MeshUse& use, Context& context) {
                   .subject = use.subject,
                   .help = package.empty()
                               ? tried_places(places_of(found), uri.value)
-                              : "the package lies in '" + package + "', and has no such file"});
+                              : "the package lies in '" + package + "', and has no such file",
+                  .cause = missing_part(uri.value, found, context)});
 }
 
 Rule rule() {

@@ -23,7 +23,8 @@ void check(const model::Root& /*root*/, Context& context) {
                       .message = "a second " + std::string(again.kind) + " is called '" +
                                  std::string(again.name) + "'",
                       .subject = subject_of(again),
-                      .related = {{first.where, "the first"}}});
+                      .related = {{first.where, "the first"}},
+                      .cause = std::string(again.name)});
     });
   }
 }

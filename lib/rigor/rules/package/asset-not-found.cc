@@ -14,6 +14,7 @@
 #include <rigor/read/resolver.h>
 #include <rigor/read/values.h>
 #include <rigor/rules/package/assets.h>
+#include <rigor/rules/package/missing_part.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/xml/xacro.h>
 #include <rigor/text/path.h>
@@ -89,7 +90,8 @@ void check(const model::Root& /*root*/, Context& context) {
   for (const auto& [uri, asset] : missing_assets(context)) {
     const read::Resolution& found = context.resolve(uri);
     Finding finding{.where = asset.first.span,
-                    .message = "the " + std::string(asset.kind) + " '" + uri + "' is not found"};
+                    .message = "the " + std::string(asset.kind) + " '" + uri + "' is not found",
+                    .cause = missing_part(uri, found, context)};
     if (!found.other_case.empty()) {
       finding.message += ", but '" + found.other_case + "' is: only the case of letters differs";
       if (asset.others == 0) finding.fix = other_case(asset.first, found);

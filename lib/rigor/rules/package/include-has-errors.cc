@@ -15,7 +15,8 @@ void check(const read::Fact& fact, Context& context) {
                              (one ? "an error" : std::to_string(fact.count) + " errors") + ": " +
                              fact.tried.front() + (one ? "" : ", …"),
                   .related = std::move(first),
-                  .help = "check that file: rigor validate " + fact.name});
+                  .help = "check that file: rigor validate " + fact.name,
+                  .cause = fact.name});
 }
 
 Rule rule() {

@@ -5,18 +5,21 @@
 
 #include <rigor/read/fact.h>
 #include <rigor/read/resolver.h>
+#include <rigor/rules/package/missing_part.h>
 #include <rigor/rules/package/tried.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::include_not_found {
 
 void check(const read::Fact& fact, Context& context) {
-  const std::string other = context.resolve(fact.name).other_case;
+  const read::Resolution& found = context.resolve(fact.name);
+  const std::string& other = found.other_case;
   context.report({.where = fact.where,
                   .message = "'" + fact.name + "' is not found",
                   .help = other.empty()
                               ? tried_places(fact.tried, fact.name)
-                              : "there is '" + other + "': letters are told apart by case"});
+                              : "there is '" + other + "': letters are told apart by case",
+                  .cause = missing_part(fact.name, found, context)});
 }
 
 Rule rule() {

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -12,14 +13,28 @@
 
 namespace rigor::rules {
 
-/// "tried a (beside the file), b (GZ_SIM_RESOURCE_PATH); set …", the places one after the other.
+/// Places that are listed: what to do is of more use, and `rigor resolve` prints the whole search.
+inline constexpr std::size_t kMostTriedListed = 3;
+
+/// What to do first, then "tried a (beside the file), b (GZ_SIM_RESOURCE_PATH) and 4 more".
 inline std::string tried_places(const std::vector<std::string>& tried, std::string_view uri) {
-  std::string text = tried.empty() ? "no folder is known to look in" : "tried ";
-  for (std::size_t i = 0; i < tried.size(); ++i) text.append(i > 0 ? ", " : "").append(tried[i]);
-  if (uri.starts_with("package://")) {
-    return text + "; name its folder with --package NAME=DIR, or set ROS_PACKAGE_PATH";
+  std::string text;
+  constexpr std::string_view kPackage = "package://";
+  if (uri.starts_with(kPackage)) {
+    const std::string_view rest = uri.substr(kPackage.size());
+    text.append("give the folder of the package with --package ")
+        .append(rest.substr(0, rest.find('/')))
+        .append("=DIR, or set ROS_PACKAGE_PATH");
+  } else {
+    text = "give the folder that it is in with --model-path DIR, or set GZ_SIM_RESOURCE_PATH";
   }
-  return text + "; name the folder it is in with --model-path, or set GZ_SIM_RESOURCE_PATH";
+  if (tried.empty()) return text + "; no folder is known to look in";
+  text += "; tried ";
+  const std::size_t listed = std::min(tried.size(), kMostTriedListed);
+  for (std::size_t i = 0; i < listed; ++i) text.append(i > 0 ? ", " : "").append(tried[i]);
+  if (listed == tried.size()) return text;
+  return text + " and " + std::to_string(tried.size() - listed) + " more: rigor resolve " +
+         std::string(uri);
 }
 
 }  // namespace rigor::rules

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/uris.h>
+#include <rigor/rules/package/uris.h>
 #include <rigor/text/path.h>
 
 namespace rigor::rules::uri_absolute_path {
@@ -26,7 +26,8 @@ void check(const model::Root& /*root*/, Context& context) {
   for (const Uri& uri : context.uris()) {
     if (!is_of_one_machine(uri.text)) continue;
     context.report({.where = uri.where,
-                    .message = "'" + std::string(uri.text) + "' is a path of one machine"});
+                    .message = "'" + std::string(uri.text) + "' is a path of one machine",
+                    .cause = std::string(parent_path(uri.text))});
   }
 }
 

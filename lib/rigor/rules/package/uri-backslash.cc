@@ -7,8 +7,8 @@
 #include <utility>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/uri_fix.h>
-#include <rigor/rules/uris.h>
+#include <rigor/rules/package/uri_fix.h>
+#include <rigor/rules/package/uris.h>
 
 namespace rigor::rules::uri_backslash {
 

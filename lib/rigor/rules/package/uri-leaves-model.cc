@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/uris.h>
+#include <rigor/rules/package/uris.h>
 #include <rigor/text/disk.h>
 #include <rigor/text/path.h>
 

@@ -10,7 +10,7 @@
 
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
-#include <rigor/rules/uris.h>
+#include <rigor/rules/package/uris.h>
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::uri_unknown_scheme {

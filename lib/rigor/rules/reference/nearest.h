@@ -24,6 +24,7 @@ namespace rigor::rules {
 /// refers to another thing is another robot: whoever wrote the name has to agree.
 inline Finding with_nearest(Finding finding, std::string_view name,
                             const std::vector<std::string>& candidates, const Context& context) {
+  finding.cause = name;
   const auto near = schema::near(name, {candidates.begin(), candidates.end()});
   if (near.empty()) return finding;
   const std::string meant(near.front());
@@ -39,6 +40,7 @@ inline Finding with_nearest(Finding finding, std::string_view name,
 template <std::invocable Candidates>
 Finding with_nearest(Finding finding, std::string_view name, const Candidates& candidates,
                      Context& context) {
+  finding.cause = name;
   if (!context.may_suggest()) return finding;
   const std::vector<std::string> names = candidates();
   context.compared(names.size());

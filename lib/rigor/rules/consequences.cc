@@ -1,0 +1,127 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/consequences.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace rigor::rules {
+namespace {
+
+constexpr Consequences kConsequences[] = {
+    // An invalid mass gives no density and no tensor.
+    {"mass-not-finite mass-negative mass-zero mass-not-written",
+     "inertia-identity inertia-singular inertia-exceeds-shapes inertia-geometry-mismatch "
+     "density-too-low density-too-high"},
+    {"inertia-not-finite inertia-not-positive-definite inertia-triangle-inequality "
+     "inertia-moment-missing inertia-not-written",
+     "inertia-identity inertia-singular inertia-exceeds-shapes inertia-geometry-mismatch "
+     "inertia-axes-swapped inertia-turned-by-pose products-of-inertia-negated"},
+    // A placeholder, or the right numbers in the wrong places, explains a wrong size.
+    {"inertia-identity inertia-axes-swapped inertia-turned-by-pose products-of-inertia-negated "
+     "inertia-about-link-origin",
+     "inertia-singular inertia-exceeds-shapes inertia-geometry-mismatch"},
+    {"inertia-exceeds-shapes", "inertia-geometry-mismatch inertia-singular"},
+    {"inertia-geometry-mismatch", "inertia-singular"},
+    // The size that an invalid number gives.
+    {"value-malformed value-trailing-text value-decimal-comma value-missing-components "
+     "value-negative value-not-finite size-not-positive mesh-scale-zero",
+     "visual-collision-scale size-suspicious mesh-size-suspicious mesh-flat"},
+    {"mesh-scale-zero", "mesh-scale-nonuniform"},
+    // An invalid type, axis or limit, and what is derived from it.
+    {"axis-zero axis-missing", "axis-not-unit wheel-axis-mismatch"},
+    {"joint-type-unknown",
+     "limit-missing axis-missing limit-without-effect fixed-joint-with-axis mimic-dof-mismatch "
+     "controlled-joint-fixed"},
+    {"joint-limit-inverted limit-looks-like-degrees limit-looks-like-millimetres",
+     "limit-excludes-zero initial-position-outside-limits mimic-outside-limits "
+     "safety-limits-outside"},
+    {"limit-missing limit-range-missing",
+     "limit-equal mimic-outside-limits effort-zero velocity-zero"},
+    {"mimic-cycle mimic-self mimic-joint-missing",
+     "mimic-refused-by-ros2-control mimic-outside-limits mimic-dof-mismatch"},
+    {"controlled-joint-fixed", "fixed-joint-with-axis"},
+    {"model-far-from-origin", "model-in-ground"},
+    // A mesh that cannot be read to its end is never closed.
+    {"mesh-truncated mesh-malformed mesh-index-out-of-range mesh-not-finite",
+     "mesh-not-watertight mesh-unreferenced-vertex mesh-size-suspicious"},
+    // A name that does not exist, and all that refer to it.
+    {"joint-parent-missing joint-child-missing",
+     "gazebo-reference-missing sensor-frame-missing relative-to-missing attached-to-missing "
+     "canonical-link-missing placement-frame-missing",
+     Link::kCause},
+    {"joint-parent-missing", "joint-child-missing", Link::kCause},
+    {"controlled-joint-missing",
+     "plugin-joint-missing mimic-joint-missing gazebo-reference-missing", Link::kCause},
+};
+
+/// Whether a name is among names with blanks between.
+bool names(std::string_view list, std::string_view name) {
+  for (std::size_t at = list.find(name); at != list.npos; at = list.find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    if ((at == 0 || list[at - 1] == ' ') && (end == list.size() || list[end] == ' ')) return true;
+  }
+  return false;
+}
+
+/// What the roots of a row are about.
+class Roots {
+ public:
+  void add(const Diagnostic& finding, Link link) {
+    std::string about = about_of(finding, link);
+    // The entity, and those that it is a part of.
+    while (!about.empty() && found_[finding.severity].insert(about).second) {
+      const std::size_t slash = link == Link::kSubject ? about.rfind('/') : std::string::npos;
+      about.resize(slash == std::string::npos ? 0 : slash);
+    }
+  }
+
+  bool explain(const Diagnostic& finding, Link link) const {
+    const std::string about = about_of(finding, link);
+    return std::any_of(found_.begin(), found_.end(), [&](const auto& of_severity) {
+      return of_severity.first <= finding.severity && of_severity.second.contains(about);
+    });
+  }
+
+ private:
+  static std::string about_of(const Diagnostic& finding, Link link) {
+    return link == Link::kSubject ? finding.subject : finding.cause;
+  }
+
+  std::map<Severity, std::unordered_set<std::string>> found_;
+};
+
+}  // namespace
+
+std::span<const Consequences> consequences() { return kConsequences; }
+
+Diagnostics without_consequences(Diagnostics found) {
+  std::vector<bool> follows(found.list().size(), false);
+  for (const Consequences& row : kConsequences) {
+    Roots roots;
+    std::vector<std::size_t> followers;
+    for (std::size_t i = 0; i < found.list().size(); ++i) {
+      const Diagnostic& finding = found.list()[i];
+      if (finding.count > 1) continue;
+      if (names(row.roots, finding.rule)) roots.add(finding, row.link);
+      if (names(row.rules, finding.rule)) followers.push_back(i);
+    }
+    for (const std::size_t i : followers) {
+      if (roots.explain(found.list()[i], row.link)) follows[i] = true;
+    }
+  }
+  if (std::count(follows.begin(), follows.end(), true) == 0) return found;
+  Diagnostics left;
+  for (std::size_t i = 0; i < follows.size(); ++i) {
+    if (!follows[i]) left.add(found.list()[i]);
+  }
+  return left;
+}
+
+}  // namespace rigor::rules
