@@ -63,10 +63,22 @@ model::Field<std::string> string_field(const std::optional<Text>& text, std::str
   return {std::string(trimmed(text->text)), text->span, true};
 }
 
+/// The number that libsdformat reads of "0.5kg" or "1,5": it stops at what is no part of one.
+std::optional<double> number_before(std::string_view text, const schema::ValueFault& fault) {
+  using Kind = schema::ValueFault::Kind;
+  if (fault.kind != Kind::kTrailingText && fault.kind != Kind::kDecimalComma) return std::nullopt;
+  const auto parsed = schema::parse_double(text.substr(0, text.find(',')).substr(0, fault.begin));
+  const double* value = std::get_if<double>(&parsed);
+  return value != nullptr ? std::optional(*value) : std::nullopt;
+}
+
 model::Field<double> number_field(const std::optional<Text>& text, double fallback) {
   if (text) {
     const auto parsed = schema::parse_double(text->text);
     if (const double* value = std::get_if<double>(&parsed)) return {*value, text->span, true};
+    if (const auto before = number_before(text->text, std::get<schema::ValueFault>(parsed))) {
+      return {*before, text->span, true};
+    }
   }
   return {fallback, {}, false};
 }

@@ -58,6 +58,8 @@ struct Finding {
   std::optional<Fix> fix = std::nullopt;
   bool refused =
       false;  ///< whether libsdformat refuses the file for it, where the rule leaves that open
+  /// Where the effect of this one is larger or smaller than that of most; else the rule's severity.
+  std::optional<Severity> severity = std::nullopt;
 };
 
 class Context {
@@ -155,8 +157,11 @@ class Context {
     rule_ = name;
     category_ = category;
     severity_ = severity;
+    graded_ = true;
     refusal_.reset();
   }
+  /// Gives all its findings the severity of the rule, which the user has set.
+  void hold_severity() { graded_ = false; }
   /// Makes its findings errors if libsdformat refuses files for them, and else warnings at most.
   void judge_by(Refusal refusal) { refusal_ = refusal; }
 
@@ -179,6 +184,7 @@ class Context {
   std::string_view rule_;
   std::string_view category_;
   Severity severity_ = Severity::kError;
+  bool graded_ = true;              // whether a finding may have a severity of its own
   std::optional<Refusal> refusal_;  // nothing when rigor's own judgement counts
 };
 

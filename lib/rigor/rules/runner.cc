@@ -66,15 +66,17 @@ Runner::Runner(const Registry& registry, const Selection& selection)
     if (!selected || names(selection.ignore, rule) || !targeted(rule, selection)) continue;
     Severity severity = rule.severity;
     Compat compat = selection.compat;
+    Grading grading = Grading::kByFinding;
     // What is said of the rule itself counts more than what is said of its category.
     for (const std::string_view of : {to_string(rule.category), rule.name}) {
       for (const auto& [name, level] : selection.severity) {
         if (name != of) continue;
         severity = level;
         compat = Compat::kNone;
+        grading = Grading::kHeld;
       }
     }
-    add(rule, severity, compat);
+    add(rule, severity, compat, grading);
   }
 }
 
@@ -82,13 +84,13 @@ bool Runner::runs(std::string_view rule) const {
   return std::binary_search(active_.begin(), active_.end(), rule);
 }
 
-void Runner::add(const Rule& rule, Severity severity, Compat compat) {
+void Runner::add(const Rule& rule, Severity severity, Compat compat, Grading grading) {
   active_.push_back(rule.name);  // sorted, as the registry is
   for (const Check& check : rule.checks) {
     std::visit(
         [&](const auto& one) {
           std::get<Slot<std::decay_t<decltype(one)>>>(slots_).push_back(
-              {{rule.name, to_string(rule.category), severity, compat, rule.formats, rule.refused},
+              {{rule.name, to_string(rule.category), severity, compat, grading, rule.formats, rule.refused},
                one});
         },
         check);
@@ -164,6 +166,7 @@ class Runner::Walk {
     const model::Format format = loaded_.root.format;
     if (!applies(active.formats, format)) return false;
     context_.begin_rule(active.rule, active.category, active.severity);
+    if (active.grading == Grading::kHeld) context_.hold_severity();
     if (active.compat == Compat::kSdformat) context_.judge_by(refusal_in(active.refused, format));
     return true;
   }

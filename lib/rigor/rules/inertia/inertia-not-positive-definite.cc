@@ -22,6 +22,8 @@ void check(const model::Link& link, Context& context) {
   if (!has_tensor(link, context)) return;
   const mass::Verdict& verdict = context.verdict(link);
   if (!verdict.tensor_finite || verdict.smallest != mass::Verdict::Sign::kNegative) return;
+  const bool refused = refuses_inertia(link, context);
+  if (!refused && is_rounding_of_zero(verdict)) return;  // inertia-singular
   const auto& moments = verdict.principal;
   context.report(
       {.where = link.inertial.tensor_site.name,
@@ -31,7 +33,7 @@ void check(const model::Link& link, Context& context) {
        .subject = context.subject(link),
        .help = help(mass::tensor(link.inertial)),
        .fix = fix_from_shapes(link, context),
-       .refused = refuses_inertia(link, context)});
+       .refused = refused});
 }
 
 Rule rule() {
