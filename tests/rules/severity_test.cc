@@ -33,7 +33,8 @@ Severities severities(const std::string& rule, const std::string& path, const st
   ValidateOptions validation{.paths = {path}, .selection = {.targets = options.targets}};
   if (options.set) validation.selection.severity = {{rule, *options.set}};
   Severities found;
-  for (const Diagnostic& diagnostic : validate(environment, validation, sources).diagnostics.list()) {
+  for (const Diagnostic& diagnostic :
+       validate(environment, validation, sources).diagnostics.list()) {
     if (diagnostic.rule == rule) found.push_back(diagnostic.severity);
   }
   return found;
@@ -58,8 +59,8 @@ std::string sdf_of(const std::string& inside) {
 /// A box of 1 m, at the origin of its link.
 std::string boxed(const std::string& inertial) {
   return sdf_of("<link name='l'><inertial>" + inertial +
-               "</inertial><collision name='c'><geometry><box><size>1 1 1</size></box></geometry>"
-               "</collision></link>");
+                "</inertial><collision name='c'><geometry><box><size>1 1 1</size></box></geometry>"
+                "</collision></link>");
 }
 
 std::string urdf_of(const std::string& joint) {
@@ -73,9 +74,10 @@ TEST(Severity, OfSiblingNamesGoesByWhetherTheyAreFrames) {
   const std::string geometry = "<geometry><sphere><radius>1</radius></sphere></geometry>";
   EXPECT_EQ(in_sdf("duplicate-sibling-name",
                    sdf_of("<link name='l'><visual name='v'>" + geometry +
-                         "</visual><collision name='v'>" + geometry + "</collision></link>")),
+                          "</visual><collision name='v'>" + geometry + "</collision></link>")),
             kOneInfo);
-  EXPECT_EQ(in_sdf("duplicate-sibling-name", sdf_of("<link name='l'/><frame name='l'/>")), kOneError);
+  EXPECT_EQ(in_sdf("duplicate-sibling-name", sdf_of("<link name='l'/><frame name='l'/>")),
+            kOneError);
 }
 
 TEST(Severity, OfXmlDeclarationsGoesByWhoReadsThem) {
@@ -83,7 +85,8 @@ TEST(Severity, OfXmlDeclarationsGoesByWhoReadsThem) {
   EXPECT_EQ(in_sdf("xml-declaration-malformed", "<?xml version=\"0.0\"?>" + rest), kOneInfo);
   EXPECT_EQ(in_sdf("xml-declaration-malformed", "<?xml verison=\"1.0\"?>" + rest), kOneError);
   EXPECT_EQ(in_sdf("xml-declaration-not-first", "\n<?xml version=\"1.0\"?>" + rest), kOneWarning);
-  EXPECT_EQ(in_sdf("xml-declaration-not-first", "<!-- a --><?xml version=\"1.0\"?>" + rest), kOneError);
+  EXPECT_EQ(in_sdf("xml-declaration-not-first", "<!-- a --><?xml version=\"1.0\"?>" + rest),
+            kOneError);
 }
 
 TEST(Severity, OfSizesGoesByWhetherTheyCollide) {
@@ -97,7 +100,8 @@ TEST(Severity, OfSizesGoesByWhetherTheyCollide) {
 }
 
 TEST(Severity, OfTextBehindANumberIsSmallForZeros) {
-  EXPECT_EQ(in_sdf("value-trailing-text", boxed("<mass>1</mass><pose>0 0 0 0 0 0</pose>")), kNothing);
+  EXPECT_EQ(in_sdf("value-trailing-text", boxed("<mass>1</mass><pose>0 0 0 0 0 0</pose>")),
+            kNothing);
   EXPECT_EQ(in_sdf("value-trailing-text", boxed("<mass>1kg</mass>")), kOneError);
   const std::string camera =
       "<link name='l'><sensor name='s' type='camera'><camera><image><width>WIDTH</width>"
@@ -113,14 +117,15 @@ TEST(Severity, OfTextBehindANumberIsSmallForZeros) {
 TEST(Severity, OfSoftLimitsIsSmallWhereTheyMeanNone) {
   const auto safety = [](const char* lower, const char* upper) {
     return urdf_of(std::string("<safety_controller k_velocity='1' soft_lower_limit='") + lower +
-                 "' soft_upper_limit='" + upper + "'/>");
+                   "' soft_upper_limit='" + upper + "'/>");
   };
   EXPECT_EQ(in_urdf("safety-limits-outside", safety("-10", "10")), kOneInfo);
   EXPECT_EQ(in_urdf("safety-limits-outside", safety("-1.5", "1.5")), kOneWarning);
 }
 
 TEST(Severity, OfCentersOfMassGoesByDistance) {
-  const std::string rest = "<mass>500</mass><inertia><ixx>83</ixx><iyy>83</iyy><izz>83</izz></inertia>";
+  const std::string rest =
+      "<mass>500</mass><inertia><ixx>83</ixx><iyy>83</iyy><izz>83</izz></inertia>";
   EXPECT_EQ(in_sdf("center-of-mass-outside-shapes", boxed("<pose>0.6 0 0 0 0 0</pose>" + rest)),
             kOneInfo);
   EXPECT_EQ(in_sdf("center-of-mass-outside-shapes", boxed("<pose>12 0 0 0 0 0</pose>" + rest)),
@@ -128,21 +133,23 @@ TEST(Severity, OfCentersOfMassGoesByDistance) {
 }
 
 TEST(Severity, OfAMirroredFingerIsAWarning) {
-  EXPECT_EQ(in_sdf("center-of-mass-outside-shapes",
-                   sdf_of("<link name='finger'><inertial><pose>0 -0.03 0 0 0 0</pose><mass>0.1</mass>"
-                         "<inertia><ixx>1e-5</ixx><iyy>1e-5</iyy><izz>1e-5</izz></inertia></inertial>"
-                         "<collision name='c'><pose>0 0.03 0 0 0 0</pose><geometry><box>"
-                         "<size>0.02 0.04 0.02</size></box></geometry></collision></link>")),
-            kOneWarning);
+  EXPECT_EQ(
+      in_sdf("center-of-mass-outside-shapes",
+             sdf_of("<link name='finger'><inertial><pose>0 -0.03 0 0 0 0</pose><mass>0.1</mass>"
+                    "<inertia><ixx>1e-5</ixx><iyy>1e-5</iyy><izz>1e-5</izz></inertia></inertial>"
+                    "<collision name='c'><pose>0 0.03 0 0 0 0</pose><geometry><box>"
+                    "<size>0.02 0.04 0.02</size></box></geometry></collision></link>")),
+      kOneWarning);
 }
 
 TEST(Severity, OfMassRatiosGoesByTheRatio) {
   const auto pair = [](const char* mass) {
-    const std::string body = "</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>";
+    const std::string body =
+        "</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>";
     return sdf_of("<link name='a'><inertial><mass>" + std::string(mass) + body +
-                 "</link><link name='b'><inertial><mass>0.001" + body +
-                 "</link><joint name='j' type='revolute'><parent>a</parent><child>b</child>"
-                 "<axis><xyz>0 0 1</xyz></axis></joint>");
+                  "</link><link name='b'><inertial><mass>0.001" + body +
+                  "</link><joint name='j' type='revolute'><parent>a</parent><child>b</child>"
+                  "<axis><xyz>0 0 1</xyz></axis></joint>");
   };
   EXPECT_EQ(in_sdf("mass-ratio-across-joint", pair("2")), kOneInfo);
   EXPECT_EQ(in_sdf("mass-ratio-across-joint", pair("2000")), kOneWarning);
@@ -167,7 +174,8 @@ TEST(Severity, OfARobotWithoutAnyMassIsAWarningOnce) {
 
 TEST(Severity, OfTensorsGoesByWhetherTheyAreZeroButForRounding) {
   const auto tensor = [](const std::string& ixx, const std::string& others) {
-    return "<robot name='r'><link name='a'/><link name='b'><inertial><mass value='1'/><inertia ixx='" +
+    return "<robot name='r'><link name='a'/><link name='b'><inertial><mass value='1'/><inertia "
+           "ixx='" +
            ixx + "' iyy='" + others + "' izz='" + others +
            "' ixy='0' ixz='0' iyz='0'/></inertial></link>"
            "<joint name='j' type='fixed'><parent link='a'/><child link='b'/></joint></robot>";

@@ -160,8 +160,7 @@ const std::vector<NameScope>& Context::repeated_names() {
 }
 
 const SdformatRobot& Context::sdformat_robot() {
-  if (!found_->sdformat_robot)
-    found_->sdformat_robot = rules::sdformat_robot(root(), frames());
+  if (!found_->sdformat_robot) found_->sdformat_robot = rules::sdformat_robot(root(), frames());
   return *found_->sdformat_robot;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include <rigor/rules/former_name.h>
 #include <rigor/rules/registered.h>
 
 namespace rigor::rules {
@@ -25,6 +26,7 @@ Registry::Registry() : rules_(registered_rules()) {
 }
 
 const Rule* Registry::find(std::string_view name) const {
+  name = current_name(name);
   const auto found = std::lower_bound(
       rules_.begin(), rules_.end(), name,
       [](const Rule& rule, std::string_view wanted) { return rule.name < wanted; });

@@ -21,6 +21,7 @@ class Registry {
   Registry();
 
   const std::vector<Rule>& rules() const { return rules_; }
+  /// By its name, or one that it had before.
   const Rule* find(std::string_view name) const;
 
  private:

@@ -12,13 +12,14 @@
 
 #include <rigor/model/subject.h>
 #include <rigor/rules/context.h>
+#include <rigor/rules/former_name.h>
 
 namespace rigor::rules {
 namespace {
 
 bool names(const std::vector<std::string>& list, const Rule& rule) {
   return std::any_of(list.begin(), list.end(), [&rule](const std::string& name) {
-    return name == rule.name || name == to_string(rule.category);
+    return current_name(name) == rule.name || name == to_string(rule.category);
   });
 }
 
@@ -31,7 +32,8 @@ bool targeted(const Rule& rule, const Selection& selection) {
     return std::find(asked.begin(), asked.end(), target) != asked.end();
   };
   const auto& selected = selection.select;
-  return std::find(selected.begin(), selected.end(), rule.name) != selected.end() ||
+  const auto named = [&rule](const std::string& name) { return current_name(name) == rule.name; };
+  return std::any_of(selected.begin(), selected.end(), named) ||
          std::any_of(rule.targets.begin(), rule.targets.end(), wanted);
 }
 
@@ -70,7 +72,7 @@ Runner::Runner(const Registry& registry, const Selection& selection)
     // What is said of the rule itself counts more than what is said of its category.
     for (const std::string_view of : {to_string(rule.category), rule.name}) {
       for (const auto& [name, level] : selection.severity) {
-        if (name != of) continue;
+        if (current_name(name) != of) continue;
         severity = level;
         compat = Compat::kNone;
         grading = Grading::kHeld;
@@ -90,7 +92,8 @@ void Runner::add(const Rule& rule, Severity severity, Compat compat, Grading gra
     std::visit(
         [&](const auto& one) {
           std::get<Slot<std::decay_t<decltype(one)>>>(slots_).push_back(
-              {{rule.name, to_string(rule.category), severity, compat, grading, rule.formats, rule.refused},
+              {{rule.name, to_string(rule.category), severity, compat, grading, rule.formats,
+                rule.refused},
                one});
         },
         check);

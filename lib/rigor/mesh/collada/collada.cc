@@ -60,8 +60,9 @@ class ColladaReader {
   struct Visit {
     std::uint32_t node;
     std::optional<Affine> X_WN;
-    std::string_view name = {};  ///< its own, else that of the node around it: so Gazebo names submeshes
-    std::size_t next = 0;        ///< item
+    std::string_view name =
+        {};                ///< its own, else that of the node around it: so Gazebo names submeshes
+    std::size_t next = 0;  ///< item
   };
 
   /// Counts before anything is allocated. Depth first, without recursion: instances of nodes make
@@ -89,9 +90,9 @@ class ColladaReader {
         inside[item.index] = 1;
         const std::optional<Affine>& X_PN = scene_.nodes()[item.index].X_PN;
         const std::string_view own = scene_.nodes()[item.index].name;
-        path.push_back(
-            {item.index, visit.X_WN && X_PN ? std::optional(*visit.X_WN * *X_PN) : std::nullopt,
-             own.empty() ? visit.name : own});
+        path.push_back({item.index,
+                        visit.X_WN && X_PN ? std::optional(*visit.X_WN * *X_PN) : std::nullopt,
+                        own.empty() ? visit.name : own});
       }
     }
   }
@@ -114,8 +115,7 @@ class ColladaReader {
       return fail(FaultKind::kTooLarge, "over 50 million triangles", node);
     }
     if (parts_ > kMaxColladaVisits) return fail(FaultKind::kTooLarge, "over a million parts", node);
-    placements_.push_back(
-        {visit.name, &scene_.instances()[instance], &shape, *visit.X_WN});
+    placements_.push_back({visit.name, &scene_.instances()[instance], &shape, *visit.X_WN});
   }
 
   /// Read when it is first placed; its faults count once.

@@ -104,7 +104,8 @@ class ObjAssetReader {
     if (facts_.libraries.size() == kMaxReferences) return;
     FileReference whole = resolve(disk_, path_, rest, line);
     const bool one = rest.find_first_of(kBlanks) == std::string_view::npos;
-    if (one || whole.state != State::kMissing || !all_libraries(rest)) return keep(std::move(whole));
+    if (one || whole.state != State::kMissing || !all_libraries(rest))
+      return keep(std::move(whole));
     while (!rest.empty() && facts_.libraries.size() < kMaxReferences) {
       const std::size_t end = std::min(rest.find_first_of(kBlanks), rest.size());
       keep(resolve(disk_, path_, rest.substr(0, end), line));

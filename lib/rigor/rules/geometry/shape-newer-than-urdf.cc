@@ -11,9 +11,10 @@ template <class Entity>
 void check(const Entity& entity, Context& context) {
   const bool capsule = std::holds_alternative<model::Capsule>(entity.geometry.shape);
   if (!capsule || context.root().version >= 1) return;
-  context.report({.where = entity.geometry.site.name,
-                  .message = "<capsule> is a shape of URDF 1.1, and this file is URDF 1.0: urdfdom rejects it",
-                  .subject = context.subject(entity)});
+  context.report(
+      {.where = entity.geometry.site.name,
+       .message = "<capsule> is a shape of URDF 1.1, and this file is URDF 1.0: urdfdom rejects it",
+       .subject = context.subject(entity)});
 }
 
 Rule rule() {

@@ -75,8 +75,8 @@ Rule rule() {
       .summary = "a size of a shape is zero or negative",
       .why = "ODE stops at an assertion when a collision has such a size, MuJoCo rejects the "
              "model, and newer libsdformat replaces the size by its default. The checkers (ign sdf "
-             "-k, check_urdf) do not report it. A visual without a size is merely not drawn: it is "
-             "a warning.",
+             "-k, gz sdf -k, check_urdf) do not report it. A visual without a size is merely not "
+             "drawn: it is a warning.",
       .what_to_do = "Write a size above zero, in meters. For a thin plate write its thickness.",
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };

@@ -13,10 +13,10 @@
 namespace rigor::rules::center_of_mass_outside_shapes {
 
 // What is drawn may be less than what was weighed: not all screws and cables are.
-constexpr double kShare = 0.05;  // of the size
-constexpr double kThin = 1e-3;   // m
+constexpr double kShare = 0.05;     // of the size
+constexpr double kThin = 1e-3;      // m
 constexpr double kMirrored = 0.25;  // of the size; nearer, either side may be meant
-constexpr double kLeast = 1e-3;  // kg; less is a token for a frame that had to have some mass
+constexpr double kLeast = 1e-3;     // kg; less is a token for a frame that had to have some mass
 
 // Along the link's axes, and across the corners between them.
 constexpr std::array<model::Vector3, 13> kDirections{{{1, 0, 0},

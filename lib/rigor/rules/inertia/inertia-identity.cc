@@ -27,15 +27,16 @@ void check(const model::Link& link, Context& context) {
   if (!(mass > 0) || !is_dynamic(link, context)) return;
   const auto share = share_of_solid(link, mass, kIdentity, context);
   // Nothing is known of a body without shapes of exactly 1 kg, as tests have it.
-  if (share ? *share < kFits && *share > 1 / kFits : mass > kLight || mass == 1) return;
+  if (share ? *share<kFits&& * share> 1 / kFits : mass > kLight || mass == 1) return;
   const bool may_fit = share && plausible(*share);
   std::string message = fmt::format("the moments of a body of {} kg are all 1 kg·m²", mass);
   if (share) message += fmt::format(": {:.4g} times what its shapes have as solids", *share);
-  context.report({.where = link.inertial.tensor_site.name,
-                  .message = std::move(message),
-                  .subject = context.subject(link),
-                  .fix = may_fit ? std::nullopt : fix_from_shapes(link, context),
-                  .severity = may_fit || is_for_bullet(context) ? Severity::kInfo : Severity::kWarning});
+  context.report(
+      {.where = link.inertial.tensor_site.name,
+       .message = std::move(message),
+       .subject = context.subject(link),
+       .fix = may_fit ? std::nullopt : fix_from_shapes(link, context),
+       .severity = may_fit || is_for_bullet(context) ? Severity::kInfo : Severity::kWarning});
 }
 
 Rule rule() {

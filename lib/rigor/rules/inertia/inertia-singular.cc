@@ -32,7 +32,8 @@ void check(const model::Root& root, Context& context) {
     const bool all = is_rounding_of_zero(verdict);
     const bool singular = verdict.possible() && verdict.smallest == mass::Verdict::Sign::kZero;
     if (!all && !singular) continue;
-    if (all && !verdict.possible() && refuses_inertia(link, context)) continue;  // an error of its own
+    if (all && !verdict.possible() && refuses_inertia(link, context))
+      continue;  // an error of its own
     context.report({.where = link.inertial.tensor_site.name,
                     .message = fmt::format("a body of {} kg has no moment of inertia about {} axis",
                                            mass, all ? "any" : "one"),
@@ -47,9 +48,9 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a body that moves has no moment of inertia about an axis",
-      .why = "libsdformat and urdfdom take a point or a thin rod, but an engine has to divide by "
-             "the moment: ODE stops at an assertion, KDL and MuJoCo refuse, others set a number of "
-             "their own.",
+      .why = "libsdformat and urdfdom accept a point or a thin rod, but an engine divides by the "
+             "moment: ODE stops at an assertion, KDL and MuJoCo reject the model, others "
+             "substitute a number.",
       .what_to_do = "Write the moments of the real body: even a pin has some, about every axis.",
       .checks = {on<model::Root>(check)},
   };

@@ -9,10 +9,10 @@ namespace rigor::rules::mass_zero_fixes_link {
 void check(const model::Link& link, Context& context) {
   const model::Inertial& inertial = link.inertial;
   if (!inertial.mass.written || inertial.mass.value != 0 || !is_dynamic(link, context)) return;
-  context.report({.where = inertial.mass.span,
-                  .message = "the mass is 0 kg: Bullet fixes the link '" + link.name.value +
-                             "' in place",
-                  .subject = context.subject(link)});
+  context.report(
+      {.where = inertial.mass.span,
+       .message = "the mass is 0 kg: Bullet fixes the link '" + link.name.value + "' in place",
+       .subject = context.subject(link)});
 }
 
 Rule rule() {

@@ -41,12 +41,13 @@ void check(const model::Link& link, Context& context) {
   // In URDF a link of no mass and no moments is a frame, as one without <inertial> is.
   if (context.is_urdf() && is_zero(mass::tensor(inertial))) return;
   const bool lumped = is_lumped(link, context);
-  context.report({.where = inertial.mass.span,
-                  .message = lumped ? "the mass is 0 kg, but the inertia tensor is not zero"
-                                    : "the mass is 0 kg: a body that moves needs one above zero",
-                  .subject = context.subject(link),
-                  .fix = lumped ? std::nullopt : fix_from_shapes(link, context),
-                  .severity = lumped || is_for_bullet(context) ? Severity::kInfo : Severity::kWarning});
+  context.report(
+      {.where = inertial.mass.span,
+       .message = lumped ? "the mass is 0 kg, but the inertia tensor is not zero"
+                         : "the mass is 0 kg: a body that moves needs one above zero",
+       .subject = context.subject(link),
+       .fix = lumped ? std::nullopt : fix_from_shapes(link, context),
+       .severity = lumped || is_for_bullet(context) ? Severity::kInfo : Severity::kWarning});
 }
 
 Rule rule() {

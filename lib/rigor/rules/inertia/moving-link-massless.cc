@@ -50,10 +50,9 @@ bool is_told_elsewhere(const model::Link& link) {
 
 /// All of its links are one fault, and a robot without joints is a piece of scenery.
 void report_robot(const model::Root& root, Context& context) {
-  const bool any_written =
-      std::any_of(root.links.begin(), root.links.end(), [](const model::Link& link) {
-        return link.inertial.written && is_told_elsewhere(link);
-      });
+  const bool any_written = std::any_of(
+      root.links.begin(), root.links.end(),
+      [](const model::Link& link) { return link.inertial.written && is_told_elsewhere(link); });
   const auto moves = [](const model::Joint& joint) {
     return joint.type != model::JointType::kFixed && joint.type != model::JointType::kUnknown;
   };

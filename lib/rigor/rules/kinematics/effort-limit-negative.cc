@@ -27,10 +27,10 @@ void check(const model::Joint& joint, Context& context) {
                                    : std::string(position_unit(joint.type)) + "/s";
       context.report(
           {.where = limit->span,
-           .message = fmt::format("the {} limit is {:.6g} {}: {}",
-                                  limit == &axis.effort ? "effort" : "velocity", limit->value, unit,
-                                  no_limit ? "since SDF 1.10 'inf' says that there is none"
-                                           : "a negative one counts as none"),
+           .message = fmt::format(
+               "the {} limit is {:.6g} {}: {}", limit == &axis.effort ? "effort" : "velocity",
+               limit->value, unit,
+               no_limit ? "since SDF 1.10 'inf' means unlimited" : "a negative one counts as none"),
            .subject = context.subject(joint),
            .fix = Fix{
                no_limit ? "write infinity" : "write it without the sign",

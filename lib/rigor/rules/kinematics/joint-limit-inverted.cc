@@ -39,10 +39,10 @@ Rule rule() {
       .severity = Severity::kError,
       .fix = FixGrade::kUnsafe,
       .summary = "a lower joint limit is above the upper one",
-      .why = "No position is within the limits: DART stops at an assertion, Gazebo swaps the limits "
-             "of a URDF, and other consumers lock the joint. The checkers (ign sdf -k, check_urdf) "
-             "do not compare them. Bullet reads inverted limits as none: in a model with Bullet's "
-             "own elements this is an info.",
+      .why = "No position is within the limits: DART stops at an assertion, Gazebo swaps the "
+             "limits of a URDF, and other consumers lock the joint. The checkers (ign sdf -k, gz "
+             "sdf -k, check_urdf) do not compare them. Bullet reads inverted limits as none: in a "
+             "model with Bullet's own elements this is an info.",
       .what_to_do = "Swap the limits.",
       .checks = {on<model::Joint>(check)},
   };

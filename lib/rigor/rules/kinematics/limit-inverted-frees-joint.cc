@@ -14,12 +14,12 @@ void check(const model::Joint& joint, Context& context) {
   for (const model::Axis& axis : joint.axes) {
     if (!axis.lower.written || !axis.upper.written) continue;
     if (!(axis.lower.value > axis.upper.value)) continue;
-    context.report({.where = axis.upper.span,
-                    .message = fmt::format("the limits {} to {} {} are inverted: Bullet leaves the "
-                                           "joint without limits",
-                                           axis.lower.value, axis.upper.value,
-                                           position_unit(joint.type)),
-                    .subject = context.subject(joint)});
+    context.report(
+        {.where = axis.upper.span,
+         .message = fmt::format("the limits {} to {} {} are inverted: Bullet leaves the "
+                                "joint without limits",
+                                axis.lower.value, axis.upper.value, position_unit(joint.type)),
+         .subject = context.subject(joint)});
   }
 }
 

@@ -16,8 +16,7 @@ bool is_number(std::string_view name) {
 }
 
 void check_part(const model::Parameter& part, Context& context) {
-  if (is_number(part.name) && !write::number_in(part.value.value) &&
-      !has_xacro(part.value.value)) {
+  if (is_number(part.name) && !write::number_in(part.value.value) && !has_xacro(part.value.value)) {
     const std::string text = "'" + part.value.value + "'";
     context.report({.where = part.value.value.empty() ? part.site.name : part.value.span,
                     .message = "<" + part.name + "> takes a number, not " +
@@ -41,7 +40,8 @@ Rule rule() {
       .why = "ros_control and ros2_control load a transmission only when its numbers can be read: "
              "else they log an error, and the joint has no hardware interface. The readers of the "
              "robot itself (urdfdom, libsdformat) ignore <transmission>.",
-      .what_to_do = "Write the number alone, for example <mechanicalReduction>50</mechanicalReduction>.",
+      .what_to_do =
+          "Write the number alone, for example <mechanicalReduction>50</mechanicalReduction>.",
       .checks = {on<model::Root>(check)},
   };
 }

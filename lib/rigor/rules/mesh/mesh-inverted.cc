@@ -95,7 +95,8 @@ Rule rule() {
              "Gazebo's automatic inertia reject or turn into a wrong mass; viewers that cull back "
              "faces show its inside. A piece of less than 1 % of the volume and 100 mm³ is an "
              "info.",
-      .what_to_do = "Reverse the winding of its triangles: `rigor mesh-check FILE --repair -o OUT`, or \"flip "
+      .what_to_do = "Reverse the winding of its triangles: `rigor mesh-check FILE --repair -o "
+                    "OUT`, or \"flip "
                     "normals\" in the tool that made it.",
       .checks = {on<MeshFile>(check)},
   };

@@ -35,8 +35,9 @@ Rule rule() {
              "invisible. The file does not tell which of the two is right; engines and mass "
              "properties use the winding. Fewer than one facet in 1000 is not reported: those are "
              "slivers.",
-      .what_to_do = "Orient the facets outward and compute their normals again: `rigor mesh-check FILE "
-                    "--repair -o OUT.stl`.",
+      .what_to_do =
+          "Orient the facets outward and compute their normals again: `rigor mesh-check FILE "
+          "--repair -o OUT.stl`.",
       .checks = {on<MeshFile>(check)},
   };
 }

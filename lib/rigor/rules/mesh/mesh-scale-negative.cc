@@ -9,10 +9,10 @@ void check(const MeshUse& use, Context& context) {
   const auto& scale = use.mesh.scale;
   const auto [x, y, z] = scale.value;
   if (!scale.written || (x >= 0 && y >= 0 && z >= 0)) return;
-  context.report({.where = scale.span,
-                  .message =
-                      "a negative scale mirrors the mesh: some readers then show it inside out",
-                  .subject = use.subject});
+  context.report(
+      {.where = scale.span,
+       .message = "a negative scale mirrors the mesh: some readers then show it inside out",
+       .subject = use.subject});
 }
 
 Rule rule() {

@@ -13,9 +13,8 @@ void check(const MeshUse& use, Context& context) {
   const bool unset = uri.value.empty() || uri.value == kUnset;
   if (!uri.written || !unset) return;
   context.report({.where = uri.span.size() > 0 ? uri.span : use.geometry.site.name,
-                  .message = uri.value.empty()
-                                 ? "the mesh names no file: its URI is empty"
-                                 : "the mesh names no file: its URI is '__default__'",
+                  .message = uri.value.empty() ? "the mesh names no file: its URI is empty"
+                                               : "the mesh names no file: its URI is '__default__'",
                   .subject = use.subject});
 }
 

@@ -30,10 +30,11 @@ Rule rule() {
       .name = "submesh-not-in-file",
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
-      .summary = "a shape takes a part of a mesh file that the file does not have",
-      .why = "The simulator finds no such submesh and leaves the shape out: nothing is seen, or "
-             "collided with. ign sdf -k opens no meshes.",
-      .what_to_do = "Write the name that the part has in the file: in OBJ behind o or g.",
+      .summary = "submesh does not exist in the mesh file",
+      .why = "The simulator finds no such submesh and omits the shape: it is not drawn and does "
+             "not collide. The checker (ign sdf -k, gz sdf -k) opens no meshes.",
+      .what_to_do = "Write the name of the part in the file: in OBJ after o or g, in Collada that "
+                    "of the node.",
       .checks = {on<MeshUse>(check)},
   };
 }

@@ -29,8 +29,8 @@ void check(const model::Plugin& plugin, Context& context) {
     if (is_new || known->second->value.value == parameter.value.value) continue;
     context.report({.where = parameter.value.span,
                     .message = "<" + parameter.name + "> is given twice: '" +
-                               known->second->value.value + "' is read, '" +
-                               parameter.value.value + "' is ignored",
+                               known->second->value.value + "' is read, '" + parameter.value.value +
+                               "' is ignored",
                     .subject = context.subject(plugin),
                     .related = {{known->second->value.span, "the first"}}});
   }

@@ -21,11 +21,11 @@ void check_name(const model::Field<std::string>& name, const char* what, Context
     return context.bytes(link.name.span) == text;
   });
   if (spaced) return;
-  context.report({.where = name.span,
-                  .message = std::string(what) + " '" + std::string(text) +
-                             "' has a space in it that the name does not have",
-                  .fix = Fix{"remove the space", Applicability::kSafe,
-                             {{name.span, std::string(trimmed)}}}});
+  context.report(
+      {.where = name.span,
+       .message = std::string(what) + " '" + std::string(text) +
+                  "' has a space in it that the name does not have",
+       .fix = Fix{"remove the space", Applicability::kSafe, {{name.span, std::string(trimmed)}}}});
 }
 
 void check(const model::Joint& joint, Context& context) {

@@ -117,9 +117,10 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a name that one consumer reads is misspelt",
-      .why = "MuJoCo's <mujoco>, the drake: elements and Bullet's <contact> are outside the format, "
-             "so that nothing else reads them, and their consumer ignores a name that it does not "
-             "know or rejects the file (MuJoCo: \"unrecognized attribute\").",
+      .why =
+          "MuJoCo's <mujoco>, the drake: elements and Bullet's <contact> are outside the format, "
+          "so that nothing else reads them, and their consumer ignores a name that it does not "
+          "know or rejects the file (MuJoCo: \"unrecognized attribute\").",
       .what_to_do = "Write the name that the message suggests.",
       .checks = {on<model::Root>(check)},
   };

@@ -41,10 +41,10 @@ inline bool is_for_bullet(const Context& context) {
     if (element.attribute("concave")) return true;
     const auto contact = element.child("contact");
     if (!contact) return false;
-    const auto children = contact->children();
-    return std::any_of(children.begin(), children.end(), [](const xml::Element child) {
-      return schema::find_dialect("urdf", "contact", child.name()).has_value();
-    });
+    for (const xml::Element child : contact->children()) {
+      if (schema::find_dialect("urdf", "contact", child.name())) return true;
+    }
+    return false;
   });
 }
 

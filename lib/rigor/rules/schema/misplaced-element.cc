@@ -26,8 +26,8 @@ void check(const read::SchemaFact& fact, Context& context) {
   const schema::Version version = fact.parent->version();
   const std::string name(fact.element.name());
   const auto places = context.schema()->parents_of(name, version);
-  if (places.empty()) return;  // unknown-element
-  if (dialect_reader(fact, context)) return;  // consumer-specific-name
+  if (places.empty()) return;                                     // unknown-element
+  if (dialect_reader(fact, context)) return;                      // consumer-specific-name
   if (name == "include" && fact.parent->name() == "sdf") return;  // libsdformat resolves it
   // The models, links and lights of a world's <state> have the names of others, and hold less.
   context.report({.where = fact.where,

@@ -60,8 +60,9 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "unknown attribute",
-      .why = "libsdformat warns, urdfdom and Gazebo ignore it silently: it has no effect. Attributes "
-             "that another known consumer reads are reported by consumer-specific-name.",
+      .why =
+          "libsdformat warns, urdfdom and Gazebo ignore it silently: it has no effect. Attributes "
+          "that another known consumer reads are reported by consumer-specific-name.",
       .what_to_do = "Write the name that was meant. Attributes of your own take a prefix, as in "
                     "mine:note=\"…\", and are not reported; neither are those that several joints "
                     "or links of a URDF share.",

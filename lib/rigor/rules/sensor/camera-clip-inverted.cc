@@ -41,8 +41,9 @@ Rule rule() {
       .refused = {.urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "the near clip distance of a camera is not before the far one",
-      .why = "ign sdf -k calls it valid; the renderer then shows an empty picture or stops.",
-      .what_to_do = "Write a near distance below the far one, in metres.",
+      .why = "The renderer shows an empty image or stops. The checker (ign sdf -k, gz sdf -k) does "
+             "not compare the two.",
+      .what_to_do = "Write a near distance below the far one, in meters.",
       .checks = {on<model::Sensor>(check)},
   };
 }

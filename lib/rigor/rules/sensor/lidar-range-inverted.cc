@@ -29,9 +29,9 @@ Rule rule() {
       .severity = Severity::kError,
       .fix = FixGrade::kUnsafe,
       .summary = "the least distance of a lidar is not below the greatest",
-      .why =
-          "ign sdf -k calls it valid; every ray then returns nothing, or the sensor is not made.",
-      .what_to_do = "Write a least distance below the greatest, in metres.",
+      .why = "Every ray returns nothing, or the sensor is not created. The checker (ign sdf -k, gz "
+             "sdf -k) does not compare the two.",
+      .what_to_do = "Write a least distance below the greatest, in meters.",
       .checks = {on<model::Sensor>(check)},
   };
 }

@@ -28,7 +28,7 @@ Rule rule() {
       .severity = Severity::kError,
       .fix = FixGrade::kSafe,
       .summary = "the XML declaration is malformed",
-      .why = "tinyxml2 (libsdformat, Gazebo, urdfdom) ignores the declaration, but Python's XML "
+      .why = "tinyxml2 (libsdformat, Gazebo, urdfdom 4) ignores the declaration, but Python's XML "
              "parsers reject the file, and with them xacro and the ROS tools that are written in "
              "Python. A version that does not exist (0.0) is read by Python's parsers and rejected "
              "by libxml2 (xmllint, lxml): it is an info.",

@@ -36,10 +36,11 @@ Rule rule() {
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kSafe,
       .summary = "the XML declaration is not the first thing in the file",
-      .why = "XML allows a declaration at the very start only. After an element or a comment "
-             "tinyxml2 (libsdformat, Gazebo, urdfdom) rejects the file. After a blank line it does "
-             "not, but Python's XML parsers do, and with them the ROS tools that are written in "
-             "Python: that is a warning.",
+      .why =
+          "XML allows a declaration at the very start only. After an element or a comment tinyxml2 "
+          "(libsdformat, Gazebo, urdfdom 4) rejects the file (TinyXML 1, with which urdfdom 3 "
+          "reads, accepts it). After a blank line it does not, but Python's XML parsers do, and "
+          "with them the ROS tools that are written in Python: that is a warning.",
       .what_to_do =
           "Move the declaration to the first line, or remove it: XML without one is UTF-8 already.",
       .checks = {on_xml({xml::FaultKind::kDeclarationNotFirst}, check)},

@@ -7,12 +7,12 @@
 #include <rigor/rules/inertia/tensor_mistake.h>
 #include <rigor/rules/rule.h>
 
-namespace rigor::rules::inertia_turned_by_pose {
+namespace rigor::rules::inertia_rotated_by_pose {
 
 /// Of a URDF, where the rotation is an attribute of its own.
 std::optional<Fix> without_rotation(const model::Inertial& inertial, const Context& context) {
   if (!context.is_urdf()) return std::nullopt;
-  return fix_of("take the rotation out of the inertial", Applicability::kUnsafe,
+  return fix_of("remove the rotation of the inertial", Applicability::kUnsafe,
                 attribute_removed(context, inertial.pose.site, "rpy"));
 }
 
@@ -30,7 +30,7 @@ void check(const model::Link& link, Context& context) {
 
 Rule rule() {
   return {
-      .name = "inertia-turned-by-pose",
+      .name = "inertia-rotated-by-pose",
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a tensor along the link's axes is turned by its inertial's rotation",
@@ -42,4 +42,4 @@ Rule rule() {
   };
 }
 
-}  // namespace rigor::rules::inertia_turned_by_pose
+}  // namespace rigor::rules::inertia_rotated_by_pose

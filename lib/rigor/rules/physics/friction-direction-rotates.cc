@@ -12,7 +12,7 @@
 
 #include <rigor/rules/rule.h>
 
-namespace rigor::rules::friction_direction_turns {
+namespace rigor::rules::friction_direction_rotates {
 
 constexpr double kAligned = 0.9;  // cosine of 26°: a mecanum wheel's rollers stand at 45°
 constexpr double kCentred = 0.1;  // of the radius
@@ -80,7 +80,7 @@ void check(const model::Joint& joint, Context& context) {
 
 Rule rule() {
   return {
-      .name = "friction-direction-turns",
+      .name = "friction-direction-rotates",
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary =
@@ -95,4 +95,4 @@ Rule rule() {
   };
 }
 
-}  // namespace rigor::rules::friction_direction_turns
+}  // namespace rigor::rules::friction_direction_rotates

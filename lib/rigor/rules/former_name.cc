@@ -1,0 +1,51 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/former_name.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace rigor::rules {
+namespace {
+
+struct Renamed {
+  std::string_view former;
+  std::string_view current;
+};
+
+constexpr Renamed kRenamed[] = {
+    {"convert-effort-stand-in", "convert-effort-unlimited"},
+    {"convert-limit-stand-in", "convert-limit-unlimited"},
+    {"convert-refused", "convert-rejected"},
+    {"convert-turned", "convert-joint-swapped"},
+    {"convert-velocity-stand-in", "convert-velocity-unlimited"},
+    {"friction-direction-turns", "friction-direction-rotates"},
+    {"inertia-refused", "inertia-rejected"},
+    {"inertia-turned-by-pose", "inertia-rotated-by-pose"},
+    {"limit-looks-like-millimetres", "limit-looks-like-millimeters"},
+    {"limit-stands-for-none", "limit-used-as-unlimited"},
+    {"mimic-refused-by-ros2-control", "mimic-rejected-by-ros2-control"},
+    {"simulate-cause-wheel-off-centre", "simulate-cause-wheel-off-center"},
+    {"simulate-engine-refused", "simulate-engine-rejected"},
+    {"simulate-restless", "simulate-residual-velocity"},
+    {"simulate-weight-not-borne", "simulate-ground-reaction-missing"},
+    {"waypoint-time-not-rising", "waypoint-time-not-increasing"},
+};
+
+}  // namespace
+
+std::string_view current_name(std::string_view name) {
+  const auto* const renamed =
+      std::find_if(std::begin(kRenamed), std::end(kRenamed),
+                   [name](const Renamed& rule) { return rule.former == name; });
+  return renamed == std::end(kRenamed) ? name : renamed->current;
+}
+
+std::vector<std::string_view> former_names() {
+  std::vector<std::string_view> names;
+  for (const Renamed& rule : kRenamed) names.push_back(rule.former);
+  return names;
+}
+
+}  // namespace rigor::rules
