@@ -33,8 +33,8 @@ Severities severities(const std::string& rule, const std::string& path, const st
   ValidateOptions validation{.paths = {path}, .selection = {.targets = options.targets}};
   if (options.set) validation.selection.severity = {{rule, *options.set}};
   Severities found;
-  for (const Diagnostic& diagnostic :
-       validate(environment, validation, sources).diagnostics.list()) {
+  const ValidateResult result = validate(environment, validation, sources);
+  for (const Diagnostic& diagnostic : result.diagnostics.list()) {
     if (diagnostic.rule == rule) found.push_back(diagnostic.severity);
   }
   return found;

@@ -60,9 +60,8 @@ class ColladaReader {
   struct Visit {
     std::uint32_t node;
     std::optional<Affine> X_WN;
-    std::string_view name =
-        {};                ///< its own, else that of the node around it: so Gazebo names submeshes
-    std::size_t next = 0;  ///< item
+    std::string_view name = {};  ///< its own, else that of the node around it, as Gazebo has it
+    std::size_t next = 0;        ///< item
   };
 
   /// Counts before anything is allocated. Depth first, without recursion: instances of nodes make

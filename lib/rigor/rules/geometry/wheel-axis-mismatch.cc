@@ -58,7 +58,7 @@ void check(const model::Joint& joint, Context& context) {
   Finding finding{
       .where = joint.axes.front().xyz.span,
       .message = fmt::format(
-          "the axis is {:.0f}° off that of the disk which it turns: the wheel '{}' cannot roll",
+          "the axis is {:.0f}° off that of the disk which it rotates: the wheel '{}' cannot roll",
           std::acos(cosine) * 180 / std::numbers::pi, root[child].name.value),
       .subject = context.subject(joint)};
   if (root.own(disk->site))

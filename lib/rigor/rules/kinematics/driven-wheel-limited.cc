@@ -74,7 +74,7 @@ Rule rule() {
   return {
       .name = "driven-wheel-limited",
       .severity = Severity::kWarning,
-      .summary = "a plugin turns a joint that cannot turn on",
+      .summary = "a wheel joint that a plugin drives is limited",
       .why = "Wheels, rotors and propellers rotate without limit. One with limits stops when it "
              "has reached them, after some meters, and the robot rotates on the spot or stops; a "
              "fixed or sliding one never moves.",

@@ -49,7 +49,7 @@ Rule rule() {
       .summary = "the effort or velocity limit of a joint is negative",
       .why = "Up to SDF 1.9 the default -1 stood for no limit, since 1.10 infinity does. "
              "libsdformat makes every negative one infinite, so a sign by mistake leaves the joint "
-             "without a limit; other programs take it for a limit that no motion meets.",
+             "without a limit; other programs use it as a limit that no motion meets.",
       .what_to_do = "Write the greatest effort or speed; for no limit leave it out.",
       .checks = {on<model::Joint>(check)},
   };

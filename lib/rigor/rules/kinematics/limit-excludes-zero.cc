@@ -30,9 +30,9 @@ Rule rule() {
       .severity = Severity::kInfo,
       .summary = "the zero position of a joint is outside its limits",
       .why = "Simulators, RViz and the inspectors of models begin with every joint at zero. A "
-             "simulator then begins with a joint beyond its stop and pushes it back; MoveIt "
-             "rejects to plan from there, since the state is out of bounds; joint_state_publisher "
-             "begins in the middle of the limits.",
+             "simulator then begins with a joint beyond its stop and pushes it back; MoveIt does "
+             "not plan from there, since the state is out of bounds; joint_state_publisher begins "
+             "in the middle of the limits.",
       .what_to_do = "Include zero in the limits, or set an initial position in the simulator and "
                     "the controllers.",
       .checks = {on<model::Joint>(check)},

@@ -68,11 +68,11 @@ void check(const model::Joint& joint, Context& context) {
     context.report(
         {.where = along.span,
          .message = fmt::format(
-             "the friction direction is {:.0f}° off the axle of '{}': it turns with "
-             "the wheel, and points into the ground twice a turn",
+             "the friction direction is {:.0f}° off the axle of '{}': it rotates with the wheel, "
+             "and points into the ground twice per revolution",
              std::acos(std::min(1.0, aligned)) * 180 / std::numbers::pi, joint.name.value),
          .subject = context.subject(collision),
-         .related = {{joint.site.name, "turns the wheel"}},
+         .related = {{joint.site.name, "the wheel joint"}},
          .help = fmt::format("the axle is {:.3g} {:.3g} {:.3g} in the collision's frame", axle.x,
                              axle.y, axle.z)});
   }
@@ -83,9 +83,8 @@ Rule rule() {
       .name = "friction-direction-rotates",
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
-      .summary =
-          "the friction direction of a wheel is not its axle, so that it turns with the wheel",
-      .why = "fdir1 is fixed to the collision, which turns with its link: only a direction along "
+      .summary = "friction direction of a wheel rotates with it",
+      .why = "fdir1 is fixed to the collision, which rotates with its link: only a direction along "
              "the axle stays where it is. With another one mu and mu2 change places as the wheel "
              "turns, and the robot pulls to a side or hops.",
       .what_to_do = "Let fdir1 be the axle in the collision's frame, 0 0 1 for a cylinder; mu is "

@@ -82,8 +82,8 @@ Rule rule() {
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "an element of a <gazebo> block that neither the converter nor SDF knows",
-      .why = "libsdformat turns a list of names into SDF (mu1, kp, selfCollide, turnGravityOff, …) "
-             "and copies every other element as it is into the link, the joint or the model. "
+      .why = "libsdformat converts a list of names to SDF (mu1, kp, selfCollide, turnGravityOff, "
+             "…) and copies every other element as it is into the link, the joint or the model. "
              "Gazebo ignores what SDF does not know there, so a slip in a name is lost silently.",
       .what_to_do = "Write the name that was meant; letter case counts.",
       .checks = {on<model::GazeboBlock>(check)},

@@ -24,7 +24,7 @@ void check(const model::Sensor& sensor, Context& context) {
       fix = swap("swap near and far", camera.near_clip.span, camera.far_clip.span, context);
     }
     context.report({.where = at.span,
-                    .message = fmt::format("the camera sees from {} m to {} m, which is nothing",
+                    .message = fmt::format("the camera sees from {} m to {} m: the range is empty",
                                            camera.near_clip.value, camera.far_clip.value),
                     .subject = context.subject(sensor),
                     .fix = std::move(fix),

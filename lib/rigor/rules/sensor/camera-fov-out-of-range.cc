@@ -34,7 +34,7 @@ void check(const model::Sensor& sensor, Context& context) {
         .refused = context.is_urdf() && is_in_part(sensor) &&
                    !(fov.value >= kLeastInSdf && fov.value <= kMostInSdf)};
     if (!(fov.value > 0)) {
-      finding.message = fmt::format("the camera sees {} rad across, which is nothing", fov.value);
+      finding.message = fmt::format("the field of view is {} rad", fov.value);
     } else if (fov.value > kMostInSdf && fov.value < kMostDegrees) {
       const std::string radians = fmt::format("{:.6g}", fov.value * std::numbers::pi / 180);
       finding.help = "as degrees it would be " + radians + " rad";

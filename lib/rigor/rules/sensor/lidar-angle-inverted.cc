@@ -14,7 +14,7 @@ void look_at(const model::LidarScan& scan, const model::Sensor& sensor, Context&
   if (!least.written || !most.written || !(least.value > most.value)) return;
   context.report(
       {.where = least.span,
-       .message = fmt::format("the lidar turns from {} rad to {} rad, which is backwards",
+       .message = fmt::format("the scan from {} rad to {} rad is inverted (min_angle > max_angle)",
                               least.value, most.value),
        .subject = context.subject(sensor),
        .related = {{most.span, "where it ends"}},

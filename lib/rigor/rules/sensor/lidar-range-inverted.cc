@@ -14,8 +14,9 @@ void check(const model::Sensor& sensor, Context& context) {
   const auto& most = sensor.lidar->range_max;
   if (!least.written || !most.written || least.value < most.value) return;
   context.report({.where = least.span,
-                  .message = fmt::format("the lidar measures from {} m to {} m, which is nothing",
-                                         least.value, most.value),
+                  .message = fmt::format(
+                      "the lidar measures from {} m to {} m: the range is inverted (min > max)",
+                      least.value, most.value),
                   .subject = context.subject(sensor),
                   .related = {{most.span, "the greatest distance"}},
                   .fix = least.value > most.value

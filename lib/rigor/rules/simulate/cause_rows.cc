@@ -21,7 +21,7 @@ std::span<const Row> cause_rows() {
            },
        .help = "run `rigor inertia MODEL --write`",
        .summary = "a link's inertia is not that of its shapes",
-       .why = "A wheel with 200 times its inertia turns the robot instead of itself; one with a "
+       .why = "A wheel with 200 times its inertia rotates the robot instead of itself; one with a "
               "thousandth of it spins up at a touch.",
        .what_to_do = "Run `rigor inertia MODEL --write`."},
       {.rule = {"simulate-cause-default-inertia", FactKind::kCauseDefaultInertia,
@@ -62,7 +62,7 @@ std::span<const Row> cause_rows() {
            },
        .help = "make the joint's axis that of the wheel",
        .summary = "a wheel's joint axis is not the wheel's own",
-       .why = "The wheel wobbles, drags to the side, or turns against the other one.",
+       .why = "The wheel wobbles, drags to the side, or rotates against the other one.",
        .what_to_do =
            "Make the joint's axis that of the cylinder, and the same way round on both sides."},
       {.rule = {"simulate-cause-caster-friction", FactKind::kCauseCasterFriction,
@@ -136,8 +136,8 @@ std::span<const Row> cause_rows() {
            "its radius is {value:.4g} m, and that of {name} on the same axle is {limit:.4g} m",
        .help = "make both alike",
        .summary = "two wheels of an axle differ in size",
-       .why = "Turning alike they roll different ways, so that a robot that is reported to go "
-              "straight on turns; and it leans to one side.",
+       .why = "Turning alike they roll different ways, so that a robot that is commanded to drive "
+              "straight turns; and it leans to one side.",
        .what_to_do = "Give both wheels one radius."},
       {.rule = {"simulate-cause-soft-contact", FactKind::kCauseSoftContact, Severity::kWarning},
        .message = "with its kp the model sinks {value_mm:.3g} mm into the ground where a simulator "

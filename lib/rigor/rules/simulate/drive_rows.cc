@@ -25,8 +25,8 @@ std::span<const Row> drive_rows() {
        .message = "goes {value:.3g} m ahead for each meter that its wheels roll (at least "
                   "{limit:.3g} m is expected)",
        .summary = "the robot does not go ahead when its wheels turn forward",
-       .why = "An axis points the wrong way, or the inertias are such that the body turns instead "
-              "of the wheels.",
+       .why = "An axis points the wrong way, or the inertias are such that the body rotates "
+              "instead of the wheels.",
        .what_to_do = "Turn the axis round; run `rigor inertia MODEL` when inertias are missing."},
       {.rule = {"simulate-drive-drifts", FactKind::kDriveDrifts, Severity::kError},
        .message =

@@ -67,7 +67,8 @@ std::span<const Row> stand_rows() {
        .message =
            [](const simulate::Fact& fact) {
              return fact.name == "yaw"
-                        ? "turns with {value:.3g} rad/s at rest (limit {limit:.3g} rad/s)"
+                        ? "residual angular velocity {value:.3g} rad/s at rest (limit {limit:.3g} "
+                          "rad/s)"
                         : "creeps with {value_mm:.3g} mm/s at rest (limit {limit_mm:.3g} mm/s)";
            },
        .summary = "the model creeps at rest",
