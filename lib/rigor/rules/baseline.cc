@@ -10,7 +10,7 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/former_name.h>
+#include <rigor/rules/registry.h>
 #include <rigor/rules/runner.h>
 #include <rigor/text/byte_order_mark.h>
 #include <rigor/text/path.h>

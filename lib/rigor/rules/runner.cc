@@ -12,7 +12,7 @@
 
 #include <rigor/model/subject.h>
 #include <rigor/rules/context.h>
-#include <rigor/rules/former_name.h>
+#include <rigor/rules/registry.h>
 
 namespace rigor::rules {
 namespace {

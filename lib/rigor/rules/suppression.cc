@@ -9,7 +9,7 @@
 #include <utility>
 #include <variant>
 
-#include <rigor/rules/former_name.h>
+#include <rigor/rules/registry.h>
 #include <rigor/rules/runner.h>
 #include <rigor/rules/suppression_comment.h>
 #include <rigor/schema/suggest.h>

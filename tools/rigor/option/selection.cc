@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include <rigor/rules/former_name.h>
+#include <rigor/rules/registry.h>
 #include <rigor/rules/target.h>
 
 #include "command/command.h"

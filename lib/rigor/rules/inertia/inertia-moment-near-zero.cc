@@ -16,8 +16,8 @@
 
 namespace rigor::rules::inertia_moment_near_zero {
 
-// Of the other two, which are equal. A rod with such moments is fifty times as long as thick.
-constexpr double kTooSmall = 1e-3;
+// Of the other two, which are equal. A rod with such moments is thirty times as long as thick.
+constexpr double kTooSmall = 3e-3;
 
 /// How equal the two others are: a rod's are, but for what is mounted on it.
 constexpr double kEqual = 0.1;

@@ -54,7 +54,7 @@ void check(const model::Root& root, Context& context) {
     if (!circle || !root.own(root[at].site)) continue;
     context.report(
         {.where = root[at].axes.front().mimic->joint.span,
-         .message = "mimic joints form a cycle:  " + circle_of(root, context.frames(), at),
+         .message = "mimic joints form a cycle: " + circle_of(root, context.frames(), at),
          .subject = context.subject(root[at])});
   }
 }

@@ -11,7 +11,7 @@ void check(const MeshFile& file, Context& context) {
     report_mesh(file, context, "the mesh was skipped: assimp is not installed");
   }
   if (const mesh::Fault* fault = fault_of(file, mesh::FaultKind::kWorkerMissing)) {
-    report_mesh(file, context, "the mesh was skipped: the importer  " + fault->detail);
+    report_mesh(file, context, "the mesh was skipped: the importer " + fault->detail);
   }
 }
 

@@ -11,7 +11,7 @@ namespace rigor::rules::include_cycle {
 void check(const read::Fact& fact, Context& context) {
   std::string circle;
   for (const std::string& path : fact.tried) circle += (circle.empty() ? "" : " includes ") + path;
-  context.report({.where = fact.where, .message = "the includes form a cycle:  " + circle});
+  context.report({.where = fact.where, .message = "the includes form a cycle: " + circle});
 }
 
 Rule rule() {

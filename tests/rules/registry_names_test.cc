@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/rules/former_name.h>
+#include <rigor/rules/registry.h>
 
 #include <gtest/gtest.h>
 
