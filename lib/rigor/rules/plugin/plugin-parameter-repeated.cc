@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 
 #include <rigor/rules/plugin/systems.h>
 #include <rigor/rules/rule.h>
@@ -19,9 +20,18 @@ bool may_repeat(const model::Parameter& parameter) {
   return !parameter.children.empty();
 }
 
+/// Controllers of several joints have each parameter once a joint, in the order of the joints.
+bool has_lists(const model::Plugin& plugin) {
+  std::unordered_set<std::string_view> seen;
+  for (const model::Parameter& parameter : plugin.parameters) {
+    if (may_repeat(parameter) && !seen.insert(parameter.name).second) return true;
+  }
+  return false;
+}
+
 void check(const model::Plugin& plugin, Context& context) {
   const GazeboSystem* const system = gazebo_system(plugin.filename.value);
-  if (system == nullptr || system->parameters.empty()) return;
+  if (system == nullptr || system->parameters.empty() || has_lists(plugin)) return;
   std::unordered_map<std::string_view, const model::Parameter*> first;
   for (const model::Parameter& parameter : plugin.parameters) {
     if (may_repeat(parameter) || !has_word(system->parameters, parameter.name)) continue;
