@@ -63,7 +63,7 @@ TEST(CliSuppression, IsToldWhenItIsUnusedOrWrong) {
   EXPECT_EQ(ran.exit, 1);
   EXPECT_NE(ran.out.find("a.sdf:2:20: warning: "), std::string::npos) << ran.out;
   EXPECT_NE(ran.out.find("[unused-suppression]"), std::string::npos) << ran.out;
-  EXPECT_NE(ran.out.find("a.sdf:3:20: warning: no rule or category is called 'axis-zeor'"),
+  EXPECT_NE(ran.out.find("a.sdf:3:20: warning: no rule or category is named 'axis-zeor'"),
             std::string::npos)
       << ran.out;
   EXPECT_NE(ran.out.find("a.sdf:4:13: warning: 'ignore' names no rules"), std::string::npos)

@@ -74,7 +74,7 @@ class Converter {
 /// What the proof says against the result.
 std::string against(const Conversion& result) {
   for (const Diagnostic& found : result.diagnostics.list()) {
-    if (found.rule == "convert-not-the-same" || found.rule == "convert-refused") {
+    if (found.rule == "convert-not-the-same" || found.rule == "convert-rejected") {
       return found.message;
     }
   }

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include <rigor/convert/note.h>
-#include <rigor/rules/environment.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/runner.h>
 #include <rigor/simulate/fact.h>
 

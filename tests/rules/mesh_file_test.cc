@@ -125,7 +125,7 @@ TEST(MeshFileRules, OneFaultHasOneFinding) {
 
 TEST(MeshFileRules, BytesBehindTheLastTriangle) {
   EXPECT_EQ(findings_in("a.stl", binary({}) + std::string(37, 'x')),
-            Strings{"mesh-trailing-bytes: 37 bytes stand behind the last triangle"});
+            Strings{"mesh-trailing-bytes: 37 bytes follow the last triangle"});
 }
 
 TEST(MeshFileRules, ABinaryStlThatBeginsWithSolid) {
@@ -142,7 +142,7 @@ TEST(MeshFileRules, ACoordinateThatIsNoNumber) {
 
 TEST(MeshFileRules, ColorsOfAnStl) {
   EXPECT_EQ(findings_in("a.stl", binary({.attribute = 7})),
-            Strings{"mesh-facet-colors: 4 facets of the STL have attributes, perhaps colours, "
+            Strings{"mesh-facet-colors: 4 facets of the STL have attributes, perhaps colors, "
                     "which other programs do not see"});
   const Strings found = findings_in("a.stl", binary({.header = "COLOR=abcd"}));
   ASSERT_EQ(found.size(), 1U);
@@ -160,9 +160,9 @@ TEST(MeshFileRules, FaultsOfTheImporter) {
   EXPECT_EQ(findings(with_fault({Kind::kImporterCrashed, "ran out of time"})),
             Strings{"mesh-malformed: the mesh cannot be read: assimp ran out of time"});
   EXPECT_EQ(findings(with_fault({Kind::kImporterMissing, "libassimp.so.5: no such file"})),
-            Strings{"mesh-importer-missing: the mesh is not looked at: assimp is not installed"});
+            Strings{"mesh-importer-missing: the mesh was skipped: assimp is not installed"});
   EXPECT_EQ(findings(with_fault({Kind::kWorkerMissing, "could not be started: no rigor-worker"})),
-            Strings{"mesh-importer-missing: the mesh is not looked at: the importer could not be "
+            Strings{"mesh-importer-missing: the mesh was skipped: the importer could not be "
                     "started: no rigor-worker"});
   EXPECT_EQ(findings(with_fault({Kind::kTooLarge, "over 2 GiB"})),
             Strings{"mesh-too-large: the mesh is too large to be read: over 2 GiB"});
@@ -225,7 +225,7 @@ TEST(MeshFileRules, AnImageWithoutAFileAndATextureWithoutAnImage) {
   EXPECT_EQ(findings(facts),
             (Strings{"mesh-texture-undefined: a texture is not defined in the mesh file: 'skin' "
                      "(line 150)",
-                     "mesh-texture-undefined: an image names no file (line 142)"}));
+                     "mesh-texture-undefined: an <image> has no file name (line 142)"}));
 }
 
 TEST(MeshFileRules, CollisionsNeedNoTextures) {

@@ -49,7 +49,7 @@ TEST(OfferedFix, CutsOffAUnitButNoPartOfANumber) {
 }
 
 TEST(OfferedFix, TakesASignAwayWhereTheMassIsThenPlausible) {
-  EXPECT_EQ(offered(box_with("-5.67", "0.01"))["mass-negative"], "take the minus away");
+  EXPECT_EQ(offered(box_with("-5.67", "0.01"))["mass-negative"], "remove the minus sign");
   // 0.006 m³: a ton would have the density of no solid, and water 6 kg.
   EXPECT_NE(offered(box_with("-1000", "0.01"))["mass-negative"].find("6 kg"), std::string::npos);
 }

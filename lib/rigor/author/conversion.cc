@@ -30,7 +30,7 @@ using convert::Outcome;
 using robot::Difference;
 using robot::DifferenceKind;
 
-constexpr std::string_view kProof[] = {"convert-not-the-same", "convert-refused"};
+constexpr std::string_view kProof[] = {"convert-not-the-same", "convert-rejected"};
 
 rules::Selection selection_of(const ConversionOptions& options, const rules::Registry& registry) {
   rules::Selection selection = options.selection;

@@ -24,7 +24,8 @@ std::string_view starter_config() {
 # The least severity that makes the exit code 1: "error", "warning", "info" or "never".
 #fail-on = "warning"
 
-# Consumers whose own rules run as well: "gazebo-classic", "gz-sim", "ros", "mujoco", "isaac".
+# Consumers whose own rules run as well: "gazebo-classic", "gz-sim", "ros", "mujoco", "isaac",
+# "bullet".
 #target = ["gz-sim", "ros"]
 
 # What is passed over in folders, as in a .gitignore that stands beside this file.

@@ -124,6 +124,19 @@ Format format_of(std::string_view first_bytes, std::uint64_t size, std::string_v
   return format != Format::kUnknown ? format : format_by_ending(first_bytes, size, extension(path));
 }
 
+/// Where symbolic links are turned off, git writes the path that one leads to into a file.
+bool is_link_text(std::string_view first_bytes, std::uint64_t size, const std::string& path) {
+  constexpr std::uint64_t kLongest = 512;
+  if (size > kLongest || size > first_bytes.size()) return false;
+  std::string_view text = first_bytes;
+  if (text.ends_with('\n')) text.remove_suffix(1);
+  const bool one_line = std::none_of(text.begin(), text.end(), [](char c) {
+    return static_cast<unsigned char>(c) <= ' ' || c == '<' || c == '{';
+  });
+  return one_line && text.find('/') != text.npos && !extension(path).empty() &&
+         extension(std::string(text)) == extension(path);
+}
+
 LoadedMesh read_mesh(const Disk& disk, const std::string& path) {
   return read_mesh(disk, path, process::Workers());
 }
@@ -135,6 +148,10 @@ LoadedMesh read_mesh(const Disk& disk, const std::string& path, const process::W
   if (file->size() > kMaxMeshBytes) return no_mesh(FaultKind::kTooLarge, "over 2 GiB");
   const std::string first_bytes = read(*file, kProbeBytes);
   if (first_bytes.starts_with(kLfsPointer)) return no_mesh(FaultKind::kLfsPointer);
+  if (is_link_text(first_bytes, file->size(), path)) {
+    return no_mesh(FaultKind::kMalformed,
+                   "it is a symbolic link of git that was checked out as text");
+  }
   const Format format = format_of(first_bytes, file->size(), path);
   LoadedMesh loaded = read_as(format, *file, disk, path, workers);
   loaded.format = format;

@@ -108,6 +108,8 @@ void SdfReader::read_top(xml::Element sdf) {
     const std::string_view name = child.name();
     if (name == "world") {
       read_world(child);
+    } else if (name == "include") {  // not in the specification; libsdformat resolves it all the same
+      read_include(child, {});
     } else if (name == "model" || name == "actor" || name == "light") {
       if (!first) {
         facts_.push_back({FactKind::kMoreAtTopLevel, child.name_span(), std::string(name), {}});

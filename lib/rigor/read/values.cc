@@ -35,7 +35,8 @@ std::optional<Text> value_attribute(xml::Element element, std::string_view name)
 }
 
 std::optional<Text> child_text(xml::Element element, std::string_view name) {
-  if (const auto child = element.child(name)) return Text{child->text(), child->text_span()};
+  if (const auto child = element.child(name))
+    return Text{child->text(), child->text_span(), Text::Of::kElement};
   return value_attribute(element, name);
 }
 
@@ -63,10 +64,25 @@ model::Field<std::string> string_field(const std::optional<Text>& text, std::str
   return {std::string(trimmed(text->text)), text->span, true};
 }
 
+/// The number that libsdformat reads of "0.5kg" in an element: it stops at what is no part of one. What may be a
+/// damaged number ("3.1l2e-05", "1e") is none; urdfdom, whose values are attributes, reads neither.
+std::optional<double> number_before(const Text& text, const schema::ValueFault& fault) {
+  if (text.of != Text::Of::kElement) return std::nullopt;
+  if (fault.kind != schema::ValueFault::Kind::kTrailingText) return std::nullopt;
+  const std::string_view tail = text.text.substr(fault.begin);
+  const bool exponent = tail.starts_with('e') || tail.starts_with('E');
+  if (exponent || tail.find_first_of("0123456789") != tail.npos) return std::nullopt;
+  const auto parsed = schema::parse_double(text.text.substr(0, fault.begin));
+  const double* value = std::get_if<double>(&parsed);
+  return value != nullptr ? std::optional(*value) : std::nullopt;
+}
+
 model::Field<double> number_field(const std::optional<Text>& text, double fallback) {
   if (text) {
     const auto parsed = schema::parse_double(text->text);
     if (const double* value = std::get_if<double>(&parsed)) return {*value, text->span, true};
+    const auto before = number_before(*text, std::get<schema::ValueFault>(parsed));
+    if (before) return {*before, text->span, true};
   }
   return {fallback, {}, false};
 }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,6 +24,7 @@ namespace rigor::read {
 struct Text {
   std::string_view text;
   Span span;
+  enum class Of : std::uint8_t { kAttribute, kElement } of = Of::kAttribute;
 };
 
 /// Without the white space around it; the span still covers all.

@@ -10,6 +10,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/rules/registry.h>
 #include <rigor/rules/runner.h>
 #include <rigor/text/byte_order_mark.h>
 #include <rigor/text/path.h>
@@ -111,7 +112,8 @@ class BaselineLines {
         rest.find_first_of(" \t") == std::string_view::npos ? unescaped_path(rest) : std::nullopt;
     if (!path)
       return wrong("has a path with a space or a '\\' that is not written '\\s' or '\\\\'");
-    BaselineKey key{*path, std::string(text.substr(digits + 1, space - digits - 1))};
+    const std::string_view rule = text.substr(digits + 1, space - digits - 1);
+    BaselineKey key{*path, std::string(current_name(rule))};
     const auto [known, is_new] = lines_.emplace(key, number_);
     if (!is_new) {
       return wrong(fmt::format("names the rule and the file of line {} again", known->second));

@@ -22,9 +22,9 @@ constexpr Consequences kConsequences[] = {
     {"inertia-not-finite inertia-not-positive-definite inertia-triangle-inequality "
      "inertia-moment-missing inertia-not-written",
      "inertia-identity inertia-singular inertia-exceeds-shapes inertia-geometry-mismatch "
-     "inertia-axes-swapped inertia-turned-by-pose products-of-inertia-negated"},
+     "inertia-axes-swapped inertia-rotated-by-pose products-of-inertia-negated"},
     // A placeholder, or the right numbers in the wrong places, explains a wrong size.
-    {"inertia-identity inertia-axes-swapped inertia-turned-by-pose products-of-inertia-negated "
+    {"inertia-identity inertia-axes-swapped inertia-rotated-by-pose products-of-inertia-negated "
      "inertia-about-link-origin",
      "inertia-singular inertia-exceeds-shapes inertia-geometry-mismatch"},
     {"inertia-exceeds-shapes", "inertia-geometry-mismatch inertia-singular"},
@@ -39,13 +39,13 @@ constexpr Consequences kConsequences[] = {
     {"joint-type-unknown",
      "limit-missing axis-missing limit-without-effect fixed-joint-with-axis mimic-dof-mismatch "
      "controlled-joint-fixed"},
-    {"joint-limit-inverted limit-looks-like-degrees limit-looks-like-millimetres",
+    {"joint-limit-inverted limit-looks-like-degrees limit-looks-like-millimeters",
      "limit-excludes-zero initial-position-outside-limits mimic-outside-limits "
      "safety-limits-outside"},
     {"limit-missing limit-range-missing",
      "limit-equal mimic-outside-limits effort-zero velocity-zero"},
     {"mimic-cycle mimic-self mimic-joint-missing",
-     "mimic-refused-by-ros2-control mimic-outside-limits mimic-dof-mismatch"},
+     "mimic-rejected-by-ros2-control mimic-outside-limits mimic-dof-mismatch"},
     {"controlled-joint-fixed", "fixed-joint-with-axis"},
     {"model-far-from-origin", "model-in-ground"},
     // A mesh that cannot be read to its end is never closed.

@@ -74,11 +74,12 @@ std::string Context::subject_at(Span where) const {
 }
 
 Severity Context::severity_of(const Finding& finding) const {
-  if (!refusal_) return severity_;
+  const Severity severity = graded_ ? finding.severity.value_or(severity_) : severity_;
+  if (!refusal_) return severity;
   const bool refused =
       *refusal_ == Refusal::kAlways || (*refusal_ == Refusal::kSays && finding.refused);
   if (refused) return Severity::kError;
-  return severity_ == Severity::kError ? Severity::kWarning : severity_;
+  return severity == Severity::kError ? Severity::kWarning : severity;
 }
 
 Diagnostic Context::told_by_rule(const Finding& finding) const {
@@ -114,7 +115,7 @@ void Context::report(Finding finding) {
   Found::Tally& tally = found_->tallies[rule_];
   if (++tally.found > inputs_.most_listed) {
     if (tally.found == inputs_.most_listed + 1) tally.rest = told_by_rule(finding);
-    if (severity_of(finding) == Severity::kError) tally.rest.severity = Severity::kError;
+    tally.rest.severity = std::min(tally.rest.severity, severity_of(finding));  // the gravest
     return;
   }
   Diagnostic diagnostic = told_by_rule(finding);

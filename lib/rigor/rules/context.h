@@ -63,6 +63,8 @@ struct Finding {
   std::string cause = {};
   std::string why =
       {};  ///< what a consumer makes of this case; when empty, the rule's page says it
+  /// Where the effect of this one is larger or smaller than that of most; else the rule's severity.
+  std::optional<Severity> severity = std::nullopt;
 };
 
 /// The first sentences of a rule's page; static data.
@@ -168,8 +170,11 @@ class Context {
     category_ = category;
     page_ = page;
     severity_ = severity;
+    graded_ = true;
     refusal_.reset();
   }
+  /// Gives all its findings the severity of the rule, which the user has set.
+  void hold_severity() { graded_ = false; }
   /// Makes its findings errors if libsdformat refuses files for them, and else warnings at most.
   void judge_by(Refusal refusal) { refusal_ = refusal; }
 
@@ -193,6 +198,7 @@ class Context {
   std::string_view category_;
   PageInBrief page_;
   Severity severity_ = Severity::kError;
+  bool graded_ = true;              // whether a finding may have a severity of its own
   std::optional<Refusal> refusal_;  // nothing when rigor's own judgement counts
 };
 

@@ -13,13 +13,14 @@
 #include <rigor/model/subject.h>
 #include <rigor/rules/consequences.h>
 #include <rigor/rules/context.h>
+#include <rigor/rules/registry.h>
 
 namespace rigor::rules {
 namespace {
 
 bool names(const std::vector<std::string>& list, const Rule& rule) {
   return std::any_of(list.begin(), list.end(), [&rule](const std::string& name) {
-    return name == rule.name || name == to_string(rule.category);
+    return current_name(name) == rule.name || name == to_string(rule.category);
   });
 }
 
@@ -32,7 +33,8 @@ bool targeted(const Rule& rule, const Selection& selection) {
     return std::find(asked.begin(), asked.end(), target) != asked.end();
   };
   const auto& selected = selection.select;
-  return std::find(selected.begin(), selected.end(), rule.name) != selected.end() ||
+  const auto named = [&rule](const std::string& name) { return current_name(name) == rule.name; };
+  return std::any_of(selected.begin(), selected.end(), named) ||
          std::any_of(rule.targets.begin(), rule.targets.end(), wanted);
 }
 
@@ -76,15 +78,17 @@ Runner::Runner(const Registry& registry, const Selection& selection)
     if (!selected || names(selection.ignore, rule) || !targeted(rule, selection)) continue;
     Severity severity = rule.severity;
     Compat compat = selection.compat;
+    Grading grading = Grading::kByFinding;
     // What is said of the rule itself counts more than what is said of its category.
     for (const std::string_view of : {to_string(rule.category), rule.name}) {
       for (const auto& [name, level] : selection.severity) {
-        if (name != of) continue;
+        if (current_name(name) != of) continue;
         severity = level;
         compat = Compat::kNone;
+        grading = Grading::kHeld;
       }
     }
-    add(rule, severity, compat);
+    add(rule, severity, compat, grading);
   }
 }
 
@@ -92,7 +96,7 @@ bool Runner::runs(std::string_view rule) const {
   return std::binary_search(active_.begin(), active_.end(), rule);
 }
 
-void Runner::add(const Rule& rule, Severity severity, Compat compat) {
+void Runner::add(const Rule& rule, Severity severity, Compat compat, Grading grading) {
   active_.push_back(rule.name);  // sorted, as the registry is
   for (const Check& check : rule.checks) {
     std::visit(
@@ -103,6 +107,7 @@ void Runner::add(const Rule& rule, Severity severity, Compat compat) {
                 {first_sentence(rule.why), first_sentence(rule.what_to_do)},
                 severity,
                 compat,
+                grading,
                 rule.formats,
                 rule.refused},
                one});
@@ -180,6 +185,7 @@ class Runner::Walk {
     const model::Format format = loaded_.root.format;
     if (!applies(active.formats, format)) return false;
     context_.begin_rule(active.rule, active.category, active.severity, active.page);
+    if (active.grading == Grading::kHeld) context_.hold_severity();
     if (active.compat == Compat::kSdformat) context_.judge_by(refusal_in(active.refused, format));
     return true;
   }

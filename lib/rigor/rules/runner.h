@@ -61,12 +61,16 @@ class Runner {
  private:
   /// What a check needs of its rule, beside the check: a file walks over hundreds of them, and the rules
   /// themselves lie far apart.
+  /// Whether findings may have a severity of their own, or the user has set that of the rule.
+  enum class Grading : std::uint8_t { kByFinding, kHeld };
+
   struct Active {
     std::string_view rule;
     std::string_view category;
     PageInBrief page;
     Severity severity;
     Compat compat;
+    Grading grading;
     Formats formats;
     Refusals refused;
   };
@@ -81,7 +85,7 @@ class Runner {
 
   class Walk;
 
-  void add(const Rule& rule, Severity severity, Compat compat);
+  void add(const Rule& rule, Severity severity, Compat compat, Grading grading);
 
   SlotsOf<Check>::type slots_;
   std::vector<std::string_view> active_;  // names

@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include <rigor/rules/registry.h>
 #include <rigor/rules/runner.h>
 #include <rigor/rules/suppression_comment.h>
 #include <rigor/schema/suggest.h>
@@ -100,7 +101,7 @@ class Suppressions::Reader {
     Comment comment{into_.names_.size(), 0, whole(token)};
     for (const Span name : read->names) {
       into_.names_.push_back(
-          {std::string(document_.bytes().substr(name.begin, name.size())), name});
+          {std::string(current_name(document_.bytes().substr(name.begin, name.size()))), name});
     }
     comment.end_name = into_.names_.size();
     const std::size_t index = into_.comments_.size();

@@ -11,9 +11,9 @@
 namespace rigor::rules {
 namespace {
 
-constexpr std::array<std::string_view, 5> kTargetNames{"gazebo-classic", "gz-sim", "ros", "mujoco",
-                                                       "isaac"};
-static_assert(kTargetNames.size() == static_cast<std::size_t>(Target::kIsaac) + 1);
+constexpr std::array<std::string_view, 6> kTargetNames{"gazebo-classic", "gz-sim", "ros", "mujoco",
+                                                       "isaac", "bullet"};
+static_assert(kTargetNames.size() == static_cast<std::size_t>(Target::kBullet) + 1);
 
 }  // namespace
 

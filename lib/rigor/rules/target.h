@@ -15,11 +15,11 @@
 
 namespace rigor::rules {
 
-enum class Target : std::uint8_t { kGazeboClassic, kGzSim, kRos, kMujoco, kIsaac };
+enum class Target : std::uint8_t { kGazeboClassic, kGzSim, kRos, kMujoco, kIsaac, kBullet };
 
 using Targets = std::vector<Target>;
 
-/// "gazebo-classic", "gz-sim", "ros", "mujoco", "isaac"
+/// "gazebo-classic", "gz-sim", "ros", "mujoco", "isaac", "bullet"
 std::string_view to_string(Target target);
 
 /// Nothing when no target has that name.

@@ -18,4 +18,7 @@ std::string_view urdf_schema_text();
 // The colours of Gazebo's own material script, by name: schemas/gazebo.materials.
 std::string_view gazebo_materials_text();
 
+// What consumers read beyond the formats: schemas/dialects.table.
+std::string_view dialects_table_text();
+
 }  // namespace rigor::schema

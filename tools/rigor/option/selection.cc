@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include <rigor/rules/registry.h>
 #include <rigor/rules/target.h>
 
 #include "command/command.h"
@@ -88,6 +89,7 @@ std::vector<std::string_view> names_of_rules(const rules::Registry& registry) {
     const std::string_view category = to_string(rule.category);
     if (std::find(known.begin(), known.end(), category) == known.end()) known.push_back(category);
   }
+  for (const std::string_view former : rules::former_names()) known.push_back(former);
   return known;
 }
 

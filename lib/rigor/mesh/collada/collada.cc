@@ -60,7 +60,8 @@ class ColladaReader {
   struct Visit {
     std::uint32_t node;
     std::optional<Affine> X_WN;
-    std::size_t next = 0;  ///< item
+    std::string_view name = {};  ///< its own, else that of the node around it, as Gazebo has it
+    std::size_t next = 0;        ///< item
   };
 
   /// Counts before anything is allocated. Depth first, without recursion: instances of nodes make
@@ -87,8 +88,10 @@ class ColladaReader {
       } else {
         inside[item.index] = 1;
         const std::optional<Affine>& X_PN = scene_.nodes()[item.index].X_PN;
-        path.push_back(
-            {item.index, visit.X_WN && X_PN ? std::optional(*visit.X_WN * *X_PN) : std::nullopt});
+        const std::string_view own = scene_.nodes()[item.index].name;
+        path.push_back({item.index,
+                        visit.X_WN && X_PN ? std::optional(*visit.X_WN * *X_PN) : std::nullopt,
+                        own.empty() ? visit.name : own});
       }
     }
   }
@@ -111,8 +114,7 @@ class ColladaReader {
       return fail(FaultKind::kTooLarge, "over 50 million triangles", node);
     }
     if (parts_ > kMaxColladaVisits) return fail(FaultKind::kTooLarge, "over a million parts", node);
-    placements_.push_back(
-        {scene_.nodes()[visit.node].name, &scene_.instances()[instance], &shape, *visit.X_WN});
+    placements_.push_back({visit.name, &scene_.instances()[instance], &shape, *visit.X_WN});
   }
 
   /// Read when it is first placed; its faults count once.

@@ -69,6 +69,17 @@ std::string_view texture_name(std::string_view rest) {
   }
 }
 
+/// Whether each word ends as the name of a library does; else the blanks belong to one name.
+bool all_libraries(std::string_view rest) {
+  constexpr std::string_view kBlanks = " \t";
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find_first_of(kBlanks), rest.size());
+    if (!rest.substr(0, end).ends_with(".mtl")) return false;
+    rest.remove_prefix(std::min(rest.find_first_not_of(kBlanks, end), rest.size()));
+  }
+  return true;
+}
+
 class ObjAssetReader {
  public:
   ObjAssetReader(const Disk& disk, const std::string& path) : disk_(disk), path_(path) {}
@@ -93,7 +104,8 @@ class ObjAssetReader {
     if (facts_.libraries.size() == kMaxReferences) return;
     FileReference whole = resolve(disk_, path_, rest, line);
     const bool one = rest.find_first_of(kBlanks) == std::string_view::npos;
-    if (one || whole.state != State::kMissing) return keep(std::move(whole));
+    if (one || whole.state != State::kMissing || !all_libraries(rest))
+      return keep(std::move(whole));
     while (!rest.empty() && facts_.libraries.size() < kMaxReferences) {
       const std::size_t end = std::min(rest.find_first_of(kBlanks), rest.size());
       keep(resolve(disk_, path_, rest.substr(0, end), line));

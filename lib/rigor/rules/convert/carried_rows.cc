@@ -66,9 +66,9 @@ std::span<const Row> carried_rows() {
       {.rule = {"convert-block-reference", NoteKind::kBlockReference, Severity::kWarning,
                 Formats::kUrdf},
        .message = "the gazebo block of {written} is lost: the robot has nothing of that name",
-       .summary = "a gazebo block speaks of nothing",
-       .why = "Its reference names neither a link nor a joint: Gazebo passes over it without a "
-              "word, and so what it says is lost.",
+       .summary = "a <gazebo> block refers to nothing",
+       .why = "Its reference names neither a link nor a joint: Gazebo ignores the block silently, "
+              "so its content is lost.",
        .what_to_do = "Put the name right."},
       {.rule = {"convert-block-without-collision", NoteKind::kBlockWithoutCollision,
                 Severity::kWarning, Formats::kUrdf},
@@ -76,24 +76,24 @@ std::span<const Row> carried_rows() {
        .summary = "friction of a link that collides with nothing",
        .why = "Friction and contact belong to collisions in SDF; the link has none, so there is "
               "nowhere to write them.",
-       .what_to_do = "Give the link a collision, or take the block away."},
+       .what_to_do = "Give the link a collision, or remove the block."},
       {.rule = {"convert-comment", NoteKind::kComment, Severity::kInfo},
-       .message = "a comment is lost: what it stands before is not in the result",
+       .message = "a comment is lost: the element after it is not in the result",
        .summary = "a comment could not be carried",
-       .why = "Comments go with the link or joint that they stand before; what stood there is not "
-              "in the result.",
-       .what_to_do = "Look whether it says something that the result should say."},
+       .why = "A comment goes with the link or joint that follows it, and that element is not in "
+              "the result.",
+       .what_to_do = "Check whether the result needs the comment."},
       {.rule = {"convert-not-carried", NoteKind::kUnknown, Severity::kWarning},
        .message = "{written} is not in the result",
        .summary = "an element that the conversion has no rule for",
-       .why = "What has no rule is a loss: the result does not say it.",
+       .why = "What the conversion has no rule for is lost: the result does not have it.",
        .what_to_do = "Look whether the result needs it."},
       {.rule = {"convert-idle", NoteKind::kIdle, Severity::kInfo},
-       .message = "{written}: no reader takes it, so the result does not say it",
+       .message = "{written}: no reader uses it, so the result does not have it",
        .summary = "something without effect is not carried",
-       .why = "What a fixed joint says of its axis, or a collision of its colour, no reader takes: "
-              "the robot is the same without it.",
-       .what_to_do = "Nothing; or take it out of the source."},
+       .why = "No reader uses the axis of a fixed joint or the color of a collision: the robot is "
+              "the same without it.",
+       .what_to_do = "Nothing; or remove it from the source."},
   };
   return kRows;
 }

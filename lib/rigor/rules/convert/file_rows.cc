@@ -15,7 +15,7 @@ std::span<const Row> file_rows() {
   static constexpr Row kRows[] = {
       {.rule = {"convert-several-models", NoteKind::kSeveralModels, Severity::kError},
        .message = "the file has several models: {written}; choose one with --model",
-       .summary = "a file with several models does not say which one to convert",
+       .summary = "several models in the file, and none is selected for conversion",
        .why = "A URDF file holds one robot. Taking the first model of a world would be a guess, "
               "and converting all of them would weld strangers together.",
        .what_to_do = "Name the model: `--model NAME`."},
@@ -30,17 +30,17 @@ std::span<const Row> file_rows() {
               "would be read as success by whatever runs next.",
        .what_to_do = "Name a file that holds a model, and one of its models."},
       {.rule = {"convert-world", NoteKind::kWorld, Severity::kWarning, Formats::kSdf},
-       .message = "{written} of the world stays behind: a URDF holds the robot alone",
-       .summary = "what a world says beside the model is not in the robot",
+       .message = "{written} of the world is not converted: a URDF has the robot alone",
+       .summary = "content of the world outside the model is not in the robot",
        .why = "URDF describes one robot and nothing around it: gravity, lights, physics and other "
-              "models of the world stay behind.",
+              "models of the world are not converted.",
        .what_to_do = "Keep the world file, and include the robot from it."},
       {.rule = {"convert-unresolved", NoteKind::kUnresolved, Severity::kError},
-       .message = "{written} leads nowhere: the robot cannot be told",
-       .summary = "a reference or an include leads nowhere",
+       .message = "{written} does not exist: the robot cannot be converted",
+       .summary = "a reference or an include does not exist",
        .why = "Where a part of the model cannot be found or placed, any robot that is written "
               "would be another one.",
-       .what_to_do = "Put the reference right; `rigor validate` says what was tried."},
+       .what_to_do = "Correct the reference; `rigor validate` lists what was tried."},
   };
   return kRows;
 }

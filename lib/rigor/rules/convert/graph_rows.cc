@@ -14,30 +14,31 @@ using convert::NoteKind;
 std::span<const Row> graph_rows() {
   static constexpr Row kRows[] = {
       {.rule = {"convert-several-roots", NoteKind::kSeveralRoots, Severity::kError},
-       .message = "{count} links hang on no joint: {written}; a URDF has one root",
+       .message = "{count} links are the child of no joint: {written}; a URDF has one root",
        .summary = "the links form several trees",
-       .why = "A URDF robot is one tree: urdfdom refuses a file with two roots. Joining them would "
+       .why = "A URDF robot is one tree: urdfdom rejects a file with two roots. Joining them would "
               "invent a joint that the model does not have.",
        .what_to_do = "Add the joint that is missing, or convert with `--roots add`, which fixes "
                      "all of them to one new root."},
       {.rule = {"convert-root-added", NoteKind::kRootAdded, Severity::kWarning},
-       .message = "{count} links hang on no joint ({written}): all are fixed to one root now",
+       .message =
+           "{count} links are the child of no joint ({written}): all are fixed to one root now",
        .summary = "several trees were fixed to one new root",
        .why = "A URDF robot is one tree. What was free to move apart is now one rigid base.",
        .what_to_do = "Mind it wherever the robot is simulated."},
       {.rule = {"convert-no-root", NoteKind::kNoRoot, Severity::kError},
        .message = "every link is a child of a joint ({written}): there is no root",
-       .summary = "the joints form a circle without a beginning",
+       .summary = "the joints form a cycle without a root",
        .why = "Every link is the child of some joint, so none can be the root that a URDF begins "
               "with.",
-       .what_to_do = "Take one joint out of the circle."},
+       .what_to_do = "Remove one joint of the cycle."},
       {.rule = {"convert-loop", NoteKind::kLoop, Severity::kError},
-       .message = "closes a loop: {written} already hangs on {instead}; URDF has trees only, so "
-                  "this joint is cut",
+       .message = "closes a loop: {written} already is a child of {instead}; URDF has trees only, "
+                  "so this joint is cut",
        .summary = "a link has a second parent, and its joint is cut",
-       .why = "URDF has trees only: urdfdom refuses or hangs on a link with two parents. Without "
-              "the joint the mechanism moves otherwise: a closed gripper opens, a parallel leg "
-              "falls apart.",
+       .why = "URDF has trees only: urdfdom rejects a link with two parents or does not return. "
+              "Without the joint the mechanism moves differently: a closed gripper opens, a "
+              "parallel leg falls apart.",
        .what_to_do = "Close the loop in the simulator (a constraint, a mimic joint), or accept the "
                      "cut with `--allow-loss`."},
       {.rule = {"convert-dangling-joint", NoteKind::kDanglingJoint, Severity::kError},
@@ -47,7 +48,7 @@ std::span<const Row> graph_rows() {
               "the joint.",
        .what_to_do = "Name two links of the model; the parent may be `world`."},
       {.rule = {"convert-world-link", NoteKind::kWorldLink, Severity::kInfo},
-       .message = "hangs on the world: in URDF that is a massless link named world",
+       .message = "is a child of the world: in URDF that is a massless link named world",
        .summary = "the robot is fixed to a link named world",
        .why = "In SDF a joint may have the world as its parent. By habit URDF has a massless link "
               "of that name, which ROS tools know.",
@@ -57,9 +58,9 @@ std::span<const Row> graph_rows() {
            [](const convert::Note& note) {
              return note.instead.empty() ? "static {whereabouts}" : "static becomes {instead}";
            },
-       .summary = "that a model never moves is told in another way",
-       .why = "URDF has no word for a model that never moves. A fixed joint to a link named world "
-              "says the same; a `<gazebo>` block says it to Gazebo alone.",
+       .summary = "that a model never moves is reported in another way",
+       .why = "URDF has no element for a static model. A fixed joint to a link named world means "
+              "the same; only Gazebo reads a `<gazebo>` block.",
        .what_to_do = "Nothing, or fix it to the world for all: `--static world-link`."},
       {.rule = {"convert-nested", NoteKind::kNested, Severity::kInfo},
        .message = "nested model {written} was flattened: its parts are named {instead}",
@@ -71,20 +72,20 @@ std::span<const Row> graph_rows() {
       {.rule = {"convert-renamed", NoteKind::kRenamed, Severity::kInfo},
        .message = "{written} is named {instead} in the result",
        .summary = "a name was changed",
-       .why = "The target does not take the name: it has it already for something else, or it "
-              "stands for something special there.",
+       .why = "The target does not allow the name: it is already used for something else, or "
+              "reserved.",
        .what_to_do =
            "Use the new name in controllers and launch files; `--report json:FILE` has the map."},
       {.rule = {"convert-model-pose", NoteKind::kModelPose, Severity::kWarning, Formats::kSdf},
        .message =
            "the model's pose ({written}) is not in the robot: give it where the robot is spawned",
-       .summary = "where the model stands in the world is not in the robot",
+       .summary = "the model's pose in the world is not in the robot",
        .why = "A model's pose or placement frame places it in a world. URDF describes the robot "
               "alone, from its root link on.",
        .what_to_do = "Spawn the robot at that pose, or write it into the file with `--model-pose "
                      "world-link`."},
       {.rule = {"convert-root-pose", NoteKind::kRootPose, Severity::kInfo, Formats::kSdf},
-       .message = "the root link stands at {written} in the model; the robot's frame is the link's",
+       .message = "the root link is at {written} in the model; the robot's frame is the link's",
        .summary = "the root link is not at the model's origin",
        .why = "URDF has no place for the pose of the root link: the robot's frame is the root "
               "link's. All links keep their places relative to each other.",
@@ -102,13 +103,13 @@ std::span<const Row> graph_rows() {
              return note.instead.empty() ? "the frame is left out" : "the frame becomes {instead}";
            },
        .summary = "a frame becomes a link on a fixed joint, or is left out",
-       .why = "URDF has no frames of their own. A massless link on a fixed joint is what ROS tools "
+       .why = "URDF has no element for frames. A massless link on a fixed joint is what ROS tools "
               "read as a frame.",
        .what_to_do = "Nothing, or leave them out with `--frames drop`."},
-      {.rule = {"convert-turned", NoteKind::kTurned, Severity::kInfo, Formats::kSdf},
-       .message = "the joint is turned round, since {written} has another parent: {instead}, the "
-                  "axis negated",
-       .summary = "a joint hangs the other way round",
+      {.rule = {"convert-joint-swapped", NoteKind::kTurned, Severity::kInfo, Formats::kSdf},
+       .message =
+           "the joint is reversed, since {written} has another parent: {instead}, the axis negated",
+       .summary = "parent and child of a joint are swapped",
        .why = "A link of URDF has one parent. In SDF two joints may lead to one link and still "
               "close no loop; with parent and child swapped and the axis negated, the joint's "
               "positions mean what they meant.",
@@ -121,12 +122,12 @@ std::span<const Row> graph_rows() {
                                     : "{count} links were added between joints in a row, {instead} "
                                       "each; what they carry is so much lighter";
            },
-       .summary = "links of next to no mass stand between joints in a row",
+       .summary = "nearly massless links are between joints in series",
        .why =
-           "Several joints that stand for one need links between them. Simulators move nothing "
-           "without mass: MuJoCo refuses such a file, and Gazebo drops the link and all that hangs "
-           "on it. So each is a ball of two milligrams where the axes meet, and the link that they "
-           "carry has so much less: together they are the same body at all joint positions.",
+           "Several joints in place of one need links between them. Simulators do not move a link "
+           "without mass: MuJoCo rejects such a file, and Gazebo drops the link and its subtree. "
+           "So each is a sphere of two milligrams where the axes meet, and the mass of the child "
+           "link is reduced by as much: together they are the same body at all joint positions.",
        .what_to_do = "Nothing, as long as the solver works in reduced coordinates."},
   };
   return kRows;

@@ -51,21 +51,21 @@ std::span<const Row> link_rows() {
                         ? "{written} {whereabouts}: URDF has no word for it"
                         : "{written} {whereabouts}";
            },
-       .summary = "what a link says to the engine is not in the robot",
+       .summary = "engine parameters of a link are not in the robot",
        .why = "Damping of a link's velocity, wind, kinematic motion, batteries, added mass: URDF "
               "has no word for them. A `<gazebo>` block carries the damping, which Gazebo reads.",
        .what_to_do = "Set them in the simulator where they matter."},
       {.rule = {"convert-self-collide", NoteKind::kSelfCollide, Severity::kInfo},
        .message = "self_collide {whereabouts}",
        .summary = "self-collision is for Gazebo only",
-       .why = "URDF itself says nothing of whether links of the robot collide with each other; a "
-              "`<gazebo>` block tells Gazebo.",
+       .why = "URDF itself has no setting for collisions between links of the robot; Gazebo reads "
+              "it from a `<gazebo>` block.",
        .what_to_do = "Tell planners in their own file (SRDF)."},
       {.rule = {"convert-gravity", NoteKind::kGravity, Severity::kInfo},
        .message = "no gravity: this {whereabouts}",
        .summary = "a link without gravity is so for Gazebo only",
-       .why = "URDF itself has no word for a link that gravity does not pull; a `<gazebo>` block "
-              "tells Gazebo.",
+       .why = "URDF itself cannot turn off gravity for a link; Gazebo reads it from a `<gazebo>` "
+              "block.",
        .what_to_do = "Mind it wherever the robot is simulated otherwise."},
   };
   return kRows;

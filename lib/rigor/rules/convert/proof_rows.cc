@@ -20,10 +20,10 @@ std::span<const Row> proof_rows() {
               "source; here the two are not the same. Either a loss that was allowed shows, or "
               "rigor has an error.",
        .what_to_do = "Look at the losses above it; when there is none, please report it."},
-      {.rule = {"convert-refused", NoteKind::kRefused, Severity::kError},
-       .message = "urdfdom refuses the result: {written}",
-       .summary = "the official parser refuses the result",
-       .why = "Whatever reads the file next will refuse it as well.",
+      {.rule = {"convert-rejected", NoteKind::kRefused, Severity::kError},
+       .message = "urdfdom rejects the result: {written}",
+       .summary = "the official parser rejects the result",
+       .why = "Whatever reads the file next will reject it as well.",
        .what_to_do = "Please report it, with the file."},
   };
   return kRows;

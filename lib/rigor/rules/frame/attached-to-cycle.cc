@@ -16,8 +16,8 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
-      .summary = "frames are attached to each other in a circle",
-      .why = "libsdformat refuses the file: no frame of the circle reaches a link.",
+      .summary = "attached_to references form a cycle",
+      .why = "libsdformat rejects the file: no frame of the cycle reaches a link.",
       .what_to_do = "Attach one of the frames to a link.",
       .checks = {on_frames({model::FrameProblemKind::kAttachedToCycle}, check)},
   };

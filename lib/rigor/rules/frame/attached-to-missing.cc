@@ -8,7 +8,8 @@ namespace rigor::rules::attached_to_missing {
 
 void check(const model::FrameProblem& problem, Context& context) {
   context.report(unresolved(
-      problem, "the frame is attached to '" + problem.name + "', which is nothing in this scope",
+      problem,
+      "the frame is attached to '" + problem.name + "', which does not exist in this scope",
       context));
 }
 
@@ -19,7 +20,7 @@ Rule rule() {
       .refused = {.sdf = Refusal::kAlways},
       .fix = FixGrade::kUnsafe,
       .summary = "a frame is attached to something that does not exist",
-      .why = "libsdformat refuses the file: a frame moves with what it is attached to.",
+      .why = "libsdformat rejects the file: a frame moves with what it is attached to.",
       .what_to_do = "Name a link, joint, frame or model of the same scope.",
       .checks = {on_frames({model::FrameProblemKind::kAttachedToMissing}, check)},
   };

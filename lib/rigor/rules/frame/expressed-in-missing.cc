@@ -8,7 +8,8 @@ namespace rigor::rules::expressed_in_missing {
 
 void check(const model::FrameProblem& problem, Context& context) {
   context.report(unresolved(
-      problem, "the axis is expressed in '" + problem.name + "', which is nothing in this scope",
+      problem,
+      "the axis is expressed in '" + problem.name + "', which does not exist in this scope",
       context));
 }
 
@@ -18,8 +19,8 @@ Rule rule() {
       .severity = Severity::kError,
       .fix = FixGrade::kUnsafe,
       .summary = "a joint axis is expressed in a frame that does not exist",
-      .why = "ign sdf -k calls the file valid, but whoever asks for the axis, the simulator among "
-             "them, gets an error instead.",
+      .why = "The simulator gets an error instead of the axis when it loads the joint. The checker "
+             "(ign sdf -k, gz sdf -k) does not resolve it.",
       .what_to_do =
           "Name a link, joint, frame or model of the same scope; __model__ is the model itself.",
       .checks = {on_frames({model::FrameProblemKind::kExpressedInMissing}, check)},

@@ -18,8 +18,8 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "a reference to a frame that only the parser may name",
-      .why = "Names with two underscores before and behind are kept for the parser; libsdformat "
-             "refuses a reference to any but __model__.",
+      .why = "Names that begin and end with two underscores are reserved for the parser; "
+             "libsdformat rejects a reference to any but __model__.",
       .what_to_do = "Refer to __model__, to world (in the world), or to a frame of your own.",
       .checks = {on_frames({model::FrameProblemKind::kReservedReference}, check)},
   };

@@ -25,7 +25,7 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "an include names a placement frame and no pose",
-      .why = "The pose of the include is where the placement frame is put. libsdformat refuses the "
+      .why = "The pose of the include is where the placement frame is put. libsdformat rejects the "
              "file: \"<pose> is required when specifying the placement_frame element\".",
       .what_to_do = "Write the pose; 0 0 0 0 0 0 puts the frame at the origin.",
       .checks = {on<model::Include>(check)},

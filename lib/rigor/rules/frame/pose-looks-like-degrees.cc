@@ -37,9 +37,9 @@ std::optional<Finding> check_pose(const model::PoseField& pose, const Context& c
     if (std::abs(angle) < kMost || !round_degrees(angle)) continue;
     return Finding{
         .where = rotation->span,
-        .message = fmt::format("the angle {0} looks like degrees: angles are in radians, "
-                               "and {0}° is {1:.6g} rad",
-                               angle, angle / 360 * kTurn)};
+        .message = fmt::format(
+            "the angle {0} looks like degrees: angles are in radians, and {0}° is {1:.6g} rad",
+            angle, angle / 360 * kTurn)};
   }
   return std::nullopt;
 }
@@ -49,9 +49,9 @@ Rule rule() {
       .name = "pose-looks-like-degrees",
       .severity = Severity::kWarning,
       .summary = "an angle of a pose looks like degrees",
-      .why =
-          "Angles are in radians unless degrees=\"true\" says otherwise (SDF 1.9 and later). Taken "
-          "as radians, 90 is fourteen turns and some: the part stands askew, and nobody complains.",
+      .why = "Angles are in radians unless degrees=\"true\" is set (SDF 1.9 and later). Read as "
+             "radians, 90 is more than fourteen turns: the part is rotated wrongly, and no "
+             "consumer warns.",
       .what_to_do = "Convert the angle to radians, or write degrees=\"true\" in an SDF 1.9 pose.",
       .checks = on_poses<check_pose>(),
   };

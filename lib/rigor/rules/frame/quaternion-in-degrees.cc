@@ -26,8 +26,8 @@ Rule rule() {
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .fix = FixGrade::kSafe,
-      .summary = "the quaternion of a pose is said to be in degrees",
-      .why = "A quaternion has no unit. libsdformat refuses the file: degrees=\"true\" does not "
+      .summary = "a quaternion pose has degrees=\"true\"",
+      .why = "A quaternion has no unit. libsdformat rejects the file: degrees=\"true\" does not "
              "apply to quaternions.",
       .what_to_do = "Take degrees=\"true\" out, or write roll, pitch and yaw.",
       .checks = on_poses<check_pose>(),

@@ -64,8 +64,8 @@ Rule rule() {
       .fix = FixGrade::kSafe,
       .summary = "the quaternion of a pose is not of length one",
       .why = "Only a quaternion of length one is a rotation. libsdformat divides by the length "
-             "without a word; a mistyped number becomes another rotation, and who does not divide "
-             "gets a body that is sheared.",
+             "silently; a mistyped number becomes another rotation, and a consumer that does not "
+             "divide gets a sheared body.",
       .what_to_do = "Write x y z w so that their squares sum up to 1; w comes last.",
       .checks = on_poses<check_pose>(),
   };

@@ -44,7 +44,7 @@ Rule rule() {
       .fix = FixGrade::kSafe,
       .summary = "the quaternion of a pose is zero",
       .why = "A rotation is a quaternion of length one. libsdformat takes the zero one for no "
-             "rotation, without a word.",
+             "rotation silently.",
       .what_to_do = "Write 0 0 0 1 where nothing is turned; w comes last.",
       .checks = on_poses<check_pose>(),
   };

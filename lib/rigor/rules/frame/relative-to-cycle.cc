@@ -16,9 +16,9 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
-      .summary = "poses are relative to each other in a circle",
-      .why = "libsdformat refuses the file: nothing in the circle has a place.",
-      .what_to_do = "Give one of the frames a pose relative to something outside the circle, such "
+      .summary = "relative_to references form a cycle",
+      .why = "libsdformat rejects the file: no pose of the cycle is defined.",
+      .what_to_do = "Give one of the frames a pose relative to something outside the cycle, such "
                     "as __model__.",
       .checks = {on_frames({model::FrameProblemKind::kRelativeToCycle}, check)},
   };

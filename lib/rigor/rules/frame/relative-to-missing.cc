@@ -23,7 +23,7 @@ bool refused(const model::FrameProblem& problem, const Context& context) {
 
 void check(const model::FrameProblem& problem, Context& context) {
   Finding finding = unresolved(
-      problem, "the pose is relative to '" + problem.name + "', which is nothing in this scope",
+      problem, "the pose is relative to '" + problem.name + "', which does not exist in this scope",
       context);
   finding.refused = refused(problem, context);
   context.report(std::move(finding));
@@ -36,11 +36,11 @@ Rule rule() {
       .refused = {.sdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "a pose is relative to a frame that does not exist",
-      .why = "Of a link, joint, frame or model libsdformat refuses the file: without the frame "
+      .why = "Of a link, joint, frame or model libsdformat rejects the file: without the frame "
              "there is no pose. Of a visual, collision, sensor or light the simulator prints an "
              "error and takes the numbers as if no frame were named.",
-      .what_to_do = "Name a link, joint, frame or model of the same scope. The world can be named "
-                    "only from a pose that stands in the world itself.",
+      .what_to_do = "Name a link, joint, frame or model of the same scope. Only poses directly in "
+                    "the world can refer to world.",
       .checks = {on_frames({model::FrameProblemKind::kRelativeToMissing}, check)},
   };
 }

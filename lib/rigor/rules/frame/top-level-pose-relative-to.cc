@@ -15,12 +15,12 @@ void check(const model::Model& model, Context& context) {
   const model::Field<std::string>& frame = model.pose.relative_to;
   // Other names are told as the nothing, or the circle, that they are.
   if (!frame.written || frame.value != "world") return;
-  context.report({.where = frame.span,
-                  .message = "no frame is around a model at the top of a file: relative_to has to "
-                             "be left out",
-                  .subject = context.subject(model),
-                  .fix = fix_of("take it out", Applicability::kSafe,
-                                attribute_removed(context, model.pose.site, "relative_to"))});
+  context.report(
+      {.where = frame.span,
+       .message = "no frame is around a model at the top of a file: relative_to has to be left out",
+       .subject = context.subject(model),
+       .fix = fix_of("take it out", Applicability::kSafe,
+                     attribute_removed(context, model.pose.site, "relative_to"))});
 }
 
 Rule rule() {
@@ -31,9 +31,8 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kSafe,
       .summary = "the pose of a model at the top of a file is relative to a frame",
-      .why =
-          "No frame is around such a model: whoever includes it decides where it stands. "
-          "libsdformat refuses the file: relative_to must be left empty there, even for \"world\".",
+      .why = "Such a model has no surrounding frame: the including file places it. libsdformat "
+             "rejects the file: relative_to must be left empty there, even for \"world\".",
       .what_to_do = "Take relative_to out.",
       .checks = {on<model::Model>(check)},
   };

@@ -92,7 +92,7 @@ Rule rule() {
       .why = "It was copied and not moved. Both are there: contacts count twice, so they are twice "
              "as stiff and cost twice the time; where the mass is computed from the shapes, it "
              "counts twice as well. The part that the copy was meant for has none.",
-      .what_to_do = "Give the copy its own pose and size, or take it out.",
+      .what_to_do = "Give the copy its own pose and size, or remove it.",
       .checks = {on<model::Link>(check)},
   };
 }

@@ -45,7 +45,7 @@ Rule rule() {
       .severity = Severity::kInfo,
       .summary = "a link that moves has a visual but no collision",
       .why = "It falls through the ground and other bodies pass through it. That is often meant, "
-             "for a small part that is fixed to another; in a URDF those are not told of, nor "
+             "for a small part that is fixed to another; in a URDF those are not reported, nor are "
              "robots without any collision.",
       .what_to_do = "Add a collision, best a simple shape about the visual.",
       .checks = {on<model::Link>(check), on<model::Model>(check_robot)},

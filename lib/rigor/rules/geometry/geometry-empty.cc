@@ -27,9 +27,9 @@ Rule rule() {
       .severity = Severity::kError,
       .summary = "a <geometry> holds no shape",
       .why = "urdfdom stops reading the link with an error: this part and all that follow are not "
-             "there, first the visuals, then the collisions. libsdformat takes it for nothing.",
-      .what_to_do = "Put a shape in, or take the visual or collision out. Where nothing is meant, "
-                    "SDF has <empty/>.",
+             "there, first the visuals, then the collisions. libsdformat accepts it for nothing.",
+      .what_to_do = "Add a shape, or remove the visual or collision. Where nothing is meant, SDF "
+                    "has <empty/>.",
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };
 }

@@ -28,8 +28,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a collision or visual has no <geometry>",
-      .why = "libsdformat takes it for a part without a shape: nothing is touched, or seen.",
-      .what_to_do = "Add the <geometry> with its shape, or take the part out.",
+      .why = "libsdformat accepts it for a part without a shape: nothing is touched, or seen.",
+      .what_to_do = "Add the <geometry> with its shape, or remove the visual or collision.",
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };
 }

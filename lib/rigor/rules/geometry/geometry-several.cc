@@ -24,8 +24,8 @@ Rule rule() {
       .name = "geometry-several",
       .severity = Severity::kError,
       .summary = "a <geometry> holds more than one shape",
-      .why = "libsdformat takes the first of its own order (box, capsule, cylinder, …), not the "
-             "first in the file; urdfdom takes the first. The other is dropped without a word.",
+      .why = "libsdformat uses the first of its own order (box, capsule, cylinder, …), not the "
+             "first in the file; urdfdom uses the first. The others are dropped silently.",
       .what_to_do = "Give each shape a visual or collision of its own.",
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };

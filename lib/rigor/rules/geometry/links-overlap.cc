@@ -26,11 +26,11 @@ Rule rule() {
       .name = "links-overlap",
       .severity = Severity::kInfo,
       .summary = "links of a model that no joint connects overlap",
-      .why = "Gazebo does not let the links of a model collide unless <self_collide> says so. "
-             "MuJoCo and Drake do, but for parent and child: there the two push each other from "
-             "the first step on. A motion planner calls the pose a collision. Boxes, balls, "
-             "cylinders and the like are looked at, meshes are not; where zero is outside a "
-             "joint's limits, the joint is taken at the nearest limit.",
+      .why = "Gazebo does not let the links of a model collide unless <self_collide> is set. "
+             "MuJoCo and Drake do, except parent and child: there the two push each other from the "
+             "first step on. A motion planner reports the pose as a collision. Primitive shapes "
+             "are checked, meshes are skipped; where zero is outside a joint's limits, the joint "
+             "is taken at the nearest limit.",
       .what_to_do = "Make the collisions smaller, or move them apart; or exclude the pair where "
                     "the model is used: <exclude> in MJCF, <disable_collisions> in SRDF.",
       .checks = {on<model::Root>(check)},

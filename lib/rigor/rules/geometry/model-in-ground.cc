@@ -112,7 +112,7 @@ Rule rule() {
              "first step, the faster the deeper, or stays caught. It is the pose of the model's "
              "middle that was given where that of its feet was meant, or none.",
       .what_to_do = "Raise the model by that much with its <pose>. `rigor simulate` shows how it "
-                    "lands. Boxes, balls, cylinders and the like are looked at, meshes are not.",
+                    "lands. Primitive shapes are checked, meshes are skipped.",
       .checks = {on<model::Root>(check)},
   };
 }

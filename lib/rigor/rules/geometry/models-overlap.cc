@@ -106,12 +106,11 @@ Rule rule() {
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "models of a world begin inside each other",
-      .why = "Models collide with each other in every engine. Those that are in each other at the "
-             "start are thrown apart at the first step, the faster the deeper; or one of them "
-             "falls through a thin floor. Boxes, balls, cylinders and the like are looked at, "
-             "meshes are not.",
-      .what_to_do = "Move one of them by its <pose>: what stands on the other has its lowest point "
-                    "on the other's highest.",
+      .why = "Models collide with each other in every engine. Those that overlap at the start are "
+             "pushed apart at the first step, the faster the deeper; or one of them falls through "
+             "a thin floor. Primitive shapes are checked, meshes are skipped.",
+      .what_to_do = "Move one of them by its <pose>: the lowest point of one that rests on the "
+                    "other is at the other's highest.",
       .checks = {on<model::Root>(check)},
   };
 }

@@ -26,7 +26,7 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the normal of a plane is zero",
-      .why = "The normal says which side is up. Normalised, zero becomes nan or stays zero, and "
+      .why = "The normal defines which side is up. Normalized, zero becomes NaN or stays zero, and "
              "nothing rests on the plane.",
       .what_to_do = "Write the direction the plane faces; 0 0 1 for a floor.",
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},

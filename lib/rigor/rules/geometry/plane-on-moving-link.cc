@@ -25,12 +25,13 @@ void check(const model::Collision& collision, Context& context) {
   const model::Root& root = context.root();
   const model::Link& link = root[collision.link];
   if (!link.model || link.kinematic.value || is_static(root, link.model)) return;
-  context.report({.where = collision.geometry.site.name,
-                  .message = "the link '" + link.name.value +
-                             "' moves, but has a plane as collision: ODE and MuJoCo take a plane "
-                             "only on what stays",
-                  .subject = context.subject(collision),
-                  .fix = make_static(root[link.model], context)});
+  context.report(
+      {.where = collision.geometry.site.name,
+       .message =
+           "the link '" + link.name.value +
+           "' moves, but has a plane as collision: ODE and MuJoCo take a plane only on what stays",
+       .subject = context.subject(collision),
+       .fix = make_static(root[link.model], context)});
 }
 
 Rule rule() {
@@ -41,7 +42,7 @@ Rule rule() {
       .fix = FixGrade::kUnsafe,
       .summary = "a plane collides on a link that moves",
       .why = "A plane is a half space: all below it is solid. ODE knows no plane that moves with a "
-             "body, MuJoCo refuses one, and a ground that is not static falls.",
+             "body, MuJoCo rejects one, and a ground that is not static falls.",
       .what_to_do =
           "Add <static>true</static> to the model when it is the ground, else use a thin box.",
       .checks = {on<model::Collision>(check)},

@@ -25,7 +25,7 @@ void check(const Entity& entity, Context& context) {
   const std::string name(model::shape_name(entity.geometry.shape));
   context.report(
       {.where = entity.geometry.site.name,
-       .message = "URDF has no " + name + ", and robot_state_publisher refuses the model",
+       .message = "URDF has no " + name + ", and robot_state_publisher rejects the model",
        .subject = context.subject(entity)});
 }
 
@@ -37,7 +37,7 @@ Rule rule() {
       .targets = {Target::kRos},
       .summary = "a shape is one that a robot of ROS cannot have",
       .why = "ROS reads SDF by sdformat_urdf, which makes a URDF robot of it. It knows boxes, "
-             "cylinders, spheres and meshes, and refuses the whole model for any other shape.",
+             "cylinders, spheres and meshes, and rejects the whole model for any other shape.",
       .what_to_do =
           "Write a cylinder for a capsule, a sphere or a mesh for an ellipsoid, a box for a plane.",
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -49,6 +50,11 @@ std::vector<Size> sizes_of(const model::Shape& shape) {
   return {};
 }
 
+/// A drawing of no size is not seen; what collides changes how the robot moves.
+template <class Part>
+constexpr Severity kSeverity =
+    std::is_same_v<Part, model::Visual> ? Severity::kWarning : Severity::kError;
+
 template <class Part>
 void check(const Part& part, Context& context) {
   const model::Shape& shape = part.geometry.shape;
@@ -57,7 +63,8 @@ void check(const Part& part, Context& context) {
     context.report({.where = *size.span,
                     .message = fmt::format("the {} of the {} is {} m: it must be above zero",
                                            size.name, model::shape_name(shape), size.smallest),
-                    .subject = context.subject(part)});
+                    .subject = context.subject(part),
+                    .severity = kSeverity<Part>});
   }
 }
 
@@ -66,9 +73,11 @@ Rule rule() {
       .name = "size-not-positive",
       .severity = Severity::kError,
       .summary = "a size of a shape is zero or negative",
-      .why = "ign sdf -k and check_urdf take it. Newer libsdformat puts a size of its own in its "
-             "place, MuJoCo refuses the model, and ODE stops at an assertion.",
-      .what_to_do = "Write a size above zero, in metres. For a thin plate write its thickness.",
+      .why = "ODE stops at an assertion when a collision has such a size, MuJoCo rejects the "
+             "model, and newer libsdformat replaces the size by its default. The checkers (ign sdf "
+             "-k, gz sdf -k, check_urdf) do not report it. A visual without a size is merely not "
+             "drawn: it is a warning.",
+      .what_to_do = "Write a size above zero, in meters. For a thin plate write its thickness.",
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };
 }

@@ -48,9 +48,9 @@ Rule rule() {
       .name = "size-suspicious",
       .severity = Severity::kWarning,
       .summary = "a shape of a link that moves is larger than 100 m",
-      .why = "Sizes are in metres. A part of 300 mm that was written as 300 is as large as a "
+      .why = "Sizes are in meters. A part of 300 mm that was written as 300 is as large as a "
              "stadium: it throws all else about, and no camera sees its outside.",
-      .what_to_do = "Write the size in metres. What stands fast may be as large as it likes.",
+      .what_to_do = "Write the size in meters. Static models are not checked.",
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };
 }

@@ -30,10 +30,10 @@ struct Slip {
   const char* help;
 };
 constexpr Slip kSlips[] = {
-    {1000, "one of the two looks as if it were in millimetres"},
-    {100, "one of the two looks as if it were in centimetres"},
+    {1000, "one of the two looks as if it were in millimeters"},
+    {100, "one of the two looks as if it were in centimeters"},
     {10, "one of the two looks as if its decimal point had slipped"},
-    {25.4, "one of the two looks as if it were in inches, and read as millimetres or the reverse"},
+    {25.4, "one of the two looks as if it were in inches, and read as millimeters or the reverse"},
     {39.37, "one of the two looks as if it were in inches"},
 };
 

@@ -55,12 +55,12 @@ void check(const model::Joint& joint, Context& context) {
   const Vector3 arm = X_WD->translation - X_WJ->translation;
   const double off = length(arm - dot(arm, *axis) * *axis);
   if (off > kOffAxis * std::get<model::Cylinder>(disk->geometry.shape).radius.value) return;
-  Finding finding{.where = joint.axes.front().xyz.span,
-                  .message = fmt::format(
-                      "the axis is {:.0f}° off that of the disk which it turns: the wheel '{}' "
-                      "cannot roll",
-                      std::acos(cosine) * 180 / std::numbers::pi, root[child].name.value),
-                  .subject = context.subject(joint)};
+  Finding finding{
+      .where = joint.axes.front().xyz.span,
+      .message = fmt::format(
+          "the axis is {:.0f}° off that of the disk which it rotates: the wheel '{}' cannot roll",
+          std::acos(cosine) * 180 / std::numbers::pi, root[child].name.value),
+      .subject = context.subject(joint)};
   if (root.own(disk->site))
     finding.related = {{disk->geometry.site.name, "the disk: its axis is its z"}};
   context.report(std::move(finding));
@@ -70,7 +70,7 @@ Rule rule() {
   return {
       .name = "wheel-axis-mismatch",
       .severity = Severity::kWarning,
-      .summary = "a wheel does not turn about its own axis",
+      .summary = "a wheel's joint axis is not the axis of its shape",
       .why =
           "A joint without limits turns a flat cylinder through its middle, but about another line "
           "than the cylinder's. The wheel tumbles like a coin, or wobbles: it lifts the robot, or "

@@ -13,9 +13,10 @@
 namespace rigor::rules::center_of_mass_outside_shapes {
 
 // What is drawn may be less than what was weighed: not all screws and cables are.
-constexpr double kShare = 0.05;  // of the size
-constexpr double kThin = 1e-3;   // m
-constexpr double kLeast = 1e-3;  // kg; less is a token for a frame that had to have some mass
+constexpr double kShare = 0.05;     // of the size
+constexpr double kThin = 1e-3;      // m
+constexpr double kMirrored = 0.25;  // of the size; nearer, either side may be meant
+constexpr double kLeast = 1e-3;     // kg; less is a token for a frame that had to have some mass
 
 // Along the link's axes, and across the corners between them.
 constexpr std::array<model::Vector3, 13> kDirections{{{1, 0, 0},
@@ -50,6 +51,18 @@ Outside outside(const model::Vector3& com, const Outline& outline) {
   return result;
 }
 
+// Farther than the link is long, and than any hand's breadth: the link then moves as another robot's would.
+constexpr double kGrave = 0.1;  // m
+
+/// Whether the center of mass would be within the shapes were it on the other side of the link.
+bool is_mirrored(const model::Vector3& com, const Outline& outline) {
+  const std::array<model::Vector3, 3> mirrored{
+      {{-com.x, com.y, com.z}, {com.x, -com.y, com.z}, {com.x, com.y, -com.z}}};
+  return std::any_of(mirrored.begin(), mirrored.end(), [&outline](const model::Vector3& other) {
+    return !(outside(other, outline).distance > 0);
+  });
+}
+
 void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
   const model::Inertial& inertial = link.inertial;
   const model::Vector3& com = inertial.pose.pose.value.translation;
@@ -63,13 +76,18 @@ void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
   const auto outline = outline_that_breaks(link, groups, context, breaks);
   if (!outline) return;
   const Outside out = outside(com, *outline);
+  const bool mirrored = out.distance > kMirrored * out.size && is_mirrored(com, *outline);
+  const bool grave = mirrored || out.distance > std::max(kGrave, out.size);
   context.report(
       {.where = inertial.pose.site.name,
        .message = fmt::format("the center of mass ({:.4g} {:.4g} {:.4g}) is {:.3g} m outside the "
                               "link's shapes, which are {:.3g} m long",
                               com.x, com.y, com.z, out.distance, out.size),
        .subject = context.subject(link),
-       .help = "it is given in the link's own frame, from the link's origin, in metres"});
+       .help = mirrored ? "with the sign of one coordinate changed it is inside: it may be that of "
+                          "the link on the other side"
+                        : "it is given in the link's own frame, from the link's origin, in meters",
+       .severity = grave ? Severity::kWarning : Severity::kInfo});
 }
 
 Rule rule() {
@@ -79,10 +97,12 @@ Rule rule() {
       .summary = "a link's center of mass is outside all of its shapes",
       .why = "No body has its center of mass outside its convex hull. Mostly it was written in the "
              "frame of the model, of the mesh or of the joint, or for the link on the other side; "
-             "the simulated body then swings about a point in the air, and tips where the real one "
-             "stands.",
-      .what_to_do = "Give it in the link's frame, or let it stand where shapes are simpler than "
-                    "the body. `rigor inertia MODEL` shows where that of the shapes is.",
+             "the simulated body then swings about a point in the air, and falls over where the "
+             "real one does not. It is a warning when the distance exceeds the size of the link, "
+             "or when the point fits once a coordinate changes its sign.",
+      .what_to_do = "Give it in the link's frame. Suppress the finding where the shapes are "
+                    "simpler than the body. `rigor inertia MODEL` shows the center of mass of the "
+                    "shapes.",
       .checks = {on<model::Root>(check_own_links<check_link>)},
   };
 }

@@ -34,7 +34,7 @@ Rule rule() {
       .formats = Formats::kSdf,
       .summary = "an automatic inertial is computed with a density that is not above zero",
       .why = "The mass of such a shape would be zero or negative. libsdformat 14 and later cannot "
-             "compute the inertial and refuse the link.",
+             "compute the inertial and reject the link.",
       .what_to_do = "Write the density in kg/m³: water has 1000, steel 7850.",
       .checks = {on<model::Link>(check)},
   };

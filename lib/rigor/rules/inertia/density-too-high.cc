@@ -65,6 +65,13 @@ class LazyBases {
   std::vector<Roles> roles_;
 };
 
+/// A small cube or ball that only marks where the link is, with the mass of what is not drawn.
+bool is_marker(const Outline& outline) {
+  constexpr double kLargest = 0.05;  // m
+  const double x = outline.extent({1, 0, 0});
+  return x <= kLargest && outline.extent({0, 1, 0}) == x && outline.extent({0, 0, 1}) == x;
+}
+
 void check_link(const model::Link& link, LazyGroups& groups, LazyBases& bases, Context& context) {
   const model::Inertial& inertial = link.inertial;
   const double mass = inertial.mass.value;
@@ -85,7 +92,8 @@ void check_link(const model::Link& link, LazyGroups& groups, LazyBases& bases, C
            mass, outline->extent({1, 0, 0}), outline->extent({0, 1, 0}), outline->extent({0, 0, 1}),
            density < 1e7 ? fmt::format("{:.0f}", density) : fmt::format("{:.3g}", density)),
        .subject = context.subject(link),
-       .help = "masses are in kilograms, sizes in metres"});
+       .help = "masses are in kilograms, sizes in meters",
+       .severity = is_marker(*outline) ? Severity::kInfo : Severity::kWarning});
 }
 
 void check(const model::Root& root, Context& context) {
@@ -100,11 +108,12 @@ Rule rule() {
   return {
       .name = "density-too-high",
       .severity = Severity::kWarning,
-      .summary = "a link weighs more than its shapes can hold of any material",
+      .summary = "mass exceeds the density of any material in the link's shapes",
       .why = "Either the mass is in grams, or the sizes or a mesh are in the wrong unit, or the "
-             "shapes stand for a much larger body. Contacts of such a link are hard to solve: it "
-             "sinks into what it rests on.",
-      .what_to_do = "Give the mass in kilograms and the shapes the size of the body, in metres.",
+             "shapes represent a much larger body. Contacts of such a link are hard to solve: it "
+             "penetrates what it rests on. A cube or sphere of up to 5 cm is taken for a marker: "
+             "that is an info.",
+      .what_to_do = "Give the mass in kilograms and the shapes the size of the body, in meters.",
       .checks = {on<model::Root>(check)},
   };
 }

@@ -14,14 +14,13 @@ void check(const model::Link& link, Context& context) {
   if (mistaken_tensor(link, context).mistake != TensorMistake::kAboutLinkOrigin) return;
   const model::Inertial& inertial = link.inertial;
   const double distance = model::length(inertial.pose.pose.value.translation);
-  context.report(
-      {.where = inertial.tensor_site.name,
-       .message = fmt::format("the tensor is what the link's shapes have about the link's "
-                              "origin, {:.3g} m from the center of mass: {} kg at that "
-                              "distance are counted twice",
-                              distance, inertial.mass.value),
-       .subject = context.subject(link),
-       .fix = fix_from_shapes(link, context)});
+  context.report({.where = inertial.tensor_site.name,
+                  .message = fmt::format(
+                      "the tensor is what the link's shapes have about the link's origin, {:.3g} m "
+                      "from the center of mass: {} kg at that distance are counted twice",
+                      distance, inertial.mass.value),
+                  .subject = context.subject(link),
+                  .fix = fix_from_shapes(link, context)});
 }
 
 Rule rule() {
@@ -32,7 +31,7 @@ Rule rule() {
       .summary = "an inertia tensor is about the link's origin instead of the center of mass",
       .why = "SDF and URDF want the tensor about the center of mass, and consumers move it from "
              "there themselves (parallel axes). One that is about the origin already is moved "
-             "twice, so that the link turns too sluggishly. CAD programs print both.",
+             "twice, so that the link rotates too sluggishly. CAD programs print both.",
       .what_to_do =
           "Take the tensor about the center of mass: from ixx subtract m (y² + z²), to ixy add m x "
           "y, and so on. `rigor inertia MODEL --write` computes it from the shapes.",

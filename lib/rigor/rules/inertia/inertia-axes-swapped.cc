@@ -34,11 +34,10 @@ void check(const model::Link& link, Context& context) {
   for (std::size_t k = 0; k < 3; ++k) right[found.belongs[k]] = moments[k]->value;
   context.report(
       {.where = inertial.tensor_site.name,
-       .message = fmt::format("ixx, iyy and izz are {:.4g}, {:.4g} and {:.4g} kg·m², but "
-                              "fit the link's shapes only as {:.4g}, {:.4g} and {:.4g}: they "
-                              "stand at the wrong axes",
-                              moments[0]->value, moments[1]->value, moments[2]->value, right[0],
-                              right[1], right[2]),
+       .message = fmt::format(
+           "ixx, iyy and izz are {:.4g}, {:.4g} and {:.4g} kg·m², but fit the link's shapes only "
+           "as {:.4g}, {:.4g} and {:.4g}: they are at the wrong axes",
+           moments[0]->value, moments[1]->value, moments[2]->value, right[0], right[1], right[2]),
        .subject = context.subject(link),
        .fix = put_where_they_belong(moments, found.belongs, context)});
 }
@@ -48,10 +47,10 @@ Rule rule() {
       .name = "inertia-axes-swapped",
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
-      .summary = "the moments of inertia fit the shapes, but stand at the wrong axes",
-      .why = "Formulas for a cylinder or a box take its length along one axis; when the shape is "
-             "turned, or the formula's axes are others, the moments must move with it. As it "
-             "stands a wheel turns about its own axle with the moment of another axis.",
+      .summary = "moments of inertia are swapped between axes",
+      .why = "Formulas for a cylinder or a box assume its length along one axis; when the shape is "
+             "rotated, or the formula has other axes, the moments must be permuted. Otherwise a "
+             "wheel rotates about its axle with the moment of another axis.",
       .what_to_do = "Exchange the moments.",
       .checks = {on<model::Link>(check)},
   };

@@ -123,10 +123,10 @@ void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
   const double extent = outline->extent(worst.axis_L);
   context.report(
       {.where = inertial.tensor_site.name,
-       .message = fmt::format("by its moments of inertia the mass lies {1:.3g} m from its center "
-                              "along {0} (root mean square), but the link's shapes are only "
-                              "{2:.3g} m long there, which allows {3:.3g} m",
-                              axis_name(worst.axis_L), worst.spread, extent, extent / 2),
+       .message = fmt::format(
+           "by its moments of inertia the mass lies {1:.3g} m from its center along {0} (root mean "
+           "square), but the link's shapes are only {2:.3g} m long there, which allows {3:.3g} m",
+           axis_name(worst.axis_L), worst.spread, extent, extent / 2),
        .subject = context.subject(link),
        .help = guess_slip(mass::trace(mass::tensor(inertial)) / (inertial.mass.value * box.trace)),
        .fix = fix_from_shapes(link, context)});
@@ -140,7 +140,7 @@ Rule rule() {
       .summary = "moments of inertia are larger than any body inside the link's shapes can have",
       .why = "Wherever the mass is inside the shapes, even half of it at each end, it has smaller "
              "moments than these: so they are another body's, in another unit, or made up. The "
-             "link turns more sluggishly than the real one, and controllers are tuned to that.",
+             "link rotates more sluggishly than the real one, and controllers are tuned to that.",
       .what_to_do = "`rigor inertia MODEL` shows what the mass has in the link's shapes, and "
                     "writes it with --write.",
       .checks = {on<model::Root>(check_own_links<check_link>)},

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/core.h>
 
@@ -11,11 +12,32 @@
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/inertia/tensor_mistake.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/dialects.h>
 
 namespace rigor::rules::inertia_geometry_mismatch {
 
 // Less is a token for a frame that had to have some mass.
 constexpr double kLeast = 1e-3;  // kg
+
+/// Whether the moments are what a template holds: zeros and one power of ten.
+bool is_placeholder(const mass::Inertia& tensor) {
+  double power = 0;
+  for (const double moment : {tensor.ixx, tensor.iyy, tensor.izz}) {
+    if (moment == 0) continue;
+    const double exponent = std::round(std::log10(moment));
+    if (std::abs(moment - std::pow(10, exponent)) > 1e-9 * moment) return false;
+    if (power != 0 && power != moment) return false;
+    power = moment;
+  }
+  return true;
+}
+
+const char* help_for(const mass::Inertia& tensor, double share) {
+  if (is_placeholder(tensor)) {
+    return "the moments look like a placeholder: compute them from the body's mass and size";
+  }
+  return guess_slip(share);
+}
 
 void check(const model::Link& link, Context& context) {
   constexpr mass::Inertia kIdentity{1, 0, 0, 1, 0, 1};  // inertia-identity speaks of that
@@ -35,8 +57,9 @@ void check(const model::Link& link, Context& context) {
                       "kg·m² of its shapes as solids of {} kg",
                       mass::trace(tensor), factor, *share > 1 ? "more" : "less", solid, mass),
                   .subject = context.subject(link),
-                  .help = guess_slip(*share),
-                  .fix = fix_from_shapes(link, context)});
+                  .help = help_for(tensor, *share),
+                  .fix = fix_from_shapes(link, context),
+                  .severity = is_for_bullet(context) ? Severity::kInfo : Severity::kWarning});
 }
 
 Rule rule() {
@@ -45,12 +68,14 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "moments of inertia do not fit the mass and the shapes of the link",
-      .why = "The link's shapes are all boxes, balls, closed meshes and the like, so what a solid "
-             "of the same mass has is known. Hollow bodies have up to three times as much; a "
-             "factor of ten and more is mostly a slip of units. Too small moments make a "
-             "simulation shake, too large ones make it sluggish.",
-      .what_to_do = "`rigor inertia MODEL` shows what the mass has in the link's shapes, in kg·m², "
-                    "and writes it with --write.",
+      .why = "The link's shapes are all boxes, spheres, closed meshes and the like, so the moments "
+             "of a solid of the same mass are known. Hollow bodies have up to three times as much; "
+             "a factor of ten and more is mostly an error of units. Moments that are too small "
+             "make a simulation unstable, those that are too large make it sluggish. Bullet "
+             "computes tensors from the collisions: in a model with Bullet's own elements this is "
+             "an info.",
+      .what_to_do = "`rigor inertia MODEL` shows the moments of the link's shapes in kg·m², and "
+                    "writes them with --write.",
       .checks = {on<model::Link>(check)},
   };
 }

@@ -10,11 +10,15 @@
 #include <rigor/rules/inertia/solid_body.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/dialects.h>
 
 namespace rigor::rules::inertia_identity {
 
-// Without shapes to compare with: a ball with these moments and this mass is a metre across.
+// Without shapes to compare with: a ball with these moments and this mass is a meter across.
 constexpr double kLight = 10;  // kg
+
+// A body whose shapes have the moments of the identity up to this factor may have been computed.
+constexpr double kFits = 1.25;
 
 void check(const model::Link& link, Context& context) {
   constexpr mass::Inertia kIdentity{1, 0, 0, 1, 0, 1};
@@ -22,14 +26,17 @@ void check(const model::Link& link, Context& context) {
   const double mass = link.inertial.mass.value;
   if (!(mass > 0) || !is_dynamic(link, context)) return;
   const auto share = share_of_solid(link, mass, kIdentity, context);
-  // Nor is anything known of a body without shapes of exactly 1 kg, as tests have it.
-  if (share ? plausible(*share) : mass > kLight || mass == 1) return;
+  // Nothing is known of a body without shapes of exactly 1 kg, as tests have it.
+  if (share ? *share<kFits&& * share> 1 / kFits : mass > kLight || mass == 1) return;
+  const bool may_fit = share && plausible(*share);
   std::string message = fmt::format("the moments of a body of {} kg are all 1 kg·m²", mass);
   if (share) message += fmt::format(": {:.4g} times what its shapes have as solids", *share);
-  context.report({.where = link.inertial.tensor_site.name,
-                  .message = std::move(message),
-                  .subject = context.subject(link),
-                  .fix = fix_from_shapes(link, context)});
+  context.report(
+      {.where = link.inertial.tensor_site.name,
+       .message = std::move(message),
+       .subject = context.subject(link),
+       .fix = may_fit ? std::nullopt : fix_from_shapes(link, context),
+       .severity = may_fit || is_for_bullet(context) ? Severity::kInfo : Severity::kWarning});
 }
 
 Rule rule() {
@@ -37,9 +44,10 @@ Rule rule() {
       .name = "inertia-identity",
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
-      .summary = "an inertia tensor is the identity, which does not fit the body",
-      .why = "Ones on the diagonal are what a template holds before anybody fills it in. The link "
-             "then turns far too slowly or too fast, and the motors are tuned to that.",
+      .summary = "inertia tensor is the identity",
+      .why = "Ones on the diagonal are the placeholder of templates. The link then rotates far too "
+             "slowly or too fast, and controllers are tuned to that. Where the body may have such "
+             "moments, up to a factor of ten, it is an info.",
       .what_to_do = "`rigor inertia MODEL --write` computes the moments that the mass has in the "
                     "link's shapes.",
       .checks = {on<model::Link>(check)},

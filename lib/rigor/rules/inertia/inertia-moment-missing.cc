@@ -34,10 +34,10 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a moment of an inertia tensor is missing",
-      .why = "libsdformat takes 1 kg·m² in its place. Beside the small moments of most links that "
-             "is no body's tensor, and it refuses the model without a word of what is missing "
-             "(error 18).",
-      .what_to_do = "Write all of ixx, iyy and izz. Often one of them stands twice.",
+      .why =
+          "libsdformat takes 1 kg·m² in its place. Beside the small moments of most links that is "
+          "no body's tensor, and it rejects the model silently of what is missing (error 18).",
+      .what_to_do = "Write all of ixx, iyy and izz. Often one of them appears twice.",
       .checks = {on<model::Link>(check)},
   };
 }

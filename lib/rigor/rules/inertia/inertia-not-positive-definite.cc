@@ -14,7 +14,7 @@ namespace rigor::rules::inertia_not_positive_definite {
 
 std::string help(const mass::Inertia& tensor) {
   if (tensor.ixx < 0 || tensor.iyy < 0 || tensor.izz < 0)
-    return "a moment is below zero: mind its sign";
+    return "a moment is below zero: check its sign";
   return "an off-diagonal entry is too large for the moments beside it";
 }
 
@@ -22,16 +22,18 @@ void check(const model::Link& link, Context& context) {
   if (!has_tensor(link, context)) return;
   const mass::Verdict& verdict = context.verdict(link);
   if (!verdict.tensor_finite || verdict.smallest != mass::Verdict::Sign::kNegative) return;
+  const bool refused = refuses_inertia(link, context);
+  if (!refused && is_rounding_of_zero(verdict)) return;  // inertia-singular
   const auto& moments = verdict.principal;
   context.report(
       {.where = link.inertial.tensor_site.name,
-       .message = fmt::format("a principal moment of the tensor is negative ({:.4g} kg·m²; "
-                              "the others are {:.4g} and {:.4g}): no body has this",
+       .message = fmt::format("a principal moment of the tensor is negative ({:.4g} kg·m²; the "
+                              "others are {:.4g} and {:.4g}): no body has this",
                               moments[0], moments[1], moments[2]),
        .subject = context.subject(link),
        .help = help(mass::tensor(link.inertial)),
        .fix = fix_from_shapes(link, context),
-       .refused = refuses_inertia(link, context)});
+       .refused = refused});
 }
 
 Rule rule() {
@@ -42,8 +44,8 @@ Rule rule() {
       .fix = FixGrade::kUnsafe,
       .summary = "an inertia tensor is not positive definite",
       .why =
-          "About some axis the body would turn against a push. libsdformat refuses the model "
-          "without a number (error 18); urdfdom takes it, and Drake and MuJoCo refuse the robot.",
+          "About some axis the body would turn against a push. libsdformat rejects the model "
+          "without a number (error 18); urdfdom accepts it, and Drake and MuJoCo reject the robot.",
       .what_to_do = "Compute the tensor again from the mass and the shapes. Mind the order ixx ixy "
                     "ixz iyy iyz izz and the units.",
       .checks = {on<model::Link>(check)},

@@ -18,9 +18,9 @@ void check(const model::Link& link, Context& context) {
   if (misspelt_child(inertial.site, "inertia", context)) return;  // unknown-element
   context.report(
       {.where = inertial.site.name,
-       .message = fmt::format("the mass is {} kg, but there is no <inertia>: the moments "
-                              "are taken to be 1 kg·m²",
-                              inertial.mass.value),
+       .message = fmt::format(
+           "the mass is {} kg, but there is no <inertia>: the moments are taken to be 1 kg·m²",
+           inertial.mass.value),
        .subject = context.subject(link),
        .fix = fix_from_shapes(link, context)});
 }
@@ -32,8 +32,8 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a mass is written without an inertia tensor",
-      .why = "SDF then takes the identity as the tensor, whatever the mass: a wheel of 100 g turns "
-             "as hard as a door.",
+      .why = "SDF then takes the identity as the tensor, whatever the mass: a wheel of 100 g has "
+             "the inertia of a door.",
       .what_to_do = "`rigor inertia MODEL --write` computes the tensor that the mass has in the "
                     "link's shapes.",
       .checks = {on<model::Link>(check)},

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/inertia/inertial_fix.h>
+#include <rigor/rules/inertia/refused_inertia.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
 
@@ -28,8 +29,11 @@ void check(const model::Root& root, Context& context) {
     if (!root.own(link.site) || !has_tensor(link, context) || !(mass > 0)) continue;
     if (!is_dynamic(link, context) || fixed.count(link.name.value) != 0) continue;
     const mass::Verdict& verdict = context.verdict(link);
-    if (!verdict.possible() || verdict.smallest != mass::Verdict::Sign::kZero) continue;
-    const bool all = verdict.principal[2] == 0;
+    const bool all = is_rounding_of_zero(verdict);
+    const bool singular = verdict.possible() && verdict.smallest == mass::Verdict::Sign::kZero;
+    if (!all && !singular) continue;
+    if (all && !verdict.possible() && refuses_inertia(link, context))
+      continue;  // an error of its own
     context.report({.where = link.inertial.tensor_site.name,
                     .message = fmt::format("a body of {} kg has no moment of inertia about {} axis",
                                            mass, all ? "any" : "one"),
@@ -44,9 +48,9 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a body that moves has no moment of inertia about an axis",
-      .why = "libsdformat and urdfdom take a point or a thin rod, but an engine has to divide by "
-             "the moment: ODE stops at an assertion, KDL and MuJoCo refuse, others set a number of "
-             "their own.",
+      .why = "libsdformat and urdfdom accept a point or a thin rod, but an engine divides by the "
+             "moment: ODE stops at an assertion, KDL and MuJoCo reject the model, others "
+             "substitute a number.",
       .what_to_do = "Write the moments of the real body: even a pin has some, about every axis.",
       .checks = {on<model::Root>(check)},
   };

@@ -25,7 +25,7 @@ constexpr double kRounding = 1e-3;
 
 std::string rounding(const mass::Verdict::Triangle& triangle) {
   if (triangle.largest - triangle.sum > kRounding * triangle.largest) return {};
-  return "it is missed by little: the numbers may only be rounded too far";
+  return "the difference is small: the numbers may have lost digits by rounding";
 }
 
 void check(const model::Link& link, Context& context) {
@@ -34,6 +34,8 @@ void check(const model::Link& link, Context& context) {
   if (!verdict.tensor_finite || verdict.smallest == mass::Verdict::Sign::kNegative) return;
   const auto& triangle = verdict.triangle;
   if (triangle.holds) return;
+  const bool refused = refuses_inertia(link, context);
+  if (!refused && !rounding(triangle).empty()) return;
   const model::Field<double>* largest = entry(link.inertial, triangle.names[2]);
   // Of principal moments the smaller ones can be zero but for rounding.
   const double sum = triangle.sum < 1e-12 * triangle.largest ? 0 : triangle.sum;
@@ -47,7 +49,7 @@ void check(const model::Link& link, Context& context) {
        .subject = context.subject(link),
        .help = rounding(triangle),
        .fix = rounding(triangle).empty() ? fix_from_shapes(link, context) : std::nullopt,
-       .refused = refuses_inertia(link, context)});
+       .refused = refused});
 }
 
 Rule rule() {
@@ -56,13 +58,14 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
-      .summary = "the moments of an inertia tensor break the triangle inequality",
-      .why = "Of any rigid body two moments of inertia sum up to the third at least. libsdformat "
-             "refuses what breaks this, without saying which number is at fault (error 18), but "
-             "for a URDF link that is fixed to another, if the two together do not break it; Drake "
-             "and MuJoCo refuse it too, urdfdom lets it pass.",
-      .what_to_do = "Compute the tensor again from the mass and the shapes. Where it is missed by "
-                    "little, write more digits.",
+      .summary = "inertia tensor violates the triangle inequality",
+      .why = "For any rigid body the sum of two moments of inertia is at least the third. "
+             "libsdformat rejects a model that violates this, without naming the number (error "
+             "18), except in a URDF link that is fixed to another when their sum is valid; Drake "
+             "and MuJoCo reject it too, urdfdom does not check it. A difference of less than 0.1 % "
+             "that libsdformat accepts is not reported.",
+      .what_to_do = "Compute the tensor again from the mass and the shapes. Where the difference "
+                    "is small, write more digits.",
       .checks = {on<model::Link>(check)},
   };
 }

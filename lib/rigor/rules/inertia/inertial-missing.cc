@@ -53,13 +53,14 @@ std::set<model::Id<model::Link>> anchored_links(const model::Model& model, Conte
 
 void report(const model::Link& link, Context& context) {
   if (misspelt_child(link.site, "inertial", context)) return;  // unknown-element
-  context.report({.where = link.site.name,
-                  .message = "the link '" + link.name.value +
-                             "' has no <inertial>: it is taken to be 1 kg with a moment of 1 kg·m² "
-                             "about every axis",
-                  .subject = context.subject(link),
-                  .help = comparison(link, context),
-                  .fix = fix_from_shapes(link, context)});
+  context.report(
+      {.where = link.site.name,
+       .message =
+           "the link '" + link.name.value +
+           "' has no <inertial>: it is taken to be 1 kg with a moment of 1 kg·m² about every axis",
+       .subject = context.subject(link),
+       .help = comparison(link, context),
+       .fix = fix_from_shapes(link, context)});
 }
 
 void check(const model::Model& model, Context& context) {
@@ -87,7 +88,7 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a link that moves has no <inertial>",
-      .why = "SDF takes 1 kg and the identity as its tensor, as of a ball more than three metres "
+      .why = "SDF takes 1 kg and the identity as its tensor, as of a ball more than three meters "
              "across. Joints on it move like in honey, and what rests on it is thrown about.",
       .what_to_do = "`rigor inertia MODEL --mass LINK=KG --write` computes the tensor from the "
                     "link's shapes and meshes, and writes it; without a mass it takes that of "

@@ -110,7 +110,7 @@ inline std::optional<Fix> fix_from_shapes(const model::Link& link, Context& cont
     const model::Vector3& center = link.inertial.pose.pose.value.translation;
     if (link.inertial.pose.pose.written && length(center - body.com) > kSameCenter) {
       body.com = center;
-      title += ", about the written centre of mass";
+      title += ", about the written center of mass";
     }
     auto edits =
         write::write_inertial(context.document(), context.element(link.site), body, format);

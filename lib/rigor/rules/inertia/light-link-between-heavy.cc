@@ -36,15 +36,15 @@ void check(const model::Root& root, Context& context) {
     const model::Joint& joint = root[below.joint];
     if (!root.own(joint.site)) continue;
     const JointMasses& over = *above.at(below.parent_group);
-    context.report(
-        {.where = joint.site.name,
-         .message = fmt::format("{:.4g} kg hang on a link {:.3g} times lighter ({:.4g} kg), which "
-                                "another joint holds to {}: it may stretch or shake",
-                                below.child, below.child / below.parent, below.parent,
-                                over.parent == kImmovable ? "what does not move"
-                                                          : fmt::format("{:.4g} kg", over.parent)),
-         .subject = context.subject(joint),
-         .related = {{root[over.joint].site.name, "the other joint"}}});
+    context.report({.where = joint.site.name,
+                    .message = fmt::format(
+                        "{:.4g} kg are carried by a link {:.3g} times lighter ({:.4g} kg), which "
+                        "another joint connects to {}: the joints may separate or oscillate",
+                        below.child, below.child / below.parent, below.parent,
+                        over.parent == kImmovable ? "what does not move"
+                                                  : fmt::format("{:.4g} kg", over.parent)),
+                    .subject = context.subject(joint),
+                    .related = {{root[over.joint].site.name, "the other joint"}}});
   }
 }
 
@@ -52,7 +52,7 @@ Rule rule() {
   return {
       .name = "light-link-between-heavy",
       .severity = Severity::kWarning,
-      .summary = "a heavy body hangs on a light link, which hangs on a heavy one or on the world",
+      .summary = "a light link between heavy ones",
       .why = "All the weight goes through the light link, and iterative solvers, which Gazebo's "
              "engines use by default, need about as many iterations as the ratio of the masses: "
              "the joints are pulled apart, or the chain swings and shakes.",

@@ -29,7 +29,7 @@ std::optional<Fix> fix_of_sign(const model::Link& link, Context& context) {
     Span sign = mass.span;
     sign.begin += static_cast<std::uint32_t>(minus);
     sign.end = sign.begin + 1;
-    return Fix{"take the minus away", Applicability::kUnsafe, {{sign, ""}}};
+    return Fix{"remove the minus sign", Applicability::kUnsafe, {{sign, ""}}};
   }
   return std::nullopt;
 }
@@ -53,7 +53,7 @@ Rule rule() {
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "a mass is negative",
-      .why = "libsdformat refuses the model. urdfdom takes it, and the simulation then explodes: "
+      .why = "libsdformat rejects the model. urdfdom accepts it, and the simulation then explodes: "
              "what is pushed comes nearer.",
       .what_to_do = "Write a mass above zero.",
       .checks = {on<model::Link>(check)},

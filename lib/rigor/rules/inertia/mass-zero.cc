@@ -1,12 +1,15 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <cstdint>
+#include <variant>
 
 #include <rigor/rules/inertia/inertial_fix.h>
 #include <rigor/rules/inertia/rigid_groups.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/dialects.h>
 
 namespace rigor::rules::mass_zero {
 
@@ -24,17 +27,27 @@ bool is_lumped(const model::Link& link, const Context& context) {
   return false;
 }
 
+/// A plane has no mass, and whoever gives it none means one that does not move.
+bool is_ground(const model::Link& link, const Context& context) {
+  return std::any_of(link.collisions.begin(), link.collisions.end(), [&](const auto id) {
+    return std::holds_alternative<model::Plane>(context.root()[id].geometry.shape);
+  });
+}
+
 void check(const model::Link& link, Context& context) {
   const model::Inertial& inertial = link.inertial;
   if (!inertial.mass.written || inertial.mass.value != 0 || mass::is_automatic(link)) return;
-  if (!is_dynamic(link, context)) return;
+  if (!is_dynamic(link, context) || is_ground(link, context)) return;
   // In URDF a link of no mass and no moments is a frame, as one without <inertial> is.
   if (context.is_urdf() && is_zero(mass::tensor(inertial))) return;
-  if (is_lumped(link, context)) return;
-  context.report({.where = inertial.mass.span,
-                  .message = "the mass is 0 kg: a body that moves needs one above zero",
-                  .subject = context.subject(link),
-                  .fix = fix_from_shapes(link, context)});
+  const bool lumped = is_lumped(link, context);
+  context.report(
+      {.where = inertial.mass.span,
+       .message = lumped ? "the mass is 0 kg, but the inertia tensor is not zero"
+                         : "the mass is 0 kg: a body that moves needs one above zero",
+       .subject = context.subject(link),
+       .fix = lumped ? std::nullopt : fix_from_shapes(link, context),
+       .severity = lumped || is_for_bullet(context) ? Severity::kInfo : Severity::kWarning});
 }
 
 Rule rule() {
@@ -43,11 +56,13 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a link that moves has a mass of zero",
-      .why = "libsdformat lets it pass, and the physics engine then divides by it: ODE stops at an "
-             "assertion, DART sets a tiny mass of its own. A URDF link of no mass but with moments "
-             "is dropped by Gazebo, unless it is fixed to one that has mass.",
-      .what_to_do = "Write the mass, however small. For a frame without a body take the <inertial> "
-                    "out of a URDF link, or use <frame> in SDF.",
+      .why = "libsdformat accepts it, and the physics engine then divides by it: ODE stops at an "
+             "assertion, DART sets a tiny mass of its own. Gazebo drops a URDF link without mass, "
+             "with its moments, unless it is fixed to a link that has mass: then the moments "
+             "alone are added, which is an info. Bullet fixes such a link in place, so that in a "
+             "model with Bullet's own elements it is an info, too.",
+      .what_to_do = "Write the mass, however small. For a frame without a body remove the "
+                    "<inertial> of a URDF link, or use <frame> in SDF.",
       .checks = {on<model::Link>(check)},
   };
 }

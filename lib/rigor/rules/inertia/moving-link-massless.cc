@@ -48,10 +48,32 @@ bool is_told_elsewhere(const model::Link& link) {
   return !(mass::tensor(inertial) == mass::Inertia{});
 }
 
+/// All of its links are one fault, and a robot without joints is a piece of scenery.
+void report_robot(const model::Root& root, Context& context) {
+  const bool any_written = std::any_of(
+      root.links.begin(), root.links.end(),
+      [](const model::Link& link) { return link.inertial.written && is_told_elsewhere(link); });
+  const auto moves = [](const model::Joint& joint) {
+    return joint.type != model::JointType::kFixed && joint.type != model::JointType::kUnknown;
+  };
+  const bool any_moves = std::any_of(root.joints.begin(), root.joints.end(), moves);
+  if (any_written || !any_moves || root.models.empty()) return;
+  const model::Model& robot = root.models.front();
+  context.report({.where = robot.site.name,
+                  .message = fmt::format("no link of the robot '{}' has a mass: simulators load "
+                                         "nothing of it",
+                                         robot.name.value),
+                  .subject = context.subject(robot),
+                  .help = "add an <inertial> to each link that moves: `rigor inertia MODEL "
+                          "--density KG_PER_M3 --write` computes them"});
+}
+
 void check(const model::Root& root, Context& context) {
   const std::vector<bool> heavy = with_mass(root, context);
-  // A robot without any mass is there to be looked at, not to be simulated.
-  if (std::find(heavy.begin(), heavy.end(), true) == heavy.end()) return;
+  if (std::find(heavy.begin(), heavy.end(), true) == heavy.end()) {
+    report_robot(root, context);
+    return;
+  }
   for (std::uint32_t i = 0; i < root.joints.size(); ++i) {
     const model::Joint& joint = root.joints[i];
     const model::Id<model::Link> child = context.frames().ends({i}).child;
@@ -77,10 +99,9 @@ Rule rule() {
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a joint of a URDF moves a link without mass",
-      .why =
-          "A link without <inertial> weighs nothing in URDF. Where it is fixed to others that is a "
-          "normal frame; where a joint moves it, no simulator can integrate its motion: Gazebo "
-          "drops the link with its joint and all that hangs on it, MuJoCo refuses the robot.",
+      .why = "A link without <inertial> has no mass in URDF. Fixed to others it is a normal frame; "
+             "moved by a joint it cannot be simulated: Gazebo drops the link, its joint and their "
+             "subtree, MuJoCo rejects the robot. A robot without any mass is reported once.",
       .what_to_do = "Give the link a mass and a tensor, however small, or fix the joint.",
       .checks = {on<model::Root>(check)},
   };

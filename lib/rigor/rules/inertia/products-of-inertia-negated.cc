@@ -31,14 +31,13 @@ void check(const model::Link& link, Context& context) {
   const model::Inertial& inertial = link.inertial;
   if (inertial.ixy.value == 0 && inertial.ixz.value == 0 && inertial.iyz.value == 0) return;
   if (mistaken_tensor(link, context).mistake != TensorMistake::kProductsNegated) return;
-  context.report(
-      {.where = inertial.tensor_site.name,
-       .message = fmt::format("ixy, ixz and iyz ({:.4g}, {:.4g} and {:.4g} kg·m²) have the "
-                              "opposite sign of what the link's shapes have; the rest of "
-                              "the tensor fits",
-                              inertial.ixy.value, inertial.ixz.value, inertial.iyz.value),
-       .subject = context.subject(link),
-       .fix = negate(inertial, context)});
+  context.report({.where = inertial.tensor_site.name,
+                  .message = fmt::format(
+                      "ixy, ixz and iyz ({:.4g}, {:.4g} and {:.4g} kg·m²) have the opposite sign "
+                      "of what the link's shapes have; the rest of the tensor fits",
+                      inertial.ixy.value, inertial.ixz.value, inertial.iyz.value),
+                  .subject = context.subject(link),
+                  .fix = negate(inertial, context)});
 }
 
 Rule rule() {
@@ -49,8 +48,8 @@ Rule rule() {
       .summary = "the products of inertia have the opposite sign",
       .why = "SDF and URDF want the entries of the tensor, ixy = -∫xy dm; some CAD programs and "
              "mesh tools print the products ∫xy dm. The body then has its principal axes mirrored, "
-             "and turns askew to the real one. A link that was copied from the robot's other side "
-             "has the same fault.",
+             "and moves differently from the real one. A link that was copied from the robot's "
+             "other side has the same fault.",
       .what_to_do = "Give ixy, ixz and iyz the other sign.",
       .checks = {on<model::Link>(check)},
   };

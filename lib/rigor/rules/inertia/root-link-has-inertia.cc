@@ -24,7 +24,7 @@ void check(const model::Model& robot, Context& context) {
   }
   if (base == nullptr || !base->inertial.written) return;
   context.report({.where = base->inertial.site.name,
-                  .message = "KDL gives the root link no inertia: this <inertial> is passed over",
+                  .message = "KDL gives the root link no inertia: this <inertial> is ignored",
                   .subject = context.subject(*base)});
 }
 

@@ -5,6 +5,8 @@
 
 #pragma once
 
+#include <cmath>
+
 #include <rigor/mass/resolve.h>
 #include <rigor/rules/context.h>
 
@@ -22,6 +24,12 @@ inline bool has_tensor(const model::Link& link, const Context& context) {
   if (!i.tensor_written || mass::is_automatic(link)) return false;
   if (!i.ixx.written || !i.iyy.written || !i.izz.written) return false;
   return context.is_sdf() || (i.ixy.written && i.ixz.written && i.iyz.written);
+}
+
+/// Whether the tensor is zero but for the rounding of who computed it: no dust has such moments.
+inline bool is_rounding_of_zero(const mass::Verdict& verdict) {
+  constexpr double kNothing = 1e-30;  // kg·m²
+  return std::abs(verdict.principal[0]) < kNothing && std::abs(verdict.principal[2]) < kNothing;
 }
 
 }  // namespace rigor::rules

@@ -36,8 +36,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "the two axes of a joint are the same",
-      .why = "A universal joint turns about two axes that cross. With one and the same it is a "
-             "revolute joint with an angle too many: only the sum of the two means anything.",
+      .why = "A universal joint rotates about two axes that cross. With parallel axes it is a "
+             "revolute joint with a redundant angle: only the sum of the two is determined.",
       .what_to_do = "Write the second axis at a right angle to the first.",
       .checks = {on<model::Joint>(check)},
   };

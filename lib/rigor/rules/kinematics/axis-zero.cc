@@ -49,9 +49,9 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kSays},
       .summary = "a joint axis is the zero vector, or as short as one",
-      .why = "libsdformat refuses the model (error 9) when the axis is no longer than 1e-6, and so "
-             "do Drake and MuJoCo when it is zero. urdfdom takes it, and what then turns about "
-             "nothing depends on the simulator.",
+      .why = "libsdformat rejects the model (error 9) when the axis is no longer than 1e-6, and so "
+             "do Drake and MuJoCo when it is zero. urdfdom accepts it, and the motion then depends "
+             "on the simulator.",
       .what_to_do = "Give the axis a direction, such as 0 0 1.",
       .checks = {on<model::Joint>(check)},
   };

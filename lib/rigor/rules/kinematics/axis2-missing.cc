@@ -26,7 +26,8 @@ Rule rule() {
       .formats = Formats::kSdf,
       .summary = "a joint with two axes has only one",
       .why = "The second axis is z of the joint's frame then, as SDF defaults an axis, or is not "
-             "there at all: the joint turns another way than was meant, or about one axis only.",
+             "there at all: the joint rotates about another axis than was meant, or about one axis "
+             "only.",
       .what_to_do = "Write <axis2>, or make the joint revolute.",
       .checks = {on<model::Joint>(check)},
   };

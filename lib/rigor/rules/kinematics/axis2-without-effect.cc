@@ -29,8 +29,8 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a joint with one axis has a second",
-      .why = "Only universal, revolute2 and gearbox joints have two axes. Of other types nobody "
-             "reads <axis2>, and its limits and damping are not there.",
+      .why = "Only universal, revolute2 and gearbox joints have two axes. Of other types no "
+             "consumer reads <axis2>, and its limits and damping are not there.",
       .what_to_do = "Take it out, or give the joint the type that was meant.",
       .checks = {on<model::Joint>(check)},
   };

@@ -32,9 +32,9 @@ Rule rule() {
       .severity = Severity::kInfo,
       .formats = Formats::kSdf,
       .summary = "a joint closes a kinematic chain",
-      .why = "SDF allows it and engines that work in maximal coordinates (ODE, Bullet) simulate "
-             "it. DART and other engines of trees drop or cut such a joint, and URDF has no way to "
-             "say it.",
+      .why =
+          "SDF allows it and engines that work in maximal coordinates (ODE, Bullet) simulate it. "
+          "DART and other engines for trees drop or cut such a joint, and URDF cannot express it.",
       .what_to_do = "Nothing, if the loop is meant and the engine can do it.",
       .checks = {on<model::Root>(check)},
   };

@@ -45,9 +45,9 @@ Rule rule() {
       .name = "controlled-joint-duplicate",
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
-      .summary = "a joint is driven twice",
+      .summary = "a joint has two command interfaces of the same kind",
       .why =
-          "A command has one owner. Where two entries offer the same, it is left open which motor "
+          "A command has one owner. Where two entries offer the same, it is undefined which motor "
           "a controller moves; most often one of them was copied and should name another joint.",
       .what_to_do = "Let one block drive the joint.",
       .checks = {on<model::Root>(check)},

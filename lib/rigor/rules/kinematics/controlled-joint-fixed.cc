@@ -46,8 +46,8 @@ Rule rule() {
       .summary = "a transmission or ros2_control drives a fixed joint",
       .why = "Gazebo leaves no trace of the fixed joints of a URDF: gazebo_ros_control then ends "
              "with \"This robot has a joint named … which is not in the gazebo model\", and "
-             "gz_ros2_control passes over the joint, so its controllers do not start.",
-      .what_to_do = "Make the joint one that moves, or take it out of the block.",
+             "gz_ros2_control ignores the joint, so its controllers do not start.",
+      .what_to_do = "Change the joint's type, or remove it from the block.",
       .checks = {on<model::Root>(check)},
   };
 }

@@ -74,10 +74,10 @@ Rule rule() {
   return {
       .name = "driven-wheel-limited",
       .severity = Severity::kWarning,
-      .summary = "a plugin turns a joint that cannot turn on",
-      .why = "Wheels, rotors and propellers turn without end. One with limits stops when it has "
-             "reached them, after some metres, and the robot turns on the spot or stands; a fixed "
-             "or sliding one never begins.",
+      .summary = "a wheel joint that a plugin drives is limited",
+      .why = "Wheels, rotors and propellers rotate without limit. One with limits stops when it "
+             "has reached them, after some meters, and the robot rotates on the spot or stops; a "
+             "fixed or sliding one never moves.",
       .what_to_do =
           "Take lower and upper out of the limit of an SDF, or make the joint continuous.",
       .checks = {on<model::Plugin>(check)},

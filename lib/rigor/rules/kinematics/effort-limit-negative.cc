@@ -27,10 +27,10 @@ void check(const model::Joint& joint, Context& context) {
                                    : std::string(position_unit(joint.type)) + "/s";
       context.report(
           {.where = limit->span,
-           .message = fmt::format("the {} limit is {:.6g} {}: {}",
-                                  limit == &axis.effort ? "effort" : "velocity", limit->value, unit,
-                                  no_limit ? "since SDF 1.10 'inf' says that there is none"
-                                           : "a negative one counts as none"),
+           .message = fmt::format(
+               "the {} limit is {:.6g} {}: {}", limit == &axis.effort ? "effort" : "velocity",
+               limit->value, unit,
+               no_limit ? "since SDF 1.10 'inf' means unlimited" : "a negative one counts as none"),
            .subject = context.subject(joint),
            .fix = Fix{
                no_limit ? "write infinity" : "write it without the sign",
@@ -49,7 +49,7 @@ Rule rule() {
       .summary = "the effort or velocity limit of a joint is negative",
       .why = "Up to SDF 1.9 the default -1 stood for no limit, since 1.10 infinity does. "
              "libsdformat makes every negative one infinite, so a sign by mistake leaves the joint "
-             "without a limit; other programs take it for a limit that no motion meets.",
+             "without a limit; other programs use it as a limit that no motion meets.",
       .what_to_do = "Write the greatest effort or speed; for no limit leave it out.",
       .checks = {on<model::Joint>(check)},
   };

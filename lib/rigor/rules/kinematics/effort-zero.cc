@@ -25,11 +25,11 @@ Rule rule() {
   return {
       .name = "effort-zero",
       .severity = Severity::kWarning,
-      .summary = "a joint may not be driven: its effort limit is zero",
-      .why = "Simulators that heed the limit let no motor, controller or command move the joint; "
-             "MoveIt and ros_control complain or stand still.",
-      .what_to_do = "Write the motor's greatest effort. For no limit, leave it out of an SDF; in a "
-                    "URDF write a large one.",
+      .summary = "effort limit is zero",
+      .why = "Simulators that apply the limit let no controller or command move the joint; MoveIt "
+             "and ros_control report it or do not move.",
+      .what_to_do = "Write the motor's maximum effort. For no limit, omit it in SDF; in a URDF "
+                    "write a large one.",
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -37,9 +37,8 @@ Rule rule() {
       .name = "gear-ratio-zero",
       .severity = Severity::kError,
       .summary = "a gear ratio, reduction or thread pitch is zero",
-      .why = "One side would stand still however the other turns, and to compute the one from the "
-             "other is a division by zero: ros_control and ros2_control throw \"Transmission "
-             "reduction ratio cannot be zero\".",
+      .why = "The position of one side is divided by the ratio: ros_control and ros2_control throw "
+             "\"Transmission reduction ratio cannot be zero\".",
       .what_to_do = "Write the ratio; 1 where there is no gear.",
       .checks = {on<model::Joint>(check_joint), on<model::Root>(check_transmissions)},
   };

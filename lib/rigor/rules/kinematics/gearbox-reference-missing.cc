@@ -16,12 +16,10 @@ void check(const model::Joint& joint, Context& context) {
   if (has_xacro_child(joint.site, context)) return;
   const std::string_view name = joint.gearbox_reference.value;
   if (name.empty()) {
-    context.report(
-        {.where = joint.type_name.span,
-         .message =
-             "the gearbox joint has no <gearbox_reference_body>: the angles of its gears have "
-             "nothing to be measured from",
-         .subject = context.subject(joint)});
+    context.report({.where = joint.type_name.span,
+                    .message = "the gearbox joint has no <gearbox_reference_body>: the angles of "
+                               "its gears have nothing to be measured from",
+                    .subject = context.subject(joint)});
     return;
   }
   const model::Names& names = context.frames().names();
@@ -40,7 +38,7 @@ Rule rule() {
       .formats = Formats::kSdf,
       .summary = "a gearbox joint has no reference body",
       .why = "The ratio is between the angles of parent and child to a third body. Gazebo classic "
-             "says \"Gearbox joint missing reference body\" and has nothing to measure the angles "
+             "logs \"Gearbox joint missing reference body\" and has nothing to measure the angles "
              "from.",
       .what_to_do =
           "Write <gearbox_reference_body> with the name of the link that both gears turn in.",

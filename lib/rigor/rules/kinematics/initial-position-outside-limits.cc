@@ -27,11 +27,12 @@ void check_value(const model::Field<std::string>& value, model::Id<model::Joint>
   if (*position >= axis.lower.value - kTolerance && *position <= axis.upper.value + kTolerance) {
     return;
   }
-  context.report({.where = value.span,
-                  .message = fmt::format("the joint '{}' is to begin at {:.6g} {}, but its limits "
-                                         "are {:.6g} and {:.6g}",
-                                         joint.name.value, *position, position_unit(joint.type),
-                                         axis.lower.value, axis.upper.value)});
+  context.report(
+      {.where = value.span,
+       .message = fmt::format(
+           "the joint '{}' is to begin at {:.6g} {}, but its limits are {:.6g} and {:.6g}",
+           joint.name.value, *position, position_unit(joint.type), axis.lower.value,
+           axis.upper.value)});
 }
 
 /// Of the n-th joint the n-th position; of a position controller the only one is for all.
@@ -84,9 +85,9 @@ Rule rule() {
       .severity = Severity::kWarning,
       .summary = "a joint is to begin outside its limits",
       .why = "The controller aims at a place that the joint cannot reach: it pushes against the "
-             "stop for ever. Most often the number is in degrees or millimetres, or the limits "
+             "stop for ever. Most often the number is in degrees or millimeters, or the limits "
              "were changed later.",
-      .what_to_do = "Write a position between the limits, in radians or metres.",
+      .what_to_do = "Write a position between the limits, in radians or meters.",
       .checks = {on<model::Root>(check_plugins), on<model::Root>(check_ros2_control)},
   };
 }

@@ -40,9 +40,9 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the damping, friction or stiffness of a joint is negative",
-      .why = "Such a joint drives itself: each motion makes the next one faster, until the "
-             "simulation explodes. Drake refuses it: \"Joint damping must be a non-negative "
-             "number\". libsdformat says nothing.",
+      .why = "Such a joint gains energy: each motion makes the next one faster, until the "
+             "simulation diverges. Drake rejects it: \"Joint damping must be a non-negative "
+             "number\". libsdformat does not check it.",
       .what_to_do = "Write a number of at least 0.",
       .checks = {on<model::Joint>(check)},
   };

@@ -7,13 +7,14 @@
 
 #include <rigor/rules/kinematics/motion.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/dialects.h>
 
 namespace rigor::rules::joint_limit_inverted {
 
 void check(const model::Joint& joint, Context& context) {
   if (joint.type == model::JointType::kFixed) return;
   for (const model::Axis& axis : joint.axes) {
-    // A continuous joint has no limits that anybody reads.
+    // The limits of a continuous joint are not read.
     if (context.is_urdf() && joint.type == model::JointType::kContinuous) continue;
     if (!axis.lower.written || !axis.upper.written) continue;
     if (!(axis.lower.value > axis.upper.value)) continue;  // nan is told as no number
@@ -27,7 +28,8 @@ void check(const model::Joint& joint, Context& context) {
          .related = {{axis.upper.span, "the upper limit"}},
          .fix = Fix{"swap the limits",
                     Applicability::kUnsafe,
-                    {{axis.lower.span, upper}, {axis.upper.span, lower}}}});
+                    {{axis.lower.span, upper}, {axis.upper.span, lower}}},
+         .severity = is_for_bullet(context) ? Severity::kInfo : Severity::kError});
   }
 }
 
@@ -37,9 +39,10 @@ Rule rule() {
       .severity = Severity::kError,
       .fix = FixGrade::kUnsafe,
       .summary = "a lower joint limit is above the upper one",
-      .why = "No position is within the limits. ign sdf -k and check_urdf call the file valid; "
-             "then DART stops at an assertion, Gazebo swaps the limits of a URDF, and others lock "
-             "the joint.",
+      .why = "No position is within the limits: DART stops at an assertion, Gazebo swaps the "
+             "limits of a URDF, and other consumers lock the joint. The checkers (ign sdf -k, gz "
+             "sdf -k, check_urdf) do not compare them. Bullet reads inverted limits as none: in a "
+             "model with Bullet's own elements this is an info.",
       .what_to_do = "Swap the limits.",
       .checks = {on<model::Joint>(check)},
   };

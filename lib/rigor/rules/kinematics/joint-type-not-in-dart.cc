@@ -22,8 +22,8 @@ Rule rule() {
       .targets = {Target::kGzSim},
       .summary = "a joint has a type that gz-sim makes a fixed one of",
       .why = "gz-sim's usual physics engine is DART, by gz-physics, which has no revolute2 and no "
-             "gearbox joint: it says so in its log and creates a fixed joint instead. The wheel "
-             "does not turn.",
+             "gearbox joint: it logs that and creates a fixed joint instead. The wheel does not "
+             "rotate.",
       .what_to_do = "Write a revolute2 joint as two revolute joints with a small link between "
                     "them, or as a universal joint where both axes meet at right angles; in place "
                     "of a gearbox let one joint <mimic> the other.",

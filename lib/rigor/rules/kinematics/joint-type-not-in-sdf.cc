@@ -28,10 +28,10 @@ Rule rule() {
       .targets = {Target::kGazeboClassic, Target::kGzSim},
       .summary = "a joint of a URDF has a type that SDF does not have",
       .why = "libsdformat, through which Gazebo reads URDF, leaves planar and floating joints out. "
-             "Version 12 keeps the pose of the child relative to the joint and so refuses what it "
+             "Version 12 keeps the pose of the child relative to the joint and so rejects what it "
              "made itself (error 25).",
-      .what_to_do = "For a planar joint take two prismatic ones and a revolute one. What floats is "
-                    "a model of its own.",
+      .what_to_do = "For a planar joint use two prismatic ones and a revolute one. A floating link "
+                    "becomes a separate model.",
       .checks = {on<model::Model>(check)},
   };
 }

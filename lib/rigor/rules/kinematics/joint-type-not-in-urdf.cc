@@ -18,7 +18,7 @@ void check(const model::Joint& joint, Context& context) {
   }
   context.report({.where = joint.type_name.span,
                   .message = "URDF has no " + joint.type_name.value +
-                             " joint, and robot_state_publisher refuses the model",
+                             " joint, and robot_state_publisher rejects the model",
                   .subject = context.subject(joint)});
 }
 
@@ -31,7 +31,7 @@ Rule rule() {
       .summary = "a joint has a type that a robot of ROS cannot have",
       .why =
           "ROS reads SDF by sdformat_urdf, which makes a URDF robot of it. It knows fixed, "
-          "continuous, revolute and prismatic joints, and refuses the whole model for any other.",
+          "continuous, revolute and prismatic joints, and rejects the whole model for any other.",
       .what_to_do = "Write a universal joint as two revolute ones, with a small link between them.",
       .checks = {on<model::Joint>(check)},
   };

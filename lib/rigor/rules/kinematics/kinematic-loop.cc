@@ -54,8 +54,8 @@ Rule rule() {
       .refused = {.urdf = Refusal::kSays},
       .formats = Formats::kUrdf,
       .summary = "the joints of a URDF make a loop",
-      .why = "A URDF is a tree. urdfdom takes the loop, and what walks the tree then never ends: "
-             "check_urdf hangs, libsdformat overflows its stack.",
+      .why = "A URDF is a tree. urdfdom accepts the loop, and walking the tree then never ends: "
+             "check_urdf does not return, libsdformat overflows its stack.",
       .what_to_do = "Take one of the joints out. URDF cannot close a chain; SDF can.",
       .checks = {on<model::Model>(check)},
   };

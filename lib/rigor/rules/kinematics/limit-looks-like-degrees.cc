@@ -68,9 +68,9 @@ void check(const model::Joint& joint, Context& context) {
     const model::Field<double>& limit = upper || wider ? axis.upper : axis.lower;
     context.report(
         {.where = limit.span,
-         .message = fmt::format("the limit {0} looks like degrees: limits are in radians, "
-                                "and {0}° is {1:.6g} rad",
-                                limit.value, limit.value / 360 * kTurn),
+         .message = fmt::format(
+             "the limit {0} looks like degrees: limits are in radians, and {0}° is {1:.6g} rad",
+             limit.value, limit.value / 360 * kTurn),
          .subject = context.subject(joint),
          .fix = in_radians(axis)});
   }
@@ -82,8 +82,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a limit of a turning joint looks like degrees",
-      .why = "Limits are in radians. Taken as such, 90 is fourteen turns, so the joint has no "
-             "limit to speak of, and cables and grippers turn where they cannot.",
+      .why = "Limits are in radians. Read as such, 90 is fourteen turns, so the joint is in effect "
+             "unlimited, and cables and grippers move where the real ones cannot.",
       .what_to_do = "Convert the limits to radians: 90° is 1.5708.",
       .checks = {on<model::Joint>(check)},
   };

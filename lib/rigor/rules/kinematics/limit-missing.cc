@@ -28,7 +28,7 @@ Rule rule() {
       .refused = {.urdf = Refusal::kAlways},
       .formats = Formats::kUrdf,
       .summary = "a revolute or prismatic joint of a URDF has no limits",
-      .why = "urdfdom refuses the whole robot: these two types must have limits.",
+      .why = "urdfdom rejects the whole robot: these two types must have limits.",
       .what_to_do = "Add <limit lower=\"…\" upper=\"…\" effort=\"…\" velocity=\"…\"/>, or make a "
                     "revolute joint continuous.",
       .checks = {on<model::Joint>(check)},

@@ -15,11 +15,12 @@ void check(const model::Joint& joint, Context& context) {
   for (const model::Axis& axis : joint.axes) {
     if (!axis.limit_written || axis.lower.written || axis.upper.written) continue;
     if (is_stuck(context.root(), joint, axis)) continue;
-    context.report({.where = axis.limit_site.name,
-                    .message = fmt::format("neither lower nor upper is written: both are 0, and "
-                                           "the {} joint cannot move",
-                                           to_string(joint.type)),
-                    .subject = context.subject(joint)});
+    context.report(
+        {.where = axis.limit_site.name,
+         .message = fmt::format(
+             "neither lower nor upper is written: both are 0, and the {} joint cannot move",
+             to_string(joint.type)),
+         .subject = context.subject(joint)});
   }
 }
 
@@ -28,9 +29,9 @@ Rule rule() {
       .name = "limit-range-missing",
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
-      .summary = "a <limit> of a URDF says neither lower nor upper",
+      .summary = "<limit> has neither lower nor upper",
       .why = "Both are 0 then, as the format defaults them: a revolute or prismatic joint is "
-             "locked where it is. urdfdom says nothing.",
+             "locked at zero. urdfdom does not report it.",
       .what_to_do =
           "Write lower and upper; a revolute joint that may turn without end is a continuous one.",
       .checks = {on<model::Joint>(check)},

@@ -24,8 +24,7 @@ void check(const model::Joint& joint, Context& context) {
     if (turns_freely && axis.upper.value - axis.lower.value >= kWholeTurn) continue;
     Finding finding{
         .where = axis.lower.written ? axis.lower.span : axis.upper.span,
-        .message = fmt::format("a {} joint has no limits: these, {:.6g} and {:.6g}, "
-                               "are ignored",
+        .message = fmt::format("a {} joint has no limits: these, {:.6g} and {:.6g}, are ignored",
                                to_string(joint.type), axis.lower.value, axis.upper.value),
         .subject = context.subject(joint)};
     if (turns_freely) {
@@ -42,11 +41,10 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a joint that has no limits is given some",
-      .why =
-          "The type says that the joint goes on for ever, and then nobody reads lower and upper: "
-          "the joint turns past them. URDF lets a continuous joint leave them out for that reason.",
+      .why = "A continuous joint is unlimited by its type, and no consumer reads lower and upper: "
+             "the joint moves past them.",
       .what_to_do =
-          "Make the joint revolute (or prismatic) if the limits are meant; else take them out.",
+          "Make the joint revolute (or prismatic) if the limits are meant; else remove them.",
       .checks = {on<model::Joint>(check)},
   };
 }

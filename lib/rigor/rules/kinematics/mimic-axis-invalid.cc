@@ -35,7 +35,7 @@ Rule rule() {
       .severity = Severity::kError,
       .formats = Formats::kSdf,
       .summary = "a mimic follows an axis that its leader does not have",
-      .why = "libsdformat 14 and later refuse the file; libsdformat 12 passes over every <mimic>.",
+      .why = "libsdformat 14 and later reject the file; libsdformat 12 ignores every <mimic>.",
       .what_to_do =
           "Name an axis that is written in the leading joint: axis, or axis2 of one with two.",
       .checks = {on<model::Joint>(check)},

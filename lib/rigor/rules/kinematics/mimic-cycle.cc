@@ -54,7 +54,7 @@ void check(const model::Root& root, Context& context) {
     if (!circle || !root.own(root[at].site)) continue;
     context.report(
         {.where = root[at].axes.front().mimic->joint.span,
-         .message = "joints mimic each other in a circle: " + circle_of(root, context.frames(), at),
+         .message = "mimic joints form a cycle: " + circle_of(root, context.frames(), at),
          .subject = context.subject(root[at])});
   }
 }
@@ -63,11 +63,11 @@ Rule rule() {
   return {
       .name = "mimic-cycle",
       .severity = Severity::kError,
-      .summary = "joints mimic each other in a circle",
+      .summary = "mimic joints form a cycle",
       .why =
           "None of their positions follows from one that is given. joint_state_publisher ends with "
           "\"Found an infinite recursive mimic chain\"; MoveIt ignores every mimic of the robot.",
-      .what_to_do = "Let one joint lead, and take its <mimic> out.",
+      .what_to_do = "Choose one joint as the leader, and remove its <mimic>.",
       .checks = {on<model::Root>(check)},
   };
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include <fmt/core.h>
@@ -28,6 +29,12 @@ std::string mismatch(const model::Joint& joint, const model::Joint& leader, std:
                      to_string(joint.type));
 }
 
+/// A fixed joint stays where it is with or without a mimic.
+std::optional<Severity> severity_of(const model::Joint& joint) {
+  if (joint.type == model::JointType::kFixed) return Severity::kInfo;
+  return std::nullopt;
+}
+
 void check(const model::Joint& joint, Context& context) {
   for (const model::Axis& axis : joint.axes) {
     if (!axis.mimic) continue;
@@ -38,7 +45,8 @@ void check(const model::Joint& joint, Context& context) {
     if (why.empty()) continue;
     context.report({.where = axis.mimic->joint.span,
                     .message = "mimics the joint '" + axis.mimic->joint.value + "', " + why,
-                    .subject = context.subject(joint)});
+                    .subject = context.subject(joint),
+                    .severity = severity_of(joint)});
   }
 }
 
@@ -46,11 +54,12 @@ Rule rule() {
   return {
       .name = "mimic-dof-mismatch",
       .severity = Severity::kWarning,
-      .summary = "a joint mimics one that moves otherwise, or not at all",
+      .summary = "a mimic joint and its leader differ in degrees of freedom",
       .why = "A joint follows another by one number: the position of both. A fixed joint has none, "
-             "and a planar, floating or ball joint has several. MoveIt leaves such a mimic out; "
-             "elsewhere the joint stands still.",
-      .what_to_do = "Name a joint with one axis, or take the mimic out.",
+             "and a planar, floating or ball joint has several. MoveIt ignores such a mimic; "
+             "elsewhere the joint does not move. On a joint that is fixed itself the mimic has no "
+             "effect: that is an info.",
+      .what_to_do = "Name a joint with one axis, or remove the mimic.",
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -40,8 +40,8 @@ void check(const model::Joint& joint, Context& context) {
     const char* unit = position_unit(joint.type);
     context.report({.where = mimic.site.name,
                     .message = fmt::format(
-                        "following '{0}', the joint would go from {1:.4g} to {2:.4g} "
-                        "{5}, but its own limits are {3:.4g} and {4:.4g} {5}",
+                        "following '{0}', the joint would go from {1:.4g} to {2:.4g} {5}, but its "
+                        "own limits are {3:.4g} and {4:.4g} {5}",
                         mimic.joint.value, least, most, axis.lower.value, axis.upper.value, unit),
                     .subject = context.subject(joint)});
   }
@@ -52,9 +52,8 @@ Rule rule() {
       .name = "mimic-outside-limits",
       .severity = Severity::kWarning,
       .summary = "a joint that mimics another is led out of its limits",
-      .why = "Where the leader may go and the follower may not, the two contradict each other: "
-             "whoever moves the leader to its stop takes the follower past its own, or the "
-             "follower holds them both.",
+      .why = "The leader's range takes the follower beyond its limits: the follower exceeds them, "
+             "or stops the leader.",
       .what_to_do = "Make the limits of the follower multiplier · leader + offset, or narrow those "
                     "of the leader.",
       .checks = {on<model::Joint>(check)},

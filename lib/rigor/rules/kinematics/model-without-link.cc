@@ -31,7 +31,7 @@ Rule rule() {
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .summary = "a model that is not static has no link",
-      .why = "libsdformat refuses the file (error 16). Only a static model may be without links, "
+      .why = "libsdformat rejects the file (error 16). Only a static model may be without links, "
              "to hold plugins or frames.",
       .what_to_do = "Give the model a link, or make it static.",
       .checks = {on<model::Model>(check)},

@@ -26,13 +26,13 @@ void check(const model::Model& robot, Context& context) {
     const model::Link& link = context.root()[robot.links[i]];
     if (!left.parts[i].joint && link.name.value != "world") root = link.name.value;
   }
-  context.report({.where = robot.site.name,
-                  .message = "libsdformat leaves no link of this robot" +
-                             (root.empty() ? std::string()
-                                           : ": its root '" + root +
-                                                 "' has no mass, and all other "
-                                                 "links hang on it"),
-                  .subject = context.subject(robot)});
+  context.report(
+      {.where = robot.site.name,
+       .message = "libsdformat leaves no link of this robot" +
+                  (root.empty() ? std::string()
+                                : ": its root '" + root +
+                                      "' has no mass, and all other links are in its subtree"),
+       .subject = context.subject(robot)});
 }
 
 Rule rule() {
@@ -42,11 +42,11 @@ Rule rule() {
       .refused = {.urdf = Refusal::kAlways},
       .formats = Formats::kUrdf,
       .targets = {Target::kGazeboClassic, Target::kGzSim},
-      .summary = "nothing is left of a URDF robot when Gazebo reads it",
+      .summary = "Gazebo drops all links of a URDF robot",
       .why =
-          "Gazebo reads URDF through libsdformat, which leaves out links without mass and whatever "
-          "hangs on them. Only a link at a fixed joint gives its mass to its parent. When the root "
-          "is left out, so is the robot, and version 12 refuses a model without links (error 16).",
+          "Gazebo reads URDF through libsdformat, which drops links without mass and their "
+          "subtrees. Only a link at a fixed joint gives its mass to its parent. When the root is "
+          "dropped, so is the robot, and version 12 rejects a model without links (error 16).",
       .what_to_do =
           "Give the root an <inertial>, or attach a link that has one to it by a fixed joint.",
       .checks = {on<model::Model>(check)},

@@ -1,6 +1,8 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -13,6 +15,13 @@ namespace rigor::rules::safety_limits_outside {
 
 constexpr double kTolerance = 1e-6;
 
+/// Robots of PR2's tradition write ±10 where they have no soft limits: whole numbers that are larger than
+/// any range of a revolute joint.
+bool means_none(double lower, double upper) {
+  constexpr double kLeast = 10;
+  return lower == -upper && upper >= kLeast && std::floor(upper) == upper;
+}
+
 void check(const model::Joint& joint, Context& context) {
   if (!joint.safety || joint.axes.empty() || !is_limited(joint.type)) return;
   const model::Field<double>& lower = joint.safety->soft_lower;
@@ -24,6 +33,8 @@ void check(const model::Joint& joint, Context& context) {
   const bool below = lower.value < axis.lower.value - kTolerance;
   const bool above = upper.value > axis.upper.value + kTolerance;
   if (!swapped && !below && !above) return;
+  const bool none = below && above && means_none(lower.value, upper.value);
+  const auto severity = none ? std::optional(Severity::kInfo) : std::nullopt;
   std::string message;
   if (swapped) {
     message = fmt::format("the lower soft limit {:.6g} is above the upper one {:.6g}", lower.value,
@@ -39,7 +50,8 @@ void check(const model::Joint& joint, Context& context) {
   }
   context.report({.where = joint.safety->site.name,
                   .message = std::move(message),
-                  .subject = context.subject(joint)});
+                  .subject = context.subject(joint),
+                  .severity = severity});
 }
 
 Rule rule() {
@@ -47,10 +59,11 @@ Rule rule() {
       .name = "safety-limits-outside",
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
-      .summary = "the soft limits of a joint are not within its hard ones",
-      .why = "Soft limits are there to slow the joint before it reaches its stop. Beyond the stop "
-             "they come too late, and swapped no position is within them.",
-      .what_to_do = "Let soft_lower_limit and soft_upper_limit lie between lower and upper.",
+      .summary = "safety_controller soft limits exceed the joint limits",
+      .why = "Soft limits slow the joint before it reaches its hard limits. Beyond these they have "
+             "no effect, and when they are inverted no position is within them. Limits such as ±10 "
+             "on both sides mean \"none\" in many robots: they are an info.",
+      .what_to_do = "Set soft_lower_limit and soft_upper_limit between lower and upper.",
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -27,7 +27,7 @@ void check(const model::Model& robot, Context& context) {
     }
     context.report({.where = link.site.name,
                     .message = "the link '" + link.name.value +
-                               "' hangs on no joint, and neither does '" + first->name.value +
+                               "' is the child of no joint, and neither is '" + first->name.value +
                                "': a robot has one root",
                     .subject = context.subject(link),
                     .related = {{first->site.name, "the first root"}}});
@@ -41,8 +41,8 @@ Rule rule() {
       .refused = {.urdf = Refusal::kAlways},
       .formats = Formats::kUrdf,
       .summary = "a URDF has more than one root link",
-      .why = "urdfdom refuses the robot: every link but one must be the child of a joint.",
-      .what_to_do = "Connect the link by a joint, fixed if nothing else, or take it out.",
+      .why = "urdfdom rejects the robot: every link but one must be the child of a joint.",
+      .what_to_do = "Connect the link by a joint (a fixed one, if it does not move), or remove it.",
       .checks = {on<model::Model>(check)},
   };
 }

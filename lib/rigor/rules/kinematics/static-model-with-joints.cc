@@ -36,7 +36,7 @@ Rule rule() {
              "without effect, and plugins that push or turn the joints do nothing. Only a plugin "
              "that sets positions moves it.",
       .what_to_do =
-          "Take <static> out and fix the model to the world by a joint, or take the joints out.",
+          "Remove <static> and fix the model to the world by a joint, or remove the joints.",
       .checks = {on<model::Model>(check)},
   };
 }

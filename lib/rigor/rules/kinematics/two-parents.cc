@@ -34,7 +34,7 @@ Rule rule() {
       .formats = Formats::kUrdf,
       .summary = "a link of a URDF has two parents",
       .why = "A URDF is a tree: urdfdom keeps the parent that comes last and shows the link under "
-             "both, MuJoCo and Drake refuse the robot.",
+             "both, MuJoCo and Drake reject the robot.",
       .what_to_do = "Take one of the joints out. URDF cannot close a chain; SDF can.",
       .checks = {on<model::Model>(check)},
   };

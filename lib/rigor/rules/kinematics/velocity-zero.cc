@@ -24,11 +24,11 @@ Rule rule() {
   return {
       .name = "velocity-zero",
       .severity = Severity::kWarning,
-      .summary = "a joint may not move: its velocity limit is zero",
-      .why = "DART, the engine of new Gazebo, then holds the joint still; MoveIt cannot time a "
-             "trajectory through it.",
-      .what_to_do = "Write the joint's greatest speed. For no limit, leave it out of an SDF; in a "
-                    "URDF write a large one.",
+      .summary = "velocity limit is zero",
+      .why = "DART, the default engine of Gazebo Sim, then holds the joint still; MoveIt cannot "
+             "time a trajectory through it.",
+      .what_to_do = "Write the joint's maximum speed. For no limit, omit it in SDF; in a URDF "
+                    "write a large one.",
       .checks = {on<model::Joint>(check)},
   };
 }

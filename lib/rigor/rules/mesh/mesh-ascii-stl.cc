@@ -16,7 +16,7 @@ Rule rule() {
       .name = "mesh-ascii-stl",
       .severity = Severity::kWarning,
       .summary = "an STL is written as text",
-      .why = "RViz (\"can only load binary STL files\") and MuJoCo refuse it; Gazebo reads it. It "
+      .why = "RViz (\"can only load binary STL files\") and MuJoCo reject it; Gazebo reads it. It "
              "is also about five times the size of a binary one, and takes as much longer to read.",
       .what_to_do = "Write it as a binary one: `rigor mesh-check FILE -o OUT.stl`.",
       .checks = {on<MeshFile>(check)},

@@ -28,11 +28,11 @@ Rule rule() {
       .name = "mesh-buffer-missing",
       .severity = Severity::kError,
       .summary = "a buffer of a glTF file is not found",
-      .why = "A .gltf holds names and lists; its points and triangles stand in files beside it. "
-             "When one is not there, assimp refuses the whole mesh, and so does whoever reads glTF "
-             "by it, as Gazebo and RViz do.",
-      .what_to_do = "Put the file, mostly a .bin, where the .gltf says it is, or export the mesh "
-                    "as .glb, which is one file and holds all.",
+      .why =
+          "A .gltf describes the scene; its vertices and triangles are in files beside it. When "
+          "one is missing, assimp rejects the whole mesh, and so do Gazebo and RViz, which use it.",
+      .what_to_do = "Put the file, mostly a .bin, where the .gltf refers to it, or export the mesh "
+                    "as .glb, which is one file.",
       .checks = {on<MeshFile>(check)},
   };
 }

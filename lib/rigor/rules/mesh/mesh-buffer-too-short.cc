@@ -43,9 +43,9 @@ Rule rule() {
       .severity = Severity::kError,
       .summary = "a glTF file names more bytes than there are",
       .why = "Accessors lie in buffer views, and those in buffers. Of one that reaches beyond its "
-             "end assimp reads nothing and refuses the whole mesh: \"out of range\". Mostly the "
+             "end assimp reads nothing and rejects the whole mesh: \"out of range\". Mostly the "
              "file was cut when it was copied, or its buffer is of another export.",
-      .what_to_do = "Copy the mesh and its buffers again, or export it anew.",
+      .what_to_do = "Copy the mesh and its buffers again, or export it again.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -36,8 +36,8 @@ Rule rule() {
       .name = "mesh-collision-is-visual",
       .severity = Severity::kInfo,
       .summary = "a link collides with the mesh that is seen",
-      .why = "What is drawn has detail that contacts do not need and pay for in every step. A mesh "
-             "of its own, a hull or primitives are faster and touch more evenly.",
+      .why = "A visual has detail that contacts do not need and that costs time in every step. A "
+             "simpler mesh, a hull or primitives are faster and make smoother contacts.",
       .what_to_do = "Make a mesh for the collision: `rigor mesh-check FILE --reduce 2000 -o OUT` "
                     "or `--convex-hull`.",
       .checks = {on<MeshFile>(check)},

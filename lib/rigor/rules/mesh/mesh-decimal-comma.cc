@@ -21,8 +21,8 @@ Rule rule() {
       .summary = "numbers in a mesh have a decimal comma",
       .why =
           "The file was written by a program in a language that writes 1,5 for 1.5. Assimp reads "
-          "it so, admesh and most others refuse the file or drop what stands behind the comma.",
-      .what_to_do = "Write the file anew: `rigor mesh-check FILE -o OUT.stl`; better, set the "
+          "it so, admesh and most others reject the file or drop the digits after the comma.",
+      .what_to_do = "Write the file again: `rigor mesh-check FILE -o OUT.stl`; better, set the "
                     "exporter to English.",
       .checks = {on<MeshFile>(check)},
   };

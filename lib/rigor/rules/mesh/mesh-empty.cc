@@ -17,10 +17,9 @@ Rule rule() {
       .name = "mesh-empty",
       .severity = Severity::kError,
       .summary = "a mesh file holds no triangles",
-      .why = "Assimp, and so whoever reads by it, and MuJoCo refuse a mesh without triangles. "
-             "Elsewhere nothing is seen and nothing is touched. It is mostly what an export left "
-             "that failed.",
-      .what_to_do = "Export the mesh again, or take the shape out.",
+      .why = "Assimp, all that use it, and MuJoCo reject a mesh without triangles. Elsewhere "
+             "nothing is drawn and nothing collides. Mostly an export failed.",
+      .what_to_do = "Export the mesh again, or remove the shape.",
       .checks = {on<MeshFile>(check)},
   };
 }

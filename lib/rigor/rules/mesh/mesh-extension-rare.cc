@@ -31,9 +31,9 @@ Rule rule() {
       .severity = Severity::kWarning,
       .summary = "a glTF file needs an extension that few readers know",
       .why = "Triangles packed with Draco are read only by an assimp that was built with it, which "
-             "it is not by default: the others refuse the mesh. Of pictures as KTX 2, WebP, AVIF "
-             "or DDS the part is seen, in one colour.",
-      .what_to_do = "Export the mesh without Draco, and its pictures as PNG or JPEG.",
+             "it is not by default: the others reject the mesh. Of images as KTX 2, WebP, AVIF or "
+             "DDS the part is seen, in one color.",
+      .what_to_do = "Export the mesh without Draco, and its images as PNG or JPEG.",
       .checks = {on<MeshFile>(check)},
   };
 }

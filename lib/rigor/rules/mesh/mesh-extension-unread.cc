@@ -19,12 +19,11 @@ Rule rule() {
       .name = "mesh-extension-unread",
       .severity = Severity::kError,
       .summary = "a glTF file needs an extension for its shape that simulators do not know",
-      .why = "Gazebo and RViz read glTF by assimp, which does not look at what a file requires. Of "
-             "points in whole numbers (KHR_mesh_quantization) assimp 5.2.5 takes the bytes for "
-             "floating-point numbers: the shape is rubbish, and nothing is said. Points that "
-             "meshoptimizer packed (EXT_meshopt_compression) it refuses, and of instances "
-             "(EXT_mesh_gpu_instancing) it shows one. What rigor says of such a shape means "
-             "nothing either.",
+      .why = "Gazebo and RViz read glTF with assimp, which does not check extensionsRequired. "
+             "Assimp 5.2.5 reads quantized vertices (KHR_mesh_quantization) as floating-point "
+             "numbers: the shape is garbage, without a warning. It rejects compressed vertices "
+             "(EXT_meshopt_compression), and shows one of several instances "
+             "(EXT_mesh_gpu_instancing). Other findings on such a mesh are unreliable.",
       .what_to_do = "Export the mesh without it; gltfpack leaves it out with -noq and without -c.",
       .checks = {on<MeshFile>(check)},
   };

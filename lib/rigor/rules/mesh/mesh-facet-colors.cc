@@ -10,12 +10,12 @@ void check(const MeshFile& file, Context& context) {
   const auto& stl = file.facts.asset.stl;
   if (!stl || file.collision()) return;
   if (stl->color_header) {
-    report_mesh(file, context, "the STL has colours, which other programs do not see (COLOR=)");
+    report_mesh(file, context, "the STL has colors, which other programs do not see (COLOR=)");
   } else if (stl->attributes.count > 0) {
     report_mesh(file, context,
                 how_many(stl->attributes.count, "facet") + " of the STL" +
                     (stl->attributes.count == 1 ? " has" : " have") +
-                    " attributes, perhaps colours, which other programs do not see");
+                    " attributes, perhaps colors, which other programs do not see");
   }
 }
 
@@ -23,11 +23,10 @@ Rule rule() {
   return {
       .name = "mesh-facet-colors",
       .severity = Severity::kInfo,
-      .summary = "an STL has colours that get lost",
-      .why =
-          "Some programs put colours into two spare bytes of each facet or into the header. RViz "
-          "and, but for the first kind, assimp pass over them: the part is drawn in one colour.",
-      .what_to_do = "Export the part in a format with colours: DAE, GLB or OBJ.",
+      .summary = "an STL has colors that get lost",
+      .why = "Some programs put colors into two spare bytes of each facet or into the header. RViz "
+             "and, but for the first kind, assimp ignore them: the part is drawn in one color.",
+      .what_to_do = "Export the part in a format with colors: DAE, GLB or OBJ.",
       .checks = {on<MeshFile>(check)},
   };
 }

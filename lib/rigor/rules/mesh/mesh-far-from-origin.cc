@@ -18,19 +18,19 @@ void check(const MeshFile& file, Context& context) {
   const double distance = length(center);
   if (!(distance > kFar * size) || size == 0) return;
   report_mesh(file, context,
-              fmt::format("the mesh is {} across and its middle {} from its origin, at {}",
+              fmt::format("the mesh is {} across and its center {} from its origin, at {}",
                           length_in(file, size), length_in(file, distance), place(center)));
 }
 
 Rule rule() {
   return {
       .name = "mesh-far-from-origin",
-      .severity = Severity::kWarning,
+      .severity = Severity::kInfo,
       .summary = "a mesh is far from its own origin",
-      .why = "It was exported where it stood in an assembly or on a map. A pose turns it round a "
-             "point that is nowhere near it, and numbers of 32 bits, as files and graphics cards "
-             "have them, lose digits with the distance.",
-      .what_to_do = "Move it to its origin and put the distance into the pose: `rigor mesh-check "
+      .why = "It was exported at its place in an assembly or on a map. A pose rotates it about a "
+             "point that is far away, and the 32-bit numbers of files and graphics cards lose "
+             "digits with the distance.",
+      .what_to_do = "Move it to its origin and add the offset to the pose: `rigor mesh-check "
                     "FILE --center bounds -o OUT`.",
       .checks = {on<MeshFile>(check)},
   };

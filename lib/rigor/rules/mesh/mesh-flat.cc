@@ -31,7 +31,7 @@ Rule rule() {
       .severity = Severity::kInfo,
       .summary = "a mesh for collisions has no thickness",
       .why = "It encloses nothing: no mass or inertia can be taken from it, and MuJoCo rejects a "
-             "mesh without volume, unless it is told to take it for a shell. Drawn, it is fine.",
+             "mesh without volume, unless the mesh has inertia=\"shell\". Drawn, it is fine.",
       .what_to_do = "Use a box, a plane, or give the mesh a thickness.",
       .checks = {on<MeshFile>(check)},
   };

@@ -35,7 +35,7 @@ Rule rule() {
       .formats = Formats::kUrdf,
       .targets = {Target::kMujoco},
       .summary = "a mesh has a format that MuJoCo does not read",
-      .why = "MuJoCo refuses the whole robot: unknown mesh file type. It reads STL, OBJ and its "
+      .why = "MuJoCo rejects the whole robot: unknown mesh file type. It reads STL, OBJ and its "
              "own MSH, and decides by the ending of the name. Of a URDF it reads the meshes of "
              "collisions; those of visuals only when <mujoco><compiler discardvisual=\"false\"/> "
              "asks for them.",

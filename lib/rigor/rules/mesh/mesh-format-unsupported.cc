@@ -30,7 +30,7 @@ void check(const MeshUse& use, Context& context) {
   const std::string format = rigor::extension(uri);
   if (std::find(std::begin(kFormats), std::end(kFormats), format) != std::end(kFormats)) return;
   context.report({.where = use.mesh.uri.span,
-                  .message = none ? "the mesh has no file extension: nobody knows its format"
+                  .message = none ? "the mesh has no file extension: its format is unknown"
                                   : read_by_none(extension),
                   .subject = use.subject});
 }

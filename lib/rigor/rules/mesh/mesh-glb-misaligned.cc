@@ -21,10 +21,10 @@ Rule rule() {
       .name = "mesh-glb-misaligned",
       .severity = Severity::kError,
       .summary = "a chunk of a .glb does not end where one may",
-      .why = "Chunks are filled up with blanks or zeros to four bytes, and assimp looks for the "
-             "next one there. Of a file that is not filled up it says that it has \"no suitable "
-             "reader\". Found in 2 of 31 real files, which trimesh wrote.",
-      .what_to_do = "Write the mesh anew, with a newer version of what wrote it.",
+      .why = "Chunks are padded with blanks or zeros to four bytes, and assimp looks for the next "
+             "one there. It rejects a file without padding with \"no suitable reader\". Found in 2 "
+             "of 31 real files, which trimesh wrote.",
+      .what_to_do = "Write the mesh again, with a newer version of what wrote it.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -24,10 +24,10 @@ Rule rule() {
       .name = "mesh-inconsistent-winding",
       .severity = Severity::kWarning,
       .summary = "neighbouring triangles of a mesh face opposite ways",
-      .why = "The order of a triangle's corners says where outside is. Where neighbours disagree, "
-             "one of them is drawn from the inside or not at all, pushes contacts the wrong way in "
-             "engines that go by it, and is taken away from volume and inertia instead of added. "
-             "Newer MuJoCo refuses to take an exact inertia from such a mesh.",
+      .why = "The order of a triangle's vertices (its winding) defines the outside. Where "
+             "neighbors disagree, one of them is drawn from the inside or not at all, pushes "
+             "contacts the wrong way in engines that use it, and is subtracted from volume and "
+             "inertia. Newer MuJoCo refuses to compute an exact inertia from such a mesh.",
       .what_to_do = "Turn the triangles the same way: `rigor mesh-check FILE --repair -o OUT`, or "
                     "\"recalculate normals outside\" in the tool that made it.",
       .checks = {on<MeshFile>(check)},

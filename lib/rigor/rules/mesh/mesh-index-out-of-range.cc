@@ -21,8 +21,7 @@ Rule rule() {
       .name = "mesh-index-out-of-range",
       .severity = Severity::kError,
       .summary = "a face names a vertex that there is not",
-      .why = "Assimp refuses the whole mesh; a reader that does not look reads what lies behind "
-             "its memory.",
+      .why = "Assimp rejects the whole mesh; a reader that does not check reads out of bounds.",
       .what_to_do = "Export the mesh again: vertices are missing, or faces of another mesh got in.",
       .checks = {on<MeshFile>(check)},
   };

@@ -8,16 +8,16 @@ namespace rigor::rules::mesh_lfs_pointer {
 
 void check(const MeshFile& file, Context& context) {
   if (fault_of(file, mesh::FaultKind::kLfsPointer) == nullptr) return;
-  report_mesh(file, context, "in place of the mesh stands a pointer of Git LFS");
+  report_mesh(file, context, "the file is a Git LFS pointer, not a mesh");
 }
 
 Rule rule() {
   return {
       .name = "mesh-lfs-pointer",
       .severity = Severity::kError,
-      .summary = "a Git LFS pointer stands in place of a mesh",
-      .why = "The repository was cloned without Git LFS, so that three lines of text stand where "
-             "the mesh belongs. No reader takes them for a mesh.",
+      .summary = "a mesh file is a Git LFS pointer",
+      .why = "The repository was cloned without Git LFS, so that the file has three lines of text "
+             "instead of the mesh. All readers reject it.",
       .what_to_do = "Install git-lfs and run `git lfs pull` in the repository.",
       .checks = {on<MeshFile>(check)},
   };

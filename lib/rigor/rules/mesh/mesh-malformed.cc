@@ -34,11 +34,11 @@ Rule rule() {
   return {
       .name = "mesh-malformed",
       .severity = Severity::kError,
-      .summary = "a mesh file cannot be read",
+      .summary = "mesh file is malformed",
       .why = "The file is damaged, or is something else than a mesh. Simulators leave the shape "
              "out: a visual cannot be seen, a collision is passed through. Some readers crash on "
              "such files: of 764 damaged ones, assimp 5.2.5 crashed or ran away on 17.",
-      .what_to_do = "Export the mesh again. The message says what could not be understood.",
+      .what_to_do = "Export the mesh again. The message names what could not be parsed.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -24,9 +24,9 @@ Rule rule() {
       .name = "mesh-material-library-missing",
       .severity = Severity::kWarning,
       .summary = "the library of materials of an OBJ is not found",
-      .why = "The .mtl file that mtllib names holds the colours and textures. Without it the part "
-             "is drawn in one colour.",
-      .what_to_do = "Put the .mtl file beside the .obj, under the name that mtllib says.",
+      .why = "The .mtl file that mtllib names holds the colors and textures. Without it the part "
+             "is drawn in one color.",
+      .what_to_do = "Put the .mtl file beside the .obj, under the name that mtllib has.",
       .checks = {on<MeshFile>(check)},
   };
 }

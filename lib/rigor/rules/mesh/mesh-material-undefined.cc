@@ -21,8 +21,8 @@ Rule rule() {
       .name = "mesh-material-undefined",
       .severity = Severity::kWarning,
       .summary = "triangles of a mesh have a material that no file defines",
-      .why = "They are drawn in the colour that a program has for what it knows nothing of, mostly "
-             "grey. In an OBJ a material is defined (newmtl) by the library that mtllib names; the "
+      .why = "They are drawn in the color that a program has for what it knows nothing of, mostly "
+             "gray. In an OBJ a material is defined (newmtl) by the library that mtllib names; the "
              "triangles of a Collada file have a symbol, which an instance of their geometry binds "
              "to a material.",
       .what_to_do =

@@ -21,12 +21,12 @@ Rule rule() {
       .name = "mesh-mirrored-node",
       .severity = Severity::kInfo,
       .summary = "a node of a mesh file mirrors its shapes",
-      .why = "A transform with a negative scale turns the order of each triangle's corners around. "
-             "Assimp leaves it to its user to turn it back. Exporters differ as well: some write a "
-             "shape that is right only if nobody does. Where reader and exporter disagree, the "
-             "inside of the part is drawn, and its volume is negative.",
-      .what_to_do = "Apply the transforms before exporting, or write the mesh anew, which does so: "
-                    "`rigor mesh-check FILE -o OUT.dae`.",
+      .why = "A transform with a negative scale reverses the winding of each triangle. Assimp "
+             "leaves it to its user to reverse it again. Exporters differ as well: some write a "
+             "shape that is right only when it is not reversed. Where reader and exporter "
+             "disagree, the inside of the part is drawn, and its volume is negative.",
+      .what_to_do = "Apply the transforms before exporting, or write the mesh again, which does "
+                    "so: `rigor mesh-check FILE -o OUT.dae`.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -26,7 +26,7 @@ Rule rule() {
       .name = "mesh-mujoco-faces",
       .severity = Severity::kInfo,
       .summary = "an STL has more triangles than MuJoCo reads",
-      .why = "MuJoCo refuses an STL with more than 200 000 facets.",
+      .why = "MuJoCo rejects an STL with more than 200 000 facets.",
       .what_to_do = "Reduce it: `rigor mesh-check FILE --reduce 50000 -o OUT`.",
       .checks = {on<MeshFile>(check)},
   };

@@ -54,9 +54,9 @@ Rule rule() {
       .formats = Formats::kUrdf,
       .targets = {Target::kMujoco},
       .summary = "two meshes of a robot differ by folder or ending only",
-      .why = "MuJoCo calls the meshes of a URDF by their file names without folder and ending, and "
-             "reads one file for each name: the second shape gets the mesh of the first, and "
-             "nothing is said.",
+      .why = "MuJoCo names the meshes of a URDF by their file names without folder and extension, "
+             "and reads one file for each name: the second shape gets the mesh of the first, "
+             "without a warning.",
       .what_to_do = "Give the files different names, such as car_collision.stl.",
       .checks = {on<model::Root>(check)},
   };

@@ -19,7 +19,7 @@ Rule rule() {
       .summary = "an STL in text ends without endsolid",
       .why = "Something may be missing at its end. RViz tells text from binary by that word, and "
              "reads the file as a binary one.",
-      .what_to_do = "Export the mesh again if something is missing; else write it anew: `rigor "
+      .what_to_do = "Export the mesh again if something is missing; else write it again: `rigor "
                     "mesh-check FILE -o OUT.stl`.",
       .checks = {on<MeshFile>(check)},
   };

@@ -26,7 +26,7 @@ Rule rule() {
       .summary = "edges of a mesh have more than two triangles",
       .why = "Walls without thickness and bodies that touch along an edge look like this. Which "
              "side of such an edge is inside is not defined there, so that booleans, hole filling "
-             "and many mesh tools refuse the mesh or cut it there.",
+             "and many mesh tools reject the mesh or cut it there.",
       .what_to_do =
           "Keep touching bodies apart, and give walls a thickness. `rigor mesh-check FILE --repair "
           "-o OUT` takes away triangles that are there twice, a common cause.",

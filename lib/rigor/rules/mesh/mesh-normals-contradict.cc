@@ -1,6 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <cstdint>
 #include <string>
 
 #include <fmt/core.h>
@@ -10,13 +11,17 @@
 
 namespace rigor::rules::mesh_normals_contradict {
 
+// One facet of so many is a sliver, whose normal is rounding.
+constexpr std::uint64_t kFewest = 1000;
+
 void check(const MeshFile& file, Context& context) {
   const auto& stl = file.facts.asset.stl;
   if (!stl || stl->contrary_normals.count == 0 || file.collision()) return;
   const mesh::Sighting& contrary = stl->contrary_normals;
+  if (contrary.count * kFewest < stl->facets) return;
   report_mesh(file, context,
-              fmt::format("{} of {} facets have a normal that points to the other side than the "
-                          "order of the corners says, first {}",
+              fmt::format("{} of {} facets have a normal that contradicts the winding of their "
+                          "vertices, first {}",
                           contrary.count, stl->facets,
                           (stl->binary ? "facet " : "in line ") + std::to_string(contrary.first)));
 }
@@ -25,12 +30,14 @@ Rule rule() {
   return {
       .name = "mesh-normals-contradict",
       .severity = Severity::kWarning,
-      .summary = "normals of an STL contradict the order of its corners",
-      .why = "Some viewers light a facet by its normal, and leave it out by the order of its "
-             "corners: it is dark, or cannot be seen. Which of the two is right the file does not "
-             "say; engines and mass properties go by the corners.",
-      .what_to_do = "Turn the facets outward and write their normals anew: `rigor mesh-check FILE "
-                    "--repair -o OUT.stl`.",
+      .summary = "facet normals of an STL contradict the winding of its vertices",
+      .why = "Some viewers light a facet by its normal and cull it by its winding: it is dark or "
+             "invisible. The file does not tell which of the two is right; engines and mass "
+             "properties use the winding. Fewer than one facet in 1000 is not reported: those are "
+             "slivers.",
+      .what_to_do =
+          "Orient the facets outward and compute their normals again: `rigor mesh-check FILE "
+          "--repair -o OUT.stl`.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -19,8 +19,8 @@ Rule rule() {
       .name = "mesh-normals-missing",
       .severity = Severity::kInfo,
       .summary = "a visual mesh has no normals",
-      .why = "Normals say whether an edge is to look sharp or round. Without them some viewers "
-             "make all edges sharp, some make all round, and some draw the mesh black.",
+      .why = "Normals define whether an edge looks sharp or smooth. Without them some viewers make "
+             "all edges sharp, some make all smooth, and some draw the mesh black.",
       .what_to_do = "Write them: `rigor mesh-check FILE --normals 30 -o OUT.dae` makes edges of "
                     "less than 30° look round.",
       .checks = {on<MeshFile>(check)},

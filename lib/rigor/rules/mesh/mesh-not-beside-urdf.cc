@@ -48,10 +48,10 @@ Rule rule() {
       .summary = "a mesh is not where MuJoCo looks for it",
       .why = "Of the meshes in a URDF, MuJoCo takes the bare file name, without folders and "
              "package://, and opens it beside the URDF, or in the folder that <compiler "
-             "meshdir=\"…\"/> names. When it is not there, it refuses the whole robot.",
+             "meshdir=\"…\"/> names. When it is not there, it rejects the whole robot.",
       .what_to_do = "Add <mujoco><compiler meshdir=\"../meshes\"/></mujoco> to the <robot>, or "
-                    "with relative file names <compiler strippath=\"false\"/>. Others pass over "
-                    "the <mujoco> element. It is told once in a file.",
+                    "with relative file names <compiler strippath=\"false\"/>. Others ignore the "
+                    "<mujoco> element. It is reported once in a file.",
       .checks = {on<model::Root>(check)},
   };
 }

@@ -19,10 +19,10 @@ Rule rule() {
       .severity = Severity::kInfo,
       .summary = "a mesh is not convex",
       .why = "Most meshes are not. MuJoCo collides with the hull of a mesh, so that hollows are "
-             "filled: a cup holds nothing. So do engines elsewhere when they are told to be fast.",
+             "filled: a cup holds nothing. So do engines elsewhere in their fast modes.",
       .what_to_do =
-          "Where hollows matter, split the mesh into convex pieces, each a collision of its own; "
-          "where they do not, `rigor mesh-check FILE --convex-hull -o OUT` shows what is touched.",
+          "Where cavities matter, split the mesh into convex pieces, one collision each; where "
+          "they do not, `rigor mesh-check FILE --convex-hull -o OUT` shows what is touched.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -20,8 +20,8 @@ Rule rule() {
       .name = "mesh-not-finite",
       .severity = Severity::kError,
       .summary = "a mesh has coordinates that are no finite numbers",
-      .why = "MuJoCo refuses the mesh. Assimp passes NaN on, and then nobody can tell what "
-             "happens: bounding boxes, inertia and contacts become NaN with it.",
+      .why = "MuJoCo rejects the mesh. Assimp passes NaN on: bounding boxes, inertia and contacts "
+             "become NaN.",
       .what_to_do =
           "Export the mesh again; a modifier or a scale of zero there is the usual cause.",
       .checks = {on<MeshFile>(check)},

@@ -42,11 +42,11 @@ Rule rule() {
       .name = "mesh-not-found",
       .severity = Severity::kError,
       .summary = "a mesh file is not found",
-      .why = "The simulator leaves the shape out: a visual cannot be seen, a collision is passed "
-             "through. Neither ign sdf -k nor check_urdf looks.",
-      .what_to_do =
-          "Mend the path, or say where the files are: --model-path and --package, rigor.toml, "
-          "GZ_SIM_RESOURCE_PATH, ROS_PACKAGE_PATH. rigor resolve URI prints the search.",
+      .why = "The simulator omits the shape: a visual is not drawn, a collision does not collide. "
+             "The checkers (ign sdf -k, gz sdf -k, check_urdf) open no meshes.",
+      .what_to_do = "Correct the path, or give the folders of the files: --model-path and "
+                    "--package, rigor.toml, GZ_SIM_RESOURCE_PATH, ROS_PACKAGE_PATH. rigor resolve "
+                    "URI prints the search.",
       .checks = {on<MeshUse>(check)},
   };
 }

@@ -24,7 +24,7 @@ Rule rule() {
       .why =
           "Only faces can be touched: engines drop lines and points, or stumble over faces with "
           "less than three corners. About one Collada file in ten has some, mostly from SketchUp.",
-      .what_to_do = "Write the mesh anew, which drops them: `rigor mesh-check FILE -o OUT.stl`.",
+      .what_to_do = "Write the mesh again, which drops them: `rigor mesh-check FILE -o OUT.stl`.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -35,7 +35,7 @@ Rule rule() {
       .summary = "a mesh is open: it has edges with one triangle only",
       .why = "What an open surface encloses is not defined: a volume, mass or inertia from it "
              "depends on where the holes are. MuJoCo's exact inertia and Gazebo's automatic one "
-             "take such a mesh without a word. Contacts with a hull do not mind.",
+             "accept such a mesh silently. Contacts with a convex hull are not affected.",
       .what_to_do =
           "Close the holes in the tool that made it, or `rigor mesh-check FILE --repair -o OUT`. "
           "For a collision a hull often does: `rigor mesh-check FILE --convex-hull -o OUT`.",

@@ -9,24 +9,23 @@ void check(const MeshUse& use, Context& context) {
   const auto& scale = use.mesh.scale;
   const auto [x, y, z] = scale.value;
   if (!scale.written || (x >= 0 && y >= 0 && z >= 0)) return;
-  context.report({.where = scale.span,
-                  .message =
-                      "a negative scale mirrors the mesh: who does not turn its triangles back "
-                      "sees it inside out",
-                  .subject = use.subject});
+  context.report(
+      {.where = scale.span,
+       .message = "a negative scale mirrors the mesh: some readers then show it inside out",
+       .subject = use.subject});
 }
 
 Rule rule() {
   return {
       .name = "mesh-scale-negative",
-      .severity = Severity::kWarning,
+      .severity = Severity::kInfo,
       .summary = "a mesh is scaled by a negative factor",
-      .why = "Many robots make their left side of the meshes of the right one so, and consumers "
-             "differ: MuJoCo turns the triangles back; new Gazebo draws such a visual with its "
-             "inside outside and reports an error for such a collision (gazebosim/gz-sim#2656); "
-             "Webots and O3DE refuse the factor; some take the absolute value.",
-      .what_to_do = "Mirror the mesh file itself, with its triangles turned the right way round, "
-                    "and take the minus signs out.",
+      .why = "Many robots use the meshes of one side mirrored on the other, and consumers differ: "
+             "MuJoCo reverses the triangles; Gazebo Sim draws such a visual inside out and reports "
+             "an error for such a collision (gazebosim/gz-sim#2656); Webots and O3DE reject the "
+             "factor; some use its absolute value.",
+      .what_to_do = "Mirror the mesh file itself, with the winding of its triangles reversed, and "
+                    "remove the minus signs.",
       .checks = {on<MeshUse>(check)},
   };
 }

@@ -21,7 +21,7 @@ Rule rule() {
       .summary = "a mesh is scaled by zero",
       .why = "The mesh becomes a plane, a line or a point. It cannot be seen or touched, and "
              "engines that build a hull of it stop.",
-      .what_to_do = "Write the factor from the file's unit to metres: 0.001 for millimetres.",
+      .what_to_do = "Write the factor from the file's unit to meters: 0.001 for millimeters.",
       .checks = {on<MeshUse>(check)},
   };
 }

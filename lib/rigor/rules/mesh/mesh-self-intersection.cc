@@ -28,9 +28,9 @@ Rule rule() {
       .name = "mesh-self-intersection",
       .severity = Severity::kInfo,
       .summary = "a mesh goes through itself",
-      .why =
-          "Where parts overlap, a volume or inertia from the triangles counts the overlap twice. "
-          "Contacts and pictures do not mind. Assemblies exported as one mesh look like this.",
+      .why = "Where parts overlap, a volume or inertia from the triangles counts the overlap "
+             "twice. Contacts and rendering are not affected. Assemblies exported as one mesh look "
+             "like this.",
       .what_to_do = "For mass properties unite the parts in the tool that made them, or take a "
                     "hull: `rigor mesh-check FILE --convex-hull -o OUT`.",
       .checks = {on<MeshFile>(check)},

@@ -17,7 +17,7 @@ Rule rule() {
       .name = "mesh-several-solids",
       .severity = Severity::kInfo,
       .summary = "an STL holds several solids",
-      .why = "Assimp makes a mesh of each; admesh refuses the file. Readers that stop at the first "
+      .why = "Assimp makes a mesh of each; admesh rejects the file. Readers that stop at the first "
              "endsolid lose the others.",
       .what_to_do = "Make one solid of them: `rigor mesh-check FILE -o OUT.stl`. Or one file of "
                     "each: `--split component`.",

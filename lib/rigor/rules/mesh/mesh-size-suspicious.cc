@@ -141,12 +141,12 @@ Rule rule() {
       .name = "mesh-size-suspicious",
       .severity = Severity::kWarning,
       .summary = "a mesh is as large as a building or as small as a grain",
-      .why = "STL and OBJ do not say what a unit is. A part drawn in millimetres and read in "
-             "metres is a thousand times too large, one scaled twice as much too small; drawn with "
-             "a thousandth of its size a robot is just not to be seen. Contacts, inertia and "
-             "camera ranges go wrong with it. A mesh that is thirty times larger or smaller than "
-             "all others of its model is told of, too.",
-      .what_to_do = "Give the mesh's unit in the model's scale (0.001 for millimetres), or put it "
+      .why =
+          "STL and OBJ have no unit. A part drawn in millimeters and read in meters is a thousand "
+          "times too large, one scaled twice as much too small; at a thousandth of its size a "
+          "robot is invisible. Contacts, inertia and camera ranges are wrong, too. A mesh that is "
+          "thirty times larger or smaller than all others of its model is also reported.",
+      .what_to_do = "Give the mesh's unit in the model's scale (0.001 for millimeters), or put it "
                     "into the file: `rigor mesh-check FILE --unit mm -o OUT`.",
       .checks = {on<MeshFile>(check)},
   };

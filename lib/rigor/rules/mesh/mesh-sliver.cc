@@ -29,7 +29,7 @@ Rule rule() {
       .why = "They are a thousand times longer than high. Nothing breaks, but their normals are as "
              "good as their last digits, and reducing or cutting the mesh goes wrong there first. "
              "CAD programs make them along round edges.",
-      .what_to_do = "Export with another tolerance, or mesh the part anew, where it matters.",
+      .what_to_do = "Export with another tolerance, or mesh the part again, where it matters.",
       .checks = {on<MeshFile>(check)},
   };
 }

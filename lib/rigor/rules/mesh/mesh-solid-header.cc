@@ -16,10 +16,10 @@ Rule rule() {
       .name = "mesh-solid-header",
       .severity = Severity::kInfo,
       .summary = "a binary STL begins like one in text",
-      .why = "Readers that go by the first word take the file for text. RViz warns at each start "
-             "that the file is malformed. One in eight binary STL files is like that: SolidWorks "
-             "writes them.",
-      .what_to_do = "Write the file anew: `rigor mesh-check FILE -o OUT.stl`.",
+      .why = "Readers that detect the format by the first word parse the file as text. RViz warns "
+             "at each start that the file is malformed. One in eight binary STL files is like "
+             "that: SolidWorks writes them.",
+      .what_to_do = "Write the file again: `rigor mesh-check FILE -o OUT.stl`.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -18,9 +18,9 @@ Rule rule() {
       .name = "mesh-texture-absolute",
       .severity = Severity::kWarning,
       .summary = "a texture has an absolute path",
-      .why = "The path is that of the machine where the mesh was made. On any other the picture is "
+      .why = "The path is that of the machine where the mesh was made. On any other the image is "
              "not found.",
-      .what_to_do = "Put the picture beside the mesh, and export it with relative paths.",
+      .what_to_do = "Put the image beside the mesh, and export it with relative paths.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -24,8 +24,8 @@ Rule rule() {
       .summary = "a texture of a mesh is where only Gazebo looks",
       .why = "Gazebo looks for textures in ../materials/textures, too, and follows model: URIs "
              "inside of mesh files. RViz and others look beside the mesh only, and draw the part "
-             "in one colour.",
-      .what_to_do = "Write the path from the mesh to the picture into the mesh file, such as "
+             "in one color.",
+      .what_to_do = "Write the path from the mesh to the image into the mesh file, such as "
                     "../materials/textures/skin.png, which everyone finds.",
       .checks = {on<MeshFile>(check)},
   };

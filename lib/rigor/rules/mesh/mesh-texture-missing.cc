@@ -26,10 +26,10 @@ Rule rule() {
       .name = "mesh-texture-missing",
       .severity = Severity::kWarning,
       .summary = "a texture of a mesh is not found",
-      .why = "The part is drawn in one colour, often white or black. Names are looked for beside "
+      .why = "The part is drawn in one color, often white or black. Names are looked for beside "
              "the file that names them; Gazebo looks in ../materials/textures, too.",
       .what_to_do =
-          "Put the picture where the mesh says it is, or export the mesh with the right path.",
+          "Put the image where the mesh refers to it, or export the mesh with the right path.",
       .checks = {on<MeshFile>(check)},
   };
 }

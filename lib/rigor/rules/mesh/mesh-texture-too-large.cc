@@ -34,8 +34,8 @@ Rule rule() {
       .severity = Severity::kInfo,
       .summary = "a texture has more than 4096 pixels in a row",
       .why = "It takes 85 MB and more of a graphics card's memory once it is unpacked, also in "
-             "each simulated camera; older cards and drivers refuse it or draw white.",
-      .what_to_do = "Scale the picture down: `convert big.png -resize 2048x2048 small.png`.",
+             "each simulated camera; older cards and drivers reject it or draw white.",
+      .what_to_do = "Scale the image down: `convert big.png -resize 2048x2048 small.png`.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -15,7 +15,7 @@ void check(const MeshFile& file, Context& context) {
   const auto nameless = std::find_if(undefined.begin(), undefined.end(),
                                      [](const auto& image) { return image.written.empty(); });
   if (nameless != undefined.end()) {
-    report_mesh(file, context, "an image names no file" + in_line(nameless->line));
+    report_mesh(file, context, "an <image> has no file name" + in_line(nameless->line));
     undefined.erase(nameless);
   }
   report_references(file, context, undefined, "a texture is not defined in the mesh file",
@@ -27,12 +27,12 @@ Rule rule() {
       .name = "mesh-texture-undefined",
       .severity = Severity::kWarning,
       .summary = "a material names a texture that the file does not define",
-      .why =
-          "Assimp refuses the whole file, and so whoever reads Collada by it, as RViz does: "
-          "\"Invalid texture, no data or file reference given\". Gazebo's own reader opens it "
-          "without the picture. Found in 3 of 100 Collada files of Gazebo's models, from 3ds Max.",
-      .what_to_do = "Write the mesh anew, without the texture: `rigor mesh-check FILE -o OUT.dae`. "
-                    "Or export it with its textures.",
+      .why = "Assimp, with which RViz reads Collada, and Gazebo's own reader load the mesh without "
+             "the texture. An <image> that names no file is worse: assimp rejects the mesh "
+             "(\"Invalid texture, no data or file reference given\"), and 5.2.5 stops at an "
+             "assertion when its <init_from> is empty. The exporter of 3ds Max writes both.",
+      .what_to_do = "Export the mesh with its textures, or without the material's texture: `rigor "
+                    "mesh-check FILE -o OUT.dae` writes it so.",
       .checks = {on<MeshFile>(check)},
   };
 }

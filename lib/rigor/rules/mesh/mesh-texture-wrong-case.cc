@@ -21,7 +21,7 @@ Rule rule() {
       .summary = "a texture is written with other upper and lower case",
       .why = "It opens on Windows and macOS, and is not found on Linux, where the simulators "
              "mostly run.",
-      .what_to_do = "Rename the picture, or write its name in the mesh as the file has it.",
+      .what_to_do = "Rename the image, or write its name in the mesh as the file has it.",
       .checks = {on<MeshFile>(check)},
   };
 }

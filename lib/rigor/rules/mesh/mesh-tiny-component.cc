@@ -25,11 +25,11 @@ void check(const MeshFile& file, Context& context) {
     }
   }
   if (places.empty()) return;
-  report_mesh(file, context,
-              fmt::format("{} of {} separate pieces of the mesh {} smaller than a thousandth of "
-                          "it,{}",
-                          places.size(), topology.components, places.size() == 1 ? "is" : "are",
-                          at_places(places, places.size())));
+  report_mesh(
+      file, context,
+      fmt::format("{} of {} separate pieces of the mesh {} smaller than a thousandth of it,{}",
+                  places.size(), topology.components, places.size() == 1 ? "is" : "are",
+                  at_places(places, places.size())));
 }
 
 Rule rule() {
@@ -37,8 +37,8 @@ Rule rule() {
       .name = "mesh-tiny-component",
       .severity = Severity::kInfo,
       .summary = "a mesh has crumbs: pieces a thousand times smaller than it",
-      .why = "They are left over from cutting and exporting. Contacts catch on them, and a body's "
-             "bounds or hull may hang on one.",
+      .why = "They are left over from cutting and exporting. Contacts catch on them, and the "
+             "bounds or hull of a body may depend on one.",
       .what_to_do = "Delete them in the tool that made the mesh.",
       .checks = {on<MeshFile>(check)},
   };

@@ -22,7 +22,7 @@ Rule rule() {
       .why =
           "Files over 2 GiB and meshes of more than 50 million triangles are not opened. The "
           "largest among some thousand meshes of robots has 30 MB; simulators would take minutes "
-          "and gigabytes for such a one, and MuJoCo refuses more than 200 000 triangles.",
+          "and gigabytes for such a one, and MuJoCo rejects more than 200 000 triangles.",
       .what_to_do = "Reduce the mesh where it comes from, by a coarser export.",
       .checks = {on<MeshFile>(check)},
   };

@@ -25,8 +25,8 @@ Rule rule() {
       .name = "mesh-truncated",
       .severity = Severity::kError,
       .summary = "a mesh file is cut short",
-      .why = "A copy, download or export was broken off. Assimp and MuJoCo refuse the file; admesh "
-             "fills up what is missing with triangles of its own.",
+      .why = "A copy, download or export was broken off. Assimp and MuJoCo reject the file; admesh "
+             "invents the missing triangles.",
       .what_to_do = "Get or export the whole file again.",
       .checks = {on<MeshFile>(check)},
   };

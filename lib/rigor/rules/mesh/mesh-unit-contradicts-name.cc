@@ -51,10 +51,10 @@ Rule rule() {
       .name = "mesh-unit-contradicts-name",
       .severity = Severity::kInfo,
       .summary = "a unit's name and size contradict each other",
-      .why = "Who reads the name gets another size than who reads the number. Simulators read the "
-             "number; which of the two was meant, only the size of the part can tell.",
-      .what_to_do = "Say what a unit is: `rigor mesh-check FILE --unit cm -o OUT.dae` writes "
-                    "metres and says so.",
+      .why = "A reader of the name gets another size than a reader of the number. Simulators read "
+             "the number; only the size of the part shows which of the two was meant.",
+      .what_to_do =
+          "State the unit: `rigor mesh-check FILE --unit cm -o OUT.dae` writes a mesh in meters.",
       .checks = {on<MeshFile>(check)},
   };
 }

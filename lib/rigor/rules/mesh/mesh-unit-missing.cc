@@ -9,7 +9,7 @@ namespace rigor::rules::mesh_unit_missing {
 void check(const MeshFile& file, Context& context) {
   const auto& collada = file.facts.asset.collada;
   if (!collada || collada->unit_line > 0) return;
-  report_mesh(file, context, "the Collada file names no unit: its lengths are taken for metres");
+  report_mesh(file, context, "the Collada file names no unit: its lengths are taken for meters");
 }
 
 Rule rule() {
@@ -17,10 +17,10 @@ Rule rule() {
       .name = "mesh-unit-missing",
       .severity = Severity::kInfo,
       .summary = "a Collada file names no unit",
-      .why = "Without a <unit> its lengths are metres, by Collada's definition. Whether they were "
-             "meant so nobody can tell: a third of the Collada files of some robots has none.",
-      .what_to_do = "Look at the size, and say what a unit is: `rigor mesh-check FILE --unit mm -o "
-                    "OUT.dae` writes metres and says so.",
+      .why = "Without a <unit> its lengths are meters, by Collada's definition. Whether that was "
+             "meant cannot be determined: a third of the Collada files of some robots has none.",
+      .what_to_do = "Check the size, and state the unit: `rigor mesh-check FILE --unit mm -o "
+                    "OUT.dae` writes a mesh in meters.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -27,7 +27,7 @@ Rule rule() {
       .summary = "vertices of a mesh are used by no triangle",
       .why = "They make the file larger, and programs that take bounds or a hull from all vertices "
              "get other ones than are seen.",
-      .what_to_do = "Write the mesh anew, which leaves them out: `rigor mesh-check FILE -o OUT`.",
+      .what_to_do = "Write the mesh again, which leaves them out: `rigor mesh-check FILE -o OUT`.",
       .checks = {on<MeshFile>(check)},
   };
 }

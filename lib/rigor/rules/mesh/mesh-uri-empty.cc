@@ -5,11 +5,16 @@
 
 namespace rigor::rules::mesh_uri_empty {
 
+/// What libsdformat writes in place of a URI that was not set.
+constexpr const char* kUnset = "__default__";
+
 void check(const MeshUse& use, Context& context) {
   const auto& uri = use.mesh.uri;
-  if (!uri.written || !uri.value.empty()) return;
+  const bool unset = uri.value.empty() || uri.value == kUnset;
+  if (!uri.written || !unset) return;
   context.report({.where = uri.span.size() > 0 ? uri.span : use.geometry.site.name,
-                  .message = "mesh names no file: its uri is empty",
+                  .message = uri.value.empty() ? "the mesh names no file: its URI is empty"
+                                               : "the mesh names no file: its URI is '__default__'",
                   .subject = use.subject});
 }
 
@@ -19,9 +24,9 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "a mesh names no file",
-      .why = "The simulator looks for a file without a name, finds none, and leaves the shape out: "
-             "a visual cannot be seen, a collision is passed through.",
-      .what_to_do = "Name the mesh file, or take the visual or collision out.",
+      .why = "The simulator finds no file and omits the shape: a visual is not drawn, a collision "
+             "does not collide. `__default__` is what libsdformat writes where no URI was set.",
+      .what_to_do = "Name the mesh file, or remove the visual or collision.",
       .checks = {on<MeshUse>(check)},
   };
 }

@@ -70,8 +70,8 @@ Rule rule() {
       .summary = "a mesh is named by a path that ROS does not find",
       .why = "A robot description is a text on a topic, and no longer knows which file it came "
              "from. So RViz and MoveIt load meshes by resource_retriever, which takes package://, "
-             "file:// and http:// URLs: a relative path or model:// leads nowhere. It loads by "
-             "curl, and curl from 7.78 refuses a space.",
+             "file:// and http:// URLs: a relative path or model:// does not exist. It loads by "
+             "curl, and curl from 7.78 rejects a space.",
       .what_to_do = "Write package://NAME/PATH, with the name from the package.xml.",
       .checks = {on<model::Root>(check)},
   };

@@ -34,10 +34,10 @@ Rule rule() {
       .name = "duplicate-name",
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
-      .summary = "two things of one kind have the same name",
-      .why = "libsdformat and urdfdom refuse the file. Where they do not, one of the two cannot be "
-             "referred to.",
-      .what_to_do = "Rename one of them. Of two includes of one model, one takes a <name>.",
+      .summary = "duplicate name",
+      .why = "libsdformat and urdfdom reject the file. Where they accept it, one of the two cannot "
+             "be referred to.",
+      .what_to_do = "Rename one of them. Give one of two includes of the same model a <name>.",
       .checks = {on<model::Root>(check)},
   };
 }

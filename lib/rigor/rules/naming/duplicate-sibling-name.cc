@@ -1,14 +1,31 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <optional>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 
 #include <rigor/rules/naming/named.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/sdformat_robot.h>
 
 namespace rigor::rules::duplicate_sibling_name {
 
+/// Whether poses, joints and frames refer to things of the kind by name. The others have their names for
+/// people and topics, and only the check of `ign sdf -k` compares them across kinds.
+bool is_frame(std::string_view kind) {
+  return kind == "link" || kind == "joint" || kind == "frame" || kind == "model" ||
+         kind == "include" || kind == "world";
+}
+
+std::optional<Severity> severity_of(const Named& first, const Named& again) {
+  if (is_frame(first.kind) && is_frame(again.kind)) return std::nullopt;
+  return Severity::kInfo;
+}
+
 void check(const model::Root& /*root*/, Context& context) {
+  if (!context.is_sdf()) return;
   for (const NameScope& scope : context.repeated_names()) {
     for_each_repetition(
         scope, Kinds::kDifferent, [&context](const Named& first, const Named& again) {
@@ -17,8 +34,26 @@ void check(const model::Root& /*root*/, Context& context) {
                                      std::string(again.name) + "' has the name of a " +
                                      std::string(first.kind),
                           .subject = subject_of(again),
-                          .related = {{first.where, "the " + std::string(first.kind)}}});
+                          .related = {{first.where, "the " + std::string(first.kind)}},
+                          .severity = severity_of(first, again)});
         });
+  }
+}
+
+/// What libsdformat makes of a URDF has joints and links in one set of names.
+void check_robot(const model::Root& root, Context& context) {
+  if (!context.is_urdf() || root.models.empty()) return;
+  std::unordered_map<std::string_view, const model::Link*> links;
+  for (const model::Link& link : root.links) links.emplace(link.name.value, &link);
+  for (const SdformatRobot::Part& part : context.sdformat_robot().parts) {
+    if (!part.joint || part.fate != SdformatRobot::Fate::kLink) continue;
+    const model::Joint& joint = root[part.joint];
+    const auto same = links.find(joint.name.value);
+    if (same == links.end()) continue;
+    context.report({.where = joint.name.span,
+                    .message = "the joint '" + joint.name.value + "' has the name of a link",
+                    .subject = context.subject(joint),
+                    .related = {{same->second->name.span, "the link"}}});
   }
 }
 
@@ -26,16 +61,19 @@ Rule rule() {
   return {
       .name = "duplicate-sibling-name",
       .severity = Severity::kError,
-      .refused = {.sdf = Refusal::kAlways},
-      .formats = Formats::kSdf,
-      .summary = "things of different kinds in one scope have the same name",
+      .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
+      .summary = "siblings of different kinds have the same name",
       .why = "A pose may refer to any link, joint, frame or model of a scope by name, so they "
-             "share one set of names: from SDF 1.7 on libsdformat refuses the file; of an older "
-             "one it renames the later kind while it reads, so that nobody finds it by the name "
-             "that is written. Its check (ign sdf -k) refuses both, and a visual with the name of "
-             "its collision too, which simulators load all the same.",
-      .what_to_do = "Rename one of them, as to elbow_joint.",
-      .checks = {on<model::Root>(check)},
+             "share one set of names. From SDF 1.7 on libsdformat rejects the file; in an older "
+             "one it renames the later kind while it reads, and references to the name that is "
+             "written find the other one. In the SDF that it makes of a URDF the joints and links "
+             "that "
+             "are left share their names, too: Gazebo rejects the robot, urdfdom and ROS accept "
+             "it. A visual with the name of its collision is rejected by "
+             "the check of the command line alone (ign sdf -k, gz sdf --check): simulators load "
+             "it, so that it is an info.",
+      .what_to_do = "Rename one of them, for example to elbow_joint.",
+      .checks = {on<model::Root>(check), on<model::Root>(check_robot)},
   };
 }
 

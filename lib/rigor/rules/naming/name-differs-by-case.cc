@@ -49,10 +49,10 @@ Rule rule() {
       .name = "name-differs-by-case",
       .severity = Severity::kWarning,
       .summary = "two names differ only by upper and lower case",
-      .why = "SDF and URDF tell them apart, but people do not, and neither does whatever makes "
-             "files of names where case does not count.",
-      .what_to_do = "Give them names that are told apart at a glance, or the same name where one "
-                    "thing is meant.",
+      .why = "SDF and URDF distinguish them, but readers of the file may not, and neither do tools "
+             "that make files of names on file systems that ignore case.",
+      .what_to_do = "Give them names that differ at a glance, or the same name where "
+                    "one thing is meant.",
       .checks = {on<model::Model>(check)},
   };
 }

@@ -32,8 +32,8 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kSays},
       .summary = "a name is empty",
-      .why =
-          "libsdformat refuses the file. urdfdom takes it, and then nothing can refer to the part.",
+      .why = "libsdformat rejects the file. urdfdom accepts it, and then nothing can refer to the "
+             "part.",
       .what_to_do = "Give it a name.",
       .checks = {on<model::World>(check), on<model::Model>(check), on<model::Link>(check),
                  on<model::Joint>(check), on<model::Frame>(check), on<model::Collision>(check),

@@ -41,10 +41,10 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
-      .summary = "a name is reserved by the format",
-      .why = "libsdformat refuses the file. 'world', and names that begin and end with two "
-             "underscores, stand for frames that are always there; '::' separates the names of "
-             "nested models, from SDF 1.8 on.",
+      .summary = "reserved name",
+      .why = "libsdformat rejects the file. 'world', and names that begin and end with two "
+             "underscores, are frames of the parser; '::' separates the names of nested models, "
+             "from SDF 1.8 on.",
       .what_to_do = "Choose another name.",
       .checks = {on<model::World>(check), on<model::Model>(check_model), on<model::Link>(check),
                  on<model::Joint>(check), on<model::Frame>(check), on<model::Collision>(check),

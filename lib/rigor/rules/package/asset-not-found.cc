@@ -109,11 +109,12 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kSafe,
       .summary = "a texture, height map, material script or skin is not found",
-      .why = "The part is drawn without it, in one colour; of a height map or an actor nothing is "
-             "left. The simulator says so in one line of its log. ign sdf -k does not look.",
+      .why = "The part is drawn without it, in one color; a heightmap or an actor is not drawn at "
+             "all. The simulator logs one line. The checker (ign sdf -k, gz sdf -k) opens no such "
+             "files.",
       .what_to_do =
-          "Mend the path, or say where the files are: --model-path and --package, rigor.toml, "
-          "GZ_SIM_RESOURCE_PATH. What Gazebo brings itself (file://media/…) is not looked for.",
+          "Correct the path, or give the folders of the files: --model-path and --package, "
+          "rigor.toml, GZ_SIM_RESOURCE_PATH. Gazebo's own media (file://media/…) are not checked.",
       .checks = {on<model::Root>(check)},
   };
 }

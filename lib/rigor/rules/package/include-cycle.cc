@@ -11,7 +11,7 @@ namespace rigor::rules::include_cycle {
 void check(const read::Fact& fact, Context& context) {
   std::string circle;
   for (const std::string& path : fact.tried) circle += (circle.empty() ? "" : " includes ") + path;
-  context.report({.where = fact.where, .message = "the includes go in a circle: " + circle});
+  context.report({.where = fact.where, .message = "the includes form a cycle: " + circle});
 }
 
 Rule rule() {
@@ -20,7 +20,7 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "a model includes itself",
-      .why = "libsdformat follows the circle until the memory is used up, and the simulator dies.",
+      .why = "libsdformat follows the cycle until memory is exhausted, and the simulator crashes.",
       .what_to_do = "Take one of the includes out.",
       .checks = {on_read({read::FactKind::kIncludeCycle}, check)},
   };

@@ -25,11 +25,11 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "an included file has errors of its own",
-      .why = "A simulator that refuses or misreads the included file refuses or misreads this one "
+      .why = "A simulator that rejects or misreads the included file rejects or misreads this one "
              "with it: libsdformat reports the inner error and drops what was included.",
       .what_to_do =
-          "Check the included file by itself and put it right there. What is wrong inside it is "
-          "told only then, so that one fault is not told by every world that uses it.",
+          "Check the included file by itself and correct it there. Its findings are reported only "
+          "then, so that one cause is not reported for every world that uses it.",
       .checks = {on_read({read::FactKind::kIncludeHasErrors}, check)},
   };
 }

@@ -23,9 +23,8 @@ bool is_told(const read::Fact& fact, const model::Root& root) {
 
 void check(const read::Fact& fact, Context& context) {
   if (is_told(fact, context.root())) return;
-  context.report(
-      {.where = fact.where,
-       .message = "'" + fact.name + "' is not in the Fuel cache, and was not looked at"});
+  context.report({.where = fact.where,
+                  .message = "'" + fact.name + "' is not in the Fuel cache, and was not checked"});
 }
 
 Rule rule() {
@@ -33,7 +32,7 @@ Rule rule() {
       .name = "include-not-followed",
       .severity = Severity::kInfo,
       .refused = {.sdf = Refusal::kAlways},
-      .summary = "an included model lies in the network and was not looked at",
+      .summary = "an included model is on the network and was not checked",
       .why = "Nothing is ever downloaded here: a model of an https:// URI is only read when it is "
              "in the Fuel cache. What refers to its parts cannot be checked.",
       .what_to_do =

@@ -18,7 +18,7 @@ void check(const read::Fact& fact, Context& context) {
                   .message = "'" + fact.name + "' is not found",
                   .help = other.empty()
                               ? tried_places(fact.tried, fact.name)
-                              : "there is '" + other + "': letters are told apart by case",
+                              : "there is '" + other + "': names are case-sensitive",
                   .cause = missing_part(fact.name, found, context)});
 }
 
@@ -28,9 +28,9 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "an included model is not found",
-      .why = "libsdformat refuses the whole file; Gazebo leaves the model out.",
+      .why = "libsdformat rejects the whole file; Gazebo leaves the model out.",
       .what_to_do =
-          "Correct the URI, or say where the model is: --model-path, the paths in rigor.toml, "
+          "Correct the URI, or give the model's folder: --model-path, the paths in rigor.toml, "
           "GZ_SIM_RESOURCE_PATH, or for package:// --package and ROS_PACKAGE_PATH.",
       .checks = {on_read({read::FactKind::kIncludeNotFound}, check)},
   };

@@ -17,8 +17,8 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "an included file cannot be read",
-      .why = "libsdformat refuses the whole file; Gazebo leaves the model out.",
-      .what_to_do = "Put the included file right: checking it tells more.",
+      .why = "libsdformat rejects the whole file; Gazebo leaves the model out.",
+      .what_to_do = "Correct the included file: check it by itself for details.",
       .checks = {on_read({read::FactKind::kIncludeUnreadable}, check)},
   };
 }

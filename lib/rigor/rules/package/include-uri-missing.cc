@@ -16,8 +16,8 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
-      .summary = "an include names no model",
-      .why = "libsdformat refuses the whole file, and Gazebo with it.",
+      .summary = "include without a URI",
+      .why = "libsdformat rejects the whole file, and Gazebo with it.",
       .what_to_do = "Write the <uri> of the model, as in <uri>model://box</uri>.",
       .checks = {on<model::Include>(check)},
   };

@@ -12,10 +12,9 @@ void check(const model::Visual& visual, Context& context) {
   const model::Material& material = visual.material;
   const bool scripted = !material.script.span.nowhere();
   if (material.pbr.span.nowhere() || scripted || material.has_color) return;
-  context.report(
-      {.where = material.pbr.name,
-       .message = "Gazebo classic passes over <pbr>, and nothing else says how this looks",
-       .subject = context.subject(visual)});
+  context.report({.where = material.pbr.name,
+                  .message = "Gazebo classic ignores <pbr>, and there is no other material",
+                  .subject = context.subject(visual)});
 }
 
 Rule rule() {

@@ -32,10 +32,10 @@ Rule rule() {
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .summary = "a material script lacks its uri or its name",
-      .why = "libsdformat refuses the file: of a <script> it needs the file and the name of the "
+      .why = "libsdformat rejects the file: of a <script> it needs the file and the name of the "
              "material in it.",
       .what_to_do =
-          "Write <uri> and <name>, or colours in place of the script: new Gazebo reads no scripts.",
+          "Write <uri> and <name>, or colors in place of the script: new Gazebo reads no scripts.",
       .checks = {on<model::Visual>(check)},
   };
 }

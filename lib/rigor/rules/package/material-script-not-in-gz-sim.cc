@@ -29,9 +29,9 @@ Rule rule() {
       .targets = {Target::kGzSim},
       .summary = "a visual gets its look from a material script alone",
       .why = "Material scripts are Ogre 1's. gz-sim warns that it does not support them, and draws "
-             "the part plain. Only of the names Gazebo/… it knows the colours, from version 8 "
+             "the part plain. Only of the names Gazebo/… it knows the colors, from version 8 "
              "(Harmonic).",
-      .what_to_do = "Add <ambient> and <diffuse> for a colour, or <pbr><metal><albedo_map> for a "
+      .what_to_do = "Add <ambient> and <diffuse> for a color, or <pbr><metal><albedo_map> for a "
                     "texture. Gazebo classic goes on reading the <script> beside them.",
       .checks = {on<model::Visual>(check)},
   };

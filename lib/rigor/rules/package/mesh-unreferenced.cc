@@ -119,8 +119,8 @@ Rule rule() {
       .summary = "a mesh lies in the folder of a model that does not use it",
       .why = "It is copied and downloaded with the model for nothing, or the model should use it "
              "and has its name wrong.",
-      .what_to_do = "Take the file away, unless another model names it. A file counts as used when "
-                    "its name stands in any text of the folder: an .sdf, a xacro file, a script.",
+      .what_to_do = "Remove the file, unless another model refers to it. A file counts as used "
+                    "when its name is in any text of the folder: an .sdf, a xacro file, a script.",
       .checks = {on<model::Root>(check)},
   };
 }

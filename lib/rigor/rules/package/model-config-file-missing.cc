@@ -12,7 +12,7 @@ void check(const read::ConfigFact& fact, Context& context) {
   Finding finding{.where = fact.where, .message = "'" + fact.name + "' does not exist"};
   if (fact.name.empty()) finding.message = "<sdf> names no file";
   if (!fact.found.empty()) {
-    finding.help = "there is '" + fact.found + "': letters are told apart by case";
+    finding.help = "there is '" + fact.found + "': names are case-sensitive";
   }
   context.report(std::move(finding));
 }

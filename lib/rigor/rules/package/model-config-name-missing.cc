@@ -16,7 +16,7 @@ Rule rule() {
       .severity = Severity::kWarning,
       .formats = Formats::kModelConfig,
       .summary = "a model.config has no name",
-      .why = "Gazebo shows the model under no name, and a Fuel server does not take it.",
+      .why = "Gazebo shows the model under no name, and a Fuel server does not accept it.",
       .what_to_do = "Write <name>, as a person would call the model.",
       .checks = {on_config({read::ConfigFactKind::kNameMissing}, check)},
   };

@@ -39,9 +39,8 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "a model.config names no SDF file",
-      .why = "Whoever includes the folder gets an error: there is nothing to load. Of a folder "
-             "without a model, as one of meshes that others use, that is told only where it is "
-             "included.",
+      .why = "Including the folder is an error: there is nothing to load. Of a folder without a "
+             "model, as one of meshes that others use, that is reported only where it is included.",
       .what_to_do = "Write the file to load, as in <sdf version=\"1.9\">model.sdf</sdf>.",
       .checks = {on_config({read::ConfigFactKind::kNoSdf}, check),
                  on_read({read::FactKind::kConfigWithoutSdf}, check_included)},

@@ -31,9 +31,9 @@ Rule rule() {
       .severity = Severity::kWarning,
       .formats = Formats::kModelConfig,
       .fix = FixGrade::kSafe,
-      .summary = "a file in model.config has another version than is said",
-      .why = "libsdformat chooses among several files by what model.config says, and reads the "
-             "file by what the file says.",
+      .summary = "the version in model.config differs from that of the file",
+      .why = "libsdformat chooses among several files by the versions in model.config, and reads "
+             "the file by its own version.",
       .what_to_do = "Write the version that the file has.",
       .checks = {on_config({read::ConfigFactKind::kVersionMismatch}, check)},
   };

@@ -42,8 +42,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .summary = "a package:// URI names the folder, and not the package in it",
       .why = "rigor, and simulators that look through folders, find the file by the name of its "
-             "folder. ROS goes by the <name> in the package.xml: RViz and MoveIt do not find it.",
-      .what_to_do = "Write the name of the package. It is told once for each folder.",
+             "folder. ROS uses the <name> in the package.xml: RViz and MoveIt do not find it.",
+      .what_to_do = "Write the name of the package. It is reported once for each folder.",
       .checks = {on<model::Root>(check)},
   };
 }

@@ -21,8 +21,8 @@ Rule rule() {
       .summary = "a model in SDF is for a simulator that reads none",
       .why = "MuJoCo takes MJCF and URDF, by the root element. Isaac Sim imports URDF and MJCF "
              "into USD.",
-      .what_to_do = "Convert it: `rigor sdf2urdf model.sdf -o robot.urdf`. What URDF cannot say is "
-                    "told then.",
+      .what_to_do = "Convert it: `rigor sdf2urdf model.sdf -o robot.urdf`. What URDF cannot "
+                    "express is reported then.",
       .checks = {on<model::Root>(check)},
   };
 }

@@ -59,7 +59,7 @@ Rule rule() {
       .name = "uri-unknown-scheme",
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
-      .summary = "a URI has a scheme that nobody knows",
+      .summary = "unknown URI scheme",
       .why = "Gazebo and ROS find files by model://, package://, file:// and https://. Anything "
              "else is taken for a path, and not found.",
       .what_to_do = "Write one of these schemes, with two slashes.",

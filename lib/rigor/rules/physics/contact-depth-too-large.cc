@@ -36,12 +36,11 @@ void check(const model::Collision& collision, Context& context) {
   if (!thick || !(*thick > 0)) return;
   const auto& depth = collision.surface.min_depth;
   if (!depth.written || depth.value <= std::max(kUsual, kMost * *thick)) return;
-  context.report(
-      {.where = depth.span,
-       .message = fmt::format("bodies may sink {} m into each other before anything pushes "
-                              "them apart, and this one is {:.3g} m thick",
-                              depth.value, *thick),
-       .subject = context.subject(collision)});
+  context.report({.where = depth.span,
+                  .message = fmt::format("bodies may sink {} m into each other before anything "
+                                         "pushes them apart, and this one is {:.3g} m thick",
+                                         depth.value, *thick),
+                  .subject = context.subject(collision)});
 }
 
 Rule rule() {
@@ -50,9 +49,9 @@ Rule rule() {
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "the depth that contacts leave uncorrected is a large part of the shape",
-      .why = "Gazebo classic corrects a penetration only beyond min_depth (metres). The body sinks "
+      .why = "Gazebo classic corrects a penetration only beyond min_depth (meters). The body sinks "
              "in by that much, and a wheel rolls with a smaller radius than it has.",
-      .what_to_do = "Write a millimetre or less, in metres.",
+      .what_to_do = "Write a millimeter or less, in meters.",
       .checks = {on<model::Collision>(check)},
   };
 }

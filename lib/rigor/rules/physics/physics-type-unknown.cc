@@ -35,8 +35,8 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a world names a physics engine that does not exist",
-      .why = "Gazebo classic refuses to load the world; new Gazebo does not look at the name and "
-             "uses its own engine.",
+      .why = "Gazebo classic does not load the world; Gazebo Sim ignores the name and uses its own "
+             "engine.",
       .what_to_do = "Write ode, bullet, simbody or dart; new Gazebo chooses the engine by its "
                     "physics plugin or on its command line.",
       .checks = {on<model::Physics>(check)},

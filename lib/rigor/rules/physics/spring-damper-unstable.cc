@@ -94,23 +94,22 @@ void check(const model::Root& root, Context& context) {
     const double damped = axis.damping.value * step / *inertia;
     const double sprung = axis.spring_stiffness.value * step * step / *inertia;
     if (damped > kMostDamping) {
-      context.report({.where = axis.damping.span,
-                      .message = fmt::format(
-                          "a damping of {} on {:.3g} {} takes {:.3g} times its speed away in a "
-                          "step of {} s: above 2 it is thrown about",
-                          axis.damping.value, *inertia, unit, damped, step),
+      context.report(
+          {.where = axis.damping.span,
+           .message = fmt::format("a damping of {} on {:.3g} {} takes {:.3g} times its speed away "
+                                  "in a step of {} s: above 2 it is thrown about",
+                                  axis.damping.value, *inertia, unit, damped, step),
+           .subject = context.subject(joint),
+           .help =
+               fmt::format("at this step up to {:.3g} is stable", kMostDamping * *inertia / step)});
+    } else if (has_spring && sprung > kMostStiffness) {
+      context.report({.where = axis.spring_stiffness.span,
+                      .message = fmt::format("a spring of {} on {:.3g} {} is too stiff for a step "
+                                             "of {} s: it gains energy with each",
+                                             axis.spring_stiffness.value, *inertia, unit, step),
                       .subject = context.subject(joint),
                       .help = fmt::format("at this step up to {:.3g} is stable",
-                                          kMostDamping * *inertia / step)});
-    } else if (has_spring && sprung > kMostStiffness) {
-      context.report(
-          {.where = axis.spring_stiffness.span,
-           .message = fmt::format("a spring of {} on {:.3g} {} is too stiff for a step of {} s: it "
-                                  "gains energy with each",
-                                  axis.spring_stiffness.value, *inertia, unit, step),
-           .subject = context.subject(joint),
-           .help = fmt::format("at this step up to {:.3g} is stable",
-                               kMostStiffness * *inertia / (step * step))});
+                                          kMostStiffness * *inertia / (step * step))});
     }
   }
 }
@@ -121,9 +120,10 @@ Rule rule() {
       .severity = Severity::kWarning,
       .targets = {Target::kGazeboClassic},
       .summary = "a joint's damping or spring is too strong for the step and the mass it moves",
-      .why = "Gazebo classic applies both as forces of the step before. When they turn the motion "
-             "round by more than it was, each step is faster than the last, and the joint "
-             "explodes. Engines that solve them with the constraints do not mind.",
+      .why = "Gazebo classic applies both as forces of the previous step (explicitly). When they "
+             "reverse the motion by more than it was, each step is faster than the last, and the "
+             "simulation diverges. Engines that solve them with the constraints (implicitly) are "
+             "not affected.",
       .what_to_do =
           "Take less damping or a smaller step, give the link a real tensor, or write "
           "<implicit_spring_damper>true</implicit_spring_damper> in the joint's <physics><ode>.",

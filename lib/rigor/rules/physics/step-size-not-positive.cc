@@ -21,8 +21,8 @@ Rule rule() {
       .severity = Severity::kError,
       .formats = Formats::kSdf,
       .summary = "the step size of the physics is zero or negative",
-      .why = "ign sdf -k calls it valid. Simulated time then stands still, or the simulator "
-             "refuses to start.",
+      .why = "Simulated time does not advance, or the simulator does not start. The checker (ign "
+             "sdf -k, gz sdf -k) accepts it.",
       .what_to_do = "Write a time in seconds; 0.001 is what most worlds use.",
       .checks = {on<model::Physics>(check)},
   };

@@ -27,7 +27,7 @@ Rule rule() {
       .name = "hardware-plugin-missing",
       .severity = Severity::kError,
       .formats = Formats::kUrdf,
-      .summary = "a ros2_control block does not say what drives the hardware",
+      .summary = "ros2_control block without a hardware plugin",
       .why =
           "ros2_control's parser throws on a <hardware> without the text of a <plugin>, and the "
           "controller manager does not start. Without a <hardware> there is no component to load.",

@@ -52,11 +52,11 @@ Rule rule() {
       .name = "odometry-published-twice",
       .severity = Severity::kWarning,
       .summary = "two plugins publish the odometry of a model on one topic",
-      .why = "The drives of new Gazebo publish odometry themselves, on /model/NAME/odometry unless "
-             "they are given an odom_topic, and OdometryPublisher does on the same topic. The one "
-             "counts the turns of wheels, the other looks where the model is: who listens gets "
+      .why = "The drive systems of Gazebo Sim publish odometry themselves, on /model/NAME/odometry "
+             "unless they are given an odom_topic, and OdometryPublisher does on the same topic. "
+             "One integrates wheel rotations, the other publishes the true pose: subscribers get "
              "both, mixed.",
-      .what_to_do = "Give one of them an odom_topic of its own, or take it out.",
+      .what_to_do = "Give one of them its own odom_topic, or remove it.",
       .checks = {on<model::Root>(check)},
   };
 }

@@ -28,8 +28,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a plugin of Gazebo classic in a file that is not for it",
-      .why = "New Gazebo cannot load it: it says so at the start and goes on without it. Gazebo "
-             "classic reads SDF up to 1.7.",
+      .why = "Gazebo Sim cannot load it: it logs an error at the start and continues without it. "
+             "Gazebo classic reads SDF up to 1.7.",
       .what_to_do = "Use the system of new Gazebo that does the same, such as "
                     "gz-sim-diff-drive-system for libgazebo_ros_diff_drive.so.",
       .checks = {on<model::Plugin>(check)},

@@ -22,7 +22,7 @@ void check(const model::Root& root, Context& context) {
     const auto [entry, first] = seen.emplace(place(plugin), &plugin);
     if (first) continue;
     context.report({.where = plugin.site.name,
-                    .message = "the same plugin stands here twice: " + plugin.filename.value,
+                    .message = "the same plugin appears twice: " + plugin.filename.value,
                     .subject = context.subject(plugin),
                     .related = {{entry->second->site.name, "the first one"}},
                     .fix = fix_of("remove the second", Applicability::kUnsafe,

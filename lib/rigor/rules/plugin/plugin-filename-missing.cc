@@ -22,9 +22,9 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kSays},
       .summary = "a plugin names no library",
-      .why = "libsdformat refuses the file, also one that it makes of a URDF: the filename is "
+      .why = "libsdformat rejects the file, also one that it makes of a URDF: the filename is "
              "required, and must not be empty.",
-      .what_to_do = "Name the library, such as gz-sim-diff-drive-system, or take the plugin out.",
+      .what_to_do = "Name the library, such as gz-sim-diff-drive-system, or remove the plugin.",
       .checks = {on<model::Plugin>(check)},
   };
 }

@@ -64,13 +64,12 @@ void check(const model::Root& root, Context& context) {
       if (exists(names, plugin.model, parameter->what, inner)) continue;
       const auto all = [&] { return names.in({plugin.model, {}}); };
       const char* kind = parameter->what == ParameterOf::kJoint ? "joint" : "link";
-      context.report(
-          with_nearest({.where = child.value.span,
-                        .message = fmt::format("the plugin needs the {} '{}', which the model does "
-                                               "not have",
-                                               kind, value),
-                        .subject = context.subject(plugin)},
-                       value, all, context));
+      context.report(with_nearest(
+          {.where = child.value.span,
+           .message = fmt::format("the plugin needs the {} '{}', which the model does not have",
+                                  kind, value),
+           .subject = context.subject(plugin)},
+          value, all, context));
     }
   }
 }
@@ -81,9 +80,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a plugin names a joint or link that the model does not have",
-      .why = "The plugin finds nothing to drive: it says so in a line of the simulator's log, if "
-             "at all, and does nothing.",
-      .what_to_do = "Name a joint or link of the model that the plugin stands in.",
+      .why = "The plugin finds nothing to drive: it logs one line, if at all, and does nothing.",
+      .what_to_do = "Name a joint or link of the model that the plugin is in.",
       .checks = {on<model::Root>(check)},
   };
 }

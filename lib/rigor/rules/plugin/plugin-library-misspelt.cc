@@ -88,8 +88,8 @@ Rule rule() {
       .fix = FixGrade::kUnsafe,
       .summary = "a plugin names a library that is nearly one of Gazebo's",
       .why = "Gazebo finds no such library, writes a line to its log and runs without the plugin. "
-             "Names that are not near to those of gz-sim or gazebo_ros_pkgs are somebody's own, "
-             "and nothing is said of them.",
+             "Names that are not near to those of gz-sim or gazebo_ros_pkgs are taken for other "
+             "plugins, and not reported.",
       .what_to_do = "Write the name of the library.",
       .checks = {on<model::Plugin>(check)},
   };

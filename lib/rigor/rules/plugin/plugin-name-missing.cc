@@ -23,7 +23,7 @@ Rule rule() {
       .refused = {.urdf = Refusal::kSays},
       .formats = Formats::kUrdf,
       .summary = "a plugin in the <gazebo> of a URDF has no name",
-      .why = "libsdformat refuses the whole robot: the name is required (error 4), and must not be "
+      .why = "libsdformat rejects the whole robot: the name is required (error 4), and must not be "
              "empty. For new Gazebo it is the class that is made.",
       .what_to_do = "Give it a name: for new Gazebo the class, such as "
                     "gz::sim::systems::DiffDrive; for Gazebo classic any.",

@@ -23,8 +23,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .targets = {Target::kGazeboClassic},
       .summary = "a system of gz-sim in a model for Gazebo classic",
-      .why = "Gazebo classic loads libraries of its own kind only. It says that it cannot load "
-             "this one, and goes on without what it would do.",
+      .why = "Gazebo classic loads libraries of its own kind only. It logs that it cannot load "
+             "this one, and continues without it.",
       .what_to_do = "Keep a file for each simulator, or use the plugin of Gazebo classic that does "
                     "the same, such as libDiffDrivePlugin.so for gz-sim-diff-drive-system.",
       .checks = {on<model::Plugin>(check)},

@@ -27,8 +27,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .targets = {Target::kGzSim},
       .summary = "a plugin of Gazebo classic in a model for gz-sim",
-      .why = "gz-sim loads libraries of its own kind only. It says at the start that it cannot "
-             "load this one, and goes on without what it would do.",
+      .why = "gz-sim loads libraries of its own kind only. It logs at the start that it cannot "
+             "load this one, and continues without it.",
       .what_to_do = "Use the system of gz-sim that does the same, with its class as name: "
                     "filename=\"gz-sim-diff-drive-system\" name=\"gz::sim::systems::DiffDrive\" "
                     "for libgazebo_ros_diff_drive.so. Its parameters have other names.",

@@ -44,7 +44,7 @@ void check(const model::Plugin& plugin, Context& context) {
   }
   context.report({.where = plugin.site.name,
                   .message = "the system " + std::string(system->classes) +
-                             " stands in the world; it works on the model that it stands in",
+                             " is in the world; it works on the model that contains it",
                   .subject = context.subject(plugin)});
 }
 
@@ -53,7 +53,7 @@ Rule rule() {
       .name = "plugin-outside-model",
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
-      .summary = "a system for a model stands in the world",
+      .summary = "a model's system plugin is in the world",
       .why = "Drives, controllers and publishers of new Gazebo act on the model that holds them. "
              "In a world they write \"should be attached to a model entity. Failed to "
              "initialize.\" to the log, and do nothing.",

@@ -41,11 +41,11 @@ Rule rule() {
   return {
       .name = "plugin-parameter-missing",
       .severity = Severity::kWarning,
-      .summary = "a plugin is not given a parameter without which it does nothing",
+      .summary = "required plugin parameter is missing",
       .why = "The systems of Gazebo that drive a joint or push a link need its name. Without it "
              "they write a line to the log, if at all, and do nothing: commands that are sent to "
              "them have no effect.",
-      .what_to_do = "Name the joint or link, or take the plugin out.",
+      .what_to_do = "Name the joint or link, or remove the plugin.",
       .checks = {on<model::Plugin>(check)},
   };
 }

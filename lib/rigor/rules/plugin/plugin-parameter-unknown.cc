@@ -109,10 +109,10 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a plugin is given a parameter that it does not read",
-      .why = "Plugins look for the names they know and pass over all others without a word: the "
-             "value written has no effect, and a default stands in its place. rigor knows the "
-             "parameters of the commonest systems of Gazebo, and speaks only where the name is "
-             "nearly one of them, or one of the plugin of gazebo_ros that did the same.",
+      .why = "Plugins read the names they know and ignore all others silently: the value has no "
+             "effect, and a default is used. rigor knows the parameters of the most common systems "
+             "of Gazebo, and reports a name only when it is nearly one of them, or one of the "
+             "corresponding plugin of gazebo_ros.",
       .what_to_do = "Write the name as the documentation of the plugin has it.",
       .checks = {on<model::Plugin>(check)},
   };

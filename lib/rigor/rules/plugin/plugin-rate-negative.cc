@@ -37,8 +37,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a plugin is to run a negative number of times in a second",
-      .why = "Plugins that look whether the rate is above 0 run at every step, as for 0; nothing "
-             "says that others do, and nobody measures a negative number of times.",
+      .why = "Plugins that test whether the rate is above 0 run at every step, as for 0; the "
+             "behavior of others is undefined.",
       .what_to_do = "Write the rate in Hz; 0 is every step for most plugins.",
       .checks = {on<model::Plugin>(check)},
   };

@@ -22,8 +22,8 @@ void look_at(const model::Actor& actor, Context& context) {
     if (type.value.empty() || names.count(type.value) != 0) continue;
     context.report(with_nearest(
         {.where = type.span,
-         .message = "the trajectory plays '" + type.value + "', which is no animation of the actor '" +
-                    actor.name.value + "'"},
+         .message = "the trajectory plays '" + type.value +
+                    "', which is no animation of the actor '" + actor.name.value + "'"},
         type.value, [&animations] { return animations; }, context));
   }
 }

@@ -18,7 +18,7 @@ Rule rule() {
       .refused = {.sdf = Refusal::kAlways},
       .fix = FixGrade::kUnsafe,
       .summary = "a model names a canonical link that does not exist",
-      .why = "libsdformat refuses the model: its frame would be attached to nothing.",
+      .why = "libsdformat rejects the model: its frame would be attached to nothing.",
       .what_to_do =
           "Name a link of the model, or leave the attribute out: the first link is taken then.",
       .checks = {on_frames({model::FrameProblemKind::kCanonicalLinkMissing}, check)},

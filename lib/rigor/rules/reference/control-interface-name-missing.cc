@@ -36,8 +36,8 @@ Rule rule() {
       .severity = Severity::kError,
       .formats = Formats::kUrdf,
       .summary = "an interface of ros2_control has no name",
-      .why = "ros2_control refuses the whole description when an interface lacks its name: no "
-             "attribute 'name' in the tag, it says, and no controller starts.",
+      .why = "ros2_control rejects the whole description when an interface lacks its name (\"no "
+             "attribute 'name' in tag\"), and no controller starts.",
       .what_to_do =
           "Name what is commanded or measured: position, velocity, effort, or a name of your own.",
       .checks = {on<model::Root>(check)},

@@ -35,9 +35,9 @@ Rule rule() {
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a <gazebo> block is for a link or joint that does not exist",
-      .why = "Gazebo drops the block without a word: its material, friction, sensors and plugins "
-             "are not there.",
-      .what_to_do = "Name a link or a joint of the robot, or take the block out.",
+      .why = "Gazebo drops the block silently: its material, friction, sensors and plugins are not "
+             "there.",
+      .what_to_do = "Name a link or a joint of the robot, or remove the block.",
       .checks = {on<model::Root>(check)},
   };
 }

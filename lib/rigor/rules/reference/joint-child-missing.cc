@@ -10,7 +10,7 @@ namespace rigor::rules::joint_child_missing {
 
 void check(const model::FrameProblem& problem, Context& context) {
   Finding finding =
-      unresolved(problem, "the child '" + problem.name + "' is nothing in this model", context);
+      unresolved(problem, "the child '" + problem.name + "' does not exist in this model", context);
   // Joints of a world came with SDF 1.10; libsdformat 12 reads none.
   finding.refused = static_cast<bool>(problem.model);
   context.report(std::move(finding));
@@ -24,7 +24,7 @@ Rule rule() {
       .fix = FixGrade::kUnsafe,
       .summary = "a joint names a child that does not exist",
       .why =
-          "libsdformat and urdfdom refuse the whole model: a joint without a child moves nothing.",
+          "libsdformat and urdfdom reject the whole model: a joint without a child moves nothing.",
       .what_to_do = "Name a link, joint, frame or nested model of the same model.",
       .checks = {on_frames({model::FrameProblemKind::kChildMissing}, check)},
   };

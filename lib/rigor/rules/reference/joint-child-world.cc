@@ -18,7 +18,7 @@ Rule rule() {
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .summary = "a joint has the world as its child",
-      .why = "libsdformat refuses the model: the child is what the joint moves, and the world does "
+      .why = "libsdformat rejects the model: the child is what the joint moves, and the world does "
              "not move.",
       .what_to_do = "Swap the two: the world as parent, the link as child.",
       .checks = {on_frames({model::FrameProblemKind::kChildIsWorld}, check)},

@@ -41,7 +41,7 @@ void check(const model::Model& around, Context& context) {
       const std::string which = is_parent ? "parent" : "child";
       context.report({.where = end->span,
                       .message = "the " + which + " of the joint is a model, '" + end->value +
-                                 "': Gazebo Fortress and older refuse that",
+                                 "': Gazebo Fortress and older reject that",
                       .subject = context.subject(joint),
                       .help = "name the link of the model that the joint holds on to"});
     }
@@ -56,9 +56,9 @@ Rule rule() {
       .formats = Formats::kSdf,
       .summary = "the parent or child of a joint is a model",
       .why =
-          "libsdformat 12 refuses the file (errors 19 and 20): it looks for a link, joint or frame "
-          "of that name. Only as the child it takes the name of a nested model. Later ones take "
-          "the model's frame, which moves with its canonical link; in nested models all do.",
+          "libsdformat 12 rejects the file (errors 19 and 20): it looks for a link, joint or frame "
+          "of that name. Only as the child it accepts the name of a nested model. Later versions "
+          "use the model's frame, which moves with its canonical link; in nested models all do.",
       .what_to_do =
           "Name the link itself, as base or arm::base, or a frame that is attached to the model.",
       .checks = {on<model::Model>(check)},

@@ -40,11 +40,11 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .summary = "a joint connects a link with itself",
-      .why = "libsdformat refuses the model. Where frames lead to one link in the end its check, "
-             "which compares names, lets it pass, and a physics engine gets a joint between a body "
-             "and itself. urdfdom takes it and whoever then walks the tree never comes to an end: "
-             "check_urdf does not return.",
-      .what_to_do = "Name two links. If the two were meant to be one body, take the joint out.",
+      .why = "libsdformat rejects the model. Where frames resolve to one link, its check, which "
+             "compares names, accepts it, and a physics engine gets a joint between a body and "
+             "itself. urdfdom accepts it, and walking the tree then never ends: check_urdf does "
+             "not return.",
+      .what_to_do = "Name two links. If the two were meant to be one body, remove the joint.",
       .checks = {on_frames({model::FrameProblemKind::kParentIsChild}, check)},
   };
 }

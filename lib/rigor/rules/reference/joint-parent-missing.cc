@@ -9,8 +9,8 @@
 namespace rigor::rules::joint_parent_missing {
 
 void check(const model::FrameProblem& problem, Context& context) {
-  Finding finding =
-      unresolved(problem, "the parent '" + problem.name + "' is nothing in this model", context);
+  Finding finding = unresolved(
+      problem, "the parent '" + problem.name + "' does not exist in this model", context);
   // Joints of a world came with SDF 1.10; libsdformat 12 reads none.
   finding.refused = static_cast<bool>(problem.model);
   context.report(std::move(finding));
@@ -23,7 +23,7 @@ Rule rule() {
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kAlways},
       .fix = FixGrade::kUnsafe,
       .summary = "a joint names a parent that does not exist",
-      .why = "libsdformat and urdfdom refuse the whole model: a joint has to hold on to something.",
+      .why = "libsdformat and urdfdom reject the whole model: a joint has to hold on to something.",
       .what_to_do =
           "Name a link, joint, frame or nested model of the same model, or world (in SDF).",
       .checks = {on_frames({model::FrameProblemKind::kParentMissing}, check)},

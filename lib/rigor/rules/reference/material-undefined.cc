@@ -24,7 +24,7 @@ void check(const model::Root& root, Context& context) {
     context.report(with_nearest(
         {.where = material.name.span,
          .message = "the material '" + name + "' is defined " +
-                    (colorless ? "without a colour" : "nowhere in this robot"),
+                    (colorless ? "without a color" : "nowhere in this robot"),
          .subject = context.subject(visual)},
         name, [&] { return names_of(root.materials); }, context));
   }
@@ -38,9 +38,9 @@ Rule rule() {
       .fix = FixGrade::kUnsafe,
       .summary = "a visual names a material that is defined nowhere",
       .why =
-          "urdfdom warns and gives the visual no material; it is then drawn in whatever colour the "
+          "urdfdom warns and gives the visual no material; it is then drawn in whatever color the "
           "viewer likes. Gazebo's own material names (Gazebo/Orange) belong into a <gazebo> block.",
-      .what_to_do = "Define the material with a colour, in the visual or once under <robot>.",
+      .what_to_do = "Define the material with a color, in the visual or once under <robot>.",
       .checks = {on<model::Root>(check)},
   };
 }

@@ -46,7 +46,7 @@ Rule rule() {
       .summary = "a joint mimics one that does not exist",
       .why = "urdfdom takes the model as it is, and what follows differs: MoveIt and "
              "robot_state_publisher leave the joint where it is, Drake and newer libsdformat "
-             "refuse the model.",
+             "reject the model.",
       .what_to_do = "Name a joint of the same model.",
       .checks = {on<model::Root>(check)},
   };

@@ -23,8 +23,8 @@ Rule rule() {
       .severity = Severity::kError,
       .summary = "a joint mimics itself",
       .why = "A position that is computed from itself has no value: newer libsdformat and Drake "
-             "refuse it, others leave the joint unmoved or follow the reference for ever.",
-      .what_to_do = "Name the joint that leads, or take the mimic out.",
+             "reject it, others leave the joint unmoved or follow the reference for ever.",
+      .what_to_do = "Name the leading joint, or remove the mimic.",
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -8,7 +8,7 @@ namespace rigor::rules::placement_frame_missing {
 
 void check(const model::FrameProblem& problem, Context& context) {
   context.report(unresolved(
-      problem, "the placement frame '" + problem.name + "' is nothing in this model", context));
+      problem, "the placement frame '" + problem.name + "' does not exist in this model", context));
 }
 
 Rule rule() {
@@ -19,7 +19,7 @@ Rule rule() {
       .fix = FixGrade::kUnsafe,
       .summary = "a model is placed by a frame that does not exist",
       .why =
-          "libsdformat refuses the model: its pose is that of the placement frame, which has none.",
+          "libsdformat rejects the model: its pose is that of the placement frame, which has none.",
       .what_to_do = "Name a frame, link or joint of the model.",
       .checks = {on_frames({model::FrameProblemKind::kPlacementFrameMissing}, check)},
   };

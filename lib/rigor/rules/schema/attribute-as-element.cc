@@ -39,8 +39,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "an attribute is written as an element",
-      .why = "libsdformat, urdfdom and Gazebo look for it in the start tag and pass over the "
-             "element without a word: what it says has no effect.",
+      .why = "libsdformat, urdfdom and Gazebo look for an attribute and ignore the element "
+             "silently: it has no effect.",
       .what_to_do = "Write it into the start tag.",
       .checks = {on_schema({read::SchemaFactKind::kAttributeAsElement}, check)},
   };

@@ -40,9 +40,9 @@ Rule rule() {
       .severity = Severity::kInfo,
       .formats = Formats::kSdf,
       .summary = "a required element is missing, and its default counts",
-      .why = "The format asks for the element; libsdformat puts in its default without a word. For "
-             "a shape's size or a sensor's picture that is rarely what was meant.",
-      .what_to_do = "Write the element, if only to say that the default is meant.",
+      .why = "The format asks for the element; libsdformat puts in its default silently. For a "
+             "shape's size or a sensor's image that is rarely what was meant.",
+      .what_to_do = "Write the element, with the default if that is meant.",
       .checks = {on_schema({read::SchemaFactKind::kMissingElement}, check)},
   };
 }

@@ -18,13 +18,22 @@ std::string instead_of(const read::SchemaFact& fact) {
   return node.doc().starts_with("Without effect") ? ": it has no effect" : "";
 }
 
+/// What readers have ceased to read changes the robot; the schema says "Ignored" of it.
+std::optional<Severity> severity_of(const read::SchemaFact& fact) {
+  if (fact.node->doc().starts_with("Ignored")) return Severity::kWarning;
+  return std::nullopt;
+}
+
 void check(const read::SchemaFact& fact, Context& context) {
   const auto since = fact.node->deprecated_since();
-  std::string message = "'" + std::string(fact.node->name()) + "' is deprecated";
+  const bool ignored = fact.node->doc().starts_with("Ignored");
+  std::string message =
+      "'" + std::string(fact.node->name()) + (ignored ? "' is ignored" : "' is deprecated");
   if (context.is_sdf() && since) message += " since SDF " + schema::to_string(*since);
   context.report({.where = fact.where,
                   .message = message + instead_of(fact),
-                  .subject = subject_of(fact.element)});
+                  .subject = subject_of(fact.element),
+                  .severity = severity_of(fact)});
 }
 
 Rule rule() {
@@ -32,7 +41,8 @@ Rule rule() {
       .name = "deprecated-element",
       .severity = Severity::kInfo,
       .summary = "an element or attribute is deprecated in this version",
-      .why = "It still has its effect, and will lose it in a later version of the format.",
+      .why = "It still has its effect, and may lose it in a later version of the format. What "
+             "readers ignore already (<joint_properties> of URDF) is a warning.",
       .what_to_do = "Write what the message names in its place.",
       .checks = {on_schema({read::SchemaFactKind::kDeprecated}, check)},
   };

@@ -72,9 +72,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "an element is written as an attribute",
-      .why = "libsdformat, urdfdom and Gazebo look for an element of that name and pass over the "
-             "attribute: what it says has no effect, and the default counts. SDF has most values "
-             "as elements, URDF as attributes.",
+      .why = "libsdformat, urdfdom and Gazebo look for an element of that name and ignore the "
+             "attribute: the default is used. SDF has most values as elements, URDF as attributes.",
       .what_to_do = "Write it as a child element.",
       .checks = {on_schema(
           {read::SchemaFactKind::kElementAsAttribute, read::SchemaFactKind::kRemovedInVersion},

@@ -78,11 +78,11 @@ Rule rule() {
       .formats = Formats::kSdf,
       .targets = {Target::kGazeboClassic},
       .summary = "an element or attribute is newer than what Gazebo classic reads",
-      .why = "Gazebo classic reads SDF up to 1.7. What came later it passes over: a capsule is no "
+      .why = "Gazebo classic reads SDF up to 1.7. What came later it ignores: a capsule is no "
              "shape, an include with merge nests its model, degrees are taken for radians.",
       .what_to_do =
           "Write it as SDF 1.7 has it: a cylinder for a capsule, radians for degrees, the parts "
-          "themselves for an include that merges. Each name is told once in a file.",
+          "themselves for an include that merges. Each name is reported once in a file.",
       .checks = {on<model::Root>(check)},
   };
 }

@@ -30,8 +30,8 @@ Rule rule() {
       .name = "element-newer-than-version",
       .severity = Severity::kInfo,
       .summary = "an element or attribute is newer than the version of the file",
-      .why = "A reader that goes by the version of the file passes over it; libsdformat goes by "
-             "the newest version that it knows, so the effect depends on who reads.",
+      .why = "A reader that uses the version of the file ignores it; libsdformat uses the newest "
+             "version that it knows, so the effect depends on the reader.",
       .what_to_do = "Raise the version of the file, or write what the older version has.",
       .checks = {on_schema({read::SchemaFactKind::kNewerThanVersion}, check)},
   };

@@ -18,12 +18,9 @@ struct Ignored {
 };
 
 constexpr Ignored kIgnored[] = {
-    {"audio_sink", "link", "nothing is heard"},
-    {"audio_source", "link", "nothing is heard"},
-    {"gripper", "model", "nothing is held"},
-    {"population", "world", "its models are not there"},
-    {"road", "world", "it is not drawn"},
-    {"state", "world", "models begin where their <pose> says"},
+    {"audio_sink", "link", "nothing is heard"}, {"audio_source", "link", "nothing is heard"},
+    {"gripper", "model", "nothing is held"},    {"population", "world", "its models are not there"},
+    {"road", "world", "it is not drawn"},       {"state", "world", "models start at their <pose>"},
 };
 
 void check(const model::Root& /*root*/, Context& context) {
@@ -36,7 +33,7 @@ void check(const model::Root& /*root*/, Context& context) {
     const auto parent = element.parent();
     if (!parent || parent->name() != found->parent) continue;
     context.report({.where = element.name_span(),
-                    .message = "gz-sim passes over <" + std::string(found->name) +
+                    .message = "gz-sim ignores <" + std::string(found->name) +
                                ">: " + std::string(found->effect)});
   }
 }
@@ -48,8 +45,8 @@ Rule rule() {
       .formats = Formats::kSdf,
       .targets = {Target::kGzSim},
       .summary = "an element that only Gazebo classic acts on",
-      .why = "libsdformat accepts populations, roads, grippers, sound and saved states, and gives "
-             "none of them to the simulator: gz-sim makes nothing of them, and says nothing.",
+      .why = "libsdformat accepts populations, roads, grippers, sound and saved states, and gz-sim "
+             "ignores them silently.",
       .what_to_do = "Write out the models of a <population>, and the poses of a <state> into the "
                     "models. A road can be a mesh; what grips is a DetachableJoint system.",
       .checks = {on<model::Root>(check)},

@@ -41,8 +41,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "an element or attribute is no longer in the version of the file",
-      .why = "libsdformat passes over it without a word: what it says has no effect. Often the "
-             "version was raised and the rest of the file was not.",
+      .why = "libsdformat ignores it silently. Often the version was raised and the rest of the "
+             "file was not.",
       .what_to_do = "Write what the version has in its place, or lower the version of the file.",
       .checks = {on_schema({read::SchemaFactKind::kRemovedInVersion}, check)},
   };

@@ -21,6 +21,9 @@ bool knows(const schema::Node& parent, std::string_view name) {
   return parent.child(name) || parent.child_in_other_version(name);
 }
 
+/// What Gazebo read before it had SDF, and libsdformat does not: no slip of what is read now.
+bool is_former(std::string_view name) { return name == "stopKp" || name == "stopKd"; }
+
 /// Of `mu`, which is too short to be near anything: mu1 and mu2.
 std::vector<std::string_view> meant(std::string_view name,
                                     const std::vector<schema::Node>& parents) {
@@ -58,7 +61,7 @@ void check(const model::GazeboBlock& block, Context& context) {
     Finding finding{.where = child.site.name,
                     .message = "<" + std::string(name) + "> in a <gazebo> block of a " +
                                std::string(parents.front().name()) + " has no effect"};
-    const auto near = meant(name, parents);
+    const auto near = is_former(name) ? std::vector<std::string_view>() : meant(name, parents);
     for (const std::string_view other : near) {
       finding.help +=
           (finding.help.empty() ? "did you mean <" : " or <") + std::string(other) + ">";
@@ -79,10 +82,9 @@ Rule rule() {
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "an element of a <gazebo> block that neither the converter nor SDF knows",
-      .why =
-          "libsdformat turns a list of names into SDF (mu1, kp, selfCollide, turnGravityOff, …) "
-          "and copies every other element as it is into the link, the joint or the model. Gazebo "
-          "passes over what SDF does not know there, so a slip in a name is lost without a word.",
+      .why = "libsdformat converts a list of names to SDF (mu1, kp, selfCollide, turnGravityOff, "
+             "…) and copies every other element as it is into the link, the joint or the model. "
+             "Gazebo ignores what SDF does not know there, so a slip in a name is lost silently.",
       .what_to_do = "Write the name that was meant; letter case counts.",
       .checks = {on<model::GazeboBlock>(check)},
   };

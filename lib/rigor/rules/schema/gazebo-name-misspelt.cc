@@ -61,9 +61,9 @@ Rule rule() {
       .fix = FixGrade::kUnsafe,
       .summary = "a name inside a sensor of a <gazebo> block is nearly one of SDF",
       .why = "libsdformat copies sensors, and all else that a <gazebo> block has of SDF, into the "
-             "link or the joint, and Gazebo passes over the names that it does not know there: the "
-             "default counts instead of what is written, and nobody says so. Names that are near "
-             "to none of SDF are left alone; a plugin may read them.",
+             "link or the joint, and Gazebo ignores the names that it does not know there: the "
+             "default is used instead of the value, without a warning. Names that resemble none of "
+             "SDF are not reported; a plugin may read them.",
       .what_to_do = "Write the name that was meant; letter case counts.",
       .checks = {on<model::GazeboBlock>(check)},
   };

@@ -93,7 +93,7 @@ std::optional<KeyFault> fault_of_vector(std::string_view text) {
   }
   const std::string_view wanted = expected(schema::Type::kVector3);
   return sdformat_refuses(*fault, schema::Type::kVector3, text)
-             ? KeyFault{wanted, "libsdformat refuses it", true}
+             ? KeyFault{wanted, "libsdformat rejects it", true}
              : KeyFault{wanted, kBeginning, false};
 }
 
@@ -209,9 +209,9 @@ Rule rule() {
              "them: <mu1>0,8</mu1> is no friction at all. Where there is no number, its process "
              "aborts, and Gazebo with it. A truth that it does not know counts as false, of "
              "turnGravityOff as true. What it copies into the SDF, a sensor, it reads as SDF: it "
-             "refuses the file for a word instead of a number, and shortens 0,1 to 0.",
-      .what_to_do = "Write a value of the kind that the message names, with a point in numbers. No "
-                    "comment may stand before it.",
+             "rejects the file for a word instead of a number, and shortens 0,1 to 0.",
+      .what_to_do = "Write a value of the kind that the message names, with a decimal point in "
+                    "numbers, and no comment before it.",
       .checks = {on<model::GazeboBlock>(check)},
   };
 }

@@ -7,11 +7,12 @@
 #include <vector>
 
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/dialects.h>
 #include <rigor/rules/schema/place.h>
 
 namespace rigor::rules::misplaced_element {
 
-constexpr std::size_t kMostPlaces = 3;  // a longer list is read by nobody
+constexpr std::size_t kMostPlaces = 3;  // a longer list is not read
 
 std::string list(const std::vector<std::string>& places) {
   std::string text;
@@ -25,7 +26,9 @@ void check(const read::SchemaFact& fact, Context& context) {
   const schema::Version version = fact.parent->version();
   const std::string name(fact.element.name());
   const auto places = context.schema()->parents_of(name, version);
-  if (places.empty()) return;  // unknown-element
+  if (places.empty()) return;                                     // unknown-element
+  if (dialect_reader(fact, context)) return;                      // consumer-specific-name
+  if (name == "include" && fact.parent->name() == "sdf") return;  // libsdformat resolves it
   // The models, links and lights of a world's <state> have the names of others, and hold less.
   context.report({.where = fact.where,
                   .message = "<" + name + "> has no effect in <" +
@@ -39,10 +42,9 @@ Rule rule() {
   return {
       .name = "misplaced-element",
       .severity = Severity::kWarning,
-      .summary = "an element stands where the format does not look for it",
-      .why =
-          "libsdformat, urdfdom and Gazebo look for it somewhere else and pass over it here, newer "
-          "libsdformat with a warning, the others without a word: what it says has no effect.",
+      .summary = "an element is in a place where the format does not have it",
+      .why = "libsdformat, urdfdom and Gazebo look for it in another element and ignore it here; "
+             "only newer libsdformat warns.",
       .what_to_do = "Move it to the element that the message names.",
       .checks = {on_schema({read::SchemaFactKind::kUnknownElement}, check)},
   };

@@ -86,7 +86,7 @@ Rule rule() {
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "a required attribute is missing",
-      .why = "libsdformat refuses the file at this element. urdfdom refuses the robot, or stops "
+      .why = "libsdformat rejects the file at this element. urdfdom rejects the robot, or stops "
              "reading the link: this part and all that follow are not there. The joint of an "
              "<axis> without xyz has the axis 0 0 0.",
       .what_to_do = "Add the attribute.",

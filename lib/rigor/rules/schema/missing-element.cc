@@ -44,13 +44,13 @@ void check_ends(const model::Joint& joint, Context& context) {
                       .subject = context.subject(joint),
                       .refused = true});
     } else if (!read::values_are_attributes(*end)) {
-      context.report({.where = end->tag_span(),
-                      .message = "the <" + name +
-                                 "> of the joint is empty: after SDF 1.0 no "
-                                 "attribute names the link",
-                      .subject = context.subject(joint),
-                      .fix = value_as_text(*link, *end, context),
-                      .refused = true});
+      context.report(
+          {.where = end->tag_span(),
+           .message = "the <" + name +
+                      "> of the joint is empty: after SDF 1.0 no attribute names the link",
+           .subject = context.subject(joint),
+           .fix = value_as_text(*link, *end, context),
+           .refused = true});
     }
   }
 }
@@ -62,8 +62,8 @@ Rule rule() {
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "a required element is missing",
-      .why = "libsdformat refuses a joint that lacks its parent or child, and gives a mesh without "
-             "<uri> a name that no file has. urdfdom refuses the robot, or stops reading the link: "
+      .why = "libsdformat rejects a joint that lacks its parent or child, and gives a mesh without "
+             "<uri> a name that no file has. urdfdom rejects the robot, or stops reading the link: "
              "this part and all that follow are not there, first the visuals, then the collisions. "
              "Other required elements of SDF have a default: see defaulted-element.",
       .what_to_do = "Add the element.",

@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include <rigor/rules/context.h>
-#include <rigor/schema/schema.h>
 #include <rigor/rules/xml/xacro.h>
+#include <rigor/schema/schema.h>
 #include <rigor/schema/suggest.h>
 #include <rigor/xml/document.h>
 

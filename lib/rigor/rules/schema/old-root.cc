@@ -23,7 +23,7 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the root element is <gazebo>, as before SDF 1.3",
-      .why = "libsdformat refuses the file today: it looks for <sdf>.",
+      .why = "libsdformat rejects the file today: it looks for <sdf>.",
       .what_to_do = "Upgrade the file to a current version.",
       .checks = {on_read({read::FactKind::kOldRoot}, check)},
   };

@@ -133,10 +133,9 @@ Rule rule() {
       .name = "repeated-element",
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
-      .summary = "an element stands twice where one can be read",
-      .why = "libsdformat, urdfdom and Gazebo read the first and pass over the others without a "
-             "word: half of what the file says has no effect. Where all say the same, nothing is "
-             "lost and nothing is said.",
+      .summary = "repeated element where one is allowed",
+      .why = "libsdformat, urdfdom and Gazebo read the first and ignore the others silently: the "
+             "others have no effect. Identical repetitions are not reported.",
       .what_to_do = "Keep one of them.",
       .checks = {on_schema({read::SchemaFactKind::kRepeatedElement}, check)},
   };

@@ -21,8 +21,8 @@ Rule rule() {
       .formats = Formats::kSdf,
       .targets = {Target::kGazeboClassic},
       .summary = "a file is newer than what Gazebo classic reads",
-      .why = "Gazebo 11, the last Gazebo classic, reads by libsdformat 9, which knows SDF up to "
-             "1.7. It says that it is unable to convert the version, and what came later has no "
+      .why = "Gazebo 11, the last Gazebo classic, uses libsdformat 9, which supports SDF up to "
+             "1.7. It logs that it is unable to convert the version, and newer elements have no "
              "effect, if the model is loaded at all.",
       .what_to_do = "Write version=\"1.7\" when the file uses nothing newer "
                     "(element-newer-than-classic names what is), or keep a file for each simulator "

@@ -50,7 +50,7 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the root element has no version",
-      .why = "libsdformat and Gazebo refuse the file: what it means depends on the version.",
+      .why = "libsdformat and Gazebo reject the file: what it means depends on the version.",
       .what_to_do = "Write the version that the file was made for, as in <sdf version=\"1.9\">.",
       .checks = {on_read({read::FactKind::kVersionMissing}, check)},
   };

@@ -9,8 +9,7 @@ namespace rigor::rules::several_at_top_level {
 void check(const read::Fact& fact, Context& context) {
   context.report({.where = fact.where,
                   .message = "a second <" + fact.name +
-                             "> at the top: a file holds one model, "
-                             "actor or light"});
+                             "> at the top: a file holds one model, actor or light"});
 }
 
 Rule rule() {
@@ -21,7 +20,7 @@ Rule rule() {
       .formats = Formats::kSdf,
       .summary = "a file has more than one model, actor or light at its top",
       .why = "libsdformat takes the first and reports an error for the rest.",
-      .what_to_do = "Put the others into files of their own, or all of them into a <world>.",
+      .what_to_do = "Put each of the others into its own file, or all of them into a <world>.",
       .checks = {on_read({read::FactKind::kMoreAtTopLevel}, check)},
   };
 }

@@ -91,10 +91,10 @@ Rule rule() {
       .name = "text-between-elements",
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
-      .summary = "characters stand where nobody reads them",
-      .why = "libsdformat, urdfdom and Gazebo take the first run of text of an element that has a "
+      .summary = "stray text between elements",
+      .why = "libsdformat, urdfdom and Gazebo read the first run of text of an element that has a "
              "value, and no text of one that has none: the rest has no effect. A comment inside a "
-             "number splits it, and the first part counts.",
+             "number splits it, and the first part is read.",
       .what_to_do = "Remove the characters, or make them a comment. Numbers go into the element "
                     "that is meant.",
       .checks = {on_schema({read::SchemaFactKind::kLostText}, check)},

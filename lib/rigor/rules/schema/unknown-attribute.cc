@@ -9,6 +9,7 @@
 
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/dialects.h>
 #include <rigor/rules/schema/place.h>
 #include <rigor/rules/schema/value_in_attribute.h>
 
@@ -16,8 +17,8 @@ namespace rigor::rules::unknown_attribute {
 
 constexpr std::uint32_t kNearby = 100;  // elements: the next joint is some 20 further on
 
-/// Whether an element near by has the attribute, too: then it is no slip of the pen. URDF readers pass
-/// over what they do not know, and laboratories add what their own tools read (`mu_viscous` of the
+/// Whether an element near by has the attribute, too: then it is no slip of the pen. URDF readers
+/// ignore what they do not know, and laboratories add what their own tools read (`mu_viscous` of the
 /// dynamics of each joint).
 bool is_habit(const read::SchemaFact& fact, const xml::Document& document) {
   const std::uint32_t here = fact.element.index();
@@ -35,6 +36,7 @@ bool is_habit(const read::SchemaFact& fact, const xml::Document& document) {
 void check(const read::SchemaFact& fact, Context& context) {
   const std::string_view name = fact.attribute->name();
   if (meant_for_missing(fact, name)) return;
+  if (dialect_reader(fact, context)) return;  // consumer-specific-name
   const auto near = schema::near(name, node_names(fact.parent->attributes()));
   if (context.is_urdf() && near.empty() && is_habit(fact, context.document())) return;
   std::optional<Fix> fix;
@@ -45,7 +47,7 @@ void check(const read::SchemaFact& fact, Context& context) {
     fix = Fix{"write '" + meant + "'", Applicability::kUnsafe, {{fact.where, meant}}};
   }
   context.report({.where = fact.where,
-                  .message = "'" + std::string(name) + "' is no attribute of <" +
+                  .message = "'" + std::string(name) + "' is not an attribute of <" +
                              std::string(fact.element.name()) + ">: it has no effect",
                   .subject = subject_of(fact.element),
                   .help = near.empty() ? "" : "did you mean '" + std::string(near.front()) + "'?",
@@ -57,11 +59,13 @@ Rule rule() {
       .name = "unknown-attribute",
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
-      .summary = "an attribute that the format does not have",
-      .why = "libsdformat warns, urdfdom and Gazebo say nothing; what it says has no effect.",
-      .what_to_do = "Write the name that was meant. Attributes of your own take a prefix, as "
-                    "mine:note=\"…\", and are left alone; so are those that several joints or "
-                    "links of a URDF have alike.",
+      .summary = "unknown attribute",
+      .why =
+          "libsdformat warns, urdfdom and Gazebo ignore it silently: it has no effect. Attributes "
+          "that another known consumer reads are reported by consumer-specific-name.",
+      .what_to_do = "Write the name that was meant. Attributes of your own take a prefix, as in "
+                    "mine:note=\"…\", and are not reported; neither are those that several joints "
+                    "or links of a URDF share.",
       .checks = {on_schema({read::SchemaFactKind::kUnknownAttribute}, check)},
   };
 }

@@ -6,6 +6,7 @@
 
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/dialects.h>
 #include <rigor/rules/schema/misspelt.h>
 #include <rigor/rules/schema/place.h>
 
@@ -32,8 +33,13 @@ void check(const read::SchemaFact& fact, Context& context) {
   const schema::Version version = fact.parent->version();
   const std::string_view name = fact.element.name();
   if (!context.schema()->parents_of(name, version).empty()) return;  // misplaced-element
+  if (dialect_reader(fact, context)) return;                         // consumer-specific-name
   if (read_by_gazebo(fact) || is_told_as_missing(fact, context)) return;
-  const auto near = schema::near(name, node_names(fact.parent->children()));
+  auto known = node_names(fact.parent->children());
+  for (const auto other : schema::dialect_names(dialect_format(context), fact.parent->name())) {
+    if (!other.starts_with('@')) known.push_back(other);
+  }
+  const auto near = schema::near(name, known);
   std::optional<Fix> fix;
   if (near.size() == 1 && !fact.has_sibling(near.front())) {
     const std::string meant(near.front());
@@ -41,7 +47,7 @@ void check(const read::SchemaFact& fact, Context& context) {
                  xml::rename_element(context.document(), fact.element, meant));
   }
   context.report({.where = fact.where,
-                  .message = "<" + std::string(name) + "> is no element of " +
+                  .message = "<" + std::string(name) + "> is not an element of " +
                              format_and_version(context, version) + ": it has no effect",
                   .subject = subject_of(fact.element),
                   .help = near.empty() ? "" : "did you mean <" + std::string(near.front()) + ">?",
@@ -53,12 +59,13 @@ Rule rule() {
       .name = "unknown-element",
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
-      .summary = "an element that the format does not have",
+      .summary = "unknown element",
       .why =
-          "libsdformat, urdfdom and Gazebo pass over it and all it holds, newer libsdformat with a "
-          "warning, the others without a word: what it says has no effect. Most are misspelt.",
-      .what_to_do = "Write the name that was meant. Elements of your own take a prefix, as "
-                    "<mine:note>, and are left alone.",
+          "libsdformat, urdfdom and Gazebo ignore it and everything in it; only newer libsdformat "
+          "warns. Most are misspelt. Elements that another known consumer reads are reported by "
+          "consumer-specific-name.",
+      .what_to_do = "Write the name that was meant. Elements of your own take a prefix, as in "
+                    "<mine:note>, and are not reported.",
       .checks = {on_schema({read::SchemaFactKind::kUnknownElement}, check)},
   };
 }

@@ -26,7 +26,7 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "the root element is of no model format",
-      .why = "libsdformat looks for <sdf>, urdfdom for <robot>; both refuse anything else.",
+      .why = "libsdformat looks for <sdf>, urdfdom for <robot>; both reject anything else.",
       .what_to_do = "Wrap the content in the root element of its format. A <world> or <model> goes "
                     "into <sdf version=\"1.9\">.",
       .checks = {on_read({read::FactKind::kUnknownRoot}, check)},

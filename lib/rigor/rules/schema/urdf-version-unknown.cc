@@ -21,7 +21,7 @@ Rule rule() {
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "no such version of URDF exists",
-      .why = "urdfdom refuses the robot: it knows 1.0 and, in its newest release, 1.2.",
+      .why = "urdfdom rejects the robot: it knows 1.0 and, in its newest release, 1.2.",
       .what_to_do = "Write version=\"1.0\", or leave the attribute out.",
       .checks = {on_read({read::FactKind::kVersionUnknown}, check)},
   };

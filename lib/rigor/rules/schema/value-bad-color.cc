@@ -21,8 +21,8 @@ Rule rule() {
       .name = "value-bad-color",
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
-      .summary = "a colour has a part below 0 or above 1",
-      .why = "libsdformat refuses the file; urdfdom drops the material. Parts from 0 to 255 are "
+      .summary = "a color has a part below 0 or above 1",
+      .why = "libsdformat rejects the file; urdfdom drops the material. Parts from 0 to 255 are "
              "written so in other formats.",
       .what_to_do = "Divide the parts by 255.",
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},

@@ -34,7 +34,7 @@ void check(const read::SchemaFact& fact, Context& context) {
   context.report(
       {.where = fact.where,
        .message = owner_of(fact) + " has a comma in " + quoted_fault(fact) +
-                  (context.is_urdf() ? ": urdfdom refuses it" : ": what follows it is passed over"),
+                  (context.is_urdf() ? ": urdfdom rejects it" : ": what follows it is ignored"),
        .subject = subject_of(fact.element),
        .help = "write a decimal point, and spaces between numbers",
        .fix = write_point(fact, number),
@@ -48,7 +48,7 @@ Rule rule() {
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "a number has a comma where a point is due",
-      .why = "libsdformat reads the part before the comma: 1,5 is 1. urdfdom refuses the value.",
+      .why = "libsdformat reads the part before the comma: 1,5 is 1. urdfdom rejects the value.",
       .what_to_do = "Write a point; between the numbers of a vector write spaces.",
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
   };

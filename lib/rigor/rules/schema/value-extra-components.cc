@@ -17,7 +17,7 @@ void check(const read::SchemaFact& fact, Context& context) {
   if (type == schema::Type::kPose || type == schema::Type::kColor) return;  // value-malformed
   context.report({.where = fact.where,
                   .message = owner_of(fact) + " takes " + std::string(expected(type)) + ": " +
-                             quoted_fault(fact) + " is passed over",
+                             quoted_fault(fact) + " is ignored",
                   .subject = subject_of(fact.element),
                   .fix = Fix{"remove what is too much",
                              Applicability::kUnsafe,
@@ -31,7 +31,7 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a vector has more numbers than it takes",
-      .why = "libsdformat reads the first ones and passes over the rest without a word.",
+      .why = "libsdformat reads the first ones and ignores the rest silently.",
       .what_to_do = "Remove what is too much, or look whether another element was meant.",
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
   };

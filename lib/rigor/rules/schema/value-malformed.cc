@@ -49,7 +49,7 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .summary = "a value is not what its place takes",
-      .why = "libsdformat refuses the file. urdfdom refuses the robot, or leaves the link without "
+      .why = "libsdformat rejects the file. urdfdom rejects the robot, or leaves the link without "
              "the part.",
       .what_to_do = "Write a value of the kind that the message names.",
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},

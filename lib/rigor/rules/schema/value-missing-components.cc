@@ -25,9 +25,9 @@ Rule rule() {
       .name = "value-missing-components",
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
-      .summary = "a vector, pose or colour has too few numbers",
-      .why = "libsdformat refuses the file. urdfdom refuses the robot, or stops reading the link: "
-             "this part and all that follow are not there. A colour of less than four numbers it "
+      .summary = "a vector, pose or color has too few numbers",
+      .why = "libsdformat rejects the file. urdfdom rejects the robot, or stops reading the link: "
+             "this part and all that follow are not there. A color of less than four numbers it "
              "takes for black.",
       .what_to_do = "Write all the numbers, with spaces between them.",
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},

@@ -28,13 +28,14 @@ void check(const read::SchemaFact& fact, Context& context) {
 Rule rule() {
   return {
       .name = "value-newer-than-version",
-      .severity = Severity::kError,
+      .severity = Severity::kWarning,
       .refused = {.sdf = Refusal::kSays},
-      .summary = "a value came with a later version than the file has",
-      .why = "libsdformat goes by the newest version that it knows: one from before that version "
-             "refuses the file, a later one takes the value.",
-      .what_to_do = "Raise the version of the file, so that it says what it needs; where an older "
-                    "reader has to take it, write what the older version has.",
+      .summary = "a value is newer than the version of the file",
+      .why = "libsdformat compares values with the newest version that it knows, whatever the "
+             "version of the file: a release from before the value rejects the file, a later one "
+             "accepts it.",
+      .what_to_do = "Raise the version of the file to the one that has the value; where an older "
+                    "reader has to load it, use a value of the older version.",
       .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check)},
   };
 }

@@ -20,7 +20,7 @@ Rule rule() {
       .fix = FixGrade::kUnsafe,
       .summary = "a value is none of those that its place takes",
       .why =
-          "libsdformat refuses the file. Here the case of letters counts too: Point is not point.",
+          "libsdformat rejects the file. Here the case of letters counts too: Point is not point.",
       .what_to_do = "Write one of the values that the message names.",
       .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check)},
   };

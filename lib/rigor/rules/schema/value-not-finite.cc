@@ -30,8 +30,8 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .summary = "a number is not finite",
-      .why = "libsdformat refuses infinity and nan where it reads several numbers; a single nan it "
-             "takes, and every comparison with it fails from then on. urdfdom refuses both, and "
+      .why = "libsdformat rejects infinity and nan where it reads several numbers; a single nan it "
+             "takes, and every comparison with it fails from then on. urdfdom rejects both, and "
              "numbers in hexadecimal, and with them the joint, the link or the robot.",
       .what_to_do = "Write a finite number.",
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},

@@ -29,7 +29,8 @@ std::string message(const read::SchemaFact& fact, const schema::Node& node) {
   if (has_kind(fact, FaultKind::kNegative)) return given + ": it cannot be negative";
   if (has_kind(fact, FaultKind::kOutOfRange))
     return given + ": too large for " + std::string(expected(fact.node->type()));
-  if (has_kind(fact, FaultKind::kUnderflow)) return given + ": too small to be told from 0";
+  if (has_kind(fact, FaultKind::kUnderflow))
+    return given + ": too small to be distinguished from 0";
   std::string bounds;
   if (const auto low = node.minimum()) bounds = "at least " + std::string(*low);
   if (const auto high = node.maximum()) {
@@ -62,9 +63,9 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .summary = "a number is outside what its place takes",
-      .why = "libsdformat refuses numbers outside the format's bounds, too large for their type, "
-             "or so small that they cannot be told from zero. A negative number where none can be "
-             "wraps round: a width of -1 is 4294967295.",
+      .why = "libsdformat rejects numbers outside the format's bounds, too large for their type, "
+             "or so small that they cannot be distinguished from zero. A negative unsigned number "
+             "wraps around: a width of -1 is 4294967295.",
       .what_to_do = "Write a number within the bounds that the message names.",
       .checks = {on_schema({read::SchemaFactKind::kBadValue, read::SchemaFactKind::kOutOfRange},
                            check)},

@@ -53,17 +53,28 @@ std::optional<Fix> fix_for(const read::SchemaFact& fact, const Context& context)
   return fix_of("remove it", Applicability::kUnsafe, numbers_alone(fact, context));
 }
 
+/// "818.0" is the count that its author meant, and libsdformat reads it so.
+std::optional<Severity> severity_of(const read::SchemaFact& fact, const Context& context) {
+  const auto& fault = *fact.value_fault;
+  std::string_view rest = fact.text.substr(fault.begin, fault.end - fault.begin);
+  rest = read::trimmed(rest);
+  const bool zeros = rest.starts_with('.') && rest.find_first_not_of('0', 1) == rest.npos;
+  if (zeros && context.is_sdf()) return Severity::kInfo;
+  return std::nullopt;
+}
+
 void check(const read::SchemaFact& fact, Context& context) {
   if (!has_kind(fact, FaultKind::kTrailingText) || left_for_xacro(fact)) return;
   const std::string_view unit = fact.node->unit();
   context.report({.where = fact.where,
                   .message = owner_of(fact) + " takes " + std::string(expected(fact, context)) +
                              ": " + quoted_fault(fact) +
-                             (context.is_urdf() ? " is refused" : " is passed over"),
+                             (context.is_urdf() ? " is rejected" : " is ignored"),
                   .subject = subject_of(fact.element),
                   .help = unit.empty() ? "" : "the number is in " + std::string(unit),
                   .fix = fix_for(fact, context),
-                  .refused = refuses_value(fact, context)});
+                  .refused = refuses_value(fact, context),
+                  .severity = severity_of(fact, context)});
 }
 
 Rule rule() {
@@ -73,10 +84,10 @@ Rule rule() {
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "text follows a number",
-      .why = "libsdformat reads the number, or the part of it that it understands, and passes over "
-             "the rest: 1.5kg is 1.5, 1e is 1. urdfdom refuses the value. Numbers carry no unit: "
-             "lengths are metres, angles radians, masses kilograms.",
-      .what_to_do = "Write the number alone, in the unit that the format has.",
+      .why = "libsdformat reads the number, or the part of it that it understands, and ignores "
+             "the rest: 1.5kg is 1.5, 1e is 1. urdfdom rejects the value. Numbers carry no unit: "
+             "lengths are in meters, angles in radians, masses in kilograms.",
+      .what_to_do = "Write the number alone, in the unit of the format.",
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
   };
 }

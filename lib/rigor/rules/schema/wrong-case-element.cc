@@ -45,8 +45,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a name is written with the wrong upper- and lower-case letters",
-      .why = "The names of elements and attributes are told apart by case: <Visual> is passed over "
-             "without a word, like any unknown element.",
+      .why = "The names of elements and attributes are case-sensitive: <Visual> is ignored "
+             "silently, like any unknown element.",
       .what_to_do = "Write the name as the message has it. The fix makes effective what had no "
                     "effect before, so it is an unsafe one.",
       .checks = {on_schema({read::SchemaFactKind::kWrongCase}, check)},

@@ -24,7 +24,7 @@ void check(const model::Sensor& sensor, Context& context) {
       fix = swap("swap near and far", camera.near_clip.span, camera.far_clip.span, context);
     }
     context.report({.where = at.span,
-                    .message = fmt::format("the camera sees from {} m to {} m, which is nothing",
+                    .message = fmt::format("the camera sees from {} m to {} m: the range is empty",
                                            camera.near_clip.value, camera.far_clip.value),
                     .subject = context.subject(sensor),
                     .fix = std::move(fix),
@@ -41,8 +41,9 @@ Rule rule() {
       .refused = {.urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "the near clip distance of a camera is not before the far one",
-      .why = "ign sdf -k calls it valid; the renderer then shows an empty picture or stops.",
-      .what_to_do = "Write a near distance below the far one, in metres.",
+      .why = "The renderer shows an empty image or stops. The checker (ign sdf -k, gz sdf -k) does "
+             "not compare the two.",
+      .what_to_do = "Write a near distance below the far one, in meters.",
       .checks = {on<model::Sensor>(check)},
   };
 }

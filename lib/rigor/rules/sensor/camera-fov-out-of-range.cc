@@ -28,14 +28,13 @@ void check(const model::Sensor& sensor, Context& context) {
     if (context.is_sdf() && (fov.value < kLeastInSdf || fov.value > kMostInSdf)) continue;
     Finding finding{
         .where = fov.span,
-        .message = fmt::format("the camera sees {} rad across, more than a flat picture "
-                               "can show",
+        .message = fmt::format("the camera sees {} rad across, more than a flat image can show",
                                fov.value),
         .subject = context.subject(sensor),
         .refused = context.is_urdf() && is_in_part(sensor) &&
                    !(fov.value >= kLeastInSdf && fov.value <= kMostInSdf)};
     if (!(fov.value > 0)) {
-      finding.message = fmt::format("the camera sees {} rad across, which is nothing", fov.value);
+      finding.message = fmt::format("the field of view is {} rad", fov.value);
     } else if (fov.value > kMostInSdf && fov.value < kMostDegrees) {
       const std::string radians = fmt::format("{:.6g}", fov.value * std::numbers::pi / 180);
       finding.help = "as degrees it would be " + radians + " rad";
@@ -52,11 +51,11 @@ Rule rule() {
       .refused = {.urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "the field of view of a camera is not between 0 and half a turn",
-      .why = "A flat picture shows less than half a turn: its width is twice the tangent of half "
-             "the angle, which has no bound at 3.14 rad, and is negative beyond. What the camera "
-             "of a simulator shows then is stretched to a line, or nothing. Only wide angle "
-             "cameras see more. In SDF the schema's rules speak of what is out of its range; in "
-             "the <gazebo> of a URDF nobody else does.",
+      .why = "A flat image shows less than half a turn: its width is twice the tangent of half the "
+             "angle, which has no bound at 3.14 rad, and is negative beyond. The image of a "
+             "simulated camera is then stretched to a line, or empty. Only wide-angle cameras see "
+             "more. In SDF value-out-of-range reports angles outside the format's bounds; this "
+             "rule checks the <gazebo> blocks of a URDF, too.",
       .what_to_do = "Write the angle in radians: 1.047 is 60 degrees. For more than about 2 take a "
                     "sensor of type wideanglecamera.",
       .checks = {on<model::Sensor>(check)},

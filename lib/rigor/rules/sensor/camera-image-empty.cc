@@ -15,9 +15,9 @@ Rule rule() {
   return {
       .name = "camera-image-empty",
       .severity = Severity::kError,
-      .summary = "a camera takes pictures without a pixel",
-      .why = "ign sdf -k calls it valid (and takes -1 for four thousand million); the renderer "
-             "then fails to make the picture, and Gazebo may stop.",
+      .summary = "a camera takes images without a pixel",
+      .why = "The renderer fails to create the image, and Gazebo may stop. The checker (ign sdf "
+             "-k, gz sdf -k) accepts the size, and reads -1 as 4294967295.",
       .what_to_do = "Write the width and height in pixels, 1 and more.",
       .checks = {on<model::Sensor>(check)},
   };

@@ -18,10 +18,10 @@ Rule rule() {
   return {
       .name = "camera-image-huge",
       .severity = Severity::kWarning,
-      .summary = "a camera takes pictures larger than graphics cards can draw",
-      .why = "Graphics cards draw pictures of up to 16384 pixels a side. The renderer fails to "
-             "make a larger one; and a picture of that size, without depth, is 800 MB that go over "
-             "the network each time.",
+      .summary = "a camera takes images larger than graphics cards can draw",
+      .why = "Graphics cards draw images of up to 16384 pixels a side. The renderer fails to make "
+             "a larger one; and an image of that size, without depth, is 800 MB that go over the "
+             "network each time.",
       .what_to_do = "Write the width and height in pixels, as the camera that is meant has them: "
                     "640 and 480, or 1920 and 1080.",
       .checks = {on<model::Sensor>(check)},

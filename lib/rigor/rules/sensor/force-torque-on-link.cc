@@ -8,7 +8,7 @@ namespace rigor::rules::force_torque_on_link {
 void check(const model::Sensor& sensor, Context& context) {
   if (sensor.type.value != "force_torque" || !sensor.link) return;
   context.report({.where = sensor.type.span,
-                  .message = "a force and torque sensor stands in the link '" +
+                  .message = "a force-torque sensor is in the link '" +
                              context.root()[sensor.link].name.value +
                              "': Gazebo makes none there, only in a joint",
                   .subject = context.subject(sensor)});
@@ -18,10 +18,10 @@ Rule rule() {
   return {
       .name = "force-torque-on-link",
       .severity = Severity::kWarning,
-      .summary = "a force and torque sensor stands in a link",
+      .summary = "force-torque sensor in a link",
       .why =
-          "It measures what a joint transmits between two links. libsdformat takes it in a link; "
-          "Gazebo then says that the parent of the sensor must be a joint, and does not make it.",
+          "It measures what a joint transmits between two links. libsdformat accepts it in a link; "
+          "Gazebo then logs that the parent of the sensor must be a joint, and does not create it.",
       .what_to_do = "Move it into the joint whose load it is to measure; in a URDF, into the "
                     "<gazebo> whose reference is the joint.",
       .checks = {on<model::Sensor>(check)},

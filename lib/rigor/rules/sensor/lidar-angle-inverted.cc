@@ -14,7 +14,7 @@ void look_at(const model::LidarScan& scan, const model::Sensor& sensor, Context&
   if (!least.written || !most.written || !(least.value > most.value)) return;
   context.report(
       {.where = least.span,
-       .message = fmt::format("the lidar turns from {} rad to {} rad, which is backwards",
+       .message = fmt::format("the scan from {} rad to {} rad is inverted (min_angle > max_angle)",
                               least.value, most.value),
        .subject = context.subject(sensor),
        .related = {{most.span, "where it ends"}},
@@ -33,7 +33,7 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "the least angle of a lidar is above the greatest",
-      .why = "libsdformat takes it. The step from one ray to the next is then negative, and the "
+      .why = "libsdformat accepts it. The step from one ray to the next is then negative, and the "
              "field of view as well: a scan is drawn mirrored, or nothing is, and what sums up the "
              "steps of a scan message walks the wrong way.",
       .what_to_do = "Write the smaller angle, in radians, as min_angle.",

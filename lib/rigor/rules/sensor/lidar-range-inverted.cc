@@ -14,8 +14,9 @@ void check(const model::Sensor& sensor, Context& context) {
   const auto& most = sensor.lidar->range_max;
   if (!least.written || !most.written || least.value < most.value) return;
   context.report({.where = least.span,
-                  .message = fmt::format("the lidar measures from {} m to {} m, which is nothing",
-                                         least.value, most.value),
+                  .message = fmt::format(
+                      "the lidar measures from {} m to {} m: the range is inverted (min > max)",
+                      least.value, most.value),
                   .subject = context.subject(sensor),
                   .related = {{most.span, "the greatest distance"}},
                   .fix = least.value > most.value
@@ -29,9 +30,9 @@ Rule rule() {
       .severity = Severity::kError,
       .fix = FixGrade::kUnsafe,
       .summary = "the least distance of a lidar is not below the greatest",
-      .why =
-          "ign sdf -k calls it valid; every ray then returns nothing, or the sensor is not made.",
-      .what_to_do = "Write a least distance below the greatest, in metres.",
+      .why = "Every ray returns nothing, or the sensor is not created. The checker (ign sdf -k, gz "
+             "sdf -k) does not compare the two.",
+      .what_to_do = "Write a least distance below the greatest, in meters.",
       .checks = {on<model::Sensor>(check)},
   };
 }

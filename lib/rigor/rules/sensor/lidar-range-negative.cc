@@ -22,9 +22,9 @@ Rule rule() {
       .name = "lidar-range-negative",
       .severity = Severity::kWarning,
       .summary = "the least distance of a lidar is negative",
-      .why = "No reader complains. Rendering takes it for the near plane of a camera, which lies "
-             "in front of it; a negative one shows nothing, or what is behind.",
-      .what_to_do = "Write the distance in metres from which on the lidar sees, at least 0.",
+      .why = "No reader reports it. Rendering uses it as the near plane of a camera, which has to "
+             "be in front of it; with a negative one the image is empty, or shows what is behind.",
+      .what_to_do = "Write the distance in meters from which on the lidar sees, at least 0.",
       .checks = {on<model::Sensor>(check)},
   };
 }

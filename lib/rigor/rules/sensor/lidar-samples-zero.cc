@@ -24,8 +24,8 @@ Rule rule() {
       .severity = Severity::kError,
       .fix = FixGrade::kUnsafe,
       .summary = "a lidar sends no ray",
-      .why = "ign sdf -k calls it valid; the sensor then measures nothing, and Gazebo may stop "
-             "when it makes it.",
+      .why = "The sensor measures nothing, and Gazebo may stop when it creates it. The checker "
+             "(ign sdf -k, gz sdf -k) accepts it.",
       .what_to_do = "Write the number of rays of one scan, 1 and more.",
       .checks = {on<model::Sensor>(check)},
   };

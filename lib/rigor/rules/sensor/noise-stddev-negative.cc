@@ -18,8 +18,9 @@ void look_at(const model::Field<double>& deviation, const model::Sensor& sensor,
   std::optional<Fix> fix;
   if (minus != std::string_view::npos && minus < bytes.find_first_of("0123456789.")) {
     const auto at = deviation.span.begin + static_cast<std::uint32_t>(minus);
-    fix = Fix{
-        "take the minus away", Applicability::kUnsafe, {{{deviation.span.source, at, at + 1}, ""}}};
+    fix = Fix{"remove the minus sign",
+              Applicability::kUnsafe,
+              {{{deviation.span.source, at, at + 1}, ""}}};
   }
   context.report(
       {.where = deviation.span,
@@ -50,7 +51,7 @@ Rule rule() {
       .summary = "the noise of a sensor has a negative standard deviation",
       .why = "A standard deviation is not negative. The normal distributions of the C++ library, "
              "which the simulators draw the noise from, are undefined for one; in practice the "
-             "noise is the same as without the minus, but that nobody promises.",
+             "noise is the same as without the minus, but that is not guaranteed.",
       .what_to_do =
           "Write how far measurements stray, in the unit of what is measured: 0 and more.",
       .checks = {on<model::Sensor>(check)},

@@ -18,7 +18,7 @@ void report_pictures(const model::Sensor& sensor, Predicate is_wrong, Context& c
     for (const auto* size : {&camera.width, &camera.height}) {
       if (!size->written || !is_wrong(size->value)) continue;
       context.report({.where = size->span,
-                      .message = fmt::format("the picture is {} by {} pixels", camera.width.value,
+                      .message = fmt::format("the image is {} by {} pixels", camera.width.value,
                                              camera.height.value),
                       .subject = context.subject(sensor)});
       break;

@@ -58,8 +58,8 @@ Rule rule() {
       .name = "sensor-block-mismatch",
       .severity = Severity::kWarning,
       .summary = "a sensor lacks the element that its type needs",
-      .why = "libsdformat takes it; Gazebo then does not make the sensor, or makes it with "
-             "defaults that nobody wrote.",
+      .why = "libsdformat accepts it; Gazebo then does not create the sensor, or creates it with "
+             "defaults.",
       .what_to_do = "Add the element that the type needs, or write the type that fits.",
       .checks = {on<model::Sensor>(check)},
   };

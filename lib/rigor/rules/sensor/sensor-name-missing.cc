@@ -21,7 +21,7 @@ Rule rule() {
       .refused = {.urdf = Refusal::kAlways},
       .formats = Formats::kUrdf,
       .summary = "a sensor in the <gazebo> of a URDF has no name",
-      .why = "libsdformat refuses the whole robot: the name is required (error 4).",
+      .why = "libsdformat rejects the whole robot: the name is required (error 4).",
       .what_to_do = "Give it a name that no other sensor of the link has.",
       .checks = {on<model::Sensor>(check)},
   };

@@ -34,7 +34,7 @@ Rule rule() {
       .severity = Severity::kWarning,
       .summary = "two sensors publish on the same topic",
       .why = "Whoever listens gets the measurements of both, mixed.",
-      .what_to_do = "Give each sensor a topic of its own.",
+      .what_to_do = "Give each sensor its own topic.",
       .checks = {on<model::Root>(check)},
   };
 }

@@ -90,7 +90,7 @@ Rule rule() {
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .fix = FixGrade::kUnsafe,
       .summary = "a sensor has a type that does not exist",
-      .why = "libsdformat refuses the whole file (error 5): it does not know what to measure.",
+      .why = "libsdformat rejects the whole file (error 5): it does not know what to measure.",
       .what_to_do = "Write one of the types, such as camera, gpu_lidar, imu, contact or "
                     "force_torque; type=\"custom\" is for your own.",
       .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check),

@@ -9,10 +9,10 @@ namespace rigor::rules::sensor_without_link {
 void check(const model::Sensor& sensor, Context& context) {
   // A reference to nothing is what gazebo-reference-missing speaks of.
   if (is_in_part(sensor)) return;
-  context.report({.where = sensor.site.name,
-                  .message = "the sensor '" + sensor.name.value +
-                             "' stands in a <gazebo> that refers to no link",
-                  .subject = context.subject(sensor)});
+  context.report(
+      {.where = sensor.site.name,
+       .message = "the sensor '" + sensor.name.value + "' is in a <gazebo> that refers to no link",
+       .subject = context.subject(sensor)});
 }
 
 Rule rule() {
@@ -21,9 +21,9 @@ Rule rule() {
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .summary = "a sensor of a URDF is in no link",
-      .why = "A <gazebo> without a reference is about the whole robot. libsdformat puts a sensor "
-             "that stands in one into the model, beside the links, where SDF knows no sensor and "
-             "no simulator looks for one.",
+      .why = "A <gazebo> without a reference is about the whole robot. libsdformat copies a sensor "
+             "in one into the model, beside the links, where SDF has no sensors and simulators "
+             "ignore them.",
       .what_to_do =
           "Give the <gazebo> the link that carries the sensor: <gazebo reference=\"camera_link\">.",
       .checks = {on<model::Sensor>(check)},

@@ -19,12 +19,13 @@ void check(const model::Root& root, Context& context) {
   for (const model::Sensor& sensor : root.sensors) {
     const auto& rate = sensor.update_rate;
     if (!root.own(sensor.site) || !rate.written || !(rate.value > most * kRounding)) continue;
-    context.report({.where = rate.span,
-                    .message = fmt::format("the sensor is to measure {} times in a second, and the "
-                                           "world makes {:.4g} steps",
-                                           rate.value, most),
-                    .subject = context.subject(sensor),
-                    .related = {{step.span, "the step, in seconds"}}});
+    context.report(
+        {.where = rate.span,
+         .message = fmt::format(
+             "the sensor is to measure {} times in a second, and the world makes {:.4g} steps",
+             rate.value, most),
+         .subject = context.subject(sensor),
+         .related = {{step.span, "the step, in seconds"}}});
   }
 }
 
@@ -34,9 +35,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a sensor is to measure more often than its world makes steps",
-      .why = "A simulated sensor measures at the end of a step. One whose rate is above the steps "
-             "in a second measures once in each, so less often than it was asked to, and nothing "
-             "says so.",
+      .why = "A simulated sensor measures at the end of a step. One whose rate exceeds the steps "
+             "per second measures once per step, less often than requested, without a warning.",
       .what_to_do = "Lower the update_rate, or make the max_step_size of <physics> smaller.",
       .checks = {on<model::Root>(check)},
   };

@@ -24,8 +24,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "the update rate of a sensor is negative",
-      .why = "ign sdf -k calls it valid; simulators differ: some never measure, some measure at "
-             "every step.",
+      .why = "Simulators differ: some never measure, some measure at every step. The checker (ign "
+             "sdf -k, gz sdf -k) accepts it.",
       .what_to_do = "Write the measurements in one second, or 0 for every step.",
       .checks = {on<model::Sensor>(check)},
   };

@@ -16,15 +16,15 @@ std::span<const Row> as_read_rows() {
       {.rule = {"simulate-nothing-moves", FactKind::kNothingMoves, Severity::kInfo},
        .message = "all links are static or fixed to the world: there is nothing to simulate",
        .summary = "nothing in the model moves",
-       .why = "All links are static or fixed to the world, so a simulation shows nothing: whatever "
-              "the model's masses and contacts are, they were not looked at.",
+       .why = "All links are static or fixed to the world, so a simulation shows nothing: the "
+              "model's masses and contacts were not checked.",
        .what_to_do =
-           "Simulate a model that moves, or take out `<static>` where it was left by mistake."},
+           "Simulate a model that moves, or remove `<static>` where it was left by mistake."},
       {.rule = {"simulate-mesh-missing", FactKind::kMeshMissing, Severity::kWarning},
        .message = "the mesh of a collision could not be read: the simulation goes on without it",
        .summary = "a collision's mesh could not be read",
        .why = "The collision was left out, so what it should touch goes through it. A simulator "
-              "does the same, or refuses the model.",
+              "does the same, or rejects the model.",
        .what_to_do = "Put the file where the URI leads; `rigor resolve URI` lists every place that "
                      "was tried."},
       {.rule = {"simulate-mesh-as-primitive", FactKind::kMeshAsPrimitive, Severity::kInfo},
@@ -67,7 +67,7 @@ std::span<const Row> as_read_rows() {
        .message = "this collision is not simulated: {name}",
        .summary = "a collision shape is not simulated",
        .why = "The engine has no such shape, a plane or heightmap is on a link that moves, a "
-              "heightmap's picture cannot be used, or one collision has two shapes: what it should "
+              "heightmap's image cannot be used, or one collision has two shapes: what it should "
               "touch goes through it.",
        .what_to_do = "Use a box, sphere, cylinder, capsule, mesh or plane; for a heightmap a "
                      "square PNG of 2^n + 1 pixels along a side."},
@@ -79,7 +79,7 @@ std::span<const Row> as_read_rows() {
        .summary = "a joint is simulated by means of others",
        .why = "The engine lacks the joint's type, so it is made of a free joint and a constraint "
               "between its motions. It is stiff but not perfect.",
-       .what_to_do = "Nothing; look at `joint.anchor_error` when the joint bears much."},
+       .what_to_do = "Nothing; check `joint.anchor_error` when the joint carries a large load."},
       {.rule = {"simulate-joint-ignored", FactKind::kJointIgnored, Severity::kWarning},
        .message =
            [](const simulate::Fact& fact) {
@@ -90,7 +90,7 @@ std::span<const Row> as_read_rows() {
        .why = "Its type is not known to the engine, or it does not connect two bodies: they move "
               "as if it were not there.",
        .what_to_do =
-           "Give the joint a type and two links; `rigor validate` says what is wrong with it."},
+           "Give the joint a type and two links; `rigor validate` reports what is wrong with it."},
       {.rule = {"simulate-element-ignored", FactKind::kElementIgnored, Severity::kInfo},
        .also = FactKind::kDampingAsNone,
        .message =
@@ -109,12 +109,12 @@ std::span<const Row> as_read_rows() {
               "docs/simulate.md lists what is honoured, approximated and ignored.",
        .what_to_do = "Nothing, if the behaviour without it is what you want to see."},
       {.rule = {"simulate-start-moved", FactKind::kStartMoved, Severity::kInfo, Formats::kUrdf},
-       .message = "begins at {value:.4g} {unit}: zero is outside its limits",
-       .summary = "a joint whose limits leave zero out begins at the nearer one",
-       .why = "URDF has no word for where a joint stands. A simulator that begins at zero, outside "
-              "the limits, throws the joint to the nearer one in its first step.",
-       .what_to_do = "Tell `--joint NAME=VALUE` where it stands; give the simulator that you use "
-                     "the same place to begin."},
+       .message = "initial position {value:.4g} {unit}: zero is outside its limits",
+       .summary = "initial position at a limit: zero is outside the limits",
+       .why = "URDF has no initial positions. A simulator that starts at zero, outside the limits, "
+              "moves the joint to the nearer one in its first step.",
+       .what_to_do = "Set the initial position with `--joint NAME=VALUE`, and the same one in your "
+                     "simulator."},
   };
   return kRows;
 }

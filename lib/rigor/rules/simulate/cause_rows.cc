@@ -21,7 +21,7 @@ std::span<const Row> cause_rows() {
            },
        .help = "run `rigor inertia MODEL --write`",
        .summary = "a link's inertia is not that of its shapes",
-       .why = "A wheel with 200 times its inertia turns the robot instead of itself; one with a "
+       .why = "A wheel with 200 times its inertia rotates the robot instead of itself; one with a "
               "thousandth of it spins up at a touch.",
        .what_to_do = "Run `rigor inertia MODEL --write`."},
       {.rule = {"simulate-cause-default-inertia", FactKind::kCauseDefaultInertia,
@@ -35,7 +35,7 @@ std::span<const Row> cause_rows() {
        .help = "run `rigor inertia MODEL --write`",
        .summary = "a link has the default inertia: 1 kg and 1 kg·m²",
        .why = "Nothing was written, so the simulator takes a body of 1 kg whose moments are those "
-              "of a ball three metres wide.",
+              "of a ball three meters wide.",
        .what_to_do = "Run `rigor inertia MODEL --write`."},
       {.rule = {"simulate-cause-mass-ratio", FactKind::kCauseMassRatio, Severity::kWarning},
        .message = "a joint connects it to {name}, which is {value:.3g} times as heavy",
@@ -45,7 +45,7 @@ std::span<const Row> cause_rows() {
            "Iterative solvers need about as many iterations as the ratio of masses across a joint.",
        .what_to_do = "Keep the ratio within about 50: make light links heavier or join them to "
                      "their neighbours."},
-      {.rule = {"simulate-cause-wheel-off-centre", FactKind::kCauseWheelOffCentre,
+      {.rule = {"simulate-cause-wheel-off-center", FactKind::kCauseWheelOffCentre,
                 Severity::kWarning},
        .message = "its wheel is {value_mm:.3g} mm off the joint's axis",
        .help = "put the wheel's collision on the axis",
@@ -62,7 +62,7 @@ std::span<const Row> cause_rows() {
            },
        .help = "make the joint's axis that of the wheel",
        .summary = "a wheel's joint axis is not the wheel's own",
-       .why = "The wheel wobbles, drags to the side, or turns against the other one.",
+       .why = "The wheel wobbles, drags to the side, or rotates against the other one.",
        .what_to_do =
            "Make the joint's axis that of the cylinder, and the same way round on both sides."},
       {.rule = {"simulate-cause-caster-friction", FactKind::kCauseCasterFriction,
@@ -70,18 +70,18 @@ std::span<const Row> cause_rows() {
        .message = "it is dragged over the ground with a friction of {value:.3g}",
        .help = "set its mu and mu2 to 0",
        .summary = "a caster that cannot turn has friction",
-       .why = "A sphere that stands for a caster is dragged along: the robot cannot turn.",
+       .why = "A sphere in place of a caster is dragged along: the robot cannot turn.",
        .what_to_do = "Set mu and mu2 of the caster's surface to 0."},
       {.rule = {"simulate-cause-top-heavy", FactKind::kCauseTopHeavy, Severity::kWarning},
        .message =
            [](const simulate::Fact& fact) {
              return fact.value > 0 ? "a slope of {value_deg:.3g}° tips it over"
-                                   : "its centre of mass is not above what it stands on";
+                                   : "its center of mass is not above its support";
            },
-       .help = "lower the centre of mass or widen the stance",
-       .summary = "the centre of mass is high above a narrow stance",
+       .help = "lower the center of mass or widen the stance",
+       .summary = "the center of mass is high above a narrow stance",
        .why = "The slope that tips it is the ratio of the stance to the height.",
-       .what_to_do = "Lower the centre of mass, or widen the stance."},
+       .what_to_do = "Lower the center of mass, or widen the stance."},
       {.rule = {"simulate-cause-mesh-wheel", FactKind::kCauseMeshWheel, Severity::kWarning},
        .message = "the wheel collides as a mesh with flat sides",
        .help = "make its collision a cylinder",
@@ -108,7 +108,7 @@ std::span<const Row> cause_rows() {
        .message = "carries {value:.3g} {effort_unit} and may use {limit:.3g} {effort_unit}",
        .help = "raise the effort limit or lighten what it carries",
        .summary = "a joint's effort limit is below what it carries",
-       .why = "At its limit the joint cannot hold the weight that hangs on it.",
+       .why = "At its limit the joint cannot hold the weight of its subtree.",
        .what_to_do = "Raise `<effort>`, or make what it carries lighter."},
       {.rule = {"simulate-cause-flag", FactKind::kCauseFlag, Severity::kWarning},
        .message =
@@ -118,10 +118,10 @@ std::span<const Row> cause_rows() {
                         ? "has a max_contacts of 0: it touches nothing"
                         : "gravity does not act on it, as it does on other links of the model";
            },
-       .help = "take the flag out",
+       .help = "remove the flag",
        .summary = "forces or gravity do not act on a link",
-       .why = "A kinematic link moves as it is told and by nothing else; one without gravity hangs "
-              "in the air and puts no weight on the wheels.",
+       .why = "A kinematic link moves only as commanded; one without gravity floats and puts no "
+              "weight on the wheels.",
        .what_to_do =
            "Take out `<kinematic>` and `<gravity>false` where they were left by mistake."},
       {.rule = {"simulate-cause-wheel-friction", FactKind::kCauseWheelFriction, Severity::kWarning},
@@ -136,24 +136,23 @@ std::span<const Row> cause_rows() {
            "its radius is {value:.4g} m, and that of {name} on the same axle is {limit:.4g} m",
        .help = "make both alike",
        .summary = "two wheels of an axle differ in size",
-       .why = "Turning alike they roll different ways, so that a robot that is told to go straight "
-              "on turns; and it leans to one side.",
+       .why = "Turning alike they roll different ways, so that a robot that is commanded to drive "
+              "straight turns; and it leans to one side.",
        .what_to_do = "Give both wheels one radius."},
       {.rule = {"simulate-cause-soft-contact", FactKind::kCauseSoftContact, Severity::kWarning},
        .message = "with its kp the model sinks {value_mm:.3g} mm into the ground where a simulator "
                   "honours it",
-       .help = "raise kp or take it out",
+       .help = "raise kp or remove it",
        .summary = "a contact is too soft for the weight on it",
        .why = "A simulator that honours `<kp>` lets the model sink by its weight over the "
               "stiffness of its contacts, and wheels stick.",
-       .what_to_do =
-           "Raise `<kp>` of the contact, or take it out: the default is as good as rigid."},
+       .what_to_do = "Raise `<kp>` of the contact, or remove it: the default is as good as rigid."},
       {.rule = {"simulate-cause-mesh-missing", FactKind::kCauseMeshMissing, Severity::kWarning},
        .message = "lacks {value:.0f} of its {limit:.0f} collisions, whose meshes could not be read",
        .help = "put the files where the URIs lead",
        .summary = "a model lacks collisions whose meshes could not be read",
-       .why = "How it stands, and what it touches, is not known without them. So what a run shows "
-              "of that is a warning at most.",
+       .why = "How it rests, and what it touches, is unknown without them, so that findings about "
+              "that are warnings at most.",
        .what_to_do = "Put the files where the URIs lead; `rigor resolve URI` lists every place "
                      "that was tried."},
   };

@@ -22,11 +22,11 @@ std::span<const Row> drive_rows() {
        .what_to_do = "Make wheels cylinders or spheres, not meshes; give casters no friction; "
                      "check that driven wheels bear weight and have friction."},
       {.rule = {"simulate-drives-backwards", FactKind::kDriveBackwards, Severity::kError},
-       .message = "goes {value:.3g} m ahead for each metre that its wheels roll (at least "
+       .message = "goes {value:.3g} m ahead for each meter that its wheels roll (at least "
                   "{limit:.3g} m is expected)",
        .summary = "the robot does not go ahead when its wheels turn forward",
-       .why = "An axis points the wrong way, or the inertias are such that the body turns instead "
-              "of the wheels.",
+       .why = "An axis points the wrong way, or the inertias are such that the body rotates "
+              "instead of the wheels.",
        .what_to_do = "Turn the axis round; run `rigor inertia MODEL` when inertias are missing."},
       {.rule = {"simulate-drive-drifts", FactKind::kDriveDrifts, Severity::kError},
        .message =
@@ -43,7 +43,7 @@ std::span<const Row> drive_rows() {
       {.rule = {"simulate-drive-bounces", FactKind::kDriveBounces, Severity::kError},
        .message = "bounces with {value_mm:.3g} mm/s as it drives (limit {limit_mm:.3g} mm/s)",
        .summary = "the robot bounces as it drives",
-       .why = "A wheel is not round about its axis: off centre, or a mesh with flat sides.",
+       .why = "A wheel is not round about its axis: off center, or a mesh with flat sides.",
        .what_to_do = "Put the wheel's collision on its axis, and make it a cylinder."},
       {.rule = {"simulate-turns-off", FactKind::kTurnOff, Severity::kError},
        .message = "turns {value_percent:.3g} % more or less than its wheels allow (limit "
@@ -59,7 +59,7 @@ std::span<const Row> drive_rows() {
        .summary = "the robot does not stop when its wheels do",
        .why = "It slides or tips over its front wheels.",
        .what_to_do =
-           "Check the friction of the wheels, and that the centre of mass is not too high."},
+           "Check the friction of the wheels, and that the center of mass is not too high."},
   };
   return kRows;
 }

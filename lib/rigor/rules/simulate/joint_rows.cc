@@ -62,8 +62,8 @@ std::span<const Row> joint_rows() {
        .message =
            [](const simulate::Fact& fact) {
              if (fact.name == "drive.reached")
-               return "the wheels turn {value_percent:.3g} % of what they are told to (at least "
-                      "{limit_percent:.3g} % is expected), this one least";
+               return "the wheels turn {value_percent:.3g} % of the command (at "
+                      "least {limit_percent:.3g} % is expected), this one least";
              if (fact.name == "joint.reach")
                return "gives all its effort, and {value_percent:.3g} % of its way is out of reach "
                       "(limit {limit_percent:.3g} %)";

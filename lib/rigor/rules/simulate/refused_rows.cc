@@ -19,20 +19,19 @@ std::span<const Row> refused_rows() {
              if (fact.name == "no model") return "there is no model to simulate";
              if (fact.name == "no such model") return "there is no model of this name";
              if (fact.name == "no pose")
-               return "nobody knows where it is: what its pose is relative to is not there";
+               return "its pose is undefined: the frame that it is relative to does not exist";
              if (fact.name == "no parent") return "the joint's parent is not there";
              if (fact.name == "no child") return "the joint's child is not there";
              if (fact.name == "expressed_in")
                return "the frame that the axis is expressed in is not there";
              if (fact.name.starts_with("type ")) return "there is no joint of {name}";
-             if (fact.name.starts_with("include ")) return "the {name} leads nowhere";
+             if (fact.name.starts_with("include ")) return "the {name} does not exist";
              return "cannot be simulated: {name}";
            },
        .summary = "the file has no model that can be placed",
        .why = "A physics engine needs to know where every body is. Here there is no model, a name "
-              "leads nowhere, or an include could not be followed, so nothing was simulated.",
-       .what_to_do = "Run `rigor validate` on the file: it says which reference is wrong and where "
-                     "it was looked for."},
+              "does not exist, or an include could not be followed, so nothing was simulated.",
+       .what_to_do = "Run `rigor validate` on the file: it reports which reference is wrong."},
       {.rule = {"simulate-no-mass", FactKind::kNoMass, Severity::kError},
        .message =
            [](const simulate::Fact& fact) {
@@ -42,8 +41,7 @@ std::span<const Row> refused_rows() {
            },
        .summary = "a body that moves has no mass",
        .why = "An engine divides by the mass. ODE ends the process on a mass of zero or less; "
-              "Gazebo throws; a URDF link without an inertial is left out by Gazebo together with "
-              "what hangs on it.",
+              "Gazebo throws; Gazebo drops a URDF link without an inertial, with its subtree.",
        .what_to_do = "Give the link a mass: `rigor inertia MODEL --write` computes it from the "
                      "link's shapes."},
       {.rule = {"simulate-not-finite", FactKind::kNotFinite, Severity::kError},
@@ -73,7 +71,7 @@ std::span<const Row> refused_rows() {
        .summary = "a collision's size is not positive",
        .why = "ODE ends the process on negative sizes, and takes a size of zero silently: nothing "
               "collides with it then.",
-       .what_to_do = "Write the size in metres, above zero."},
+       .what_to_do = "Write the size in meters, above zero."},
       {.rule = {"simulate-axis-zero", FactKind::kAxisZero, Severity::kError},
        .message =
            [](const simulate::Fact& fact) {
@@ -84,13 +82,13 @@ std::span<const Row> refused_rows() {
              return "the axis is 0 0 0: it has no direction";
            },
        .summary = "an axis has no direction",
-       .why = "A hinge about 0 0 0 turns about nothing; ODE ends the process on it.",
-       .what_to_do = "Write the direction that the joint turns about or slides along."},
+       .why = "A hinge about 0 0 0 has no axis; ODE ends the process on it.",
+       .what_to_do = "Write the direction that the joint rotates about or slides along."},
       {.rule = {"simulate-limits-crossed", FactKind::kLimitsCrossed, Severity::kError},
        .message = "lower ({value:.6g}) is above upper ({limit:.6g})",
        .summary = "a joint's lower limit is above its upper one",
-       .why = "ODE keeps crossed limits without a word and lets the joint move freely; others lock "
-              "it or refuse the model.",
+       .why = "ODE keeps crossed limits silently and lets the joint move freely; others lock it or "
+              "reject the model.",
        .what_to_do = "Swap the two limits."},
       {.rule = {"simulate-solver-setting", FactKind::kStep, Severity::kError},
        .message =
@@ -106,20 +104,20 @@ std::span<const Row> refused_rows() {
               "step of zero or less.",
        .what_to_do = "Take it out of `<physics>`, or write a usual one: `<max_step_size>` 0.001 s, "
                      "`<iters>` 50, `<sor>` 1.3, `<erp>` 0.2, `<cfm>` 0."},
-      {.rule = {"simulate-engine-refused", FactKind::kEngineRefused, Severity::kError},
+      {.rule = {"simulate-engine-rejected", FactKind::kEngineRefused, Severity::kError},
        .message = "the engine stopped: {name}",
        .summary = "the physics engine stopped",
        .why = "The engine met something that it cannot compute with, and would have ended the "
               "simulator. rigor checks all that it knows to cause this beforehand, so the cause is "
               "unusual.",
-       .what_to_do = "Try another solver (`--solver`) or another step (`--time-step`); look at the "
+       .what_to_do = "Try another solver (`--solver`) or another step (`--time-step`); check the "
                      "joints and contacts that are active then."},
       {.rule = {"simulate-too-large", FactKind::kTooLarge, Severity::kError},
        .message = "{name}: {value:.6g} is beyond the {limit:.6g} that can be simulated",
        .summary = "there is more than can be simulated",
-       .why = "Bodies, shapes, joints and triangles are bounded, so that a broken file cannot take "
-              "the machine along; so are places and sizes, since ODE ends the process on far-off "
-              "ones.",
+       .why =
+           "Bodies, shapes, joints and triangles are bounded, so that a broken file cannot exhaust "
+           "the machine; so are places and sizes, since ODE ends the process on far-off ones.",
        .what_to_do = "Mend the number. Of too many things simulate a part (`--model`), or reduce "
                      "the collision meshes with `rigor mesh-check --reduce`."},
   };

@@ -17,8 +17,8 @@ std::span<const Row> stand_rows() {
       {.rule = {"simulate-spawned-in-ground", FactKind::kSpawnedInGround, Severity::kError},
        .message = "begins {value_mm:.3g} mm inside the ground (limit {limit_mm:.3g} mm)",
        .summary = "the model begins inside the ground",
-       .why = "The engine pushes it out: with SDFormat's default of 100 m/s a centimetre becomes a "
-              "jump of metres; with Gazebo's own limit it rises slowly and shakes.",
+       .why = "The engine pushes it out: with SDFormat's default of 100 m/s a centimeter becomes a "
+              "jump of meters; with Gazebo's own limit it rises slowly and shakes.",
        .what_to_do = "Raise the model's or the link's pose by the depth."},
       {.rule = {"simulate-spawned-above", FactKind::kSpawnedAbove, Severity::kWarning},
        .message =
@@ -30,8 +30,7 @@ std::span<const Row> stand_rows() {
        .summary = "the model begins above the ground and falls",
        .why = "Every start is a drop test: joints are jerked, and what is measured first is the "
               "fall. In a world, a model that falls for long is not judged by rest.",
-       .what_to_do =
-           "Lower the model's or the link's pose by the gap; give a world something to stand on."},
+       .what_to_do = "Lower the model's or the link's pose by the gap; give a world a ground."},
       {.rule = {"simulate-self-overlap", FactKind::kSelfOverlap, Severity::kError},
        .message =
            [](const simulate::Fact& fact) {
@@ -51,7 +50,7 @@ std::span<const Row> stand_rows() {
               "without damping, an inertia that is far too small, a wheel that rolls away.",
        .what_to_do = "Give joints that swing freely some damping; check inertias with `rigor "
                      "inertia MODEL`."},
-      {.rule = {"simulate-restless", FactKind::kRestless, Severity::kError},
+      {.rule = {"simulate-residual-velocity", FactKind::kRestless, Severity::kError},
        .message =
            [](const simulate::Fact& fact) {
              return fact.name == "rest.contacts" ? "contacts come and go {value:.3g} times a "
@@ -59,24 +58,25 @@ std::span<const Row> stand_rows() {
                                                  : "still moves with {value_mm:.3g} mm/s at rest "
                                                    "(limit {limit_mm:.3g} mm/s)";
            },
-       .summary = "the model trembles at rest",
-       .why = "What should stand still moves: sensors see noise that no real robot has, and the "
-              "pose drifts.",
-       .what_to_do = "Replace mesh collisions of what stands on the ground by primitives, and give "
-                     "small links their true inertia."},
+       .summary = "the model does not settle",
+       .why = "A model at rest keeps a residual velocity: sensors see noise that no real robot "
+              "has, and the pose drifts.",
+       .what_to_do = "Replace mesh collisions that touch the ground by primitives, and give small "
+                     "links their true inertia."},
       {.rule = {"simulate-creeps", FactKind::kCreeps, Severity::kError},
        .message =
            [](const simulate::Fact& fact) {
              return fact.name == "yaw"
-                        ? "turns with {value:.3g} rad/s at rest (limit {limit:.3g} rad/s)"
+                        ? "residual angular velocity {value:.3g} rad/s at rest (limit {limit:.3g} "
+                          "rad/s)"
                         : "creeps with {value_mm:.3g} mm/s at rest (limit {limit_mm:.3g} mm/s)";
            },
        .summary = "the model creeps at rest",
        .why = "It moves or turns on level ground without a command. A robot that is parked must be "
               "where it was parked.",
-       .what_to_do = "Check that what it stands on is symmetric, that wheels are not driven by a "
-                     "spring or by gravity, and the friction of its contacts."},
-      {.rule = {"simulate-weight-not-borne", FactKind::kUnbalanced, Severity::kError},
+       .what_to_do = "Check that its support is symmetric, that wheels are not driven by a spring "
+                     "or by gravity, and the friction of its contacts."},
+      {.rule = {"simulate-ground-reaction-missing", FactKind::kUnbalanced, Severity::kError},
        .message = "at rest the ground bears {value_percent:.4g} % more or less than the weight "
                   "(limit {limit_percent:.3g} %)",
        .summary = "the ground does not bear the model's weight",
@@ -88,18 +88,18 @@ std::span<const Row> stand_rows() {
        .message = "tips over: its base leans by {value_deg:.3g}° (limit {limit_deg:.3g}°)",
        .summary = "the model tips over",
        .why = "Its base leans far from how it began: it fell over, or something threw it over.",
-       .what_to_do = "Bring the centre of mass over what the model stands on: lower or move "
-                     "masses, widen the stance, add the caster that is missing."},
+       .what_to_do = "Bring the center of mass over the support: lower or move masses, widen the "
+                     "stance, add the caster that is missing."},
       {.rule = {"simulate-nearly-tips", FactKind::kNearlyTips, Severity::kError},
        .message =
            [](const simulate::Fact& fact) {
              return fact.value < 0
-                        ? "its centre of mass is outside of what it stands on by "
-                          "{deficit_percent:.3g} % of half its width"
-                        : "its centre of mass is inside of what it stands on by only "
-                          "{value_percent:.3g} % of half its width (limit {limit_percent:.3g} %)";
+                        ? "its center of mass is outside its support by {deficit_percent:.3g} % of "
+                          "half its width"
+                        : "its center of mass is inside its support by only {value_percent:.3g} % "
+                          "of half its width (limit {limit_percent:.3g} %)";
            },
-       .summary = "the centre of mass is hardly above what the model stands on",
+       .summary = "the center of mass is near the edge of the support",
        .why = "A push, a slope or a brake will tip it over that edge.",
        .what_to_do = "Widen the stance, or move the masses towards its middle."},
       {.rule = {"simulate-sinks", FactKind::kSinks, Severity::kError},
@@ -118,14 +118,14 @@ std::span<const Row> stand_rows() {
        .summary = "a push tips the model over",
        .why = "The push is a fifth of the momentum of falling by its own size: a person who bumps "
               "into it.",
-       .what_to_do = "Lower the centre of mass, or widen the stance."},
+       .what_to_do = "Lower the center of mass, or widen the stance."},
       {.rule = {"simulate-tilts-early", FactKind::kTiltsEarly, Severity::kError},
        .message = "tips at {value_percent:.3g} % of the slope that its stance allows (at least "
                   "{limit_percent:.3g} % is expected)",
-       .summary = "the model tips at a smaller slope than its stance says",
-       .why = "On a table that tilts it falls before its centre of mass has passed the edge of "
-              "what it stands on: some part of it swings, rolls or slides down first.",
-       .what_to_do = "Lower the centre of mass, widen the stance, and look for parts that swing."},
+       .summary = "the model tips at a smaller slope than its support predicts",
+       .why = "On a table that tilts it falls before its center of mass has passed the edge of its "
+              "support: some part of it swings, rolls or slides down first.",
+       .what_to_do = "Lower the center of mass, widen the stance, and look for parts that swing."},
   };
   return kRows;
 }

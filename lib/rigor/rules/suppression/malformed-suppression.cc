@@ -14,14 +14,14 @@ using Kind = SuppressionFactKind;
 std::string message(const SuppressionFact& fact) {
   switch (fact.kind) {
     case Kind::kNoNames: return "'" + fact.name + "' names no rules";
-    case Kind::kUnclosedList: return "the list of names behind '" + fact.name + "' has no ']'";
+    case Kind::kUnclosedList: return "the list of names after '" + fact.name + "' has no ']'";
     case Kind::kEveryRule:
       return "'" + fact.name + "' is no name, and not everything can be ignored";
-    case Kind::kMisplaced: return "'file-ignore' stands behind the start of the root element";
+    case Kind::kMisplaced: return "'file-ignore' is after the start of the root element";
     default: break;
   }
   if (fact.name.empty()) return "nothing follows 'rigor:'";
-  return "'" + fact.name + "' is nothing that a comment for rigor can say";
+  return "'" + fact.name + "' is not a directive of rigor comments";
 }
 
 std::string help(const SuppressionFact& fact) {
@@ -46,7 +46,7 @@ Rule rule() {
   return {
       .name = "malformed-suppression",
       .severity = Severity::kWarning,
-      .summary = "a comment for rigor says nothing that it understands",
+      .summary = "malformed suppression comment",
       .why = "Whoever wrote it believes that something is ignored, and nothing is. Everything at "
              "once cannot be ignored: then a new fault would go unseen with the known ones.",
       .what_to_do =

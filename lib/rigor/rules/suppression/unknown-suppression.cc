@@ -11,7 +11,7 @@ namespace rigor::rules::unknown_suppression {
 
 void check(const SuppressionFact& fact, Context& context) {
   Finding finding{.where = fact.where};
-  finding.message = "no rule or category is called '" + fact.name + "'";
+  finding.message = "no rule or category is named '" + fact.name + "'";
   for (const std::string& near : fact.near) {
     finding.help += (finding.help.empty() ? "did you mean '" : "' or '") + near;
   }

@@ -32,8 +32,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kSafe,
       .summary = "a comment suppresses findings that are not there",
-      .why = "What it was written for has been put right, or has moved. Left in place it hides the "
-             "same fault when that comes back, and tells readers of one that is gone.",
+      .why = "Its finding has been corrected, or has moved. Left in place the comment hides the "
+             "same finding when it comes back.",
       .what_to_do =
           "Remove the name, or the comment when it was the only one. An `ignore` covers the "
           "element that follows it among its siblings: move it if it was meant for another.",

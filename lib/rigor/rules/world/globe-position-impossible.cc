@@ -43,10 +43,10 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a world's latitude or longitude is nowhere on the globe",
-      .why = "<spherical_coordinates> says where on the globe the middle of the world is; "
-             "satellite navigation and magnetometers count from there. Beyond the pole, or round "
-             "the globe more than once, they give places that no map has. Mostly latitude and "
-             "longitude were swapped, or are not in degrees.",
+      .why = "<spherical_coordinates> places the origin of the world on the globe; satellite "
+             "navigation and magnetometers use it. Beyond the pole, or round the globe more than "
+             "once, they give places that no map has. Mostly latitude and longitude were swapped, "
+             "or are not in degrees.",
       .what_to_do =
           "Write degrees north (at most 90) in latitude_deg and degrees east in longitude_deg.",
       .checks = {on<model::World>(check)},

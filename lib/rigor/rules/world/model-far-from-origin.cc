@@ -32,8 +32,8 @@ Rule rule() {
       .formats = Formats::kSdf,
       .summary = "a model of a world is more than 10 km from its middle",
       .why = "Renderers and some engines count in single precision, which beyond 10 km has steps "
-             "of a millimetre and more: what is there trembles. Nobody sees it from where the "
-             "others are, either. Mostly it fell through the ground, or was flung away, before the "
+             "of a millimeter and more: bodies there do not settle, and are out of sight of the "
+             "others. Mostly the model fell through the ground, or was flung away, before the "
              "world was saved.",
       .what_to_do = "Put the model back where it belongs. A world on the globe has its place in "
                     "<spherical_coordinates>, and its models near 0 0 0.",

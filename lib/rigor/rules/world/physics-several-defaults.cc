@@ -29,7 +29,7 @@ Rule rule() {
       .fix = FixGrade::kUnsafe,
       .summary = "more than one <physics> of a world is the default",
       .why = "A world may describe several engines and steps, and the default one is used. "
-             "libsdformat takes the first that says so; what the others say has no effect.",
+             "libsdformat uses the first one that is marked; the others have no effect.",
       .what_to_do = "Leave default=\"true\" with the one that is meant.",
       .checks = {on<model::Physics>(check)},
   };

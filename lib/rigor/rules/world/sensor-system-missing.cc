@@ -138,9 +138,9 @@ Rule rule() {
       .summary = "a world with sensors does not load the system that runs them",
       .why = "In Gazebo Sim each kind of sensor is run by a system plugin of the world: cameras "
              "and GPU lidars by Sensors, an IMU by Imu, a contact sensor by Contact. Without it "
-             "the sensor is there and publishes nothing, and no message says so. The default "
+             "the sensor exists and publishes nothing, without a warning. The default "
              "server.config loads physics, user commands and the scene broadcaster only. A world "
-             "is told once, at the first of its sensors.",
+             "is reported once, at the first of its sensors.",
       .what_to_do = "Add the system's <plugin> to the world. Where the launch file or a "
                     "server.config of your own loads it, ignore the rule.",
       .checks = {on<model::World>(check)},

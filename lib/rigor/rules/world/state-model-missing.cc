@@ -58,7 +58,7 @@ Rule rule() {
              "and puts them there when it loads it. A model that was renamed or taken out in an "
              "editor keeps its state: it has no effect, and the renamed one begins elsewhere than "
              "it was saved.",
-      .what_to_do = "Give the state the model's new name, or take it out.",
+      .what_to_do = "Give the state the model's new name, or remove it.",
       .checks = {on<model::World>(check)},
   };
 }

@@ -40,7 +40,7 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the step size of the physics is larger than 0.02 s",
-      .why = "What falls for a metre moves 9 cm in such a step: it is deep in the ground, or "
+      .why = "What falls for a meter moves 9 cm in such a step: it is deep in the ground, or "
              "through it, before the engine sees the contact. Joints with springs, damping or "
              "controllers shake. The number is in seconds; 1 is mostly a millisecond.",
       .what_to_do = "Write 0.001, or at most 0.005 where contacts matter.",

@@ -16,10 +16,10 @@ Rule rule() {
       .name = "xacro-failed",
       .severity = Severity::kError,
       .summary = "xacro cannot expand the file",
-      .why = "Launch files run xacro before anything reads the robot: what it refuses, none of "
-             "them loads. An undefined property or macro, an argument without a default, or a "
-             "package that is not found is behind most of it.",
-      .what_to_do = "Run xacro on the file by hand and put right what it says. A file that needs "
+      .why = "Launch files run xacro before anything reads the robot: none of them loads what it "
+             "rejects. Likely causes: an undefined property or macro, an argument without a "
+             "default, or a package that is not found.",
+      .what_to_do = "Run xacro on the file by hand and correct what it reports. A file that needs "
                     "arguments (or holds only macros, for others to include) is checked by what "
                     "includes it: name that one.",
       .checks = {on_read({read::FactKind::kXacroFailed}, check)},

@@ -7,7 +7,7 @@
 namespace rigor::rules::xacro_not_installed {
 
 void check(const read::Fact&, Context& context) {
-  context.report({.message = "xacro is not installed, so the file was not looked at"});
+  context.report({.message = "xacro is not installed, so the file was not checked"});
 }
 
 // A test shows it, which takes the program away; no example can.
@@ -15,7 +15,7 @@ Rule rule() {
   return {
       .name = "xacro-not-installed",
       .severity = Severity::kInfo,
-      .summary = "a .xacro file was not looked at, since xacro is not installed",
+      .summary = "a .xacro file was not checked: xacro is not installed",
       .why = "What a .xacro file means is known once the program xacro has expanded its macros, as "
              "launch files do before anything reads the robot. Without it nothing is known of the "
              "file.",

@@ -8,7 +8,7 @@ namespace rigor::rules::xml_angle_in_attribute {
 
 void check(const xml::Fault& fault, Context& context) {
   context.report({.where = fault.where,
-                  .message = "'<' may not stand in an attribute's value" + and_more(fault),
+                  .message = "'<' is not allowed in an attribute value" + and_more(fault),
                   .fix = Fix{"write &lt;", Applicability::kSafe, {{fault.where, "&lt;"}}}});
 }
 
@@ -18,7 +18,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kSafe,
       .summary = "an attribute's value holds '<'",
-      .why = "tinyxml2 (libsdformat, Gazebo, urdfdom) takes it; strict parsers refuse the file.",
+      .why =
+          "tinyxml2 (libsdformat, Gazebo, urdfdom 4) accepts it; strict parsers reject the file.",
       .what_to_do = "Write &lt; for the character '<'.",
       .checks = {on_xml({xml::FaultKind::kAngleInValue}, check)},
   };

@@ -18,8 +18,9 @@ Rule rule() {
       .name = "xml-attributes-touch",
       .severity = Severity::kWarning,
       .fix = FixGrade::kSafe,
-      .summary = "no space stands between two attributes",
-      .why = "tinyxml2 (libsdformat, Gazebo, urdfdom) takes it; strict parsers refuse the file.",
+      .summary = "no space between two attributes",
+      .why =
+          "tinyxml2 (libsdformat, Gazebo, urdfdom 4) accepts it; strict parsers reject the file.",
       .what_to_do = "Put a space between them.",
       .checks = {on_xml({xml::FaultKind::kNoSpaceBetween}, check)},
   };

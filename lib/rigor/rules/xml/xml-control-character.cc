@@ -27,7 +27,7 @@ void check(const xml::Fault& fault, Context& context) {
   const std::string_view bytes = context.bytes(fault.where);
   const unsigned first = bytes.empty() ? 0U : static_cast<unsigned char>(bytes.front());
   context.report({.where = fault.where,
-                  .message = fmt::format("the control character U+{:04X} may not stand in XML{}",
+                  .message = fmt::format("the control character U+{:04X} is not allowed in XML{}",
                                          first, and_more(fault)),
                   .fix = Fix{"remove it", fix_of_character(fault, context), {{fault.where, ""}}}});
 }
@@ -38,8 +38,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kSafe,
       .summary = "the file holds a control character",
-      .why = "XML forbids them. tinyxml2 (libsdformat, Gazebo, urdfdom) takes all but zero bytes; "
-             "strict parsers refuse the file.",
+      .why = "XML forbids them. tinyxml2 (libsdformat, Gazebo, urdfdom 4) takes all but zero "
+             "bytes; strict parsers reject the file.",
       .what_to_do = "Remove the character; it cannot be seen in most editors.",
       .checks = {on_xml({xml::FaultKind::kControlCharacter}, check)},
   };

@@ -21,11 +21,12 @@ std::optional<Fix> remove_space_before(Span declaration, std::string_view bytes)
 
 void check(const xml::Fault& fault, Context& context) {
   std::optional<Fix> fix = remove_space_before(fault.where, context.document().bytes());
-  const bool refused = !fix;  // tinyxml2 passes over white space only
+  const bool refused = !fix;  // tinyxml2 skips white space only
   context.report({.where = fault.where,
                   .message = "the XML declaration is not the first thing in the file",
                   .fix = std::move(fix),
-                  .refused = refused});
+                  .refused = refused,
+                  .severity = refused ? Severity::kError : Severity::kWarning});
 }
 
 Rule rule() {
@@ -35,10 +36,11 @@ Rule rule() {
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kSafe,
       .summary = "the XML declaration is not the first thing in the file",
-      .why = "A declaration is one only at the very start. Behind an element or comment tinyxml2 "
-             "(libsdformat, Gazebo, urdfdom) refuses the file; behind a blank line it does not, "
-             "but Python's and every other strict parser does, and with them the ROS tools that "
-             "are written in Python.",
+      .why =
+          "XML allows a declaration at the very start only. After an element or a comment tinyxml2 "
+          "(libsdformat, Gazebo, urdfdom 4) rejects the file (TinyXML 1, with which urdfdom 3 "
+          "reads, accepts it). After a blank line it does not, but Python's XML parsers do, and "
+          "with them the ROS tools that are written in Python: that is a warning.",
       .what_to_do =
           "Move the declaration to the first line, or remove it: XML without one is UTF-8 already.",
       .checks = {on_xml({xml::FaultKind::kDeclarationNotFirst}, check)},

@@ -10,7 +10,7 @@ namespace rigor::rules::xml_doctype {
 
 void check(const xml::Fault& fault, Context& context) {
   context.report({.where = fault.where,
-                  .message = "a DOCTYPE is passed over: entities that it defines are not replaced",
+                  .message = "a DOCTYPE is ignored: entities that it defines are not replaced",
                   .fix = Fix{"remove it", Applicability::kUnsafe, {without(context, fault.where)}},
                   // tinyxml2 ends it at the first '>', and what follows is text before the root.
                   .refused = context.bytes(fault.where).find('[') != std::string_view::npos});
@@ -23,8 +23,8 @@ Rule rule() {
       .refused = {.urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "the file has a DOCTYPE",
-      .why = "Neither SDF nor URDF has one. tinyxml2 (libsdformat, Gazebo, urdfdom) passes over "
-             "it, so that an entity which it defines is never replaced.",
+      .why = "Neither SDF nor URDF has one. tinyxml2 (libsdformat, Gazebo, urdfdom 4) ignores it, "
+             "so that an entity which it defines is never replaced.",
       .what_to_do = "Remove it, and write out the entities that it defines.",
       .checks = {on_xml({xml::FaultKind::kDoctype}, check)},
   };

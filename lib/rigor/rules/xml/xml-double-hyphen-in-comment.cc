@@ -37,7 +37,7 @@ std::optional<Fix> write_equals(const xml::Fault& fault, std::string_view bytes)
 
 void check(const xml::Fault& fault, Context& context) {
   context.report({.where = fault.where,
-                  .message = "'--' may not stand inside a comment" + and_more(fault),
+                  .message = "'--' is not allowed inside a comment" + and_more(fault),
                   .fix = write_equals(fault, context.document().bytes())});
 }
 
@@ -47,8 +47,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kSafe,
       .summary = "a comment holds '--'",
-      .why = "tinyxml2 (libsdformat, Gazebo, urdfdom) takes it; strict parsers, Python's among "
-             "them, refuse the whole file, and with them the ROS tools that are written in Python.",
+      .why = "tinyxml2 (libsdformat, Gazebo, urdfdom 4) accepts it; strict parsers, Python's among "
+             "them, reject the whole file, and with them the ROS tools that are written in Python.",
       .what_to_do = "Write another line of characters, as in <!-- ===== wheels ===== -->.",
       .checks = {on_xml({xml::FaultKind::kHyphensInComment}, check)},
   };

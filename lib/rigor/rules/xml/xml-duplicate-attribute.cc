@@ -32,7 +32,7 @@ std::optional<Fix> remove_second(const xml::Fault& fault, std::string_view bytes
 
 void check(const xml::Fault& fault, Context& context) {
   context.report({.where = fault.where,
-                  .message = "the attribute '" + fault.detail + "' stands twice in this tag",
+                  .message = "the attribute '" + fault.detail + "' appears twice in this tag",
                   .related = {{fault.related, "first here"}},
                   .fix = remove_second(fault, context.document().bytes())});
 }
@@ -44,8 +44,7 @@ Rule rule() {
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .fix = FixGrade::kSafe,
       .summary = "a tag has the same attribute twice",
-      .why = "tinyxml2, which libsdformat, Gazebo and urdfdom read with, refuses the file at this "
-             "tag.",
+      .why = "tinyxml2, which libsdformat, Gazebo and urdfdom 4 use, rejects the file at this tag.",
       .what_to_do = "Keep one of the two.",
       .checks = {on_xml({xml::FaultKind::kDuplicateAttribute}, check)},
   };

@@ -15,7 +15,7 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "the file holds no element",
-      .why = "libsdformat, Gazebo and urdfdom find nothing to load and refuse it. Often a "
+      .why = "libsdformat, Gazebo and urdfdom find nothing to load and reject it. Often a "
              "generator failed and left an empty file behind.",
       .what_to_do = "Write the model, or remove the file.",
       .checks = {on_xml({xml::FaultKind::kEmpty}, check)},

@@ -92,9 +92,9 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.urdf = Refusal::kSays},
       .summary = "the file holds what xacro should have replaced",
-      .why = "libsdformat, urdfdom and Gazebo do not know xacro: they pass over its elements "
-             "without a word, so that links and joints are missing, and read '${…}' as text where "
-             "a number is due.",
+      .why =
+          "libsdformat, urdfdom and Gazebo do not know xacro: they ignore its elements silently, "
+          "so that links and joints are missing, and read '${…}' as text where a number is due.",
       .what_to_do = "Run xacro and check what it writes, or name the file .xacro.",
       .checks = {on<model::Root>(check)},
   };

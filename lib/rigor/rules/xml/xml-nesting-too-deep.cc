@@ -20,8 +20,8 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "elements are nested deeper than tinyxml2 reads",
-      .why = "tinyxml2, which libsdformat, Gazebo and urdfdom read with, gives up at the 100th "
-             "level, so that a hostile file cannot exhaust its stack. Real models have about 15.",
+      .why = "tinyxml2, which libsdformat, Gazebo and urdfdom 4 use, gives up at the 100th level, "
+             "so that a hostile file cannot exhaust its stack. Real models have about 15.",
       .what_to_do = "Nest models through <include>, or look for the generator that repeats itself.",
       .checks = {on_xml({xml::FaultKind::kTooDeep}, check)},
   };

@@ -36,7 +36,7 @@ void check_declaration(const model::Root& /*root*/, Context& context) {
     if (schema::edit_distance(name.substr(0, wide.size()), wide, 0) != 0) continue;
     context.report(
         {.where = where,
-         .message = "the declaration says " + std::string(name) + ", but the file is UTF-8",
+         .message = "the declaration has " + std::string(name) + ", but the file is UTF-8",
          .fix = Fix{"write UTF-8", Applicability::kSafe, {{where, "UTF-8"}}}});
     return;
   }
@@ -55,11 +55,11 @@ Rule rule() {
       .name = "xml-not-utf8",
       .severity = Severity::kWarning,
       .fix = FixGrade::kSafe,
-      .summary = "the file holds bytes that are not UTF-8, or says that it is UTF-16",
-      .why = "tinyxml2 (libsdformat, Gazebo, urdfdom) passes them on as they are, so names become "
-             "unreadable; strict parsers refuse the file. They come from editors that save Latin-1 "
-             "or a Windows code page. A declaration that names UTF-16 in a file of single bytes "
-             "they refuse as well.",
+      .summary = "the file has bytes that are not UTF-8, or declares UTF-16",
+      .why = "tinyxml2 (libsdformat, Gazebo, urdfdom 4) passes them on as they are, so names "
+             "become unreadable; strict parsers reject the file. They come from editors that save "
+             "Latin-1 or a Windows code page. A declaration that names UTF-16 in a file of single "
+             "bytes they reject as well.",
       .what_to_do = "Save the file as UTF-8.",
       .checks = {on_xml({xml::FaultKind::kNotUtf8}, check), on<model::Root>(check_declaration)},
   };

@@ -20,8 +20,8 @@ std::string name_in(std::string_view tag) {
 
 /// What tinyxml2 refuses although every tag is in its place.
 std::string refusal(const std::string& error) {
-  const std::string who = "tinyxml2, which libsdformat and urdfdom read with, refuses ";
-  if (error == "XML_ERROR_PARSING_TEXT") return who + "text behind the root element";
+  const std::string who = "tinyxml2, which libsdformat and urdfdom read with, rejects ";
+  if (error == "XML_ERROR_PARSING_TEXT") return who + "text after the root element";
   if (error == "XML_ERROR_PARSING_DECLARATION") return who + "<?…?> anywhere but at the start";
   return who + "the file here (" + error + ")";
 }
@@ -54,8 +54,8 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "the file is not XML",
-      .why = "Nobody reads such a file: libsdformat, Gazebo, urdfdom and every other XML reader "
-             "stop at this place. What stands behind it is not checked.",
+      .why = "libsdformat, Gazebo, urdfdom and every other XML reader stop at this place and "
+             "reject the file. What follows is not checked.",
       .what_to_do =
           "Put the tag right that the message names; the place where it was opened is shown too.",
       .checks = {on_xml({Kind::kBadTag, Kind::kBadAttribute, Kind::kUnclosedValue,

@@ -11,7 +11,7 @@ namespace rigor::rules::xml_second_root {
 void check(const xml::Fault& fault, Context& context) {
   context.report({.where = fault.where,
                   .message = "<" + std::string(context.bytes(fault.where)) +
-                             "> is a second root element: nobody reads it" + and_more(fault),
+                             "> is a second root element: no consumer reads it" + and_more(fault),
                   .related = {{fault.related, "the first one"}}});
 }
 
@@ -20,10 +20,10 @@ Rule rule() {
       .name = "xml-second-root",
       .severity = Severity::kWarning,
       .summary = "the file has a second root element",
-      .why = "libsdformat, Gazebo and urdfdom take the first one of the name they look for and "
-             "pass over the rest without a word; strict parsers refuse the file.",
+      .why = "libsdformat, Gazebo and urdfdom read the first one of the name they look for and "
+             "ignore the rest silently; strict parsers reject the file.",
       .what_to_do =
-          "Put what belongs together into one root element, and the rest into files of its own.",
+          "Put what belongs together into one root element, and the rest into other files.",
       .checks = {on_xml({xml::FaultKind::kSecondRoot}, check)},
   };
 }

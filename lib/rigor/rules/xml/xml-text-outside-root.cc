@@ -20,9 +20,10 @@ Rule rule() {
       .severity = Severity::kWarning,
       .refused = {.urdf = Refusal::kAlways},
       .fix = FixGrade::kUnsafe,
-      .summary = "characters stand before the root element",
-      .why = "tinyxml2 (libsdformat, Gazebo, urdfdom) drops them; strict parsers refuse the file. "
-             "Behind the root element tinyxml2 refuses them too, and the file is not well-formed.",
+      .summary = "text before the root element",
+      .why =
+          "tinyxml2 (libsdformat, Gazebo, urdfdom 4) drops them; strict parsers reject the file. "
+          "Behind the root element tinyxml2 rejects them too, and the file is not well-formed.",
       .what_to_do = "Remove the characters, or make them a comment.",
       .checks = {on_xml({xml::FaultKind::kTextOutsideRoot}, check)},
   };

@@ -18,8 +18,8 @@ Rule rule() {
       .name = "xml-unbound-prefix",
       .severity = Severity::kWarning,
       .summary = "a namespace prefix is not declared",
-      .why = "tinyxml2 (libsdformat, Gazebo, urdfdom) knows no namespaces and reads on; strict "
-             "parsers, Python's among them, refuse the file, and with them the ROS tools that are "
+      .why = "tinyxml2 (libsdformat, Gazebo, urdfdom 4) knows no namespaces and reads on; strict "
+             "parsers, Python's among them, reject the file, and with them the ROS tools that are "
              "written in Python.",
       .what_to_do =
           "Declare the prefix in the root element, as xmlns:gz=\"http://gazebosim.org/schema\".",

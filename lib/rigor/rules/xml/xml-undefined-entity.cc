@@ -35,10 +35,10 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kSafe,
       .summary = "'&' begins no entity that XML defines",
-      .why = "tinyxml2 (libsdformat, Gazebo, urdfdom) leaves the characters as they stand, also "
-             "where a DOCTYPE defines the entity; strict parsers refuse the file.",
-      .what_to_do = "Write &amp; for the character '&'; what an entity was meant to stand for is "
-                    "written out.",
+      .why = "tinyxml2 (libsdformat, Gazebo, urdfdom 4) leaves the characters as they are, even "
+             "where a DOCTYPE defines the entity; strict parsers reject the file.",
+      .what_to_do = "Write &amp; for the character '&'; write out what another entity was meant to "
+                    "represent.",
       .checks = {on_xml({xml::FaultKind::kUndefinedEntity}, check)},
   };
 }

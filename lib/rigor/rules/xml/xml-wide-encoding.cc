@@ -20,9 +20,9 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "the file is UTF-16 or UTF-32",
-      .why = "tinyxml2, which libsdformat, Gazebo and urdfdom read with, knows only UTF-8 and "
-             "refuses the file, whatever its declaration says. Windows tools write UTF-16 where "
-             "they are not told otherwise.",
+      .why =
+          "tinyxml2, which libsdformat, Gazebo and urdfdom 4 use, supports only UTF-8 and rejects "
+          "the file, whatever its declaration. Some Windows tools write UTF-16 by default.",
       .what_to_do = "Save the file as UTF-8.",
       .checks = {on_xml({xml::FaultKind::kUtf16}, check)},
   };

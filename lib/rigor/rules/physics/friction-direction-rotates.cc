@@ -12,7 +12,7 @@
 
 #include <rigor/rules/rule.h>
 
-namespace rigor::rules::friction_direction_turns {
+namespace rigor::rules::friction_direction_rotates {
 
 constexpr double kAligned = 0.9;  // cosine of 26°: a mecanum wheel's rollers stand at 45°
 constexpr double kCentred = 0.1;  // of the radius
@@ -68,11 +68,11 @@ void check(const model::Joint& joint, Context& context) {
     context.report(
         {.where = along.span,
          .message = fmt::format(
-             "the friction direction is {:.0f}° off the axle of '{}': it turns with "
-             "the wheel, and points into the ground twice a turn",
+             "the friction direction is {:.0f}° off the axle of '{}': it rotates with the wheel, "
+             "and points into the ground twice per revolution",
              std::acos(std::min(1.0, aligned)) * 180 / std::numbers::pi, joint.name.value),
          .subject = context.subject(collision),
-         .related = {{joint.site.name, "turns the wheel"}},
+         .related = {{joint.site.name, "the wheel joint"}},
          .help = fmt::format("the axle is {:.3g} {:.3g} {:.3g} in the collision's frame", axle.x,
                              axle.y, axle.z)});
   }
@@ -80,12 +80,11 @@ void check(const model::Joint& joint, Context& context) {
 
 Rule rule() {
   return {
-      .name = "friction-direction-turns",
+      .name = "friction-direction-rotates",
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
-      .summary =
-          "the friction direction of a wheel is not its axle, so that it turns with the wheel",
-      .why = "fdir1 is fixed to the collision, which turns with its link: only a direction along "
+      .summary = "friction direction of a wheel rotates with it",
+      .why = "fdir1 is fixed to the collision, which rotates with its link: only a direction along "
              "the axle stays where it is. With another one mu and mu2 change places as the wheel "
              "turns, and the robot pulls to a side or hops.",
       .what_to_do = "Let fdir1 be the axle in the collision's frame, 0 0 1 for a cylinder; mu is "
@@ -95,4 +94,4 @@ Rule rule() {
   };
 }
 
-}  // namespace rigor::rules::friction_direction_turns
+}  // namespace rigor::rules::friction_direction_rotates

@@ -9,7 +9,7 @@
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
 
-namespace rigor::rules::inertia_refused {
+namespace rigor::rules::inertia_rejected {
 
 /// Whether another rule finds something in what the link itself says.
 bool told_of_itself(const model::Link& link, const Context& context) {
@@ -25,7 +25,7 @@ bool told_of_itself(const model::Link& link, const Context& context) {
 
 void report_refused(const model::Link& link, std::string_view why, Context& context) {
   context.report({.where = link.inertial.written ? link.inertial.site.name : link.site.name,
-                  .message = "libsdformat refuses the inertia of this link" + std::string(why),
+                  .message = "libsdformat rejects the inertia of this link" + std::string(why),
                   .subject = context.subject(link)});
 }
 
@@ -55,13 +55,13 @@ void check_robot(const model::Model& robot, Context& context) {
 
 Rule rule() {
   return {
-      .name = "inertia-refused",
+      .name = "inertia-rejected",
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .targets = {Target::kGazeboClassic, Target::kGzSim},
-      .summary = "libsdformat refuses an inertia although each number could be right",
+      .summary = "libsdformat rejects an inertia although each number could be right",
       .why = "libsdformat allows the triangle inequality no more than ten roundings of a double, "
-             "so a plate whose moments are written with few digits is refused (error 18). Where "
+             "so a plate whose moments are written with few digits is rejected (error 18). Where "
              "some entries are not written it takes 1 for the moments and 0 for the others.",
       .what_to_do =
           "Write all six entries, and as many digits as there are, or round the largest down.",
@@ -69,4 +69,4 @@ Rule rule() {
   };
 }
 
-}  // namespace rigor::rules::inertia_refused
+}  // namespace rigor::rules::inertia_rejected

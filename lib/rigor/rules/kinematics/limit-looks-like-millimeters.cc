@@ -9,7 +9,7 @@
 #include <rigor/rules/rule.h>
 #include <rigor/write/numbers.h>
 
-namespace rigor::rules::limit_looks_like_millimetres {
+namespace rigor::rules::limit_looks_like_millimeters {
 
 constexpr double kLeast = 20;   // rails of that length exist, between links as far apart
 constexpr double kMost = 5000;  // larger ones stand for "no limit"
@@ -39,7 +39,7 @@ bool is_small(const model::Root& root, const model::Frames& frames, model::Id<mo
 }
 
 Fix in_metres(const model::Axis& axis) {
-  Fix fix{"write metres", Applicability::kUnsafe, {}};
+  Fix fix{"write meters", Applicability::kUnsafe, {}};
   for (const model::Field<double>* limit : {&axis.lower, &axis.upper}) {
     if (!limit->written || !std::isfinite(limit->value) || limit->value == 0) continue;
     fix.edits.push_back({limit->span, write::joined({limit->value / 1000})});
@@ -56,26 +56,27 @@ void check(const model::Root& root, Context& context) {
     if (!upper && !(axis.lower.written && looks_like_millimetres(axis.lower.value))) continue;
     const model::Field<double>& limit = upper ? axis.upper : axis.lower;
     if (!root.own(joint.site) || !is_small(root, context.frames(), {i}, limit.value)) continue;
-    context.report({.where = limit.span,
-                    .message = fmt::format("the limit {0} looks like millimetres: limits are in "
-                                           "metres, and {0} mm is {1} m",
-                                           limit.value, limit.value / 1000),
-                    .subject = context.subject(joint),
-                    .fix = in_metres(axis)});
+    context.report(
+        {.where = limit.span,
+         .message = fmt::format(
+             "the limit {0} looks like millimeters: limits are in meters, and {0} mm is {1} m",
+             limit.value, limit.value / 1000),
+         .subject = context.subject(joint),
+         .fix = in_metres(axis)});
   }
 }
 
 Rule rule() {
   return {
-      .name = "limit-looks-like-millimetres",
+      .name = "limit-looks-like-millimeters",
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
-      .summary = "a limit of a sliding joint looks like millimetres",
-      .why = "Limits of prismatic joints are in metres. A finger that may go 40 m has no stop: it "
+      .summary = "a limit of a sliding joint looks like millimeters",
+      .why = "Limits of prismatic joints are in meters. A finger that may go 40 m has no stop: it "
              "leaves its gripper as soon as something pushes it.",
-      .what_to_do = "Convert the limits to metres: 40 mm are 0.04.",
+      .what_to_do = "Convert the limits to meters: 40 mm are 0.04.",
       .checks = {on<model::Root>(check)},
   };
 }
 
-}  // namespace rigor::rules::limit_looks_like_millimetres
+}  // namespace rigor::rules::limit_looks_like_millimeters

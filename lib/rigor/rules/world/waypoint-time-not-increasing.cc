@@ -7,7 +7,7 @@
 
 #include <rigor/rules/rule.h>
 
-namespace rigor::rules::waypoint_time_not_rising {
+namespace rigor::rules::waypoint_time_not_increasing {
 
 /// Told once of a trajectory: one wrong time may be followed by many.
 void look_at(const model::Trajectory& trajectory, const model::Actor& actor, Context& context) {
@@ -35,7 +35,7 @@ void check(const model::Root& root, Context& context) {
 
 Rule rule() {
   return {
-      .name = "waypoint-time-not-rising",
+      .name = "waypoint-time-not-increasing",
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a waypoint of an actor is not later than the one before it",
@@ -46,4 +46,4 @@ Rule rule() {
   };
 }
 
-}  // namespace rigor::rules::waypoint_time_not_rising
+}  // namespace rigor::rules::waypoint_time_not_increasing

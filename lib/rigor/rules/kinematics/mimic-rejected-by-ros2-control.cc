@@ -8,7 +8,7 @@
 #include <rigor/rules/kinematics/leader.h>
 #include <rigor/rules/rule.h>
 
-namespace rigor::rules::mimic_refused_by_ros2_control {
+namespace rigor::rules::mimic_rejected_by_ros2_control {
 
 std::set<std::string_view> joints_of(const model::Parameter& block) {
   std::set<std::string_view> names;
@@ -62,18 +62,18 @@ void check(const model::Root& root, Context& context) {
 
 Rule rule() {
   return {
-      .name = "mimic-refused-by-ros2-control",
+      .name = "mimic-rejected-by-ros2-control",
       .severity = Severity::kError,
       .formats = Formats::kUrdf,
-      .summary = "ros2_control refuses what is said of a joint that mimics another",
-      .why = "ros2_control of Jazzy and later reads mimics from the robot itself. A joint that "
-             "follows may have no command interface of its own, its leader has to stand in the "
-             "same block, and mimic=\"true\" needs a <mimic>. Otherwise the controller manager "
-             "ends with an exception.",
-      .what_to_do = "Leave the command interface out, list the leader in the block, or say "
-                    "mimic=\"false\" of the joint in the block.",
+      .summary = "ros2_control rejects the interfaces of a mimic joint",
+      .why = "ros2_control of Jazzy and later reads mimics from the robot itself. A mimic joint "
+             "must not have a command interface, its leader has to be in the same block, and "
+             "mimic=\"true\" needs a <mimic>. Otherwise the controller manager ends with an "
+             "exception.",
+      .what_to_do = "Remove the command interface, list the leader in the block, or set "
+                    "mimic=\"false\" on the joint in the block.",
       .checks = {on<model::Root>(check)},
   };
 }
 
-}  // namespace rigor::rules::mimic_refused_by_ros2_control
+}  // namespace rigor::rules::mimic_rejected_by_ros2_control

@@ -10,7 +10,7 @@
 #include <rigor/rules/kinematics/motion.h>
 #include <rigor/rules/rule.h>
 
-namespace rigor::rules::limit_stands_for_none {
+namespace rigor::rules::limit_used_as_unlimited {
 
 constexpr double kHuge = 1e6;  // turns of a screw, or metres of a rail, that nobody builds
 constexpr int kInfiniteSince = 10;
@@ -37,29 +37,30 @@ void check(const model::Joint& joint, Context& context) {
     const bool lower = stands_for_none(axis.lower);
     if (!lower && !stands_for_none(axis.upper)) continue;
     const model::Field<double>& limit = lower ? axis.lower : axis.upper;
-    context.report({.where = limit.span,
-                    .message = fmt::format("the limit {:.3g} {} is meant as no limit: {} says so",
-                                           limit.value, position_unit(joint.type),
-                                           context.is_sdf() ? "'inf'" : "a continuous joint"),
-                    .subject = context.subject(joint),
-                    .fix = without_limits(axis, context)});
+    context.report(
+        {.where = limit.span,
+         .message = fmt::format("the limit {:.3g} {} is used as \"unlimited\": {} means that",
+                                limit.value, position_unit(joint.type),
+                                context.is_sdf() ? "'inf'" : "a continuous joint"),
+         .subject = context.subject(joint),
+         .fix = without_limits(axis, context)});
   }
 }
 
 Rule rule() {
   return {
-      .name = "limit-stands-for-none",
+      .name = "limit-used-as-unlimited",
       .severity = Severity::kInfo,
       .fix = FixGrade::kUnsafe,
-      .summary = "a huge limit stands for none",
-      .why = "Before SDF 1.10 ±1e16 was how the format said \"no limit\", and other huge numbers "
-             "are meant so. Since 1.10 infinity says it, and URDF has continuous joints. Who does "
-             "not know the custom takes the number for a limit: a slider or a random position is "
-             "somewhere in a range without end.",
-      .what_to_do = "In SDF 1.10 and later write inf, or leave the limit out. In a URDF make a "
-                    "revolute joint continuous.",
+      .summary = "a finite number is used as \"unlimited\"",
+      .why = "Before SDF 1.10 ±1e16 meant \"no limit\" in the format, and other huge numbers are "
+             "used alike. Since 1.10 it is infinity, and URDF has continuous joints. Tools that do "
+             "not know the convention use the number as a limit: the range of a slider or of "
+             "random positions is meaningless.",
+      .what_to_do = "In SDF 1.10 and later write inf, or omit the limit. In a URDF make a revolute "
+                    "joint continuous.",
       .checks = {on<model::Joint>(check)},
   };
 }
 
-}  // namespace rigor::rules::limit_stands_for_none
+}  // namespace rigor::rules::limit_used_as_unlimited

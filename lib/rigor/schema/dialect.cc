@@ -1,0 +1,88 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/schema/dialect.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include <rigor/schema/embedded.h>
+
+namespace rigor::schema {
+namespace {
+
+constexpr std::size_t kDialectColumns = 4;
+using DialectLine = std::array<std::string_view, kDialectColumns>;
+
+std::string_view without_blanks(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(' ');
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \r") - begin + 1);
+}
+
+/// The table is short, and asked only for names that a format does not have.
+template <class Visit>
+void for_each_dialect_line(std::string_view format, const Visit& visit) {
+  std::string_view text = dialects_table_text();
+  while (!text.empty()) {
+    std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    if (!line.starts_with(format)) continue;
+    DialectLine columns;
+    for (std::string_view& column : columns) {
+      column = without_blanks(line.substr(0, line.find('|')));
+      line.remove_prefix(std::min(line.find('|'), line.size() - 1) + 1);
+    }
+    if (columns[0] == format) visit(columns);
+  }
+}
+
+template <class Visit>
+void for_each_dialect_line(std::string_view format, std::string_view parent, const Visit& visit) {
+  for_each_dialect_line(format, [&](const DialectLine& line) {
+    if (line[1] == parent) visit(line);
+  });
+}
+
+template <class Visit>
+void for_each_dialect_name(std::string_view names, const Visit& visit) {
+  while (!names.empty()) {
+    const std::string_view name = names.substr(0, names.find(' '));
+    if (!name.empty()) visit(name);
+    names.remove_prefix(std::min(name.size() + 1, names.size()));
+  }
+}
+
+}  // namespace
+
+std::optional<std::string_view> find_dialect(std::string_view format, std::string_view parent,
+                                             std::string_view name) {
+  std::optional<std::string_view> reader;
+  for_each_dialect_line(format, parent, [&](const DialectLine& line) {
+    for_each_dialect_name(line[2], [&](std::string_view known) {
+      if (!reader && known == name) reader = line[3];
+    });
+  });
+  return reader;
+}
+
+std::vector<std::string_view> dialect_names(std::string_view format, std::string_view parent) {
+  std::vector<std::string_view> names;
+  for_each_dialect_line(format, parent, [&](const DialectLine& line) {
+    for_each_dialect_name(line[2], [&](std::string_view name) { names.push_back(name); });
+  });
+  return names;
+}
+
+std::vector<std::string_view> dialect_parents(std::string_view format) {
+  std::vector<std::string_view> parents;
+  for_each_dialect_line(format, [&](const DialectLine& line) {
+    if (std::find(parents.begin(), parents.end(), line[1]) == parents.end()) {
+      parents.push_back(line[1]);
+    }
+  });
+  return parents;
+}
+
+}  // namespace rigor::schema
