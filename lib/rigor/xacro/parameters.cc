@@ -18,6 +18,11 @@ namespace {
 
 bool is_blank_byte(char c) { return is_blank(static_cast<unsigned char>(c)); }
 
+bool is_quote(char c) { return c == '\'' || c == '"'; }
+
+/// Quotes in the parameters of a macro: which of them belong together is found by trying.
+constexpr std::ptrdiff_t kMaxQuotes = 1'000;
+
 class ParameterReader {
  public:
   ParameterReader(std::string_view text, Place place, Symbols& symbols)
@@ -90,6 +95,7 @@ class ParameterReader {
       }
     }
     dead_.assign(text_.size() + 1, false);
+    if (std::count_if(rest.begin(), rest.end(), is_quote) > kMaxQuotes) return std::nullopt;
     if (const auto end = end_of_pieces(begin); end && *end > begin) return end;
     if (ends_at(begin)) return begin;
     return std::nullopt;
@@ -98,7 +104,7 @@ class ParameterReader {
   /// Quoted pieces and runs without quotes, joined, up to a blank. A quote that would leave the rest
   /// without an end is closed by a later one.
   std::optional<std::size_t> end_of_pieces(std::size_t at) {
-    while (at < text_.size() && !is_blank_byte(text_[at]) && text_[at] != '\'' && text_[at] != '"') ++at;
+    while (at < text_.size() && !is_blank_byte(text_[at]) && !is_quote(text_[at])) ++at;
     if (ends_at(at)) return at;
     if (dead_[at]) return std::nullopt;
     for (std::size_t close = text_.find(text_[at], at + 1); close != std::string_view::npos; close = text_.find(text_[at], close + 1)) {

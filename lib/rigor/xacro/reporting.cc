@@ -1,0 +1,99 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the expander found, once for all instances of a macro that show it, with the stack of the first.
+
+#include <algorithm>
+#include <utility>
+
+#include <rigor/xacro/expander.h>
+
+namespace rigor::xacro {
+
+Expansion::Expansion() = default;
+Expansion::Expansion(Expansion&&) noexcept = default;
+Expansion& Expansion::operator=(Expansion&&) noexcept = default;
+Expansion::~Expansion() = default;
+
+bool Expansion::ok() const {
+  return root != nullptr && std::none_of(facts.begin(), facts.end(), [](const Fact& f) { return is_error(f.kind); });
+}
+
+std::vector<FactFrame> Expansion::stack_of(std::uint32_t frame) const {
+  std::vector<FactFrame> stack;
+  for (; frame != 0; frame = frames[frame].outer) {
+    const Frame& at = frames[frame];
+    FactFrame shown{at.kind, at.where, std::string(at.name)};
+    for (const auto& [name, value] : at.parameters) shown.parameters.push_back({std::string(name), value});
+    stack.push_back(std::move(shown));
+  }
+  return stack;
+}
+
+std::uint32_t Expander::push_frame(Frame frame) {
+  result_.frames.push_back(std::move(frame));
+  return static_cast<std::uint32_t>(result_.frames.size() - 1);
+}
+
+void Expander::report(FactKind kind, Place place, std::string name, std::string detail, Span related) {
+  const Span where = place.span.nowhere() && !result_.files.empty() ? Span{result_.files.front().source, 0, 0} : place.span;
+  const auto key = std::pair{kind, std::pair{(std::uint64_t{static_cast<std::uint32_t>(where.source)} << 32U) | where.begin, where.end}};
+  const auto [known, added] = fact_by_place_.emplace(key, result_.facts.size());
+  if (!added && known->second < result_.facts.size() && result_.facts[known->second].name == name) {
+    ++result_.facts[known->second].count;
+    return;
+  }
+  if (result_.facts.size() >= options_.bounds.facts) {
+    ++result_.facts_left_out;
+    return;
+  }
+  known->second = result_.facts.size();
+  Fact fact{kind, where, std::move(name), std::move(detail), {}, related, result_.stack_of(frame_)};
+  const bool names_near = kind == FactKind::kUndefinedName || kind == FactKind::kUndefinedMacro || kind == FactKind::kUndefinedArgument;
+  if (names_near) fact.near = std::exchange(fact.detail, {});
+  result_.facts.push_back(std::move(fact));
+}
+
+void Expander::report_failure(const Failure& failure, Place place) {
+  // A lazy property's text fails where it is written; where it is used matters, too.
+  report(failure.kind, place, failure.name, failure.detail);
+  if (failure.kind == FactKind::kBoundReached && (heap_.full() || !evaluator_.work(0))) {
+    evaluator_.take_failure();
+    stopped_ = true;
+  }
+}
+
+const NodeAttribute* Expander::required(const Node& node, std::string_view name) {
+  const NodeAttribute* attribute = node.attribute(name);
+  if (attribute == nullptr) report(FactKind::kMissingAttribute, node.where, std::string(name), std::string(node.name));
+  return attribute;
+}
+
+void Expander::check_known(const Node& node, std::initializer_list<std::string_view> known) {
+  for (const NodeAttribute& attribute : node.attributes) {
+    if (attribute.name.starts_with("xmlns:") || attribute.name.starts_with("xacro:")) continue;
+    if (std::find(known.begin(), known.end(), attribute.name) != known.end()) continue;
+    report(FactKind::kUnknownAttribute, attribute.where, std::string(attribute.name), std::string(node.name));
+  }
+}
+
+void Expander::report_unused() {
+  const SourceId own = result_.files.front().source;
+  for (const Definition& definition : definitions_) {
+    const bool same_name_used = std::any_of(definitions_.begin(), definitions_.end(), [&](const Definition& other) {
+      return other.used && other.name == definition.name;
+    });
+    if (definition.where.source == own && !same_name_used) report(FactKind::kUnusedProperty, {definition.where, true}, std::string(definition.name));
+  }
+  for (const Macro& macro : macros_) {
+    if (!macro.used || macro.body->where.span.source != own) continue;
+    for (const MacroParameter& parameter : macro.parameters) {
+      if (!parameter.used) report(FactKind::kUnusedParameter, macro.body->attribute("params")->where, std::string(parameter.name), std::string(macro.name));
+    }
+  }
+  for (const auto& [name, argument] : arguments_) {
+    if (!argument.used && argument.place.span.source == own) report(FactKind::kUnusedArgument, argument.place, name);
+  }
+}
+
+}  // namespace rigor::xacro
