@@ -73,7 +73,8 @@ class ParameterReader {
     while (at < text_.size() && is_blank_byte(text_[at])) ++at;
     // `^|text`, else `^` with `|text` as a text, else a text that begins with `^`.
     const std::string_view rest = text_.substr(at);
-    for (const std::size_t marker : {rest.starts_with("^|") ? std::size_t{2} : 0, rest.starts_with("^") ? std::size_t{1} : 0, std::size_t{0}}) {
+    for (const std::size_t marker : {std::size_t{2}, std::size_t{1}, std::size_t{0}}) {
+      if (!rest.starts_with(std::string_view("^|").substr(0, marker))) continue;
       const auto end = end_of_default(at + marker);
       if (!end) continue;
       parameter.forwards = marker > 0;
