@@ -31,6 +31,7 @@ const std::map<std::string, Names>& rooms() {
       {"model", {"text"}},
       {"read", {"text", "xml", "schema", "model"}},
       {"process", {"text"}},
+      {"xacro", {"text", "xml"}},
       {"config", {"text"}},
       {"mesh", {"text", "xml", "model", "process"}},
       {"mass", {"text", "model", "mesh"}},
@@ -73,7 +74,9 @@ const std::map<std::string, Names>& third_parties() {
       {"embree3/", {"view"}},
       {"png.h", {"view", "mesh"}},
       {"turbojpeg.h", {"view"}},
-      {"zlib.h", {"report"}}};
+      {"zlib.h", {"report"}},
+      {"yaml-cpp/", {"xacro"}},
+      {"boost/", {"xacro"}}};
   return kParties;
 }
 

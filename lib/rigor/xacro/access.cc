@@ -31,12 +31,15 @@ std::int64_t clamped(Value v, std::int64_t otherwise, std::int64_t size, std::in
 }
 
 SliceBounds slice_bounds(const std::vector<Value>& parts, std::int64_t size) {
-  const std::int64_t step = parts[2].is(Type::kNone) ? 1 : parts[2].is_small() ? parts[2].integer_
-                            : is_negative_integer(parts[2]) ? -size - 1 : size + 1;
+  const std::int64_t step = parts[2].is(Type::kNone)        ? 1
+                            : parts[2].is_small()           ? parts[2].integer_
+                            : is_negative_integer(parts[2]) ? -size - 1
+                                                            : size + 1;
   if (step > 0) {
     return {clamped(parts[0], 0, size, 0, size), clamped(parts[1], size, size, 0, size), step};
   }
-  return {clamped(parts[0], size - 1, size, -1, size - 1), clamped(parts[1], -1, size, -1, size - 1), step};
+  return {clamped(parts[0], size - 1, size, -1, size - 1),
+          clamped(parts[1], -1, size, -1, size - 1), step};
 }
 
 bool is_index_or_none(Value v) { return v.is(Type::kNone) || v.is_integral(); }
@@ -61,7 +64,8 @@ Value Evaluator::slice_of(Value of, Value index) {
   if (!std::all_of(parts.begin(), parts.end(), is_index_or_none)) {
     return wrong_type("slice indices must be whole numbers or None");
   }
-  if (parts[2].is_integral() && is_zero_integer(parts[2])) return wrong_value("a slice's step is 0");
+  if (parts[2].is_integral() && is_zero_integer(parts[2]))
+    return wrong_value("a slice's step is 0");
   const bool is_text = of.is_text();
   if (!is_text && !of.is_sequence()) {
     return wrong_type("a " + std::string(type_name(of)) + " has no slices");
@@ -86,7 +90,8 @@ Value Evaluator::slice_of(Value of, Value index) {
       points.push_back(of.as_text().substr(begin, at - begin));
     }
   }
-  for (std::int64_t i = bounds.begin; bounds.step > 0 ? i < bounds.end : i > bounds.end; i += bounds.step) {
+  for (std::int64_t i = bounds.begin; bounds.step > 0 ? i < bounds.end : i > bounds.end;
+       i += bounds.step) {
     const auto at = static_cast<std::size_t>(i);
     if (is_text) {
       picked += points[at];
@@ -105,13 +110,16 @@ Value Evaluator::item_at(Value of, Value index) {
                       std::string(type_name(index)));
   }
   const std::int64_t size = of.is(Type::kRange) ? range_size(*of.iterator_)
-                            : of.is_text() ? static_cast<std::int64_t>(code_points(of.as_text()))
-                                           : static_cast<std::int64_t>(of.sequence_->items->values.size());
-  const std::int64_t wanted = index.is_small() ? index.integer_ : std::numeric_limits<std::int64_t>::max();
+                            : of.is_text()
+                                ? static_cast<std::int64_t>(code_points(of.as_text()))
+                                : static_cast<std::int64_t>(of.sequence_->items->values.size());
+  const std::int64_t wanted =
+      index.is_small() ? index.integer_ : std::numeric_limits<std::int64_t>::max();
   const std::int64_t i = wanted < 0 ? wanted + size : wanted;
   if (i < 0 || i >= size) {
     return fail(FactKind::kNoSuchItem, std::to_string(wanted),
-                "index " + std::to_string(wanted) + " is out of range: there are " + std::to_string(size) + " items");
+                "index " + std::to_string(wanted) + " is out of range: there are " +
+                    std::to_string(size) + " items");
   }
   const auto at = static_cast<std::size_t>(i);
   if (of.is_text()) return Value::text(code_point_range(of.as_text(), at, at + 1));
@@ -126,7 +134,8 @@ Value Evaluator::item_at(Value of, Value index) {
 Value Evaluator::subscript(Value of, Value index) {
   if (of.is(Type::kDictionary)) {
     const Dictionary& dictionary = *of.dictionary_;
-    if (!is_hashable(index)) return wrong_type("unhashable type: '" + std::string(type_name(index)) + "'");
+    if (!is_hashable(index))
+      return wrong_type("unhashable type: '" + std::string(type_name(index)) + "'");
     const Entry* entry = find_entry(*dictionary.entries, index);
     if (entry == nullptr) {
       const auto key = repr_of(index);
@@ -153,11 +162,11 @@ Value Evaluator::attribute(Value of, std::string_view name) {
   }
   if (of.is(Type::kClass)) {
     const std::string_view type = of.function_->name;
-    const Function* method = type == "str"     ? text_method(name)
-                             : type == "list"  ? list_method(name)
-                             : type == "dict"  ? dictionary_method(name)
+    const Function* method = type == "str"                          ? text_method(name)
+                             : type == "list"                       ? list_method(name)
+                             : type == "dict"                       ? dictionary_method(name)
                              : type == "set" || type == "frozenset" ? set_method(name)
-                                               : nullptr;
+                                                                    : nullptr;
     if (method != nullptr) return heap_.method(*method, Value::error());
     return fail(FactKind::kNoSuchItem, std::string(name), no_attribute(of, name));
   }
@@ -165,7 +174,8 @@ Value Evaluator::attribute(Value of, std::string_view name) {
   if (of.is(Type::kDictionary) && of.dictionary_->dotted) {
     const Entry* entry = find_entry(*of.dictionary_->entries, Value::text(name));
     if (entry == nullptr) {
-      return fail(FactKind::kNoSuchItem, std::string(name), "the YAML dictionary has no key '" + std::string(name) + "'");
+      return fail(FactKind::kNoSuchItem, std::string(name),
+                  "the YAML dictionary has no key '" + std::string(name) + "'");
     }
     if (!entry->place.nowhere()) host_.used(entry->place);
     return heap_.wrapped(entry->value);
@@ -213,11 +223,14 @@ std::optional<std::vector<Value>> Evaluator::items_of(Value iterable) {
     case Type::kView: items = iterable.iterator_->values; break;
     case Type::kIterator: {
       Iterator& iterator = *iterable.iterator_;
-      items.assign(iterator.values.begin() + static_cast<std::ptrdiff_t>(iterator.next), iterator.values.end());
+      items.assign(iterator.values.begin() + static_cast<std::ptrdiff_t>(iterator.next),
+                   iterator.values.end());
       iterator.next = iterator.values.size();
       break;
     }
-    default: wrong_type("a " + std::string(type_name(iterable)) + " has no items to go through"); return std::nullopt;
+    default:
+      wrong_type("a " + std::string(type_name(iterable)) + " has no items to go through");
+      return std::nullopt;
   }
   if (!work(1 + items.size() / 8)) return std::nullopt;
   return items;
@@ -227,16 +240,20 @@ Value Evaluator::call_function(const Function& function, Value self, Arguments& 
   const auto count = static_cast<int>(arguments.values.size());
   const std::string name(function.name);
   for (const auto& [key, value] : arguments.named) {
-    const bool known = function.names == "*" ||
-                       (' ' + std::string(function.names) + ' ').find(' ' + std::string(key) + ' ') != std::string::npos;
+    const bool known =
+        function.names == "*" ||
+        (' ' + std::string(function.names) + ' ').find(' ' + std::string(key) + ' ') !=
+            std::string::npos;
     if (!known) return wrong_type(name + "() takes no argument named '" + std::string(key) + "'");
   }
   // A named argument may stand for one that is due.
   if (count + static_cast<int>(arguments.named.size()) < function.least) {
-    return wrong_type(name + "() takes at least " + std::to_string(function.least) + " arguments, not " + std::to_string(count));
+    return wrong_type(name + "() takes at least " + std::to_string(function.least) +
+                      " arguments, not " + std::to_string(count));
   }
   if (function.most != kAnyCount && count > function.most) {
-    return wrong_type(name + "() takes at most " + std::to_string(function.most) + " arguments, not " + std::to_string(count));
+    return wrong_type(name + "() takes at most " + std::to_string(function.most) +
+                      " arguments, not " + std::to_string(count));
   }
   return function.call(*this, self, arguments);
 }

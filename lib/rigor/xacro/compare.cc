@@ -52,7 +52,8 @@ bool equal_numbers(Value a, Value b) {
 std::optional<bool> equal_within(Value a, Value b, std::uint32_t depth) {
   if (depth > kMaxValueDepth) return std::nullopt;
   if (a.is_number() && b.is_number()) return equal_numbers(a, b);
-  if (a.is_set() && b.is_set()) return equal_entries(*a.dictionary_->entries, *b.dictionary_->entries, depth);
+  if (a.is_set() && b.is_set())
+    return equal_entries(*a.dictionary_->entries, *b.dictionary_->entries, depth);
   if (a.type != b.type) return false;
   switch (a.type) {
     case Type::kNone: return true;
@@ -77,15 +78,19 @@ Order order_of_doubles(double a, double b) {
   return a < b ? Order::kLess : a > b ? Order::kGreater : Order::kEqual;
 }
 
-Order order_from(int sign) { return sign < 0 ? Order::kLess : sign > 0 ? Order::kGreater : Order::kEqual; }
+Order order_from(int sign) {
+  return sign < 0 ? Order::kLess : sign > 0 ? Order::kGreater : Order::kEqual;
+}
 
 Order order_of_numbers(Value a, Value b) {
   if (a.is_integral() && b.is_integral()) return order_from(compare_integers(a, b));
   if (a.is(Type::kReal) && b.is(Type::kReal)) return order_of_doubles(a.real_, b.real_);
   if (a.is(Type::kReal)) {
-    return std::isnan(a.real_) ? Order::kUnordered : order_from(-compare_integer_to_double(b, a.real_));
+    return std::isnan(a.real_) ? Order::kUnordered
+                               : order_from(-compare_integer_to_double(b, a.real_));
   }
-  return std::isnan(b.real_) ? Order::kUnordered : order_from(compare_integer_to_double(a, b.real_));
+  return std::isnan(b.real_) ? Order::kUnordered
+                             : order_from(compare_integer_to_double(a, b.real_));
 }
 
 Order order_within(Value a, Value b, std::uint32_t depth) {
@@ -112,7 +117,8 @@ void index_entries(Entries& entries) {
 }
 
 bool hashable_within(Value v, std::uint32_t depth) {
-  if (v.is(Type::kList) || v.is(Type::kDictionary) || v.is(Type::kSet) || v.is(Type::kSlice)) return false;
+  if (v.is(Type::kList) || v.is(Type::kDictionary) || v.is(Type::kSet) || v.is(Type::kSlice))
+    return false;
   if (!v.is(Type::kTuple)) return true;
   const std::vector<Value>& items = v.sequence_->items->values;
   return depth < kMaxValueDepth && std::all_of(items.begin(), items.end(), [depth](Value item) {
@@ -147,8 +153,10 @@ std::optional<bool> are_equal(Value a, Value b) { return equal_within(a, b, 0); 
 
 bool are_identical(Value a, Value b) {
   if (a.type != b.type) return false;
-  if (a.is_text()) return a.as_text() == b.as_text();  // Python interns the short ones, which are compared
-  if (a.is(Type::kReal)) return std::bit_cast<std::uint64_t>(a.real_) == std::bit_cast<std::uint64_t>(b.real_);
+  if (a.is_text())
+    return a.as_text() == b.as_text();  // Python interns the short ones, which are compared
+  if (a.is(Type::kReal))
+    return std::bit_cast<std::uint64_t>(a.real_) == std::bit_cast<std::uint64_t>(b.real_);
   return a.is(Type::kNone) || a.integer_ == b.integer_;
 }
 

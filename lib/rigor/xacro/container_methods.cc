@@ -16,7 +16,9 @@
 namespace rigor::xacro {
 namespace {
 
-std::vector<Value>& own_items(Evaluator& e, Value self) { return e.heap().writable(*self.sequence_).values; }
+std::vector<Value>& own_items(Evaluator& e, Value self) {
+  return e.heap().writable(*self.sequence_).values;
+}
 Entries& own_entries(Evaluator& e, Value self) { return e.heap().writable(*self.dictionary_); }
 const std::vector<Value>& items_in(Value self) { return self.sequence_->items->values; }
 const Entries& entries_in(Value self) { return *self.dictionary_->entries; }
@@ -46,7 +48,8 @@ Value list_extend(Evaluator& e, Value self, Arguments& a) {
 }
 
 Value list_insert(Evaluator& e, Value self, Arguments& a) {
-  if (!a.values[0].is_small() || !e.fits(items_in(self).size() + 1)) return e.wrong_type("a whole number is due");
+  if (!a.values[0].is_small() || !e.fits(items_in(self).size() + 1))
+    return e.wrong_type("a whole number is due");
   std::vector<Value>& items = own_items(e, self);
   const auto size = static_cast<std::int64_t>(items.size());
   std::int64_t i = a.values[0].integer_;
@@ -60,7 +63,8 @@ Value list_pop(Evaluator& e, Value self, Arguments& a) {
   if (!index.is_small()) return e.wrong_type("a whole number is due");
   const auto size = static_cast<std::int64_t>(items_in(self).size());
   const std::int64_t i = index.integer_ < 0 ? index.integer_ + size : index.integer_;
-  if (i < 0 || i >= size) return e.fail(FactKind::kNoSuchItem, std::to_string(index.integer_), "there is no item to pop");
+  if (i < 0 || i >= size)
+    return e.fail(FactKind::kNoSuchItem, std::to_string(index.integer_), "there is no item to pop");
   std::vector<Value>& items = own_items(e, self);
   const Value item = items[static_cast<std::size_t>(i)];
   items.erase(items.begin() + i);
@@ -69,7 +73,8 @@ Value list_pop(Evaluator& e, Value self, Arguments& a) {
 
 Value list_remove(Evaluator& e, Value self, Arguments& a) {
   std::vector<Value>& items = own_items(e, self);
-  const auto found = std::find_if(items.begin(), items.end(), [&](Value v) { return same_value(v, a.values[0]); });
+  const auto found =
+      std::find_if(items.begin(), items.end(), [&](Value v) { return same_value(v, a.values[0]); });
   if (found == items.end()) return e.wrong_value("the item is not in the list");
   items.erase(found);
   return Value::none();
@@ -94,21 +99,30 @@ Value list_sort(Evaluator& e, Value self, Arguments& a) {
 
 Value sequence_count(Evaluator&, Value self, Arguments& a) {
   const auto& items = items_in(self);
-  return Value::integer(std::count_if(items.begin(), items.end(), [&](Value v) { return same_value(v, a.values[0]); }));
+  return Value::integer(std::count_if(items.begin(), items.end(),
+                                      [&](Value v) { return same_value(v, a.values[0]); }));
 }
 Value sequence_index(Evaluator& e, Value self, Arguments& a) {
   const auto& items = items_in(self);
-  const auto found = std::find_if(items.begin(), items.end(), [&](Value v) { return same_value(v, a.values[0]); });
+  const auto found =
+      std::find_if(items.begin(), items.end(), [&](Value v) { return same_value(v, a.values[0]); });
   if (found == items.end()) return e.wrong_value("the item is not in it");
   return Value::integer(found - items.begin());
 }
 
-constexpr Function kTupleMethods[] = {{"count", sequence_count, 1, 1}, {"index", sequence_index, 1, 1}};
-constexpr Function kListMethods[] = {
-    {"append", list_append, 1, 1}, {"clear", list_clear, 0, 0},       {"copy", list_copy, 0, 0},
-    {"count", sequence_count, 1, 1}, {"extend", list_extend, 1, 1},   {"index", sequence_index, 1, 1},
-    {"insert", list_insert, 2, 2}, {"pop", list_pop, 0, 1},           {"remove", list_remove, 1, 1},
-    {"reverse", list_reverse, 0, 0}, {"sort", list_sort, 0, 0, "key reverse"}};
+constexpr Function kTupleMethods[] = {{"count", sequence_count, 1, 1},
+                                      {"index", sequence_index, 1, 1}};
+constexpr Function kListMethods[] = {{"append", list_append, 1, 1},
+                                     {"clear", list_clear, 0, 0},
+                                     {"copy", list_copy, 0, 0},
+                                     {"count", sequence_count, 1, 1},
+                                     {"extend", list_extend, 1, 1},
+                                     {"index", sequence_index, 1, 1},
+                                     {"insert", list_insert, 2, 2},
+                                     {"pop", list_pop, 0, 1},
+                                     {"remove", list_remove, 1, 1},
+                                     {"reverse", list_reverse, 0, 0},
+                                     {"sort", list_sort, 0, 0, "key reverse"}};
 
 enum class Part : std::uint8_t { kKeys, kValues, kItems };
 
@@ -117,7 +131,9 @@ Value dictionary_view(Evaluator& e, Value self, Arguments&) {
   std::vector<Value> values;
   if (!e.fits(entries_in(self).list.size())) return Value::error();
   for (const Entry& entry : entries_in(self).list) {
-    values.push_back(P == Part::kKeys ? entry.key : P == Part::kValues ? entry.value : e.heap().tuple({entry.key, entry.value}));
+    values.push_back(P == Part::kKeys     ? entry.key
+                     : P == Part::kValues ? entry.value
+                                          : e.heap().tuple({entry.key, entry.value}));
   }
   constexpr std::string_view kNames[] = {"dict_keys", "dict_values", "dict_items"};
   return e.heap().iterator(Type::kView, std::move(values), kNames[static_cast<int>(P)]);
@@ -135,7 +151,8 @@ Value dictionary_pop(Evaluator& e, Value self, Arguments& a) {
   const Entry* entry = find_entry(entries_in(self), a.values[0]);
   if (entry == nullptr) {
     if (a.has(1)) return a.values[1];
-    return e.fail(FactKind::kNoSuchItem, e.repr_of(a.values[0]).value_or("?"), "the dictionary has no such key to pop");
+    return e.fail(FactKind::kNoSuchItem, e.repr_of(a.values[0]).value_or("?"),
+                  "the dictionary has no such key to pop");
   }
   const Value value = entry->value;
   erase_entry(own_entries(e, self), a.values[0]);
@@ -143,14 +160,16 @@ Value dictionary_pop(Evaluator& e, Value self, Arguments& a) {
 }
 
 Value dictionary_popitem(Evaluator& e, Value self, Arguments&) {
-  if (entries_in(self).list.empty()) return e.fail(FactKind::kNoSuchItem, {}, "the dictionary is empty");
+  if (entries_in(self).list.empty())
+    return e.fail(FactKind::kNoSuchItem, {}, "the dictionary is empty");
   const Entry last = entries_in(self).list.back();
   erase_entry(own_entries(e, self), last.key);
   return e.heap().tuple({last.key, last.value});
 }
 
 Value dictionary_setdefault(Evaluator& e, Value self, Arguments& a) {
-  if (!may_be_key(e, a.values[0]) || !e.fits(entries_in(self).list.size() + 1)) return Value::error();
+  if (!may_be_key(e, a.values[0]) || !e.fits(entries_in(self).list.size() + 1))
+    return Value::error();
   if (const Entry* entry = find_entry(entries_in(self), a.values[0])) return entry->value;
   set_entry(own_entries(e, self), a.values[0], a.get(1));
   e.heap().charge(sizeof(Entry));
@@ -159,9 +178,11 @@ Value dictionary_setdefault(Evaluator& e, Value self, Arguments& a) {
 
 Value dictionary_update(Evaluator& e, Value self, Arguments& a) {
   const Value more = e.call(Value::function(class_named("dict"), Type::kClass), a.values);
-  if (more.failed() || !e.fits(entries_in(self).list.size() + entries_in(more).list.size())) return Value::error();
+  if (more.failed() || !e.fits(entries_in(self).list.size() + entries_in(more).list.size()))
+    return Value::error();
   Entries& entries = own_entries(e, self);
-  for (const Entry& entry : entries_in(more).list) set_entry(entries, entry.key, entry.value, entry.place);
+  for (const Entry& entry : entries_in(more).list)
+    set_entry(entries, entry.key, entry.value, entry.place);
   for (const auto& [name, value] : a.named) set_entry(entries, Value::text(name), value);
   e.heap().charge(entries_in(more).list.size() * sizeof(Entry));
   return Value::none();
@@ -177,20 +198,20 @@ Value dictionary_clear(Evaluator& e, Value self, Arguments&) {
   return Value::none();
 }
 
-constexpr Function kDictionaryMethods[] = {
-    {"clear", dictionary_clear, 0, 0},
-    {"copy", dictionary_copy, 0, 0},
-    {"get", dictionary_get, 1, 2},
-    {"items", dictionary_view<Part::kItems>, 0, 0},
-    {"keys", dictionary_view<Part::kKeys>, 0, 0},
-    {"pop", dictionary_pop, 1, 2},
-    {"popitem", dictionary_popitem, 0, 0},
-    {"setdefault", dictionary_setdefault, 1, 2},
-    {"update", dictionary_update, 0, 1, "*"},
-    {"values", dictionary_view<Part::kValues>, 0, 0}};
+constexpr Function kDictionaryMethods[] = {{"clear", dictionary_clear, 0, 0},
+                                           {"copy", dictionary_copy, 0, 0},
+                                           {"get", dictionary_get, 1, 2},
+                                           {"items", dictionary_view<Part::kItems>, 0, 0},
+                                           {"keys", dictionary_view<Part::kKeys>, 0, 0},
+                                           {"pop", dictionary_pop, 1, 2},
+                                           {"popitem", dictionary_popitem, 0, 0},
+                                           {"setdefault", dictionary_setdefault, 1, 2},
+                                           {"update", dictionary_update, 0, 1, "*"},
+                                           {"values", dictionary_view<Part::kValues>, 0, 0}};
 
 Value set_add(Evaluator& e, Value self, Arguments& a) {
-  if (!may_be_key(e, a.values[0]) || !e.fits(entries_in(self).list.size() + 1)) return Value::error();
+  if (!may_be_key(e, a.values[0]) || !e.fits(entries_in(self).list.size() + 1))
+    return Value::error();
   set_entry(own_entries(e, self), a.values[0], Value::none());
   e.heap().charge(sizeof(Entry));
   return Value::none();
@@ -198,7 +219,8 @@ Value set_add(Evaluator& e, Value self, Arguments& a) {
 Value set_remove(Evaluator& e, Value self, Arguments& a) {
   if (!may_be_key(e, a.values[0])) return Value::error();
   if (erase_entry(own_entries(e, self), a.values[0])) return Value::none();
-  return e.fail(FactKind::kNoSuchItem, e.repr_of(a.values[0]).value_or("?"), "the set has no such item");
+  return e.fail(FactKind::kNoSuchItem, e.repr_of(a.values[0]).value_or("?"),
+                "the set has no such item");
 }
 Value set_discard(Evaluator& e, Value self, Arguments& a) {
   if (!may_be_key(e, a.values[0])) return Value::error();
@@ -279,13 +301,19 @@ constexpr Function kNumberMethods[] = {{"bit_length", number_bit_length, 0, 0},
 
 }  // namespace
 
-const Function& class_named(std::string_view name) { return *function_named(kPythonModule.classes, name); }
+const Function& class_named(std::string_view name) {
+  return *function_named(kPythonModule.classes, name);
+}
 
 const Function* list_method(std::string_view name) { return function_named(kListMethods, name); }
 const Function* tuple_method(std::string_view name) { return function_named(kTupleMethods, name); }
-const Function* dictionary_method(std::string_view name) { return function_named(kDictionaryMethods, name); }
+const Function* dictionary_method(std::string_view name) {
+  return function_named(kDictionaryMethods, name);
+}
 const Function* set_method(std::string_view name) { return function_named(kSetMethods, name); }
-const Function* number_method(std::string_view name) { return function_named(kNumberMethods, name); }
+const Function* number_method(std::string_view name) {
+  return function_named(kNumberMethods, name);
+}
 
 const Function* method_of(Value self, std::string_view name) {
   switch (self.type) {

@@ -27,7 +27,8 @@ Value Evaluator::fail(FactKind kind, std::string name, std::string detail) {
 bool Evaluator::work(std::uint64_t steps) {
   steps_ += steps;
   if (steps_ <= bounds_.steps && !heap_.full()) return true;
-  fail(FactKind::kBoundReached, {}, heap_.full() ? "the memory of expressions" : "the steps of an expansion");
+  fail(FactKind::kBoundReached, {},
+       heap_.full() ? "the memory of expressions" : "the steps of an expansion");
   return false;
 }
 
@@ -38,7 +39,8 @@ bool Evaluator::fits(std::uint64_t items) {
 }
 
 Value Evaluator::text(std::string_view bytes) {
-  if (bytes.size() > bounds_.text_bytes) return fail(FactKind::kBoundReached, {}, "the length of a text");
+  if (bytes.size() > bounds_.text_bytes)
+    return fail(FactKind::kBoundReached, {}, "the length of a text");
   if (!work(1 + bytes.size() / 64)) return Value::error();
   return heap_.text(bytes);
 }
@@ -76,7 +78,8 @@ Value Evaluator::eval(std::uint32_t id) {
   const Node& node = expression_->nodes[id];
   if (node.op == Op::kConstant) return node.constant;
   if (!work(1)) return Value::error();
-  if (depth_ >= kMaxEvaluationDepth) return fail(FactKind::kBoundReached, {}, "the depth of evaluation");
+  if (depth_ >= kMaxEvaluationDepth)
+    return fail(FactKind::kBoundReached, {}, "the depth of evaluation");
   ++depth_;
   const Value result = eval_node(node);
   --depth_;
@@ -180,10 +183,11 @@ Value Evaluator::eval_unary(const Node& node) {
     }
     const Value negated = number(negated_integer(heap_, inner));
     if (negated.failed() || node.operation == Operation::kNegate) return negated;
-    return number(integer_operation(heap_, IntegerOperation::kSubtract, negated, Value::integer(1)));
+    return number(
+        integer_operation(heap_, IntegerOperation::kSubtract, negated, Value::integer(1)));
   }
-  return wrong_type("a " + std::string(type_name(inner)) + " has no sign: " +
-                    std::string(to_string(node.operation)) + " takes a number");
+  return wrong_type("a " + std::string(type_name(inner)) +
+                    " has no sign: " + std::string(to_string(node.operation)) + " takes a number");
 }
 
 Value Evaluator::eval_subscript(const Node& node) {
@@ -198,7 +202,8 @@ Value Evaluator::eval_subscript(const Node& node) {
 bool Evaluator::gather(const Node& node, Arguments& arguments) {
   for (std::uint32_t i = 0; i < list_size(node.b); ++i) {
     const Node& item = expression_->nodes[list_item(node.b, i)];
-    const bool plain = item.op != Op::kStarred && item.op != Op::kKeyword && item.op != Op::kDoubleStarred;
+    const bool plain =
+        item.op != Op::kStarred && item.op != Op::kKeyword && item.op != Op::kDoubleStarred;
     const Value value = eval(plain ? list_item(node.b, i) : item.a);
     if (value.failed()) return false;
     node_ = &node;
@@ -243,7 +248,8 @@ Value Evaluator::eval_items(const Node& node, Type type) {
   if (type != Type::kSet) return heap_.sequence(type, std::move(items.values));
   Entries entries;
   for (const Value item : items.values) {
-    if (!is_hashable(item)) return wrong_type("unhashable type: '" + std::string(type_name(item)) + "'");
+    if (!is_hashable(item))
+      return wrong_type("unhashable type: '" + std::string(type_name(item)) + "'");
     set_entry(entries, item, Value::none());
   }
   return heap_.entries(Type::kSet, std::move(entries));
@@ -258,7 +264,8 @@ Value Evaluator::eval_dictionary(const Node& node) {
       if (inner.failed()) return inner;
       node_ = &node;
       if (!inner.is(Type::kDictionary)) return wrong_type("what is behind ** is no dictionary");
-      for (const Entry& entry : inner.dictionary_->entries->list) set_entry(entries, entry.key, entry.value);
+      for (const Entry& entry : inner.dictionary_->entries->list)
+        set_entry(entries, entry.key, entry.value);
       continue;
     }
     const Value key = eval(id);
@@ -266,7 +273,8 @@ Value Evaluator::eval_dictionary(const Node& node) {
     const Value value = eval(list_item(node.b, i + 1));
     if (value.failed()) return value;
     node_ = &node;
-    if (!is_hashable(key)) return wrong_type("unhashable type: '" + std::string(type_name(key)) + "'");
+    if (!is_hashable(key))
+      return wrong_type("unhashable type: '" + std::string(type_name(key)) + "'");
     set_entry(entries, key, value);
   }
   return heap_.entries(Type::kDictionary, std::move(entries));

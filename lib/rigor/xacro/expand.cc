@@ -7,7 +7,8 @@
 
 namespace rigor::xacro {
 
-Expansion expand(const std::string& path, const World& world, const Options& options, Sources& sources) {
+Expansion expand(const std::string& path, const World& world, const Options& options,
+                 Sources& sources) {
   return Expander(world, options, sources).run(path);
 }
 

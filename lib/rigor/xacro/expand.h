@@ -37,7 +37,8 @@ namespace rigor::xacro {
 struct World {
   const Disk& disk;
   /// The folder of a package for `$(find NAME)` in a file; no function finds none.
-  std::function<std::optional<std::string>(std::string_view package, std::string_view file)> find_package = {};
+  std::function<std::optional<std::string>(std::string_view package, std::string_view file)>
+      find_package = {};
   /// A variable of the environment for `$(env NAME)` and `$(optenv NAME)`; no function, no variables.
   std::function<std::optional<std::string>(std::string_view name)> variable = {};
   /// What `$(cwd)` is; absolute.
@@ -55,7 +56,8 @@ struct Frame {
   std::uint32_t outer = 0;  ///< index of the frame around; the file's own is 0 and its own outer
   Span where;               ///< of the tag
   std::string_view name;    ///< of the macro, the file, the condition, the block
-  std::vector<std::pair<std::string_view, std::string>> parameters = {};  ///< of a macro, with values
+  std::vector<std::pair<std::string_view, std::string>> parameters =
+      {};  ///< of a macro, with values
 };
 
 struct FileUse {
@@ -73,10 +75,10 @@ struct Expansion {
   /// Holds the root and the comments around it; null when the file could not be read at all.
   const Node* document = nullptr;
   const Node* root = nullptr;
-  std::vector<Fact> facts;          ///< in the order they were found
-  std::uint32_t facts_left_out = 0; ///< past the bound
-  std::vector<Frame> frames;        ///< the first is the file itself
-  std::vector<FileUse> files;       ///< all that was read, the file itself first, each once
+  std::vector<Fact> facts;           ///< in the order they were found
+  std::uint32_t facts_left_out = 0;  ///< past the bound
+  std::vector<Frame> frames;         ///< the first is the file itself
+  std::vector<FileUse> files;        ///< all that was read, the file itself first, each once
 
   /// Without errors: the result is what the reference prints.
   bool ok() const;
@@ -89,6 +91,7 @@ struct Expansion {
   std::unique_ptr<Nodes> nodes;
 };
 
-Expansion expand(const std::string& path, const World& world, const Options& options, Sources& sources);
+Expansion expand(const std::string& path, const World& world, const Options& options,
+                 Sources& sources);
 
 }  // namespace rigor::xacro

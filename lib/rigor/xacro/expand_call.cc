@@ -61,7 +61,8 @@ void Expander::expand_call(const Node& node, std::string_view name, Names names,
   Macro* macro = find_macro(name, own);
   if (macro == nullptr) {
     if (!incomplete_) {
-      report(FactKind::kUndefinedMacro, node.where.part(1, 1 + node.name.size()), std::string(name), macro_near(name, *names.macros));
+      report(FactKind::kUndefinedMacro, node.where.part(1, 1 + node.name.size()), std::string(name),
+             macro_near(name, *names.macros));
     }
     check_attributes(node, names);
     Node& lost = fragment();
@@ -118,14 +119,16 @@ void Expander::expand_call(const Node& node, std::string_view name, Names names,
   append_content(body, out);
 }
 
-void Expander::bind_attributes(const Node& node, const Macro& macro, Names names, Scope& scope, std::vector<bool>& given) {
+void Expander::bind_attributes(const Node& node, const Macro& macro, Names names, Scope& scope,
+                               std::vector<bool>& given) {
   for (const NodeAttribute& attribute : node.attributes) {
     std::size_t i = 0;
     while (i < given.size() && (given[i] || macro.parameters[i].name != attribute.name)) ++i;
     if (i == given.size()) {
       std::vector<std::string_view> candidates;
       for (const MacroParameter& parameter : macro.parameters) candidates.push_back(parameter.name);
-      report(FactKind::kUnknownParameter, attribute.where, std::string(attribute.name), std::string(macro.name), macro.body->where.span);
+      report(FactKind::kUnknownParameter, attribute.where, std::string(attribute.name),
+             std::string(macro.name), macro.body->where.span);
       continue;
     }
     given[i] = true;
@@ -138,7 +141,8 @@ void Expander::bind_attributes(const Node& node, const Macro& macro, Names names
   }
 }
 
-void Expander::bind_blocks(const Node& node, const Macro& macro, const Node& content, Scope& scope, std::vector<bool>& given) {
+void Expander::bind_blocks(const Node& node, const Macro& macro, const Node& content, Scope& scope,
+                           std::vector<bool>& given) {
   const Node* block = content.first_element();
   for (std::size_t i = 0; i < given.size(); ++i) {
     const MacroParameter& parameter = macro.parameters[i];
@@ -152,21 +156,26 @@ void Expander::bind_blocks(const Node& node, const Macro& macro, const Node& con
       binding.place = block->where;
       block = block->next_element();
     } else {
-      report(FactKind::kMissingBlock, node.where, std::string(parameter.name), std::string(macro.name), macro.body->where.span);
+      report(FactKind::kMissingBlock, node.where, std::string(parameter.name),
+             std::string(macro.name), macro.body->where.span);
     }
     scope.own()[parameter.symbol] = binding;
   }
-  if (block != nullptr) report(FactKind::kUnusedBlock, block->where, std::string(block->name), std::string(macro.name), macro.body->where.span);
+  if (block != nullptr)
+    report(FactKind::kUnusedBlock, block->where, std::string(block->name), std::string(macro.name),
+           macro.body->where.span);
 }
 
-void Expander::bind_defaults(const Node& node, const Macro& macro, Names caller, Names own, Scope& scope, const std::vector<bool>& given) {
+void Expander::bind_defaults(const Node& node, const Macro& macro, Names caller, Names own,
+                             Scope& scope, const std::vector<bool>& given) {
   for (std::size_t i = 0; i < given.size(); ++i) {
     const MacroParameter& parameter = macro.parameters[i];
     if (given[i]) continue;
     Binding binding;
     binding.place = parameter.place;
     Value value = Value::error();
-    const std::optional<Value> outer = parameter.forwards ? look_up(*caller.values, parameter.symbol) : std::nullopt;
+    const std::optional<Value> outer =
+        parameter.forwards ? look_up(*caller.values, parameter.symbol) : std::nullopt;
     if (outer) {
       value = *outer;
       binding.from = used_;
@@ -175,7 +184,8 @@ void Expander::bind_defaults(const Node& node, const Macro& macro, Names caller,
       value = evaluate(parameter.text, *own.values, parameter.place);
       if (templates_.of(parameter.text).is_reference) binding.from = used_;
     } else if (!incomplete_ || !parameter.forwards) {
-      report(FactKind::kMissingParameter, node.where, std::string(parameter.name), std::string(macro.name), macro.body->where.span);
+      report(FactKind::kMissingParameter, node.where, std::string(parameter.name),
+             std::string(macro.name), macro.body->where.span);
     }
     bind(scope, parameter.symbol, value, binding);
   }
@@ -188,7 +198,9 @@ std::uint32_t Expander::push_call_frame(const Node& node, const Macro& macro, Sc
     if (binding == nullptr) continue;
     const Value v = binding->value;
     const bool plain = v.is_number() || v.is(Type::kNone);
-    std::string text = v.is_text() ? std::string(v.as_text().substr(0, kShownValueBytes)) : plain ? evaluator_.text_of(v).value_or("…") : "…";
+    std::string text = v.is_text() ? std::string(v.as_text().substr(0, kShownValueBytes))
+                       : plain     ? evaluator_.text_of(v).value_or("…")
+                                   : "…";
     if (v.is_text() && v.size > kShownValueBytes) text += "…";
     frame.parameters.emplace_back(parameter.name, std::move(text));
   }

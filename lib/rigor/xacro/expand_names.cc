@@ -22,8 +22,11 @@ void Expander::define_property(const Node& node, Names names, Node& out) {
   const auto name = evaluate_text(name_attribute->value, *names.values, name_attribute->where);
   if (!name) return;
   const std::string key(*name);
-  if (!is_identifier(key)) return report(FactKind::kBadName, name_attribute->where, key, "it is no identifier of Python");
-  if (key.starts_with("__")) return report(FactKind::kBadName, name_attribute->where, key, "it starts with a double underscore");
+  if (!is_identifier(key))
+    return report(FactKind::kBadName, name_attribute->where, key, "it is no identifier of Python");
+  if (key.starts_with("__"))
+    return report(FactKind::kBadName, name_attribute->where, key,
+                  "it starts with a double underscore");
   const NodeAttribute* value = node.attribute("value");
   const NodeAttribute* otherwise = node.attribute("default");
   const NodeAttribute* scope = node.attribute("scope");
@@ -58,7 +61,8 @@ void Expander::define_property(const Node& node, Names names, Node& out) {
   } else if (scope != nullptr && scope->value == "parent") {
     const bool in_macro = target->kind() != ScopeKind::kNamespace;
     target = target->parent();
-    while (in_macro && target != nullptr && target->kind() == ScopeKind::kNamespace) target = target->parent();
+    while (in_macro && target != nullptr && target->kind() == ScopeKind::kNamespace)
+      target = target->parent();
     if (target == nullptr) return report(FactKind::kNoParentScope, scope->where, key);
     lazy = false;
   }
@@ -97,9 +101,12 @@ void Expander::define_macro(const Node& node, Names names, Node& out) {
   check_known(node, {"name", "params"});
   if (name_attribute == nullptr) return;
   std::string_view name = name_attribute->value;
-  if (name == "call") return report(FactKind::kBadName, name_attribute->where, "call", "xacro:call is a tag of xacro's own");
+  if (name == "call")
+    return report(FactKind::kBadName, name_attribute->where, "call",
+                  "xacro:call is a tag of xacro's own");
   if (name.find('.') != std::string_view::npos) {
-    return report(FactKind::kBadName, name_attribute->where, std::string(name), "a dot separates namespaces");
+    return report(FactKind::kBadName, name_attribute->where, std::string(name),
+                  "a dot separates namespaces");
   }
   if (name.starts_with("xacro:")) {
     report(FactKind::kDeprecatedMacroName, name_attribute->where, std::string(name));
@@ -114,13 +121,15 @@ void Expander::define_macro(const Node& node, Names names, Node& out) {
     for (std::size_t i = 0; i < macro.parameters.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         if (macro.parameters[i].symbol != macro.parameters[j].symbol) continue;
-        report(FactKind::kRepeatedParameter, params->where, std::string(macro.parameters[i].name), std::string(name));
+        report(FactKind::kRepeatedParameter, params->where, std::string(macro.parameters[i].name),
+               std::string(name));
       }
     }
   }
   MacroEntry& entry = names.macros->own()[symbols_.of(name)];
   if (entry.macro != nullptr && entry.macro->body != &node) {
-    report(FactKind::kRedefinedMacro, name_attribute->where, std::string(name), {}, entry.macro->body->where.span);
+    report(FactKind::kRedefinedMacro, name_attribute->where, std::string(name), {},
+           entry.macro->body->where.span);
   }
   entry = {&macro, nullptr};
 }
@@ -175,9 +184,11 @@ void Expander::expand_include(const Node& node, Names names, Node& out) {
   } else {
     const std::string path = absolute_path(*written);
     if (is_file_pattern(path)) {
-      const std::vector<std::string> paths = matching_files(world_.disk, path, options_.bounds.files);
+      const std::vector<std::string> paths =
+          matching_files(world_.disk, path, options_.bounds.files);
       if (paths.empty()) report(FactKind::kNoMatch, name->where, path);
-      for (const std::string& match : paths) include_file(node, match, optional, inner, content, out);
+      for (const std::string& match : paths)
+        include_file(node, match, optional, inner, content, out);
     } else {
       include_file(node, path, optional, inner, content, out);
     }
@@ -187,11 +198,14 @@ void Expander::expand_include(const Node& node, Names names, Node& out) {
   append_content(content, out);
 }
 
-void Expander::include_file(const Node& node, const std::string& path, bool optional, Names names, Node& content, Node& out) {
+void Expander::include_file(const Node& node, const std::string& path, bool optional, Names names,
+                            Node& content, Node& out) {
   const Place place = node.attribute("filename")->where;
-  if (file_stack_.size() >= options_.bounds.include_depth || files_.size() >= options_.bounds.files) {
+  if (file_stack_.size() >= options_.bounds.include_depth ||
+      files_.size() >= options_.bounds.files) {
     const bool again = std::find(file_stack_.begin(), file_stack_.end(), path) != file_stack_.end();
-    report(again ? FactKind::kIncludeCycle : FactKind::kBoundReached, place, path, "the number of includes");
+    report(again ? FactKind::kIncludeCycle : FactKind::kBoundReached, place, path,
+           "the number of includes");
     stopped_ = true;
     return;
   }
@@ -202,7 +216,8 @@ void Expander::include_file(const Node& node, const std::string& path, bool opti
     incomplete_ = true;
     return;
   }
-  for (const NotWellFormed& fault : file.tree.faults) report(FactKind::kNotWellFormed, {fault.where, true}, path, fault.detail);
+  for (const NotWellFormed& fault : file.tree.faults)
+    report(FactKind::kNotWellFormed, {fault.where, true}, path, fault.detail);
   incomplete_ = incomplete_ || !file.tree.faults.empty();
   if (file.tree.root == nullptr) return;
   const std::uint32_t outer = frame_;

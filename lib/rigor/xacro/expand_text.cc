@@ -17,7 +17,8 @@ namespace rigor::xacro {
 Value Expander::evaluate(std::string_view text, Scope& scope, Place place) {
   if (text.find('$') == std::string_view::npos) return Value::text(text);
   const TextTemplate& parts = templates_.of(text);
-  if (parts.segments.size() == 1 && !parts.trouble) return evaluate_segment(parts.segments[0], scope, place);
+  if (parts.segments.size() == 1 && !parts.trouble)
+    return evaluate_segment(parts.segments[0], scope, place);
   std::string joined;
   bool whole = true;
   for (const TextSegment& segment : parts.segments) {
@@ -31,7 +32,8 @@ Value Expander::evaluate(std::string_view text, Scope& scope, Place place) {
     joined += *piece;
   }
   if (parts.trouble) {
-    report(FactKind::kBadText, place.part(*parts.trouble, *parts.trouble + 2), std::string(text.substr(*parts.trouble, 40)));
+    report(FactKind::kBadText, place.part(*parts.trouble, *parts.trouble + 2),
+           std::string(text.substr(*parts.trouble, 40)));
     whole = false;
   }
   if (!whole) return Value::error();
@@ -45,28 +47,33 @@ Value Expander::evaluate_segment(const TextSegment& segment, Scope& scope, Place
   const std::size_t begin = segment.begin + segment.skipped;
   if (segment.expression != nullptr) {
     const std::string_view text = segment.expression->text;
-    return evaluate_expression(text, *segment.expression, scope, place.part(begin, begin + text.size()));
+    return evaluate_expression(text, *segment.expression, scope,
+                               place.part(begin, begin + text.size()));
   }
   const Place inside = place.part(segment.begin, segment.begin + segment.text.size());
   if (segment.kind == TextSegment::Kind::kCommand) return run_command(segment.text, scope, inside);
   const auto text = evaluate_text(segment.text, scope, inside);
   if (!text) return Value::error();
   const std::string_view expression = stripped(*text);
-  return evaluate_expression(expression, templates_.expression(expression), scope, {inside.span, false});
+  return evaluate_expression(expression, templates_.expression(expression), scope,
+                             {inside.span, false});
 }
 
-Value Expander::evaluate_expression(std::string_view, const Expression& expression, Scope& scope, Place place) {
+Value Expander::evaluate_expression(std::string_view, const Expression& expression, Scope& scope,
+                                    Place place) {
   const Span outer = std::exchange(reader_, place.span);
   const Value v = evaluator_.evaluate(expression, scope);
   reader_ = outer;
   if (const auto failure = evaluator_.take_failure()) {
-    report_failure(*failure, place.part(failure->begin, std::max(failure->end, failure->begin + 1)));
+    report_failure(*failure,
+                   place.part(failure->begin, std::max(failure->end, failure->begin + 1)));
     return Value::error();
   }
   return v;
 }
 
-std::optional<std::string_view> Expander::evaluate_text(std::string_view text, Scope& scope, Place place) {
+std::optional<std::string_view> Expander::evaluate_text(std::string_view text, Scope& scope,
+                                                        Place place) {
   if (text.find('$') == std::string_view::npos) return text;
   const Value v = evaluate(text, scope, place);
   if (v.failed()) return std::nullopt;
@@ -81,7 +88,9 @@ std::optional<bool> Expander::evaluate_condition(std::string_view text, Scope& s
   const Value v = evaluate(text, scope, place);
   if (v.failed()) return std::nullopt;
   const std::optional<bool> is = boolean_value(heap_, v);
-  if (!is) report(FactKind::kNotBoolean, place, std::string(v.is_text() ? v.as_text() : std::string_view{}));
+  if (!is)
+    report(FactKind::kNotBoolean, place,
+           std::string(v.is_text() ? v.as_text() : std::string_view{}));
   return is;
 }
 
@@ -99,7 +108,8 @@ std::optional<Value> Expander::look_up(Scope& scope, Symbol name) {
       const std::string_view function = v.function_->name;
       const bool python = function == "sorted" || function == "range";
       if (python || function == "load_yaml" || function == "abs_filename" || function == "dotify") {
-        report(FactKind::kDeprecatedFunction, {reader_, false}, std::string(function), python ? "python" : "xacro");
+        report(FactKind::kDeprecatedFunction, {reader_, false}, std::string(function),
+               python ? "python" : "xacro");
       }
     }
     return v;
@@ -115,8 +125,11 @@ Value Expander::resolve(Binding& binding, Symbol name, Scope& scope) {
       std::string cycle;
       const auto first = std::find(resolving_.begin(), resolving_.end(), symbols_.name(name));
       for (auto it = first; it != resolving_.end(); ++it) cycle += std::string(*it) + " -> ";
-      if (binding.resolving) return evaluator_.fail(FactKind::kCycle, std::string(symbols_.name(name)), cycle + std::string(symbols_.name(name)));
-      return evaluator_.fail(FactKind::kBoundReached, {}, "the number of properties that need each other");
+      if (binding.resolving)
+        return evaluator_.fail(FactKind::kCycle, std::string(symbols_.name(name)),
+                               cycle + std::string(symbols_.name(name)));
+      return evaluator_.fail(FactKind::kBoundReached, {},
+                             "the number of properties that need each other");
     }
     binding.resolving = true;
     resolving_.push_back(symbols_.name(name));
@@ -136,7 +149,8 @@ Value Expander::resolve(Binding& binding, Symbol name, Scope& scope) {
 Value Expander::load_yaml(std::string_view written) {
   const std::string path = absolute_path(written);
   const auto known = yaml_.find(path);
-  if (known != yaml_.end()) return known->second.value.failed() ? Value::error() : heap_.wrapped(known->second.value);
+  if (known != yaml_.end())
+    return known->second.value.failed() ? Value::error() : heap_.wrapped(known->second.value);
   Yaml& file = yaml_[path];
   file.value = Value::error();
   ReadResult read = world_.disk.read(path, options_.bounds.file_bytes);
@@ -144,12 +158,15 @@ Value Expander::load_yaml(std::string_view written) {
   file.source = sources_.add(path, std::move(*read.bytes));
   result_.files.push_back({path, file.source});
   Scope empty(nullptr, ScopeKind::kFile);
-  const YamlResult result = read_yaml(sources_.bytes(file.source), file.source, heap_, [&](std::string_view text, Span where) {
-    const std::string_view expression = stripped(text);
-    return evaluate_expression(expression, templates_.expression(expression), empty, {where, where.size() == expression.size()});
-  });
+  const YamlResult result = read_yaml(
+      sources_.bytes(file.source), file.source, heap_, [&](std::string_view text, Span where) {
+        const std::string_view expression = stripped(text);
+        return evaluate_expression(expression, templates_.expression(expression), empty,
+                                   {where, where.size() == expression.size()});
+      });
   if (result.trouble) {
-    report(result.trouble->kind, {result.trouble->where, true}, path, result.trouble->detail, reader_);
+    report(result.trouble->kind, {result.trouble->where, true}, path, result.trouble->detail,
+           reader_);
     return Value::error();
   }
   file.value = result.value;

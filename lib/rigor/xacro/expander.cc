@@ -17,8 +17,9 @@ namespace {
 constexpr std::string_view kPrefix = "xacro:";
 
 /// What the reference has without a module's name before it.
-constexpr std::string_view kGlobalFunctions[] = {"list", "dict", "map", "len", "str", "float", "int", "bool",
-                                                 "min", "max", "round", "sorted", "range"};
+constexpr std::string_view kGlobalFunctions[] = {"list",  "dict",   "map",  "len", "str",
+                                                 "float", "int",    "bool", "min", "max",
+                                                 "round", "sorted", "range"};
 constexpr std::string_view kGlobalXacroFunctions[] = {"load_yaml", "abs_filename", "dotify"};
 
 }  // namespace
@@ -63,7 +64,8 @@ Expansion Expander::run(const std::string& path) {
   } else {
     result_.frames[0].where = {file.source, 0, 0};
     file_stack_.push_back(file.path);
-    for (const NotWellFormed& fault : file.tree.faults) report(FactKind::kNotWellFormed, {fault.where, true}, path, fault.detail);
+    for (const NotWellFormed& fault : file.tree.faults)
+      report(FactKind::kNotWellFormed, {fault.where, true}, path, fault.detail);
     if (file.tree.root != nullptr) expand_document(file);
     if (!stopped_ && !incomplete_) report_unused();
   }
@@ -83,7 +85,8 @@ void Expander::expand_document(const File& file) {
     }
     result_.root = &made;
     Node root = *node;
-    if (const NodeAttribute* target = node->attribute("xacro:targetNamespace"); target != nullptr && !target->value.empty()) {
+    if (const NodeAttribute* target = node->attribute("xacro:targetNamespace");
+        target != nullptr && !target->value.empty()) {
       NodeAttribute xmlns = *target;
       xmlns.name = "xmlns";
       root.set_attribute(xmlns);
@@ -164,7 +167,8 @@ void Expander::expand_children(const Node& source, Names names, Node& out) {
         }
         Node& made = new_node(*child);
         made.text = child->text;
-        if (in_comments) made.text = evaluate_text(child->text, *names.values, child->where).value_or(child->text);
+        if (in_comments)
+          made.text = evaluate_text(child->text, *names.values, child->where).value_or(child->text);
         out.append(made);
         continue;
       }
@@ -217,7 +221,8 @@ void Expander::expand_attributes(const Node& node, Names names, Node& out) {
 
 void Expander::check_attributes(const Node& node, Names names) {
   for (const NodeAttribute& attribute : node.attributes) {
-    if (attribute.name.starts_with(kPrefix) || attribute.value.find('$') == std::string_view::npos) continue;
+    if (attribute.name.starts_with(kPrefix) || attribute.value.find('$') == std::string_view::npos)
+      continue;
     evaluate_text(attribute.value, *names.values, attribute.where);
   }
 }
@@ -228,7 +233,8 @@ void Expander::expand_renamed(const Node& node, Names names, Node& out) {
   const auto tag = evaluate_text(name->value, *names.values, name->where);
   if (!tag) return;
   if (tag->empty()) return report(FactKind::kBadName, name->where, "xacro:element", "it is empty");
-  if (*tag == "xacro:element") return report(FactKind::kBadName, name->where, "xacro:element", "it is its own");
+  if (*tag == "xacro:element")
+    return report(FactKind::kBadName, name->where, "xacro:element", "it is its own");
   expand_element(node, *tag, names, out);
 }
 
@@ -240,7 +246,8 @@ void Expander::expand_attribute_tag(const Node& node, Names names, Node& out) {
   used_ = {};
   const auto text = evaluate_text(value->value, *names.values, value->where);
   if (!key || !text) return;
-  if (key->empty()) return report(FactKind::kBadName, name->where, "xacro:attribute", "it is empty");
+  if (key->empty())
+    return report(FactKind::kBadName, name->where, "xacro:attribute", "it is empty");
   if (out.name.empty()) report(FactKind::kLostAttribute, node.where, std::string(*key));
   out.set_attribute({*key, *text, value->where, used_});
 }
@@ -307,7 +314,8 @@ void Expander::define_argument(const Node& node, Names names, Node& out) {
   if (found == arguments_.end()) {
     used_ = {};
     const auto text = evaluate_text(value->value, *names.values, value->where);
-    arguments_.emplace(name->value, Argument{text.value_or(std::string_view{}), value->where, !text, false});
+    arguments_.emplace(name->value,
+                       Argument{text.value_or(std::string_view{}), value->where, !text, false});
   } else if (found->second.given && found->second.place.span.nowhere()) {
     found->second.place = name->where;
   }
@@ -351,7 +359,8 @@ void Expander::lift_namespaces(const Node& from, Node& to) {
     if (!attribute.name.starts_with("xmlns:")) continue;
     const NodeAttribute* other = to.attribute(attribute.name);
     if (other != nullptr && other->value != attribute.value) {
-      report(FactKind::kNamespaceConflict, attribute.where, std::string(attribute.name), std::string(other->value), other->where.span);
+      report(FactKind::kNamespaceConflict, attribute.where, std::string(attribute.name),
+             std::string(other->value), other->where.span);
     } else {
       to.set_attribute(attribute);
     }

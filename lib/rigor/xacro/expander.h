@@ -95,23 +95,28 @@ class Expander final : public Host {
   void bind(Scope& scope, Symbol symbol, Value value, Binding binding);
   void define_macro(const Node& node, Names names, Node& out);
   void expand_include(const Node& node, Names names, Node& out);
-  void include_file(const Node& node, const std::string& path, bool optional, Names names, Node& content, Node& out);
+  void include_file(const Node& node, const std::string& path, bool optional, Names names,
+                    Node& content, Node& out);
   File& file_at(const std::string& path);
 
   // expand_call.cc: calls of macros.
   void expand_call(const Node& node, std::string_view name, Names names, Node& out);
   void expand_dynamic_call(const Node& node, Names names, Node& out);
   Macro* find_macro(std::string_view name, Names& names);
-  void bind_attributes(const Node& node, const Macro& macro, Names names, Scope& scope, std::vector<bool>& given);
-  void bind_blocks(const Node& node, const Macro& macro, const Node& content, Scope& scope, std::vector<bool>& given);
-  void bind_defaults(const Node& node, const Macro& macro, Names caller, Names own, Scope& scope, const std::vector<bool>& given);
+  void bind_attributes(const Node& node, const Macro& macro, Names names, Scope& scope,
+                       std::vector<bool>& given);
+  void bind_blocks(const Node& node, const Macro& macro, const Node& content, Scope& scope,
+                   std::vector<bool>& given);
+  void bind_defaults(const Node& node, const Macro& macro, Names caller, Names own, Scope& scope,
+                     const std::vector<bool>& given);
   std::uint32_t push_call_frame(const Node& node, const Macro& macro, Scope& scope);
   std::string macro_near(std::string_view name, MacroScope& macros);
 
   // expand_text.cc: texts, expressions and commands.
   Value evaluate(std::string_view text, Scope& scope, Place place);
   Value evaluate_segment(const TextSegment& segment, Scope& scope, Place place);
-  Value evaluate_expression(std::string_view text, const Expression& expression, Scope& scope, Place place);
+  Value evaluate_expression(std::string_view text, const Expression& expression, Scope& scope,
+                            Place place);
   /// `str` of it; nothing on failure.
   std::optional<std::string_view> evaluate_text(std::string_view text, Scope& scope, Place place);
   std::optional<bool> evaluate_condition(std::string_view text, Scope& scope, Place place);
@@ -120,11 +125,13 @@ class Expander final : public Host {
   // substitution.cc: `$(…)`.
   Value run_command(std::string_view command, Scope& scope, Place place);
   std::optional<std::string> substitute(std::string_view text, bool only_find, Place place);
-  std::optional<std::string> substitution_of(std::string_view command, std::string_view rest, Place place);
+  std::optional<std::string> substitution_of(std::string_view command, std::string_view rest,
+                                             Place place);
   Value evaluate_eval(std::string_view text, Place place);
 
   // reporting.cc
-  void report(FactKind kind, Place place, std::string name = {}, std::string detail = {}, Span related = {});
+  void report(FactKind kind, Place place, std::string name = {}, std::string detail = {},
+              Span related = {});
   void report_failure(const Failure& failure, Place place);
   void report_unused();
   const NodeAttribute* required(const Node& node, std::string_view attribute);
@@ -168,7 +175,8 @@ class Expander final : public Host {
   bool name_spaces_made_ = false;  // so scopes may be referred to after their calls
   bool incomplete_ = false;        // a file is missing, so names may be
   bool stopped_ = false;           // a bound was reached
-  std::map<std::pair<FactKind, std::pair<std::uint64_t, std::uint32_t>>, std::size_t> fact_by_place_;
+  std::map<std::pair<FactKind, std::pair<std::uint64_t, std::uint32_t>>, std::size_t>
+      fact_by_place_;
 };
 
 }  // namespace rigor::xacro

@@ -22,39 +22,61 @@ class Heap;
 
 enum class Op : std::uint8_t {
   kConstant,
-  kName,         ///< `symbol`
-  kOr,           ///< a, b
+  kName,  ///< `symbol`
+  kOr,    ///< a, b
   kAnd,
-  kNot,          ///< a
-  kCompare,      ///< a first operand, list b of operators' nodes
-  kComparison,   ///< `operation` with a right operand a, within a kCompare
-  kBinary,       ///< a, b, `operation`
-  kUnary,        ///< a, `operation`
-  kConditional,  ///< a if b else c
-  kAttribute,    ///< a, `symbol`
-  kSubscript,    ///< a[b]
-  kSlice,        ///< a:b:c, each may be kNoNode
-  kCall,         ///< a called with list b
-  kStarred,      ///< *a, in calls and lists
-  kDoubleStarred,///< **a
-  kKeyword,      ///< symbol=a, in calls
-  kList,         ///< list b
+  kNot,            ///< a
+  kCompare,        ///< a first operand, list b of operators' nodes
+  kComparison,     ///< `operation` with a right operand a, within a kCompare
+  kBinary,         ///< a, b, `operation`
+  kUnary,          ///< a, `operation`
+  kConditional,    ///< a if b else c
+  kAttribute,      ///< a, `symbol`
+  kSubscript,      ///< a[b]
+  kSlice,          ///< a:b:c, each may be kNoNode
+  kCall,           ///< a called with list b
+  kStarred,        ///< *a, in calls and lists
+  kDoubleStarred,  ///< **a
+  kKeyword,        ///< symbol=a, in calls
+  kList,           ///< list b
   kTuple,
   kSet,
-  kDictionary,   ///< list b: key, value, key, value …; kDoubleStarred with kNoNode behind it
-  kListOf,       ///< comprehensions: element a (value c of a dictionary), list b of clauses
+  kDictionary,  ///< list b: key, value, key, value …; kDoubleStarred with kNoNode behind it
+  kListOf,      ///< comprehensions: element a (value c of a dictionary), list b of clauses
   kSetOf,
   kDictionaryOf,
   kGenerator,
-  kFor,          ///< clause: target a in b
-  kFilter,       ///< clause: if a
+  kFor,     ///< clause: target a in b
+  kFilter,  ///< clause: if a
 };
 
 enum class Operation : std::uint8_t {
-  kAdd, kSubtract, kMultiply, kDivide, kFloorDivide, kModulo, kPower, kMatrix,
-  kShiftLeft, kShiftRight, kBitAnd, kBitOr, kBitXor,
-  kNegate, kPlus, kInvert,
-  kLess, kLessEqual, kGreater, kGreaterEqual, kEqual, kNotEqual, kIn, kNotIn, kIs, kIsNot,
+  kAdd,
+  kSubtract,
+  kMultiply,
+  kDivide,
+  kFloorDivide,
+  kModulo,
+  kPower,
+  kMatrix,
+  kShiftLeft,
+  kShiftRight,
+  kBitAnd,
+  kBitOr,
+  kBitXor,
+  kNegate,
+  kPlus,
+  kInvert,
+  kLess,
+  kLessEqual,
+  kGreater,
+  kGreaterEqual,
+  kEqual,
+  kNotEqual,
+  kIn,
+  kNotIn,
+  kIs,
+  kIsNot,
 };
 
 /// As it is written: "+", "not in".

@@ -61,7 +61,9 @@ struct Search {
 
 }  // namespace
 
-bool is_file_pattern(std::string_view path) { return path.find_first_of("*[?") != std::string_view::npos; }
+bool is_file_pattern(std::string_view path) {
+  return path.find_first_of("*[?") != std::string_view::npos;
+}
 
 bool matches_part(std::string_view name, std::string_view pattern) {
   std::size_t n = 0;
@@ -75,9 +77,11 @@ bool matches_part(std::string_view name, std::string_view pattern) {
       continue;
     }
     if (n < name.size() && p < pattern.size()) {
-      const std::size_t set_end = pattern[p] == '[' ? end_of_set(pattern, p + 1) : std::string_view::npos;
+      const std::size_t set_end =
+          pattern[p] == '[' ? end_of_set(pattern, p + 1) : std::string_view::npos;
       const bool set = set_end != std::string_view::npos;
-      if (set ? in_set(name[n], pattern.substr(p + 1, set_end - p - 1)) : pattern[p] == '?' || pattern[p] == name[n]) {
+      if (set ? in_set(name[n], pattern.substr(p + 1, set_end - p - 1))
+              : pattern[p] == '?' || pattern[p] == name[n]) {
         ++n;
         p = set ? set_end + 1 : p + 1;
         continue;
@@ -90,7 +94,8 @@ bool matches_part(std::string_view name, std::string_view pattern) {
   return true;
 }
 
-std::vector<std::string> matching_files(const Disk& disk, std::string_view pattern, std::size_t most) {
+std::vector<std::string> matching_files(const Disk& disk, std::string_view pattern,
+                                        std::size_t most) {
   Search search{disk, most, {}};
   const bool rooted = pattern.starts_with('/');
   search.run(rooted ? "/" : "", rooted ? pattern.substr(1) : pattern);

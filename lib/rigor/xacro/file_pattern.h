@@ -17,7 +17,8 @@ namespace rigor::xacro {
 bool is_file_pattern(std::string_view path);
 
 /// Paths in the order of their bytes, at most `most` of them.
-std::vector<std::string> matching_files(const Disk& disk, std::string_view pattern, std::size_t most);
+std::vector<std::string> matching_files(const Disk& disk, std::string_view pattern,
+                                        std::size_t most);
 
 /// Whether a part of a path matches; what it costs is bounded by the product of the lengths.
 bool matches_part(std::string_view name, std::string_view pattern);

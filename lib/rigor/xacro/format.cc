@@ -32,7 +32,8 @@ struct FormatSpec {
 };
 
 std::string grouped(std::string digits, char separator, std::size_t every) {
-  const std::size_t end = std::min(digits.find_first_not_of("0123456789abcdefABCDEF"), digits.size());
+  const std::size_t end =
+      std::min(digits.find_first_not_of("0123456789abcdefABCDEF"), digits.size());
   for (std::size_t at = end; at > every; at -= every) digits.insert(at - every, 1, separator);
   return digits;
 }
@@ -61,7 +62,8 @@ std::string real_body(double magnitude, const FormatSpec& spec) {
   const char type = lower(spec.type);
   std::string body;
   if (type == 'f' || type == '%') {
-    body = fixed_text(type == '%' ? magnitude * 100 : magnitude, spec.precision < 0 ? 6 : spec.precision);
+    body = fixed_text(type == '%' ? magnitude * 100 : magnitude,
+                      spec.precision < 0 ? 6 : spec.precision);
     if (type == '%') body += '%';
   } else if (type == 'e') {
     body = exponent_text(magnitude, spec.precision < 0 ? 6 : spec.precision);
@@ -100,13 +102,15 @@ std::optional<std::string> integer_body(Evaluator& evaluator, Value v, const For
 
 std::optional<std::string> formatted(Evaluator& evaluator, Value v, const FormatSpec& spec) {
   constexpr std::string_view kReals = "eEfFgGn%";
-  if (v.is(Type::kReal) || (v.is_integral() && spec.type != 0 && kReals.find(spec.type) != std::string_view::npos)) {
+  if (v.is(Type::kReal) ||
+      (v.is_integral() && spec.type != 0 && kReals.find(spec.type) != std::string_view::npos)) {
     const double d = v.is(Type::kReal) ? v.real_ : integer_to_double(v);
     if (spec.type != 0 && kReals.find(spec.type) == std::string_view::npos) {
       evaluator.wrong_value(std::string("no format '") + spec.type + "' for a float");
       return std::nullopt;
     }
-    return padded(sign_of(std::signbit(d) && !std::isnan(d), spec), real_body(std::fabs(d), spec), spec, '>');
+    return padded(sign_of(std::signbit(d) && !std::isnan(d), spec), real_body(std::fabs(d), spec),
+                  spec, '>');
   }
   if (v.is_integral() && !(v.is(Type::kBool) && spec.type == 0)) {
     constexpr std::string_view kIntegers = "dboxX";
@@ -119,12 +123,14 @@ std::optional<std::string> formatted(Evaluator& evaluator, Value v, const Format
     return padded(sign_of(is_negative_integer(v), spec), std::move(*body), spec, '>');
   }
   if (spec.type != 0 && spec.type != 's') {
-    evaluator.wrong_value(std::string("no format '") + spec.type + "' for a " + std::string(type_name(v)));
+    evaluator.wrong_value(std::string("no format '") + spec.type + "' for a " +
+                          std::string(type_name(v)));
     return std::nullopt;
   }
   auto text = evaluator.text_of(v);
   if (!text) return std::nullopt;
-  if (spec.precision >= 0) *text = code_point_range(*text, 0, static_cast<std::size_t>(spec.precision));
+  if (spec.precision >= 0)
+    *text = code_point_range(*text, 0, static_cast<std::size_t>(spec.precision));
   return padded({}, std::move(*text), spec, '<');
 }
 
@@ -178,18 +184,21 @@ double rounded(double d, int digits) {
   // Past these Python has nothing to round, or nothing left.
   if (!std::isfinite(d) || digits > 323) return d;
   if (digits < -308) return std::copysign(0.0, d);
-  if (digits >= 0) return std::copysign(plain_real(fixed_text(std::fabs(d), digits)).value_or(d), d);
+  if (digits >= 0)
+    return std::copysign(plain_real(fixed_text(std::fabs(d), digits)).value_or(d), d);
   const double power = std::pow(10.0, -digits);
   return std::copysign(std::nearbyint(std::fabs(d) / power) * power, d);
 }
 
-std::optional<std::string> format_percent(Evaluator& evaluator, std::string_view format, Value values) {
+std::optional<std::string> format_percent(Evaluator& evaluator, std::string_view format,
+                                          Value values) {
   const auto refuse = [&evaluator](std::string why) {
     evaluator.wrong_type(std::move(why));
     return std::nullopt;
   };
   const bool several = values.is(Type::kTuple);
-  const std::vector<Value> given = several ? values.sequence_->items->values : std::vector<Value>{values};
+  const std::vector<Value> given =
+      several ? values.sequence_->items->values : std::vector<Value>{values};
   std::size_t next = 0;
   bool by_name = false;
   std::string result;
@@ -203,25 +212,32 @@ std::optional<std::string> format_percent(Evaluator& evaluator, std::string_view
     std::optional<Value> value;
     if (at < format.size() && format[at] == '(') {
       const std::size_t close = format.find(')', at);
-      if (close == std::string_view::npos || !values.is(Type::kDictionary)) return refuse("a format that needs a dictionary");
+      if (close == std::string_view::npos || !values.is(Type::kDictionary))
+        return refuse("a format that needs a dictionary");
       by_name = true;
-      value = evaluator.subscript(values, Value::text(evaluator.heap().keep(format.substr(at + 1, close - at - 1))));
+      value = evaluator.subscript(
+          values, Value::text(evaluator.heap().keep(format.substr(at + 1, close - at - 1))));
       if (value->failed()) return std::nullopt;
       at = close + 1;
     }
     bool left = false;
     bool zeros = false;
-    for (; at < format.size() && std::string_view("-+ #0").find(format[at]) != std::string_view::npos; ++at) {
+    for (;
+         at < format.size() && std::string_view("-+ #0").find(format[at]) != std::string_view::npos;
+         ++at) {
       if (format[at] == '-') left = true;
       if (format[at] == '0') zeros = true;
       if (format[at] == '#') spec.alternate = true;
       if (format[at] == '+' || (format[at] == ' ' && spec.sign != '+')) spec.sign = format[at];
     }
     const auto star_or_number = [&](int otherwise) {
-      if (at >= format.size() || format[at] != '*') return at < format.size() ? read_number(format, at) : otherwise;
+      if (at >= format.size() || format[at] != '*')
+        return at < format.size() ? read_number(format, at) : otherwise;
       ++at;
       const Value n = next < given.size() ? given[next++] : Value::none();
-      return n.is_small() ? static_cast<int>(std::clamp<std::int64_t>(n.integer_, 0, kMaxFormatWidth)) : otherwise;
+      return n.is_small()
+                 ? static_cast<int>(std::clamp<std::int64_t>(n.integer_, 0, kMaxFormatWidth))
+                 : otherwise;
     };
     spec.width = star_or_number(0);
     if (at < format.size() && format[at] == '.') {
@@ -243,17 +259,23 @@ std::optional<std::string> format_percent(Evaluator& evaluator, std::string_view
     if (type == 's' || type == 'r') {
       auto text = type == 's' ? evaluator.text_of(*value) : evaluator.repr_of(*value);
       if (!text) return std::nullopt;
-      if (spec.precision >= 0) *text = code_point_range(*text, 0, static_cast<std::size_t>(spec.precision));
+      if (spec.precision >= 0)
+        *text = code_point_range(*text, 0, static_cast<std::size_t>(spec.precision));
       result += padded({}, std::move(*text), spec, '>');
-    } else if (type == 'd' || type == 'i' || type == 'u' || type == 'x' || type == 'X' || type == 'o') {
-      if (!value->is_number() || (value->is(Type::kReal) && (!std::isfinite(value->real_) || lower(type) == 'x' || type == 'o'))) {
+    } else if (type == 'd' || type == 'i' || type == 'u' || type == 'x' || type == 'X' ||
+               type == 'o') {
+      if (!value->is_number() || (value->is(Type::kReal) && (!std::isfinite(value->real_) ||
+                                                             lower(type) == 'x' || type == 'o'))) {
         return refuse(std::string("%") + type + " takes a whole number");
       }
-      const Value whole = value->is(Type::kReal) ? integer_from_double(evaluator.heap(), std::trunc(value->real_)) : *value;
+      const Value whole = value->is(Type::kReal)
+                              ? integer_from_double(evaluator.heap(), std::trunc(value->real_))
+                              : *value;
       spec.type = type == 'i' || type == 'u' ? 'd' : type;
       auto body = integer_body(evaluator, whole, spec);
       if (!body) return std::nullopt;
-      if (spec.precision > static_cast<int>(body->size())) body->insert(0, static_cast<std::size_t>(spec.precision) - body->size(), '0');
+      if (spec.precision > static_cast<int>(body->size()))
+        body->insert(0, static_cast<std::size_t>(spec.precision) - body->size(), '0');
       result += padded(sign_of(is_negative_integer(whole), spec), std::move(*body), spec, '>');
     } else if (std::string_view("eEfFgG").find(type) != std::string_view::npos) {
       if (!value->is_number()) return refuse(std::string("%") + type + " takes a number");
@@ -267,9 +289,11 @@ std::optional<std::string> format_percent(Evaluator& evaluator, std::string_view
       evaluator.wrong_value(std::string("no format %") + type);
       return std::nullopt;
     }
-    if (result.size() > evaluator.bounds().text_bytes || !evaluator.work(1)) return refuse("a text too long");
+    if (result.size() > evaluator.bounds().text_bytes || !evaluator.work(1))
+      return refuse("a text too long");
   }
-  if (next < given.size() && !by_name && !(values.is(Type::kDictionary) || values.is(Type::kList))) {
+  if (next < given.size() && !by_name &&
+      !(values.is(Type::kDictionary) || values.is(Type::kList))) {
     return refuse("more values than the format takes");
   }
   return result;
@@ -305,7 +329,8 @@ std::optional<std::string> format_braces(Evaluator& evaluator, std::string_view 
     }
     FormatSpec spec;
     if (const std::size_t colon = field.find(':'); colon != std::string_view::npos) {
-      if (!parse_format_spec(field.substr(colon + 1), spec)) return refuse("a format's specification that is none");
+      if (!parse_format_spec(field.substr(colon + 1), spec))
+        return refuse("a format's specification that is none");
       field = field.substr(0, colon);
     }
     char conversion = 0;
@@ -320,7 +345,8 @@ std::optional<std::string> format_braces(Evaluator& evaluator, std::string_view 
     std::optional<Value> value;
     if (field.empty() || (field[0] >= '0' && field[0] <= '9')) {
       std::size_t digits = 0;
-      const std::size_t index = field.empty() ? next++ : static_cast<std::size_t>(read_number(field, digits));
+      const std::size_t index =
+          field.empty() ? next++ : static_cast<std::size_t>(read_number(field, digits));
       if (arguments.has(index)) value = arguments.get(index);
     } else {
       value = arguments.find(field);
@@ -334,7 +360,8 @@ std::optional<std::string> format_braces(Evaluator& evaluator, std::string_view 
     const auto text = formatted(evaluator, *value, spec);
     if (!text) return std::nullopt;
     result += *text;
-    if (result.size() > evaluator.bounds().text_bytes || !evaluator.work(1)) return refuse("a text too long");
+    if (result.size() > evaluator.bounds().text_bytes || !evaluator.work(1))
+      return refuse("a text too long");
   }
   return result;
 }

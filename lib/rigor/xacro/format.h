@@ -14,7 +14,8 @@
 namespace rigor::xacro {
 
 /// Nothing on failure, which is recorded.
-std::optional<std::string> format_percent(Evaluator& evaluator, std::string_view format, Value values);
+std::optional<std::string> format_percent(Evaluator& evaluator, std::string_view format,
+                                          Value values);
 std::optional<std::string> format_braces(Evaluator& evaluator, std::string_view format,
                                          const Arguments& arguments);
 

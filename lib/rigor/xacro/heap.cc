@@ -39,7 +39,8 @@ Value Heap::sequence(Type type, std::vector<Value> values) {
   charge(sizeof(Items) + sizeof(Sequence) + values.size() * sizeof(Value));
   Value v;
   v.type = type;
-  v.sequence_ = &sequences_.emplace_back(Sequence{&items_.emplace_back(Items{std::move(values), {}})});
+  v.sequence_ =
+      &sequences_.emplace_back(Sequence{&items_.emplace_back(Items{std::move(values), {}})});
   return v;
 }
 

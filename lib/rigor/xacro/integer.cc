@@ -120,7 +120,8 @@ double scaled(const cpp_int& n, std::int64_t exponent, bool sticky) {
   if (exponent + 64 < -1021) dropped += -1021 - (exponent + 64);
   if (dropped > 64) return 0;
   const std::uint64_t kept = dropped == 64 ? 0 : mantissa >> dropped;
-  const std::uint64_t rest = dropped == 64 ? mantissa : mantissa & ((std::uint64_t{1} << dropped) - 1);
+  const std::uint64_t rest =
+      dropped == 64 ? mantissa : mantissa & ((std::uint64_t{1} << dropped) - 1);
   const std::uint64_t half = std::uint64_t{1} << (dropped - 1);
   const bool up = rest > half || (rest == half && (sticky || (kept & 1U) != 0));
   if (exponent + dropped > 2000) return std::numeric_limits<double>::infinity();
@@ -148,7 +149,8 @@ Value integer_operation(Heap& heap, IntegerOperation operation, Value a, Value b
       if (base == 0 || base == 1) return Value::integer(is_zero_integer(b) ? 1 : a.integer_);
       if (base == -1) return Value::integer(bit_test(cpp_int(abs(wide(b))), 0) ? -1 : 1);
       // |base| is 2 at least, so the result has at least as many bits as the exponent says.
-      if (!b.is_small() || static_cast<std::uint64_t>(b.integer_) * (bits_of(base) - 1) > kMaxIntegerBits) {
+      if (!b.is_small() ||
+          static_cast<std::uint64_t>(b.integer_) * (bits_of(base) - 1) > kMaxIntegerBits) {
         return Value::error();
       }
       return narrowed(heap, boost::multiprecision::pow(base, static_cast<unsigned>(b.integer_)));
@@ -162,7 +164,8 @@ Value integer_operation(Heap& heap, IntegerOperation operation, Value a, Value b
       if (!b.is_small() || b.integer_ > kMaxIntegerBits) {
         return Value::integer(is_negative_integer(a) ? -1 : 0);
       }
-      return narrowed(heap, floor_quotient(wide(a), cpp_int(1) << static_cast<unsigned>(b.integer_)));
+      return narrowed(heap,
+                      floor_quotient(wide(a), cpp_int(1) << static_cast<unsigned>(b.integer_)));
     }
     default: return narrowed(heap, bitwise(operation, wide(a), wide(b)));
   }
@@ -194,7 +197,8 @@ double integer_to_double(Value a) {
 double true_quotient(Value a, Value b) {
   constexpr std::int64_t kExact = std::int64_t{1} << 53U;
   const auto exact = [](Value v) { return v.is_small() && std::abs(v.integer_) <= kExact; };
-  if (exact(a) && exact(b)) return static_cast<double>(a.integer_) / static_cast<double>(b.integer_);
+  if (exact(a) && exact(b))
+    return static_cast<double>(a.integer_) / static_cast<double>(b.integer_);
   cpp_int x = wide(a);
   cpp_int y = wide(b);
   const bool negative = (x < 0) != (y < 0);
@@ -206,7 +210,8 @@ double true_quotient(Value a, Value b) {
       0, static_cast<std::int64_t>(bits_of(y)) - static_cast<std::int64_t>(bits_of(x)) + 66);
   cpp_int quotient;
   cpp_int remainder;
-  boost::multiprecision::divide_qr(cpp_int(x << static_cast<unsigned>(shift)), y, quotient, remainder);
+  boost::multiprecision::divide_qr(cpp_int(x << static_cast<unsigned>(shift)), y, quotient,
+                                   remainder);
   const double result = scaled(quotient, -shift, remainder != 0);
   return negative ? -result : result;
 }

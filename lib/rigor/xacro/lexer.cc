@@ -15,7 +15,8 @@ namespace {
 
 bool is_digit_byte(char c) { return c >= '0' && c <= '9'; }
 bool begins_name(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || static_cast<signed char>(c) < 0;
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
+         static_cast<signed char>(c) < 0;
 }
 bool continues_name(char c) { return begins_name(c) || is_digit_byte(c); }
 
@@ -214,8 +215,7 @@ Token Lexer::operation() {
   if (kSingleOperators.find(text_[begin]) != std::string_view::npos) {
     return token(TokenType::kOperator, begin);
   }
-  return trouble(FactKind::kSyntax, begin,
-                 std::string("the character '") + text_[begin] + "'");
+  return trouble(FactKind::kSyntax, begin, std::string("the character '") + text_[begin] + "'");
 }
 
 }  // namespace rigor::xacro

@@ -19,8 +19,8 @@ struct Token {
   TokenType type = TokenType::kEnd;
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
-  std::string text = {};                   ///< of a text literal, escapes replaced; why there is trouble
-  FactKind trouble = FactKind::kSyntax;    ///< or kOutsideLanguage
+  std::string text = {};  ///< of a text literal, escapes replaced; why there is trouble
+  FactKind trouble = FactKind::kSyntax;  ///< or kOutsideLanguage
 };
 
 class Lexer {

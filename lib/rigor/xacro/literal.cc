@@ -19,7 +19,8 @@ Value literal_value(Heap& heap, Value value) {
   if (text.empty() || text.find('_') != std::string_view::npos) return value;
   // Most texts are names or expressions, which begin as no number does.
   constexpr std::string_view kNumberStarts = "+-.0123456789iInN \t\n\r\f\v";
-  const bool may_be_number = kNumberStarts.find(text[0]) != std::string_view::npos || static_cast<signed char>(text[0]) < 0;
+  const bool may_be_number = kNumberStarts.find(text[0]) != std::string_view::npos ||
+                             static_cast<signed char>(text[0]) < 0;
   if (may_be_number) {
     if (const Value whole = integer_from_text(heap, text); !whole.failed()) return whole;
     if (const auto real = real_from_text(text)) return Value::real(*real);

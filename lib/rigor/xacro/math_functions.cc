@@ -53,7 +53,8 @@ Value binary_math(Evaluator& e, Value, Arguments& a) {
   const auto x = real_argument(e, a.values[0]);
   const auto y = x ? real_argument(e, a.values[1]) : std::nullopt;
   if (!y) return Value::error();
-  return checked(e, F(*x, *y), std::isfinite(*x) && std::isfinite(*y), std::isnan(*x) || std::isnan(*y));
+  return checked(e, F(*x, *y), std::isfinite(*x) && std::isfinite(*y),
+                 std::isnan(*x) || std::isnan(*y));
 }
 
 double to_radians(double x) { return x * (pi / 180.0); }
@@ -68,8 +69,9 @@ double c_fabs(double x) { return std::fabs(x); }
 double c_atan2(double y, double x) { return std::atan2(y, x); }
 /// In 80 bits, so that rounding the result is all that is lost.
 double c_gamma(double x) {
-  return x == std::floor(x) && x <= 0 ? std::numeric_limits<double>::quiet_NaN()
-                                      : static_cast<double>(std::tgamma(static_cast<long double>(x)));
+  return x == std::floor(x) && x <= 0
+             ? std::numeric_limits<double>::quiet_NaN()
+             : static_cast<double>(std::tgamma(static_cast<long double>(x)));
 }
 
 using Unary = double (*)(double);
@@ -90,7 +92,8 @@ constexpr Unary c_expm1 = [](double x) { return std::expm1(x); };
 Value math_lgamma(Evaluator& e, Value, Arguments& a) {
   const auto x = real_argument(e, a.values[0]);
   if (!x) return Value::error();
-  if (*x <= 0 && *x == std::floor(*x) && std::isfinite(*x)) return e.wrong_value("math domain error");
+  if (*x <= 0 && *x == std::floor(*x) && std::isfinite(*x))
+    return e.wrong_value("math domain error");
   int sign = 0;
   return Value::real(static_cast<double>(lgammal_r(static_cast<long double>(*x), &sign)));
 }
@@ -116,7 +119,8 @@ Value logarithm(Evaluator& e, Value v) {
     const double d = integer_to_double(v);
     if (std::isfinite(d)) return Value::real(F(d));
     const auto shift = static_cast<std::int64_t>(integer_bits(v)) - 64;
-    const Value top = integer_operation(e.heap(), IntegerOperation::kShiftRight, v, Value::integer(shift));
+    const Value top =
+        integer_operation(e.heap(), IntegerOperation::kShiftRight, v, Value::integer(shift));
     return Value::real(F(integer_to_double(top)) + static_cast<double>(shift) * F(2.0));
   }
   const auto x = real_argument(e, v);
@@ -142,7 +146,8 @@ Value math_pow(Evaluator& e, Value, Arguments& a) {
   const auto y = x ? real_argument(e, a.values[1]) : std::nullopt;
   if (!y) return Value::error();
   if (*x == 0 && *y < 0 && std::isfinite(*y)) return e.wrong_value("math domain error");
-  return checked(e, std::pow(*x, *y), std::isfinite(*x) && std::isfinite(*y), std::isnan(*x) || std::isnan(*y));
+  return checked(e, std::pow(*x, *y), std::isfinite(*x) && std::isfinite(*y),
+                 std::isnan(*x) || std::isnan(*y));
 }
 
 Value math_fmod(Evaluator& e, Value, Arguments& a) {
@@ -167,8 +172,12 @@ Value to_whole(Evaluator& e, Value, Arguments& a) {
   if (v.is_integral()) return v.is(Type::kBool) ? Value::integer(v.integer_) : v;
   const auto x = real_argument(e, v);
   if (!x) return Value::error();
-  if (!std::isfinite(*x)) return e.wrong_value("no whole number is near " + std::string(std::isnan(*x) ? "nan" : "infinity"));
-  const double whole = R == Rounding::kDown ? std::floor(*x) : R == Rounding::kUp ? std::ceil(*x) : std::trunc(*x);
+  if (!std::isfinite(*x))
+    return e.wrong_value("no whole number is near " +
+                         std::string(std::isnan(*x) ? "nan" : "infinity"));
+  const double whole = R == Rounding::kDown ? std::floor(*x)
+                       : R == Rounding::kUp ? std::ceil(*x)
+                                            : std::trunc(*x);
   return e.number(integer_from_double(e.heap(), whole));
 }
 
@@ -204,7 +213,8 @@ Value math_dist(Evaluator& e, Value, Arguments& a) {
   const auto p = e.items_of(a.values[0]);
   const auto q = p ? e.items_of(a.values[1]) : std::nullopt;
   if (!q) return Value::error();
-  if (p->size() != q->size()) return e.wrong_value("both points must have the same number of dimensions");
+  if (p->size() != q->size())
+    return e.wrong_value("both points must have the same number of dimensions");
   std::vector<Value> parts;
   for (std::size_t i = 0; i < p->size(); ++i) {
     parts.push_back(e.binary(Operation::kSubtract, (*p)[i], (*q)[i]));
@@ -288,7 +298,8 @@ Value greatest_common_divisor(Evaluator& e, Value a, Value b) {
 Value math_gcd(Evaluator& e, Value, Arguments& a) {
   if (!whole_arguments(e, a)) return Value::error();
   Value result = Value::integer(0);
-  for (const Value v : a.values) result = result.failed() ? result : greatest_common_divisor(e, result, v);
+  for (const Value v : a.values)
+    result = result.failed() ? result : greatest_common_divisor(e, result, v);
   return result;
 }
 
@@ -299,7 +310,8 @@ Value math_lcm(Evaluator& e, Value, Arguments& a) {
     if (is_zero_integer(v)) return Value::integer(0);
     const Value divisor = greatest_common_divisor(e, result, v);
     if (divisor.failed()) return divisor;
-    result = e.binary(Operation::kMultiply, result, e.binary(Operation::kFloorDivide, absolute(e, v), divisor));
+    result = e.binary(Operation::kMultiply, result,
+                      e.binary(Operation::kFloorDivide, absolute(e, v), divisor));
     if (result.failed()) return result;
   }
   return result;
@@ -309,7 +321,8 @@ Value math_lcm(Evaluator& e, Value, Arguments& a) {
 Value falling_product(Evaluator& e, Value n, std::int64_t k) {
   Value product = Value::integer(1);
   for (std::int64_t i = 0; i < k && !product.failed(); ++i) {
-    product = e.binary(Operation::kMultiply, product, e.binary(Operation::kSubtract, n, Value::integer(i)));
+    product = e.binary(Operation::kMultiply, product,
+                       e.binary(Operation::kSubtract, n, Value::integer(i)));
   }
   return product;
 }
@@ -346,7 +359,8 @@ Value math_comb(Evaluator& e, Value, Arguments& a) {
   if (!k.is_small() || k.integer_ > kMaxFactors) return e.number(Value::error());
   Value result = Value::integer(1);
   for (std::int64_t i = 0; i < k.integer_ && !result.failed(); ++i) {
-    result = e.binary(Operation::kMultiply, result, e.binary(Operation::kSubtract, n, Value::integer(i)));
+    result = e.binary(Operation::kMultiply, result,
+                      e.binary(Operation::kSubtract, n, Value::integer(i)));
     if (!result.failed()) result = e.binary(Operation::kFloorDivide, result, Value::integer(i + 1));
   }
   return result;
@@ -361,15 +375,17 @@ Value math_isqrt(Evaluator& e, Value, Arguments& a) {
 Value math_isclose(Evaluator& e, Value, Arguments& a) {
   const auto x = real_argument(e, a.values[0]);
   const auto y = x ? real_argument(e, a.values[1]) : std::nullopt;
-  const auto relative = y ? real_argument(e, a.find("rel_tol").value_or(Value::real(1e-9))) : std::nullopt;
-  const auto least = relative ? real_argument(e, a.find("abs_tol").value_or(Value::real(0))) : std::nullopt;
+  const auto relative =
+      y ? real_argument(e, a.find("rel_tol").value_or(Value::real(1e-9))) : std::nullopt;
+  const auto least =
+      relative ? real_argument(e, a.find("abs_tol").value_or(Value::real(0))) : std::nullopt;
   if (!least) return Value::error();
   if (*relative < 0 || *least < 0) return e.wrong_value("a negative tolerance");
   if (*x == *y) return Value::boolean(true);
   if (std::isinf(*x) || std::isinf(*y)) return Value::boolean(false);
   const double difference = std::fabs(*x - *y);
-  return Value::boolean(difference <= std::fabs(*relative * *y) || difference <= std::fabs(*relative * *x) ||
-                        difference <= *least);
+  return Value::boolean(difference <= std::fabs(*relative * *y) ||
+                        difference <= std::fabs(*relative * *x) || difference <= *least);
 }
 
 Value math_frexp(Evaluator& e, Value, Arguments& a) {
@@ -392,7 +408,8 @@ Value math_ldexp(Evaluator& e, Value, Arguments& a) {
   const auto x = real_argument(e, a.values[0]);
   if (!x) return Value::error();
   if (!a.values[1].is_small()) return e.wrong_type("a whole number is due as exponent");
-  const auto exponent = static_cast<int>(std::clamp<std::int64_t>(a.values[1].integer_, -5000, 5000));
+  const auto exponent =
+      static_cast<int>(std::clamp<std::int64_t>(a.values[1].integer_, -5000, 5000));
   return checked(e, std::ldexp(*x, exponent), std::isfinite(*x), std::isnan(*x));
 }
 
@@ -412,35 +429,61 @@ Value math_ulp(Evaluator& e, Value, Arguments& a) {
   return Value::real(std::isinf(above) ? x - std::nextafter(x, 0) : above - x);
 }
 
-constexpr Function kMathFunctions[] = {
-    {"acos", unary<c_acos>, 1, 1},        {"acosh", unary<c_acosh>, 1, 1},
-    {"asin", unary<c_asin>, 1, 1},        {"asinh", unary<c_asinh>, 1, 1},
-    {"atan", unary<c_atan>, 1, 1},        {"atan2", binary_math<c_atan2>, 2, 2},
-    {"atanh", math_atanh, 1, 1},          {"cbrt", unary<c_cbrt>, 1, 1},
-    {"ceil", to_whole<Rounding::kUp>, 1, 1}, {"comb", math_comb, 2, 2},
-    {"copysign", binary_math<c_copysign>, 2, 2}, {"cos", unary<c_cos>, 1, 1},
-    {"cosh", unary<c_cosh>, 1, 1},        {"degrees", unary<to_degrees>, 1, 1},
-    {"dist", math_dist, 2, 2},            {"erf", unary<c_erf>, 1, 1},
-    {"erfc", unary<c_erfc>, 1, 1},        {"exp", unary<c_exp>, 1, 1},
-    {"exp2", unary<c_exp2>, 1, 1},        {"expm1", unary<c_expm1>, 1, 1},
-    {"fabs", unary<c_fabs>, 1, 1},        {"factorial", math_factorial, 1, 1},
-    {"floor", to_whole<Rounding::kDown>, 1, 1}, {"fmod", math_fmod, 2, 2},
-    {"frexp", math_frexp, 1, 1},          {"fsum", math_fsum, 1, 1},
-    {"gamma", unary<c_gamma>, 1, 1},      {"gcd", math_gcd, 0, kAnyCount},
-    {"hypot", math_hypot, 0, kAnyCount},  {"isclose", math_isclose, 2, 2, "rel_tol abs_tol"},
-    {"isfinite", predicate<c_isfinite>, 1, 1}, {"isinf", predicate<c_isinf>, 1, 1},
-    {"isnan", predicate<c_isnan>, 1, 1},  {"isqrt", math_isqrt, 1, 1},
-    {"lcm", math_lcm, 0, kAnyCount},      {"ldexp", math_ldexp, 2, 2},
-    {"lgamma", math_lgamma, 1, 1},        {"log", math_log, 1, 2},
-    {"log10", math_log10, 1, 1},          {"log1p", math_log1p, 1, 1},
-    {"log2", math_log2, 1, 1},            {"modf", math_modf, 1, 1},
-    {"nextafter", math_nextafter, 2, 2},  {"perm", math_perm, 1, 2},
-    {"pow", math_pow, 2, 2},              {"prod", math_prod, 1, 1, "start"},
-    {"radians", unary<to_radians>, 1, 1}, {"remainder", math_remainder, 2, 2},
-    {"sin", unary<c_sin>, 1, 1},          {"sinh", unary<c_sinh>, 1, 1},
-    {"sqrt", unary<c_sqrt>, 1, 1},        {"tan", unary<c_tan>, 1, 1},
-    {"tanh", unary<c_tanh>, 1, 1},        {"trunc", to_whole<Rounding::kToZero>, 1, 1},
-    {"ulp", math_ulp, 1, 1}};
+constexpr Function kMathFunctions[] = {{"acos", unary<c_acos>, 1, 1},
+                                       {"acosh", unary<c_acosh>, 1, 1},
+                                       {"asin", unary<c_asin>, 1, 1},
+                                       {"asinh", unary<c_asinh>, 1, 1},
+                                       {"atan", unary<c_atan>, 1, 1},
+                                       {"atan2", binary_math<c_atan2>, 2, 2},
+                                       {"atanh", math_atanh, 1, 1},
+                                       {"cbrt", unary<c_cbrt>, 1, 1},
+                                       {"ceil", to_whole<Rounding::kUp>, 1, 1},
+                                       {"comb", math_comb, 2, 2},
+                                       {"copysign", binary_math<c_copysign>, 2, 2},
+                                       {"cos", unary<c_cos>, 1, 1},
+                                       {"cosh", unary<c_cosh>, 1, 1},
+                                       {"degrees", unary<to_degrees>, 1, 1},
+                                       {"dist", math_dist, 2, 2},
+                                       {"erf", unary<c_erf>, 1, 1},
+                                       {"erfc", unary<c_erfc>, 1, 1},
+                                       {"exp", unary<c_exp>, 1, 1},
+                                       {"exp2", unary<c_exp2>, 1, 1},
+                                       {"expm1", unary<c_expm1>, 1, 1},
+                                       {"fabs", unary<c_fabs>, 1, 1},
+                                       {"factorial", math_factorial, 1, 1},
+                                       {"floor", to_whole<Rounding::kDown>, 1, 1},
+                                       {"fmod", math_fmod, 2, 2},
+                                       {"frexp", math_frexp, 1, 1},
+                                       {"fsum", math_fsum, 1, 1},
+                                       {"gamma", unary<c_gamma>, 1, 1},
+                                       {"gcd", math_gcd, 0, kAnyCount},
+                                       {"hypot", math_hypot, 0, kAnyCount},
+                                       {"isclose", math_isclose, 2, 2, "rel_tol abs_tol"},
+                                       {"isfinite", predicate<c_isfinite>, 1, 1},
+                                       {"isinf", predicate<c_isinf>, 1, 1},
+                                       {"isnan", predicate<c_isnan>, 1, 1},
+                                       {"isqrt", math_isqrt, 1, 1},
+                                       {"lcm", math_lcm, 0, kAnyCount},
+                                       {"ldexp", math_ldexp, 2, 2},
+                                       {"lgamma", math_lgamma, 1, 1},
+                                       {"log", math_log, 1, 2},
+                                       {"log10", math_log10, 1, 1},
+                                       {"log1p", math_log1p, 1, 1},
+                                       {"log2", math_log2, 1, 1},
+                                       {"modf", math_modf, 1, 1},
+                                       {"nextafter", math_nextafter, 2, 2},
+                                       {"perm", math_perm, 1, 2},
+                                       {"pow", math_pow, 2, 2},
+                                       {"prod", math_prod, 1, 1, "start"},
+                                       {"radians", unary<to_radians>, 1, 1},
+                                       {"remainder", math_remainder, 2, 2},
+                                       {"sin", unary<c_sin>, 1, 1},
+                                       {"sinh", unary<c_sinh>, 1, 1},
+                                       {"sqrt", unary<c_sqrt>, 1, 1},
+                                       {"tan", unary<c_tan>, 1, 1},
+                                       {"tanh", unary<c_tanh>, 1, 1},
+                                       {"trunc", to_whole<Rounding::kToZero>, 1, 1},
+                                       {"ulp", math_ulp, 1, 1}};
 
 constexpr Constant kMathConstants[] = {{"e", std::numbers::e},
                                        {"inf", kInfinity},

@@ -53,8 +53,8 @@ struct Node {
   Node* next = nullptr;
   Node* first = nullptr;
   Node* last = nullptr;
-  Place where;      ///< the start tag; the text
-  Span from = {};   ///< as of an attribute, of a text
+  Place where;     ///< the start tag; the text
+  Span from = {};  ///< as of an attribute, of a text
 
   const NodeAttribute* attribute(std::string_view wanted) const;
   void set_attribute(NodeAttribute attribute);

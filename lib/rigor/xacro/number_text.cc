@@ -23,7 +23,8 @@ bool is_ascii_digit(char c) { return c >= '0' && c <= '9'; }
 std::string converted(double d, std::chars_format format, int digits) {
   // A double has up to 309 digits before the point and `digits` behind it.
   std::string text(static_cast<std::size_t>(digits) + 330, '\0');
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), d, format, digits);
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), d, format, digits);
   text.resize(error == std::errc() ? static_cast<std::size_t>(end - text.data()) : 0);
   return text;
 }
@@ -45,10 +46,13 @@ int split_exponent(std::string_view text, std::string_view& mantissa) {
 std::optional<std::string> plain_number(std::string_view text, std::string_view digits) {
   text = stripped(text);
   std::string plain;
-  const auto is_digit = [digits](char c) { return digits.find(lower(c)) != std::string_view::npos; };
+  const auto is_digit = [digits](char c) {
+    return digits.find(lower(c)) != std::string_view::npos;
+  };
   for (std::size_t at = 0; at < text.size();) {
     if (text[at] == '_') {
-      if (plain.empty() || !is_digit(plain.back()) || at + 1 == text.size() || text[at + 1] == '_') {
+      if (plain.empty() || !is_digit(plain.back()) || at + 1 == text.size() ||
+          text[at + 1] == '_') {
         return std::nullopt;
       }
       ++at;
@@ -98,7 +102,8 @@ std::string real_to_text(double d) {
     return text + "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
   }
   const auto before = static_cast<std::size_t>(exponent) + 1;
-  if (digits.size() <= before) return text + digits + std::string(before - digits.size(), '0') + ".0";
+  if (digits.size() <= before)
+    return text + digits + std::string(before - digits.size(), '0') + ".0";
   return text + digits.substr(0, before) + '.' + digits.substr(before);
 }
 
@@ -128,7 +133,8 @@ std::string general_text(double d, int digits, TrailingZeros zeros) {
 std::optional<double> plain_real(std::string_view digits) {
   double d = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), d);
-  if (end != digits.data() + digits.size() || error == std::errc::invalid_argument) return std::nullopt;
+  if (end != digits.data() + digits.size() || error == std::errc::invalid_argument)
+    return std::nullopt;
   if (error == std::errc()) return d;
   // Out of range: too large or too small, by where the first digit other than 0 is.
   std::int64_t exponent = 0;
@@ -141,7 +147,8 @@ std::optional<double> plain_real(std::string_view digits) {
   }
   const std::size_t point = std::min(digits.find('.'), e);
   const std::size_t first = digits.find_first_of("123456789");
-  const auto magnitude = static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first) + exponent;
+  const auto magnitude =
+      static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first) + exponent;
   return magnitude > 0 ? std::numeric_limits<double>::infinity() : 0.0;
 }
 
@@ -187,7 +194,9 @@ Value integer_from_text(Heap& heap, std::string_view text, int base) {
     base = 10;
   }
   const bool all_digits = std::all_of(rest.begin(), rest.end(), [base](char c) {
-    const int digit = is_ascii_digit(c) ? c - '0' : lower(c) >= 'a' && lower(c) <= 'z' ? lower(c) - 'a' + 10 : 99;
+    const int digit = is_ascii_digit(c)                    ? c - '0'
+                      : lower(c) >= 'a' && lower(c) <= 'z' ? lower(c) - 'a' + 10
+                                                           : 99;
     return digit < base;
   });
   if (rest.empty() || !all_digits) return Value::error();

@@ -64,7 +64,12 @@ Value Evaluator::binary(Operation operation, Value a, Value b) {
   }
   if (a.is_number() && b.is_number()) {
     if (a.is_integral() && b.is_integral()) return integer_binary(operation, a, b);
-    return real_binary(operation, as_real(a), as_real(b));
+    const double x = as_real(a);
+    const double y = as_real(b);
+    if ((std::isinf(x) && !a.is(Type::kReal)) || (std::isinf(y) && !b.is(Type::kReal))) {
+      return wrong_value("the number is too large for a real number");
+    }
+    return real_binary(operation, x, y);
   }
   if (a.is_set() && b.is_set()) return set_binary(operation, a, b);
   if (a.is(Type::kDictionary) && b.is(Type::kDictionary) && operation == Operation::kBitOr) {
@@ -125,7 +130,8 @@ Value Evaluator::real_binary(Operation operation, double a, double b) {
     case Operation::kPower: {
       if (a == 0 && b < 0) return fail(FactKind::kDivisionByZero, {});
       if (a < 0 && std::isfinite(a) && std::isfinite(b) && b != std::floor(b)) {
-        return fail(FactKind::kOutsideLanguage, {}, "complex numbers, as a root of a negative number is");
+        return fail(FactKind::kOutsideLanguage, {},
+                    "complex numbers, as a root of a negative number is");
       }
       const double power = std::pow(a, b);
       if (std::isinf(power) && std::isfinite(a) && std::isfinite(b)) {
@@ -171,7 +177,8 @@ Value Evaluator::sequence_binary(Operation operation, Value a, Value b) {
       return text(both += b.as_text());
     }
     if (a.is_sequence()) {
-      if (!fits(a.sequence_->items->values.size() + b.sequence_->items->values.size())) return Value::error();
+      if (!fits(a.sequence_->items->values.size() + b.sequence_->items->values.size()))
+        return Value::error();
       std::vector<Value> both = a.sequence_->items->values;
       const std::vector<Value>& more = b.sequence_->items->values;
       both.insert(both.end(), more.begin(), more.end());
@@ -182,10 +189,13 @@ Value Evaluator::sequence_binary(Operation operation, Value a, Value b) {
     if (a.is_integral()) std::swap(a, b);
     if (b.is_integral() && (a.is_text() || a.is_sequence())) {
       const auto most = static_cast<std::int64_t>(bounds_.text_bytes) + 1;
-      const std::int64_t times = is_negative_integer(b) ? 0 : b.is_small() ? std::min(b.integer_, most) : most;
+      const std::int64_t times = is_negative_integer(b) ? 0
+                                 : b.is_small()         ? std::min(b.integer_, most)
+                                                        : most;
       const auto count = static_cast<std::uint64_t>(times);
       if (a.is_text()) {
-        if (a.size * count > bounds_.text_bytes) return fail(FactKind::kBoundReached, {}, "the length of a text");
+        if (a.size * count > bounds_.text_bytes)
+          return fail(FactKind::kBoundReached, {}, "the length of a text");
         std::string repeated;
         for (std::uint64_t i = 0; i < (a.size == 0 ? 0 : count); ++i) repeated += a.as_text();
         return text(repeated);
@@ -204,19 +214,22 @@ Value Evaluator::sequence_binary(Operation operation, Value a, Value b) {
 
 Value Evaluator::contains(Value item, Value in) {
   if (in.is_text()) {
-    if (!item.is_text()) return wrong_type("'in <text>' takes a text, not " + std::string(type_name(item)));
+    if (!item.is_text())
+      return wrong_type("'in <text>' takes a text, not " + std::string(type_name(item)));
     if (!work(1 + in.size / 64)) return Value::error();
     return Value::boolean(in.as_text().find(item.as_text()) != std::string_view::npos);
   }
   if (in.is(Type::kDictionary) || in.is_set()) {
-    if (!is_hashable(item)) return wrong_type("unhashable type: '" + std::string(type_name(item)) + "'");
+    if (!is_hashable(item))
+      return wrong_type("unhashable type: '" + std::string(type_name(item)) + "'");
     return Value::boolean(find_entry(*in.dictionary_->entries, item) != nullptr);
   }
   const auto items = items_of(in);
   if (!items) return Value::error();
   for (const Value other : *items) {
     if (!work(1)) return Value::error();
-    if (are_identical(item, other) || are_equal(item, other).value_or(false)) return Value::boolean(true);
+    if (are_identical(item, other) || are_equal(item, other).value_or(false))
+      return Value::boolean(true);
   }
   return Value::boolean(false);
 }
@@ -236,7 +249,8 @@ Value Evaluator::compare(Operation operation, Value a, Value b) {
       return Value::boolean(!is_true(found));
     }
     case Operation::kIs:
-    case Operation::kIsNot: return Value::boolean(are_identical(a, b) == (operation == Operation::kIs));
+    case Operation::kIsNot:
+      return Value::boolean(are_identical(a, b) == (operation == Operation::kIs));
     case Operation::kEqual:
     case Operation::kNotEqual: {
       const std::optional<bool> same = are_equal(a, b);
@@ -249,7 +263,8 @@ Value Evaluator::compare(Operation operation, Value a, Value b) {
     const bool less = operation == Operation::kLess || operation == Operation::kLessEqual;
     const bool strict = operation == Operation::kLess || operation == Operation::kGreater;
     const bool within = less ? subset(a, b) : subset(b, a);
-    const bool same_size = a.dictionary_->entries->list.size() == b.dictionary_->entries->list.size();
+    const bool same_size =
+        a.dictionary_->entries->list.size() == b.dictionary_->entries->list.size();
     return Value::boolean(within && !(strict && same_size));
   }
   const Order order = order_of(a, b);
@@ -259,10 +274,12 @@ Value Evaluator::compare(Operation operation, Value a, Value b) {
     case Order::kLess:
       return Value::boolean(operation == Operation::kLess || operation == Operation::kLessEqual);
     case Order::kGreater:
-      return Value::boolean(operation == Operation::kGreater || operation == Operation::kGreaterEqual);
+      return Value::boolean(operation == Operation::kGreater ||
+                            operation == Operation::kGreaterEqual);
     case Order::kEqual: break;
   }
-  return Value::boolean(operation == Operation::kLessEqual || operation == Operation::kGreaterEqual);
+  return Value::boolean(operation == Operation::kLessEqual ||
+                        operation == Operation::kGreaterEqual);
 }
 
 }  // namespace rigor::xacro

@@ -10,7 +10,8 @@
 
 namespace rigor::xacro {
 
-std::optional<std::vector<Value>> keys_of(Evaluator& evaluator, const std::vector<Value>& items, Value key) {
+std::optional<std::vector<Value>> keys_of(Evaluator& evaluator, const std::vector<Value>& items,
+                                          Value key) {
   if (key.is(Type::kNone)) return items;
   std::vector<Value> keys;
   keys.reserve(items.size());
@@ -39,8 +40,9 @@ bool sort_values(Evaluator& evaluator, std::vector<Value>& items, const Argument
       for (std::size_t to = low; to < high; ++to) {
         bool take_right = left == middle;
         if (!take_right && right < high) {
-          const Value less = reverse ? evaluator.compare(Operation::kLess, rows[left].first, rows[right].first)
-                                     : evaluator.compare(Operation::kLess, rows[right].first, rows[left].first);
+          const Value less =
+              reverse ? evaluator.compare(Operation::kLess, rows[left].first, rows[right].first)
+                      : evaluator.compare(Operation::kLess, rows[right].first, rows[left].first);
           if (less.failed()) return false;
           take_right = is_true(less);
         }

@@ -13,7 +13,8 @@
 namespace rigor::xacro {
 
 /// `key` of each item; the items themselves when it is None. Nothing on failure.
-std::optional<std::vector<Value>> keys_of(Evaluator& evaluator, const std::vector<Value>& items, Value key);
+std::optional<std::vector<Value>> keys_of(Evaluator& evaluator, const std::vector<Value>& items,
+                                          Value key);
 
 /// In place, by the named arguments `key` and `reverse`; false on failure.
 bool sort_values(Evaluator& evaluator, std::vector<Value>& items, const Arguments& arguments);

@@ -49,7 +49,9 @@ class ParameterReader {
     MacroParameter parameter;
     const std::size_t begin = at_;
     std::size_t end = begin;
-    while (end < text_.size() && !is_blank_byte(text_[end]) && text_[end] != ':' && text_[end] != '=') ++end;
+    while (end < text_.size() && !is_blank_byte(text_[end]) && text_[end] != ':' &&
+           text_[end] != '=')
+      ++end;
     if (end > begin && take_default(end, parameter)) {
       parameter.name = text_.substr(begin, end - begin);
     } else {
@@ -91,7 +93,8 @@ class ParameterReader {
     const std::string_view rest = text_.substr(begin);
     for (const auto& [open, close] : {std::pair{"${", '}'}, {"$(", ')'}}) {
       if (!rest.starts_with(open)) continue;
-      for (std::size_t at = text_.find(close, begin); at != std::string_view::npos; at = text_.find(close, at + 1)) {
+      for (std::size_t at = text_.find(close, begin); at != std::string_view::npos;
+           at = text_.find(close, at + 1)) {
         if (ends_at(at + 1)) return at + 1;
       }
     }
@@ -108,7 +111,8 @@ class ParameterReader {
     while (at < text_.size() && !is_blank_byte(text_[at]) && !is_quote(text_[at])) ++at;
     if (ends_at(at)) return at;
     if (dead_[at]) return std::nullopt;
-    for (std::size_t close = text_.find(text_[at], at + 1); close != std::string_view::npos; close = text_.find(text_[at], close + 1)) {
+    for (std::size_t close = text_.find(text_[at], at + 1); close != std::string_view::npos;
+         close = text_.find(text_[at], close + 1)) {
       if (close + 1 <= text_.size() && !(close + 1 < text_.size() && dead_[close + 1])) {
         if (const auto end = end_of_pieces(close + 1)) return end;
       }
@@ -126,7 +130,8 @@ class ParameterReader {
 
 }  // namespace
 
-std::vector<MacroParameter> parse_parameters(std::string_view params, Place place, Symbols& symbols) {
+std::vector<MacroParameter> parse_parameters(std::string_view params, Place place,
+                                             Symbols& symbols) {
   return ParameterReader(params, place, symbols).run();
 }
 

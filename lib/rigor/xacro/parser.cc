@@ -18,10 +18,10 @@ namespace rigor::xacro {
 namespace {
 
 constexpr std::array<std::string_view, 35> kKeywords{
-    "False",  "None",     "True",  "and",    "as",   "assert", "async",  "await", "break",
-    "class",  "continue", "def",   "del",    "elif", "else",   "except", "finally", "for",
-    "from",   "global",   "if",    "import", "in",   "is",     "lambda", "nonlocal", "not",
-    "or",     "pass",     "raise", "return", "try",  "while",  "with",   "yield"};
+    "False", "None",     "True",  "and",    "as",   "assert", "async",  "await",    "break",
+    "class", "continue", "def",   "del",    "elif", "else",   "except", "finally",  "for",
+    "from",  "global",   "if",    "import", "in",   "is",     "lambda", "nonlocal", "not",
+    "or",    "pass",     "raise", "return", "try",  "while",  "with",   "yield"};
 
 bool is_keyword(std::string_view word) {
   return std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
@@ -68,7 +68,8 @@ class Parser {
 
   Expression run() {
     if (result_.text.size() > kMaxExpressionBytes) {
-      fail(FactKind::kBoundReached, 0, 0, "an expression of " + std::to_string(kMaxExpressionBytes) + " bytes");
+      fail(FactKind::kBoundReached, 0, 0,
+           "an expression of " + std::to_string(kMaxExpressionBytes) + " bytes");
       return std::move(result_);
     }
     advance();
@@ -93,7 +94,7 @@ class Parser {
     const std::string_view word = result_.text.substr(token_.begin, token_.end - token_.begin);
     if (word == "lambda" || word == "await" || word == "yield") return outside(std::string(word));
     if (word == ":=") return outside("assignments (:=)");
-    if (word == "@" ) return outside("the matrix product (@)");
+    if (word == "@") return outside("the matrix product (@)");
     if (word == "...") return outside("the ellipsis (...)");
     return fail(FactKind::kSyntax, token_.begin, token_.end, "'" + std::string(word) + "'");
   }
@@ -106,14 +107,19 @@ class Parser {
     if (failed()) return;
     before_ = token_.end;
     token_ = lexer_.next();
-    if (token_.type == TokenType::kTrouble) fail(token_.trouble, token_.begin, token_.end, token_.text);
+    if (token_.type == TokenType::kTrouble)
+      fail(token_.trouble, token_.begin, token_.end, token_.text);
   }
 
-  std::string_view word() const { return result_.text.substr(token_.begin, token_.end - token_.begin); }
+  std::string_view word() const {
+    return result_.text.substr(token_.begin, token_.end - token_.begin);
+  }
   bool is_operator(std::string_view text) const {
     return token_.type == TokenType::kOperator && word() == text;
   }
-  bool is_word(std::string_view text) const { return token_.type == TokenType::kName && word() == text; }
+  bool is_word(std::string_view text) const {
+    return token_.type == TokenType::kName && word() == text;
+  }
   bool take(std::string_view op) {
     if (!is_operator(op)) return false;
     advance();
@@ -141,7 +147,10 @@ class Parser {
     return static_cast<NodeId>(result_.nodes.size() - 1);
   }
   NodeId add(ExpressionNode node) {
-    return add(node, std::max({depth_of(node.a), node.op == Op::kCompare || has_list(node.op) ? std::uint16_t{0} : depth_of(node.b), depth_of(node.c)}));
+    return add(node, std::max({depth_of(node.a),
+                               node.op == Op::kCompare || has_list(node.op) ? std::uint16_t{0}
+                                                                            : depth_of(node.b),
+                               depth_of(node.c)}));
   }
   static bool has_list(Op op) {
     return op == Op::kCall || op == Op::kList || op == Op::kTuple || op == Op::kSet ||
@@ -354,7 +363,8 @@ class Parser {
     if (!is_operator(":")) parts[0] = parse_expression();
     if (!is_operator(":")) return parts[0];
     for (int i = 1; i < 3 && take(":"); ++i) {
-      if (!is_operator(":") && !is_operator("]") && !is_operator(",")) parts[i] = parse_expression();
+      if (!is_operator(":") && !is_operator("]") && !is_operator(","))
+        parts[i] = parse_expression();
     }
     return add({Op::kSlice, {}, 1, begin, 0, parts[0], parts[1], parts[2]});
   }
@@ -387,7 +397,8 @@ class Parser {
       const NodeId given = parse_expression();
       return add({Op::kKeyword, {}, 1, begin, 0, given, kNoNode, kNoNode, name.symbol});
     }
-    if (is_word("for") && first) return parse_comprehension({Op::kGenerator, {}, 1, begin, 0, value});
+    if (is_word("for") && first)
+      return parse_comprehension({Op::kGenerator, {}, 1, begin, 0, value});
     return value;
   }
 
@@ -467,12 +478,14 @@ class Parser {
     std::string digits(word());
     std::erase(digits, '_');
     advance();
-    const bool prefixed = digits.size() > 1 && digits[0] == '0' && digits.find_first_of("xXoObB") == 1;
+    const bool prefixed =
+        digits.size() > 1 && digits[0] == '0' && digits.find_first_of("xXoObB") == 1;
     if (!prefixed && digits.find_first_of(".eE") != std::string::npos) {
       return constant(begin, Value::real(plain_real(digits).value_or(0)));
     }
     const Value number = integer_from_text(heap_, digits, 0);
-    if (number.failed()) return fail(FactKind::kBoundReached, begin, before_, "the digits of a number");
+    if (number.failed())
+      return fail(FactKind::kBoundReached, begin, before_, "the digits of a number");
     return constant(begin, number);
   }
 
@@ -543,8 +556,14 @@ class Parser {
         }
       }
       if (is_word("for")) {
-        const NodeId result = parse_comprehension(
-            {dictionary ? Op::kDictionaryOf : Op::kSetOf, {}, 1, begin, 0, items[0], kNoNode, value});
+        const NodeId result = parse_comprehension({dictionary ? Op::kDictionaryOf : Op::kSetOf,
+                                                   {},
+                                                   1,
+                                                   begin,
+                                                   0,
+                                                   items[0],
+                                                   kNoNode,
+                                                   value});
         expect("}");
         --level_;
         return result;
@@ -576,7 +595,7 @@ class Parser {
 
 std::string_view to_string(Operation operation) {
   constexpr std::array<std::string_view, 26> kTexts{
-      "+", "-", "*", "/", "//", "%", "**", "@", "<<", ">>", "&", "|", "^",
+      "+", "-", "*", "/", "//", "%", "**", "@",  "<<", ">>", "&",      "|",  "^",
       "-", "+", "~", "<", "<=", ">", ">=", "==", "!=", "in", "not in", "is", "is not"};
   return kTexts[static_cast<std::size_t>(operation)];
 }

@@ -38,7 +38,8 @@ Value python_set(Evaluator& e, Value, Arguments& a) {
     const auto items = e.items_of(a.values[0]);
     if (!items) return Value::error();
     for (const Value item : *items) {
-      if (!is_hashable(item)) return e.wrong_type("unhashable type: '" + std::string(type_name(item)) + "'");
+      if (!is_hashable(item))
+        return e.wrong_type("unhashable type: '" + std::string(type_name(item)) + "'");
       set_entry(entries, item, Value::none());
     }
   }
@@ -57,7 +58,8 @@ Value python_dict(Evaluator& e, Value, Arguments& a) {
       const auto parts = e.items_of(pair);
       if (!parts) return Value::error();
       if (parts->size() != 2) return e.wrong_value("a dictionary is made of pairs");
-      if (!is_hashable((*parts)[0])) return e.wrong_type("unhashable type: '" + std::string(type_name((*parts)[0])) + "'");
+      if (!is_hashable((*parts)[0]))
+        return e.wrong_type("unhashable type: '" + std::string(type_name((*parts)[0])) + "'");
       set_entry(entries, (*parts)[0], (*parts)[1]);
     }
   }
@@ -83,12 +85,15 @@ Value python_int(Evaluator& e, Value, Arguments& a) {
   const Value v = a.get(0, Value::integer(0));
   if (v.is_text()) {
     const Value base = a.find("base").value_or(a.get(1, Value::integer(10)));
-    const int b = base.is_small() && base.integer_ >= 0 && base.integer_ <= 36 ? static_cast<int>(base.integer_) : -1;
+    const int b = base.is_small() && base.integer_ >= 0 && base.integer_ <= 36
+                      ? static_cast<int>(base.integer_)
+                      : -1;
     const Value n = integer_from_text(e.heap(), v.as_text(), b);
     return n.failed() ? e.wrong_value("int() takes no " + shown(e, v)) : n;
   }
   if (v.is_integral()) return v.is(Type::kBool) ? Value::integer(v.integer_) : v;
-  if (!v.is(Type::kReal)) return e.wrong_type("int() takes a number or text, not " + std::string(type_name(v)));
+  if (!v.is(Type::kReal))
+    return e.wrong_type("int() takes a number or text, not " + std::string(type_name(v)));
   if (!std::isfinite(v.real_)) return e.wrong_value("int() takes no " + real_to_text(v.real_));
   return e.number(integer_from_double(e.heap(), std::trunc(v.real_)));
 }
@@ -100,12 +105,16 @@ Value python_float(Evaluator& e, Value, Arguments& a) {
     const auto d = real_from_text(v.as_text());
     return d ? Value::real(*d) : e.wrong_value("float() takes no " + shown(e, v));
   }
-  if (!v.is_integral()) return e.wrong_type("float() takes a number or text, not " + std::string(type_name(v)));
+  if (!v.is_integral())
+    return e.wrong_type("float() takes a number or text, not " + std::string(type_name(v)));
   const double d = integer_to_double(v);
-  return std::isinf(d) ? e.wrong_value("the number is too large for a real number") : Value::real(d);
+  return std::isinf(d) ? e.wrong_value("the number is too large for a real number")
+                       : Value::real(d);
 }
 
-Value python_bool(Evaluator&, Value, Arguments& a) { return Value::boolean(a.has(0) && is_true(a.values[0])); }
+Value python_bool(Evaluator&, Value, Arguments& a) {
+  return Value::boolean(a.has(0) && is_true(a.values[0]));
+}
 
 Value python_len(Evaluator& e, Value, Arguments& a) {
   const Value v = a.values[0];
@@ -139,7 +148,8 @@ Value extreme(Evaluator& e, Value, Arguments& a) {
   if (!keys) return Value::error();
   std::size_t best = 0;
   for (std::size_t i = 1; i < items.size(); ++i) {
-    const Value better = e.compare(Largest ? Operation::kGreater : Operation::kLess, (*keys)[i], (*keys)[best]);
+    const Value better =
+        e.compare(Largest ? Operation::kGreater : Operation::kLess, (*keys)[i], (*keys)[best]);
     if (better.failed()) return better;
     if (is_true(better)) best = i;
   }
@@ -149,12 +159,17 @@ Value extreme(Evaluator& e, Value, Arguments& a) {
 Value python_round(Evaluator& e, Value, Arguments& a) {
   const Value v = a.values[0];
   const Value digits = a.find("ndigits").value_or(a.get(1));
-  if (!v.is_number()) return e.wrong_type("round() takes a number, not " + std::string(type_name(v)));
-  if (!digits.is(Type::kNone) && !digits.is_small()) return e.wrong_type("round() takes a whole number of digits");
-  const auto places = digits.is(Type::kNone) ? 0 : static_cast<int>(std::clamp<std::int64_t>(digits.integer_, -400, 400));
+  if (!v.is_number())
+    return e.wrong_type("round() takes a number, not " + std::string(type_name(v)));
+  if (!digits.is(Type::kNone) && !digits.is_small())
+    return e.wrong_type("round() takes a whole number of digits");
+  const auto places = digits.is(Type::kNone)
+                          ? 0
+                          : static_cast<int>(std::clamp<std::int64_t>(digits.integer_, -400, 400));
   if (v.is(Type::kReal)) {
     if (!digits.is(Type::kNone)) return Value::real(rounded(v.real_, places));
-    if (!std::isfinite(v.real_)) return e.wrong_value("no whole number is near " + real_to_text(v.real_));
+    if (!std::isfinite(v.real_))
+      return e.wrong_value("no whole number is near " + real_to_text(v.real_));
     return e.number(integer_from_double(e.heap(), std::nearbyint(v.real_)));
   }
   const Value whole = v.is(Type::kBool) ? Value::integer(v.integer_) : v;
@@ -247,7 +262,8 @@ Value python_range(Evaluator& e, Value, Arguments& a) {
   // Within 62 bits, so that distances fit 64.
   constexpr std::int64_t kFar = std::int64_t{1} << 62U;
   for (const Value v : a.values) {
-    if (!v.is_integral()) return e.wrong_type("range() takes whole numbers, not " + std::string(type_name(v)));
+    if (!v.is_integral())
+      return e.wrong_type("range() takes whole numbers, not " + std::string(type_name(v)));
     if (!v.is_small() || v.integer_ > kFar || v.integer_ < -kFar) return e.number(Value::error());
   }
   const auto part = [&a](std::size_t i, std::int64_t otherwise) {
@@ -256,7 +272,9 @@ Value python_range(Evaluator& e, Value, Arguments& a) {
   const bool single = a.values.size() == 1;
   const Value step = part(2, 1);
   if (step.integer_ == 0) return e.wrong_value("range() takes no step of 0");
-  return e.heap().iterator(Type::kRange, {single ? Value::integer(0) : part(0, 0), part(single ? 0 : 1, 0), step}, "range");
+  return e.heap().iterator(Type::kRange,
+                           {single ? Value::integer(0) : part(0, 0), part(single ? 0 : 1, 0), step},
+                           "range");
 }
 
 Value python_sorted(Evaluator& e, Value, Arguments& a) {
@@ -268,7 +286,8 @@ Value python_sorted(Evaluator& e, Value, Arguments& a) {
 Value python_abs(Evaluator& e, Value, Arguments& a) {
   const Value v = a.values[0];
   if (v.is(Type::kReal)) return Value::real(std::fabs(v.real_));
-  if (!v.is_integral()) return e.wrong_type("abs() takes a number, not " + std::string(type_name(v)));
+  if (!v.is_integral())
+    return e.wrong_type("abs() takes a number, not " + std::string(type_name(v)));
   if (is_negative_integer(v)) return e.number(negated_integer(e.heap(), v));
   return v.is(Type::kBool) ? Value::integer(v.integer_) : v;
 }
@@ -292,8 +311,10 @@ Value python_divmod(Evaluator& e, Value, Arguments& a) {
 
 Value python_hash(Evaluator& e, Value, Arguments& a) {
   const Value v = a.values[0];
-  if (v.is_small() && std::abs(v.integer_) < (std::int64_t{1} << 61U) - 1) return Value::integer(v.integer_ == -1 ? -2 : v.integer_);
-  return e.fail(FactKind::kOutsideLanguage, {}, "hash() of other than small numbers, which differs from run to run");
+  if (v.is_small() && std::abs(v.integer_) < (std::int64_t{1} << 61U) - 1)
+    return Value::integer(v.integer_ == -1 ? -2 : v.integer_);
+  return e.fail(FactKind::kOutsideLanguage, {},
+                "hash() of other than small numbers, which differs from run to run");
 }
 
 bool is_instance(Value v, std::string_view type) {
@@ -309,27 +330,31 @@ Value python_isinstance(Evaluator& e, Value, Arguments& a) {
   if (types.is(Type::kTuple)) list = types.sequence_->items->values;
   bool found = false;
   for (const Value type : list) {
-    if (!type.is(Type::kClass)) return e.wrong_type("isinstance() takes a type or a tuple of types");
+    if (!type.is(Type::kClass))
+      return e.wrong_type("isinstance() takes a type or a tuple of types");
     found = found || is_instance(a.values[0], type.function_->name);
   }
   return Value::boolean(found);
 }
 
 Value python_issubclass(Evaluator& e, Value, Arguments& a) {
-  if (!a.values[0].is(Type::kClass) || !a.values[1].is(Type::kClass)) return e.wrong_type("issubclass() takes types");
+  if (!a.values[0].is(Type::kClass) || !a.values[1].is(Type::kClass))
+    return e.wrong_type("issubclass() takes types");
   const std::string_view one = a.values[0].function_->name;
   const std::string_view other = a.values[1].function_->name;
   return Value::boolean(one == other || (one == "bool" && other == "int"));
 }
 
 Value python_ord(Evaluator& e, Value, Arguments& a) {
-  if (!a.values[0].is_text() || code_points(a.values[0].as_text()) != 1) return e.wrong_type("ord() takes a text of one character");
+  if (!a.values[0].is_text() || code_points(a.values[0].as_text()) != 1)
+    return e.wrong_type("ord() takes a text of one character");
   std::size_t at = 0;
   return Value::integer(next_code_point(a.values[0].as_text(), at));
 }
 
 Value python_slice(Evaluator& e, Value, Arguments& a) {
-  std::vector<Value> parts{a.has(1) ? a.values[0] : Value::none(), a.has(1) ? a.values[1] : a.values[0], a.get(2)};
+  std::vector<Value> parts{a.has(1) ? a.values[0] : Value::none(),
+                           a.has(1) ? a.values[1] : a.values[0], a.get(2)};
   return e.heap().iterator(Type::kSlice, std::move(parts), "slice");
 }
 
@@ -349,7 +374,8 @@ Value python_type(Evaluator& e, Value, Arguments& a) {
   for (const Function& type : kPythonModule.classes) {
     if (type.name == type_name(a.values[0])) return Value::function(type, Type::kClass);
   }
-  return e.fail(FactKind::kOutsideLanguage, {}, "the type of a " + std::string(type_name(a.values[0])));
+  return e.fail(FactKind::kOutsideLanguage, {},
+                "the type of a " + std::string(type_name(a.values[0])));
 }
 
 Value python_complex(Evaluator& e, Value, Arguments&) {
@@ -357,41 +383,36 @@ Value python_complex(Evaluator& e, Value, Arguments&) {
 }
 
 constexpr Function kPythonClasses[] = {
-    {"bool", python_bool, 0, 1},
-    {"dict", python_dict, 0, 1, "*"},
-    {"float", python_float, 0, 1},
-    {"frozenset", python_set<Type::kFrozenSet>, 0, 1},
-    {"int", python_int, 0, 2, "base"},
-    {"list", python_list, 0, 1},
-    {"set", python_set<Type::kSet>, 0, 1},
-    {"str", python_str, 0, 1},
+    {"bool", python_bool, 0, 1},           {"dict", python_dict, 0, 1, "*"},
+    {"float", python_float, 0, 1},         {"frozenset", python_set<Type::kFrozenSet>, 0, 1},
+    {"int", python_int, 0, 2, "base"},     {"list", python_list, 0, 1},
+    {"set", python_set<Type::kSet>, 0, 1}, {"str", python_str, 0, 1},
     {"tuple", python_tuple, 0, 1}};
 
-constexpr Function kPythonFunctions[] = {
-    {"abs", python_abs, 1, 1},
-    {"all", all_or_any<true>, 1, 1},
-    {"any", all_or_any<false>, 1, 1},
-    {"complex", python_complex, 0, 2},
-    {"divmod", python_divmod, 2, 2},
-    {"enumerate", python_enumerate, 1, 2, "start"},
-    {"filter", python_filter, 2, 2},
-    {"hash", python_hash, 1, 1},
-    {"isinstance", python_isinstance, 2, 2},
-    {"issubclass", python_issubclass, 2, 2},
-    {"len", python_len, 1, 1},
-    {"map", python_map, 2, kAnyCount},
-    {"max", extreme<true>, 1, kAnyCount, "key default"},
-    {"min", extreme<false>, 1, kAnyCount, "key default"},
-    {"ord", python_ord, 1, 1},
-    {"range", python_range, 1, 3},
-    {"repr", python_repr, 1, 1},
-    {"reversed", python_reversed, 1, 1},
-    {"round", python_round, 1, 2, "ndigits"},
-    {"slice", python_slice, 1, 3},
-    {"sorted", python_sorted, 1, 1, "key reverse"},
-    {"sum", python_sum, 1, 2, "start"},
-    {"type", python_type, 1, 1},
-    {"zip", python_zip, 0, kAnyCount}};
+constexpr Function kPythonFunctions[] = {{"abs", python_abs, 1, 1},
+                                         {"all", all_or_any<true>, 1, 1},
+                                         {"any", all_or_any<false>, 1, 1},
+                                         {"complex", python_complex, 0, 2},
+                                         {"divmod", python_divmod, 2, 2},
+                                         {"enumerate", python_enumerate, 1, 2, "start"},
+                                         {"filter", python_filter, 2, 2},
+                                         {"hash", python_hash, 1, 1},
+                                         {"isinstance", python_isinstance, 2, 2},
+                                         {"issubclass", python_issubclass, 2, 2},
+                                         {"len", python_len, 1, 1},
+                                         {"map", python_map, 2, kAnyCount},
+                                         {"max", extreme<true>, 1, kAnyCount, "key default"},
+                                         {"min", extreme<false>, 1, kAnyCount, "key default"},
+                                         {"ord", python_ord, 1, 1},
+                                         {"range", python_range, 1, 3},
+                                         {"repr", python_repr, 1, 1},
+                                         {"reversed", python_reversed, 1, 1},
+                                         {"round", python_round, 1, 2, "ndigits"},
+                                         {"slice", python_slice, 1, 3},
+                                         {"sorted", python_sorted, 1, 1, "key reverse"},
+                                         {"sum", python_sum, 1, 2, "start"},
+                                         {"type", python_type, 1, 1},
+                                         {"zip", python_zip, 0, kAnyCount}};
 
 }  // namespace
 
@@ -405,12 +426,14 @@ const Function* function_named(std::span<const Function> functions, std::string_
 }
 
 std::optional<Value> member_of(const Module& module, std::string_view name) {
-  if (const Function* f = function_named(module.classes, name)) return Value::function(*f, Type::kClass);
+  if (const Function* f = function_named(module.classes, name))
+    return Value::function(*f, Type::kClass);
   if (const Function* f = function_named(module.functions, name)) return Value::function(*f);
   for (const Constant& constant : module.constants) {
     if (constant.name == name) return Value::real(constant.value);
   }
-  if (module.name == "python" && (name == "True" || name == "False")) return Value::boolean(name == "True");
+  if (module.name == "python" && (name == "True" || name == "False"))
+    return Value::boolean(name == "True");
   return std::nullopt;
 }
 

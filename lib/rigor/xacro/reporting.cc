@@ -16,7 +16,8 @@ Expansion& Expansion::operator=(Expansion&&) noexcept = default;
 Expansion::~Expansion() = default;
 
 bool Expansion::ok() const {
-  return root != nullptr && std::none_of(facts.begin(), facts.end(), [](const Fact& f) { return is_error(f.kind); });
+  return root != nullptr &&
+         std::none_of(facts.begin(), facts.end(), [](const Fact& f) { return is_error(f.kind); });
 }
 
 std::vector<FactFrame> Expansion::stack_of(std::uint32_t frame) const {
@@ -24,7 +25,8 @@ std::vector<FactFrame> Expansion::stack_of(std::uint32_t frame) const {
   for (; frame != 0; frame = frames[frame].outer) {
     const Frame& at = frames[frame];
     FactFrame shown{at.kind, at.where, std::string(at.name)};
-    for (const auto& [name, value] : at.parameters) shown.parameters.push_back({std::string(name), value});
+    for (const auto& [name, value] : at.parameters)
+      shown.parameters.push_back({std::string(name), value});
     stack.push_back(std::move(shown));
   }
   return stack;
@@ -35,9 +37,15 @@ std::uint32_t Expander::push_frame(Frame frame) {
   return static_cast<std::uint32_t>(result_.frames.size() - 1);
 }
 
-void Expander::report(FactKind kind, Place place, std::string name, std::string detail, Span related) {
-  const Span where = place.span.nowhere() && !result_.files.empty() ? Span{result_.files.front().source, 0, 0} : place.span;
-  const auto key = std::pair{kind, std::pair{(std::uint64_t{static_cast<std::uint32_t>(where.source)} << 32U) | where.begin, where.end}};
+void Expander::report(FactKind kind, Place place, std::string name, std::string detail,
+                      Span related) {
+  const Span where = place.span.nowhere() && !result_.files.empty()
+                         ? Span{result_.files.front().source, 0, 0}
+                         : place.span;
+  const auto key = std::pair{
+      kind,
+      std::pair{(std::uint64_t{static_cast<std::uint32_t>(where.source)} << 32U) | where.begin,
+                where.end}};
   const auto [known, added] = fact_by_place_.emplace(key, result_.facts.size());
   if (!added && known->second < result_.facts.size() && result_.facts[known->second].name == name) {
     ++result_.facts[known->second].count;
@@ -49,7 +57,8 @@ void Expander::report(FactKind kind, Place place, std::string name, std::string 
   }
   known->second = result_.facts.size();
   Fact fact{kind, where, std::move(name), std::move(detail), {}, related, result_.stack_of(frame_)};
-  const bool names_near = kind == FactKind::kUndefinedName || kind == FactKind::kUndefinedMacro || kind == FactKind::kUndefinedArgument;
+  const bool names_near = kind == FactKind::kUndefinedName || kind == FactKind::kUndefinedMacro ||
+                          kind == FactKind::kUndefinedArgument;
   if (names_near) fact.near = std::exchange(fact.detail, {});
   result_.facts.push_back(std::move(fact));
 }
@@ -65,7 +74,8 @@ void Expander::report_failure(const Failure& failure, Place place) {
 
 const NodeAttribute* Expander::required(const Node& node, std::string_view name) {
   const NodeAttribute* attribute = node.attribute(name);
-  if (attribute == nullptr) report(FactKind::kMissingAttribute, node.where, std::string(name), std::string(node.name));
+  if (attribute == nullptr)
+    report(FactKind::kMissingAttribute, node.where, std::string(name), std::string(node.name));
   return attribute;
 }
 
@@ -73,26 +83,31 @@ void Expander::check_known(const Node& node, std::initializer_list<std::string_v
   for (const NodeAttribute& attribute : node.attributes) {
     if (attribute.name.starts_with("xmlns:") || attribute.name.starts_with("xacro:")) continue;
     if (std::find(known.begin(), known.end(), attribute.name) != known.end()) continue;
-    report(FactKind::kUnknownAttribute, attribute.where, std::string(attribute.name), std::string(node.name));
+    report(FactKind::kUnknownAttribute, attribute.where, std::string(attribute.name),
+           std::string(node.name));
   }
 }
 
 void Expander::report_unused() {
   const SourceId own = result_.files.front().source;
   for (const Definition& definition : definitions_) {
-    const bool same_name_used = std::any_of(definitions_.begin(), definitions_.end(), [&](const Definition& other) {
-      return other.used && other.name == definition.name;
-    });
-    if (definition.where.source == own && !same_name_used) report(FactKind::kUnusedProperty, {definition.where, true}, std::string(definition.name));
+    const bool same_name_used = std::any_of(
+        definitions_.begin(), definitions_.end(),
+        [&](const Definition& other) { return other.used && other.name == definition.name; });
+    if (definition.where.source == own && !same_name_used)
+      report(FactKind::kUnusedProperty, {definition.where, true}, std::string(definition.name));
   }
   for (const Macro& macro : macros_) {
     if (!macro.used || macro.body->where.span.source != own) continue;
     for (const MacroParameter& parameter : macro.parameters) {
-      if (!parameter.used) report(FactKind::kUnusedParameter, macro.body->attribute("params")->where, std::string(parameter.name), std::string(macro.name));
+      if (!parameter.used)
+        report(FactKind::kUnusedParameter, macro.body->attribute("params")->where,
+               std::string(parameter.name), std::string(macro.name));
     }
   }
   for (const auto& [name, argument] : arguments_) {
-    if (!argument.used && argument.place.span.source == own) report(FactKind::kUnusedArgument, argument.place, name);
+    if (!argument.used && argument.place.span.source == own)
+      report(FactKind::kUnusedArgument, argument.place, name);
   }
 }
 

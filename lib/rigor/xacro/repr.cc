@@ -75,11 +75,13 @@ class Writer {
       case Type::kDictionary: return write_entries(v);
       case Type::kSet:
       case Type::kFrozenSet: return write_set(v);
-      case Type::kView: return write_items(v.iterator_->values, std::string(v.iterator_->name) + "([", "])");
+      case Type::kView:
+        return write_items(v.iterator_->values, std::string(v.iterator_->name) + "([", "])");
       case Type::kRange: {
         const std::vector<Value>& parts = v.iterator_->values;
         const std::size_t shown = parts[2].integer_ == 1 ? 2 : 3;
-        return write_items({parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(shown)}, "range(", ")");
+        return write_items({parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(shown)},
+                           "range(", ")");
       }
       case Type::kSlice: return write_items(v.iterator_->values, "slice(", ")");
       case Type::kClass: text += "<class '" + std::string(v.function_->name) + "'>"; return true;
@@ -140,7 +142,8 @@ class Writer {
     }
     // Python's order is that of hashes: of small whole numbers ascending, of texts another in each run.
     if (std::all_of(items.begin(), items.end(), [](Value i) { return i.is_integral(); })) {
-      std::sort(items.begin(), items.end(), [](Value a, Value b) { return compare_integers(a, b) < 0; });
+      std::sort(items.begin(), items.end(),
+                [](Value a, Value b) { return compare_integers(a, b) < 0; });
     }
     return write_items(items, frozen ? "frozenset({" : "{", frozen ? "})" : "}");
   }

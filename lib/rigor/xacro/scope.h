@@ -70,8 +70,8 @@ struct Binding {
   bool lazy = false;       ///< the value is a text that its first use evaluates
   bool resolving = false;  ///< and that is under way
   bool used = false;
-  Place place = {};        ///< where the value is written
-  Span from = {};          ///< where the property or YAML value that it refers to is
+  Place place = {};  ///< where the value is written
+  Span from = {};    ///< where the property or YAML value that it refers to is
   std::uint32_t definition = kNoDefinition;  ///< which property's
 };
 
@@ -133,7 +133,8 @@ struct Macro {
 };
 
 /// Splits a macro's `params`. Defaults may hold blanks in quotes, `${…}` and `$(…)`.
-std::vector<MacroParameter> parse_parameters(std::string_view params, Place place, Symbols& symbols);
+std::vector<MacroParameter> parse_parameters(std::string_view params, Place place,
+                                             Symbols& symbols);
 
 class MacroScope;
 

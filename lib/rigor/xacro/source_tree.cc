@@ -52,7 +52,8 @@ class SourceReader {
   SourceTree run() {
     SourceTree tree;
     for (const xml::Fault& fault : document_.faults()) {
-      if (fault.kind != xml::FaultKind::kDoctype) tree.faults.push_back({fault.where, fault_words(fault)});
+      if (fault.kind != xml::FaultKind::kDoctype)
+        tree.faults.push_back({fault.where, fault_words(fault)});
     }
     if (!document_.root()) return tree;
     Node& top = nodes_.emplace_back();
@@ -65,7 +66,9 @@ class SourceReader {
 
  private:
   Place place(std::size_t begin, std::size_t end, bool verbatim = true) const {
-    return {{document_.source(), static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)}, verbatim};
+    return {
+        {document_.source(), static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)},
+        verbatim};
   }
 
   /// With each line end as one LF; of text outside of markup with references replaced.
@@ -102,7 +105,8 @@ class SourceReader {
         if (open_->parent != nullptr) open_ = open_->parent;
         return;
       case xml::TokenKind::kComment:
-        return add(NodeKind::kComment, {}, decoded(raw.substr(4, raw.size() - 7), false), place(token.begin + 4, token.end - 3));
+        return add(NodeKind::kComment, {}, decoded(raw.substr(4, raw.size() - 7), false),
+                   place(token.begin + 4, token.end - 3));
       case xml::TokenKind::kInstruction: return take_instruction(raw, token.begin);
       case xml::TokenKind::kDoctype:
         return add(NodeKind::kDoctype, {}, decoded(raw, false), place(token.begin, token.end));
@@ -125,14 +129,16 @@ class SourceReader {
 
   void take_cdata(std::string_view raw, std::size_t begin) {
     const std::string_view inside = raw.substr(9, raw.size() - 12);
-    if (!inside.empty()) add(NodeKind::kCData, {}, decoded(inside, false), place(begin + 9, begin + raw.size() - 3));
+    if (!inside.empty())
+      add(NodeKind::kCData, {}, decoded(inside, false), place(begin + 9, begin + raw.size() - 3));
   }
 
   void take_instruction(std::string_view raw, std::size_t begin) {
     const std::string_view inside = raw.substr(2, raw.size() - 4);
     const std::size_t end = std::min(inside.find_first_of(" \t\r\n"), inside.size());
     const std::size_t data = std::min(inside.find_first_not_of(" \t\r\n", end), inside.size());
-    add(NodeKind::kInstruction, inside.substr(0, end), decoded(inside.substr(data), false), place(begin, begin + raw.size()));
+    add(NodeKind::kInstruction, inside.substr(0, end), decoded(inside.substr(data), false),
+        place(begin, begin + raw.size()));
   }
 
   void take_tag(const xml::Token& token) {

@@ -54,7 +54,8 @@ Value Expander::run_command(std::string_view written, Scope& scope, Place place)
   return twice ? evaluator_.text(*twice) : Value::error();
 }
 
-std::optional<std::string> Expander::substitute(std::string_view text, bool only_find, Place place) {
+std::optional<std::string> Expander::substitute(std::string_view text, bool only_find,
+                                                Place place) {
   std::string result(text);
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t open = text.find('$', at);
@@ -74,16 +75,19 @@ std::optional<std::string> Expander::substitute(std::string_view text, bool only
     }
     const std::vector<std::string_view> words = words_of(command);
     const std::string_view name = words.empty() ? std::string_view{} : words[0];
-    const bool known = name == "find" || name == "env" || name == "optenv" || name == "dirname" || name == "arg";
+    const bool known =
+        name == "find" || name == "env" || name == "optenv" || name == "dirname" || name == "arg";
     if (!known) {
       report(FactKind::kUnknownCommand, place, std::string(name));
       return std::nullopt;
     }
     if (only_find && name != "find") continue;
-    const auto value = substitution_of(name, command.substr(command.find(name) + name.size()), place);
+    const auto value =
+        substitution_of(name, command.substr(command.find(name) + name.size()), place);
     if (!value) return std::nullopt;
     const std::string whole = "$(" + std::string(command) + ')';
-    for (std::size_t found = result.find(whole); found != std::string::npos; found = result.find(whole, found + value->size())) {
+    for (std::size_t found = result.find(whole); found != std::string::npos;
+         found = result.find(whole, found + value->size())) {
       result.replace(found, whole.size(), *value);
       if (result.size() > options_.bounds.text_bytes) return std::nullopt;
     }
@@ -91,7 +95,8 @@ std::optional<std::string> Expander::substitute(std::string_view text, bool only
   return result;
 }
 
-std::optional<std::string> Expander::substitution_of(std::string_view command, std::string_view rest, Place place) {
+std::optional<std::string> Expander::substitution_of(std::string_view command,
+                                                     std::string_view rest, Place place) {
   const std::vector<std::string_view> words = words_of(rest);
   const auto refuse = [&](FactKind kind, std::string name, std::string detail = {}) {
     report(kind, place, std::move(name), std::move(detail));
@@ -99,10 +104,13 @@ std::optional<std::string> Expander::substitution_of(std::string_view command, s
   };
   if (command == "dirname") {
     // The reference has no file's name here, whatever the file.
-    return refuse(FactKind::kBadCommand, "dirname", "xacro gives it no file name: use a path relative to the file, or xacro.abs_filename('')");
+    return refuse(
+        FactKind::kBadCommand, "dirname",
+        "xacro gives it no file name: use a path relative to the file, or xacro.abs_filename('')");
   }
   if (words.size() != 1 && !(command == "optenv" && !words.empty())) {
-    return refuse(FactKind::kBadCommand, std::string(command), "$(" + std::string(command) + " …) takes one name");
+    return refuse(FactKind::kBadCommand, std::string(command),
+                  "$(" + std::string(command) + " …) takes one name");
   }
   const std::string name(words[0]);
   if (command == "arg") {
@@ -112,7 +120,8 @@ std::optional<std::string> Expander::substitution_of(std::string_view command, s
     return refuse(FactKind::kUndefinedArgument, name, nearest_name(name, candidates));
   }
   if (command == "find") {
-    auto folder = world_.find_package ? world_.find_package(name, file_stack_.back()) : std::nullopt;
+    auto folder =
+        world_.find_package ? world_.find_package(name, file_stack_.back()) : std::nullopt;
     if (!folder) {
       incomplete_ = true;
       return refuse(FactKind::kPackageNotFound, name);
@@ -123,7 +132,8 @@ std::optional<std::string> Expander::substitution_of(std::string_view command, s
   if (value) return value;
   if (command == "env") return refuse(FactKind::kUndefinedVariable, name);
   std::string otherwise;
-  for (std::size_t i = 1; i < words.size(); ++i) otherwise += (i > 1 ? " " : "") + std::string(words[i]);
+  for (std::size_t i = 1; i < words.size(); ++i)
+    otherwise += (i > 1 ? " " : "") + std::string(words[i]);
   return otherwise;
 }
 
@@ -135,14 +145,17 @@ Value Expander::evaluate_eval(std::string_view text, Place place) {
   // Its names are the arguments, and Python's own.
   Scope scope(nullptr, ScopeKind::kFile);
   for (const auto& [name, argument] : arguments_) {
-    if (is_identifier(name)) scope.own()[symbols_.of(name)].value = automatic_value(heap_, argument.value);
+    if (is_identifier(name))
+      scope.own()[symbols_.of(name)].value = automatic_value(heap_, argument.value);
   }
-  for (const std::string_view name : {"true", "false"}) scope.own()[symbols_.of(name)].value = Value::boolean(name == "true");
+  for (const std::string_view name : {"true", "false"})
+    scope.own()[symbols_.of(name)].value = Value::boolean(name == "true");
   for (const Function& function : kPythonModule.functions) {
     const Symbol symbol = symbols_.of(function.name);
     if (!builtins_.contains(symbol)) scope.own()[symbol].value = Value::function(function);
   }
-  const Value v = evaluate_expression(text, templates_.expression(heap_.keep(stripped(text))), scope, {place.span, false});
+  const Value v = evaluate_expression(text, templates_.expression(heap_.keep(stripped(text))),
+                                      scope, {place.span, false});
   for (const auto& [symbol, binding] : scope.own()) {
     const auto found = arguments_.find(symbols_.name(symbol));
     if (found != arguments_.end()) found->second.used = found->second.used || binding.used;

@@ -50,13 +50,15 @@ Value text_upper(Evaluator& e, Value self, Arguments&) {
   return changed(e, self, [](char c, std::size_t, bool) { return upper(c); });
 }
 Value text_swapcase(Evaluator& e, Value self, Arguments&) {
-  return changed(e, self, [](char c, std::size_t, bool) { return is_upper_byte(c) ? lower(c) : upper(c); });
+  return changed(e, self,
+                 [](char c, std::size_t, bool) { return is_upper_byte(c) ? lower(c) : upper(c); });
 }
 Value text_capitalize(Evaluator& e, Value self, Arguments&) {
   return changed(e, self, [](char c, std::size_t i, bool) { return i == 0 ? upper(c) : lower(c); });
 }
 Value text_title(Evaluator& e, Value self, Arguments&) {
-  return changed(e, self, [](char c, std::size_t, bool in_word) { return in_word ? lower(c) : upper(c); });
+  return changed(e, self,
+                 [](char c, std::size_t, bool in_word) { return in_word ? lower(c) : upper(c); });
 }
 
 template <class Test>
@@ -66,26 +68,36 @@ Value all_of_text(Evaluator& e, Value self, Test test) {
   return Value::boolean(!text.empty() && std::all_of(text.begin(), text.end(), test));
 }
 
-Value text_isdigit(Evaluator& e, Value self, Arguments&) { return all_of_text(e, self, is_digit_char); }
-Value text_isalpha(Evaluator& e, Value self, Arguments&) { return all_of_text(e, self, is_letter_byte); }
+Value text_isdigit(Evaluator& e, Value self, Arguments&) {
+  return all_of_text(e, self, is_digit_char);
+}
+Value text_isalpha(Evaluator& e, Value self, Arguments&) {
+  return all_of_text(e, self, is_letter_byte);
+}
 Value text_isalnum(Evaluator& e, Value self, Arguments&) {
   return all_of_text(e, self, [](char c) { return is_letter_byte(c) || is_digit_char(c); });
 }
-Value text_isspace(Evaluator&, Value self, Arguments&) { return Value::boolean(is_all_blank(self.as_text())); }
-Value text_isascii(Evaluator&, Value self, Arguments&) { return Value::boolean(is_ascii(self.as_text())); }
+Value text_isspace(Evaluator&, Value self, Arguments&) {
+  return Value::boolean(is_all_blank(self.as_text()));
+}
+Value text_isascii(Evaluator&, Value self, Arguments&) {
+  return Value::boolean(is_ascii(self.as_text()));
+}
 Value text_isidentifier(Evaluator& e, Value self, Arguments&) {
   if (!ascii_only(e, self)) return Value::error();
   const std::string_view text = self.as_text();
-  return Value::boolean(!text.empty() && !is_digit_char(text[0]) && std::all_of(text.begin(), text.end(), [](char c) {
-    return is_letter_byte(c) || is_digit_char(c) || c == '_';
-  }));
+  return Value::boolean(!text.empty() && !is_digit_char(text[0]) &&
+                        std::all_of(text.begin(), text.end(), [](char c) {
+                          return is_letter_byte(c) || is_digit_char(c) || c == '_';
+                        }));
 }
 template <bool Upper>
 Value text_iscase(Evaluator& e, Value self, Arguments&) {
   if (!ascii_only(e, self)) return Value::error();
   const std::string_view text = self.as_text();
   const bool other = std::any_of(text.begin(), text.end(), Upper ? is_lower_byte : is_upper_byte);
-  return Value::boolean(!other && std::any_of(text.begin(), text.end(), Upper ? is_upper_byte : is_lower_byte));
+  return Value::boolean(
+      !other && std::any_of(text.begin(), text.end(), Upper ? is_upper_byte : is_lower_byte));
 }
 
 std::optional<std::string_view> text_argument(Evaluator& e, Value v) {
@@ -117,7 +129,8 @@ std::optional<TextWindow> window_of(Evaluator& e, Value self, const Arguments& a
   const std::int64_t begin = position(a.get(1), 0);
   const std::int64_t end = std::min(position(a.get(2), size), size);
   if (begin > size) return TextWindow{{}, 0, false};
-  return TextWindow{code_point_range(self.as_text(), static_cast<std::size_t>(begin), static_cast<std::size_t>(std::max(begin, end))),
+  return TextWindow{code_point_range(self.as_text(), static_cast<std::size_t>(begin),
+                                     static_cast<std::size_t>(std::max(begin, end))),
                     static_cast<std::size_t>(begin), begin <= end};
 }
 
@@ -129,9 +142,11 @@ Value text_find(Evaluator& e, Value self, Arguments& a) {
   const auto window = wanted ? window_of(e, self, a) : std::nullopt;
   if (!window || !e.work(1 + self.size / 64)) return Value::error();
   const std::size_t at = !window->within ? std::string_view::npos
-                         : Last ? window->text.rfind(*wanted) : window->text.find(*wanted);
+                         : Last          ? window->text.rfind(*wanted)
+                                         : window->text.find(*wanted);
   if (at != std::string_view::npos) {
-    return Value::integer(static_cast<std::int64_t>(window->offset + code_points(window->text.substr(0, at))));
+    return Value::integer(
+        static_cast<std::int64_t>(window->offset + code_points(window->text.substr(0, at))));
   }
   if (M == Missing::kFails) return e.wrong_value("the text is not in it");
   return Value::integer(-1);
@@ -142,9 +157,12 @@ Value text_count(Evaluator& e, Value self, Arguments& a) {
   const auto window = wanted ? window_of(e, self, a) : std::nullopt;
   if (!window || !e.work(1 + self.size / 16)) return Value::error();
   if (!window->within) return Value::integer(0);
-  if (wanted->empty()) return Value::integer(static_cast<std::int64_t>(code_points(window->text)) + 1);
+  if (wanted->empty())
+    return Value::integer(static_cast<std::int64_t>(code_points(window->text)) + 1);
   std::int64_t count = 0;
-  for (std::size_t at = 0; (at = window->text.find(*wanted, at)) != std::string_view::npos; at += wanted->size()) ++count;
+  for (std::size_t at = 0; (at = window->text.find(*wanted, at)) != std::string_view::npos;
+       at += wanted->size())
+    ++count;
   return Value::integer(count);
 }
 
@@ -157,7 +175,8 @@ Value text_startswith(Evaluator& e, Value self, Arguments& a) {
   for (const Value v : wanted) {
     const auto text = text_argument(e, v);
     if (!text) return Value::error();
-    if (window->within && (AtEnd ? window->text.ends_with(*text) : window->text.starts_with(*text))) return Value::boolean(true);
+    if (window->within && (AtEnd ? window->text.ends_with(*text) : window->text.starts_with(*text)))
+      return Value::boolean(true);
   }
   return Value::boolean(false);
 }
@@ -174,7 +193,9 @@ Value text_strip(Evaluator& e, Value self, Arguments& a) {
   }
   const auto characters = text_argument(e, a.values[0]);
   if (!characters) return Value::error();
-  const auto listed = [&characters](std::string_view c) { return characters->find(c) != std::string_view::npos; };
+  const auto listed = [&characters](std::string_view c) {
+    return characters->find(c) != std::string_view::npos;
+  };
   while (S != Side::kRight && !text.empty()) {
     std::size_t at = 0;
     next_code_point(text, at);
@@ -193,7 +214,8 @@ Value text_strip(Evaluator& e, Value self, Arguments& a) {
 /// `maxsplit`, where a negative one is none.
 std::size_t most_splits(const Arguments& a) {
   const Value most = a.find("maxsplit").value_or(a.get(1, Value::integer(-1)));
-  return most.is_small() && most.integer_ >= 0 ? static_cast<std::size_t>(most.integer_) : static_cast<std::size_t>(-1);
+  return most.is_small() && most.integer_ >= 0 ? static_cast<std::size_t>(most.integer_)
+                                               : static_cast<std::size_t>(-1);
 }
 
 template <bool FromRight>
@@ -254,7 +276,9 @@ Value text_splitlines(Evaluator& e, Value self, Arguments& a) {
   std::string_view text = self.as_text();
   while (!text.empty()) {
     const std::size_t end = std::min(text.find_first_of("\n\r\v\f\x1c\x1d\x1e"), text.size());
-    const std::size_t next = end == text.size() ? end : text.substr(end, 2) == "\r\n" ? end + 2 : end + 1;
+    const std::size_t next = end == text.size()              ? end
+                             : text.substr(end, 2) == "\r\n" ? end + 2
+                                                             : end + 1;
     lines.push_back(Value::text(text.substr(0, keep ? next : end)));
     text.remove_prefix(next);
   }
@@ -270,16 +294,20 @@ Value text_partition(Evaluator& e, Value self, Arguments& a) {
   const std::size_t at = FromRight ? text.rfind(*by) : text.find(*by);
   if (at == std::string_view::npos) {
     const Value none = Value::text({});
-    return e.heap().tuple(FromRight ? std::vector<Value>{none, none, self} : std::vector<Value>{self, none, none});
+    return e.heap().tuple(FromRight ? std::vector<Value>{none, none, self}
+                                    : std::vector<Value>{self, none, none});
   }
-  return e.heap().tuple({Value::text(text.substr(0, at)), a.values[0], Value::text(text.substr(at + by->size()))});
+  return e.heap().tuple(
+      {Value::text(text.substr(0, at)), a.values[0], Value::text(text.substr(at + by->size()))});
 }
 
 Value text_replace(Evaluator& e, Value self, Arguments& a) {
   const auto from = text_argument(e, a.values[0]);
   const auto to = from ? text_argument(e, a.values[1]) : std::nullopt;
   if (!to) return Value::error();
-  std::size_t left = a.get(2).is_small() && a.get(2).integer_ >= 0 ? static_cast<std::size_t>(a.get(2).integer_) : static_cast<std::size_t>(-1);
+  std::size_t left = a.get(2).is_small() && a.get(2).integer_ >= 0
+                         ? static_cast<std::size_t>(a.get(2).integer_)
+                         : static_cast<std::size_t>(-1);
   const std::string_view text = self.as_text();
   std::string result;
   std::size_t at = 0;
@@ -322,12 +350,17 @@ Value text_join(Evaluator& e, Value self, Arguments& a) {
 template <Side S>
 Value text_pad(Evaluator& e, Value self, Arguments& a) {
   const std::string_view fill = a.has(1) && a.values[1].is_text() ? a.values[1].as_text() : " ";
-  if (!a.values[0].is_small() || code_points(fill) != 1) return e.wrong_type("a width and one character are due");
+  if (!a.values[0].is_small() || code_points(fill) != 1)
+    return e.wrong_type("a width and one character are due");
   const auto size = static_cast<std::int64_t>(code_points(self.as_text()));
   const std::int64_t missing = a.values[0].integer_ - size;
   if (missing <= 0) return self;
-  if (static_cast<std::uint64_t>(missing) > e.bounds().text_bytes) return e.fail(FactKind::kBoundReached, {}, "the length of a text");
-  const std::int64_t before = S == Side::kLeft ? missing : S == Side::kRight ? 0 : missing / 2 + (missing & a.values[0].integer_ & 1);
+  if (static_cast<std::uint64_t>(missing) > e.bounds().text_bytes)
+    return e.fail(FactKind::kBoundReached, {}, "the length of a text");
+  const std::int64_t before = S == Side::kLeft ? missing
+                              : S == Side::kRight
+                                  ? 0
+                                  : missing / 2 + (missing & a.values[0].integer_ & 1);
   std::string result;
   for (std::int64_t i = 0; i < before; ++i) result += fill;
   result += self.as_text();
@@ -340,9 +373,12 @@ Value text_zfill(Evaluator& e, Value self, Arguments& a) {
   const std::string_view text = self.as_text();
   const std::int64_t missing = a.values[0].integer_ - static_cast<std::int64_t>(code_points(text));
   if (missing <= 0) return self;
-  if (static_cast<std::uint64_t>(missing) > e.bounds().text_bytes) return e.fail(FactKind::kBoundReached, {}, "the length of a text");
+  if (static_cast<std::uint64_t>(missing) > e.bounds().text_bytes)
+    return e.fail(FactKind::kBoundReached, {}, "the length of a text");
   const std::size_t sign = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
-  return e.text(std::string(text.substr(0, sign)) + std::string(static_cast<std::size_t>(missing), '0') + std::string(text.substr(sign)));
+  return e.text(std::string(text.substr(0, sign)) +
+                std::string(static_cast<std::size_t>(missing), '0') +
+                std::string(text.substr(sign)));
 }
 
 Value text_expandtabs(Evaluator& e, Value self, Arguments& a) {
@@ -368,7 +404,8 @@ Value text_expandtabs(Evaluator& e, Value self, Arguments& a) {
 Value text_removeprefix(Evaluator& e, Value self, Arguments& a) {
   const auto prefix = text_argument(e, a.values[0]);
   if (!prefix) return Value::error();
-  return self.as_text().starts_with(*prefix) ? Value::text(self.as_text().substr(prefix->size())) : self;
+  return self.as_text().starts_with(*prefix) ? Value::text(self.as_text().substr(prefix->size()))
+                                             : self;
 }
 Value text_removesuffix(Evaluator& e, Value self, Arguments& a) {
   const auto suffix = text_argument(e, a.values[0]);
@@ -382,48 +419,47 @@ Value text_format(Evaluator& e, Value self, Arguments& a) {
   return text ? e.text(*text) : Value::error();
 }
 
-constexpr Function kTextMethods[] = {
-    {"capitalize", text_capitalize, 0, 0},
-    {"casefold", text_lower, 0, 0},
-    {"center", text_pad<Side::kBoth>, 1, 2},
-    {"count", text_count, 1, 3},
-    {"endswith", text_startswith<true>, 1, 3},
-    {"expandtabs", text_expandtabs, 0, 1, "tabsize"},
-    {"find", text_find<false, Missing::kMinusOne>, 1, 3},
-    {"format", text_format, 0, kAnyCount, "*"},
-    {"index", text_find<false, Missing::kFails>, 1, 3},
-    {"isalnum", text_isalnum, 0, 0},
-    {"isalpha", text_isalpha, 0, 0},
-    {"isascii", text_isascii, 0, 0},
-    {"isdecimal", text_isdigit, 0, 0},
-    {"isdigit", text_isdigit, 0, 0},
-    {"isidentifier", text_isidentifier, 0, 0},
-    {"islower", text_iscase<false>, 0, 0},
-    {"isnumeric", text_isdigit, 0, 0},
-    {"isspace", text_isspace, 0, 0},
-    {"isupper", text_iscase<true>, 0, 0},
-    {"join", text_join, 1, 1},
-    {"ljust", text_pad<Side::kRight>, 1, 2},
-    {"lower", text_lower, 0, 0},
-    {"lstrip", text_strip<Side::kLeft>, 0, 1},
-    {"partition", text_partition<false>, 1, 1},
-    {"removeprefix", text_removeprefix, 1, 1},
-    {"removesuffix", text_removesuffix, 1, 1},
-    {"replace", text_replace, 2, 3},
-    {"rfind", text_find<true, Missing::kMinusOne>, 1, 3},
-    {"rindex", text_find<true, Missing::kFails>, 1, 3},
-    {"rjust", text_pad<Side::kLeft>, 1, 2},
-    {"rpartition", text_partition<true>, 1, 1},
-    {"rsplit", text_split<true>, 0, 2, "sep maxsplit"},
-    {"rstrip", text_strip<Side::kRight>, 0, 1},
-    {"split", text_split<false>, 0, 2, "sep maxsplit"},
-    {"splitlines", text_splitlines, 0, 1, "keepends"},
-    {"startswith", text_startswith<false>, 1, 3},
-    {"strip", text_strip<Side::kBoth>, 0, 1},
-    {"swapcase", text_swapcase, 0, 0},
-    {"title", text_title, 0, 0},
-    {"upper", text_upper, 0, 0},
-    {"zfill", text_zfill, 1, 1}};
+constexpr Function kTextMethods[] = {{"capitalize", text_capitalize, 0, 0},
+                                     {"casefold", text_lower, 0, 0},
+                                     {"center", text_pad<Side::kBoth>, 1, 2},
+                                     {"count", text_count, 1, 3},
+                                     {"endswith", text_startswith<true>, 1, 3},
+                                     {"expandtabs", text_expandtabs, 0, 1, "tabsize"},
+                                     {"find", text_find<false, Missing::kMinusOne>, 1, 3},
+                                     {"format", text_format, 0, kAnyCount, "*"},
+                                     {"index", text_find<false, Missing::kFails>, 1, 3},
+                                     {"isalnum", text_isalnum, 0, 0},
+                                     {"isalpha", text_isalpha, 0, 0},
+                                     {"isascii", text_isascii, 0, 0},
+                                     {"isdecimal", text_isdigit, 0, 0},
+                                     {"isdigit", text_isdigit, 0, 0},
+                                     {"isidentifier", text_isidentifier, 0, 0},
+                                     {"islower", text_iscase<false>, 0, 0},
+                                     {"isnumeric", text_isdigit, 0, 0},
+                                     {"isspace", text_isspace, 0, 0},
+                                     {"isupper", text_iscase<true>, 0, 0},
+                                     {"join", text_join, 1, 1},
+                                     {"ljust", text_pad<Side::kRight>, 1, 2},
+                                     {"lower", text_lower, 0, 0},
+                                     {"lstrip", text_strip<Side::kLeft>, 0, 1},
+                                     {"partition", text_partition<false>, 1, 1},
+                                     {"removeprefix", text_removeprefix, 1, 1},
+                                     {"removesuffix", text_removesuffix, 1, 1},
+                                     {"replace", text_replace, 2, 3},
+                                     {"rfind", text_find<true, Missing::kMinusOne>, 1, 3},
+                                     {"rindex", text_find<true, Missing::kFails>, 1, 3},
+                                     {"rjust", text_pad<Side::kLeft>, 1, 2},
+                                     {"rpartition", text_partition<true>, 1, 1},
+                                     {"rsplit", text_split<true>, 0, 2, "sep maxsplit"},
+                                     {"rstrip", text_strip<Side::kRight>, 0, 1},
+                                     {"split", text_split<false>, 0, 2, "sep maxsplit"},
+                                     {"splitlines", text_splitlines, 0, 1, "keepends"},
+                                     {"startswith", text_startswith<false>, 1, 3},
+                                     {"strip", text_strip<Side::kBoth>, 0, 1},
+                                     {"swapcase", text_swapcase, 0, 0},
+                                     {"title", text_title, 0, 0},
+                                     {"upper", text_upper, 0, 0},
+                                     {"zfill", text_zfill, 1, 1}};
 
 }  // namespace
 

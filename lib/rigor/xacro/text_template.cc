@@ -13,9 +13,12 @@ namespace {
 
 bool names_a_value(const Expression& expression) {
   if (expression.trouble) return false;
-  return std::all_of(expression.nodes.begin(), expression.nodes.end(), [](const ExpressionNode& node) {
-    return node.op == Op::kName || node.op == Op::kAttribute || node.op == Op::kSubscript || node.op == Op::kConstant;
-  }) && expression.nodes[expression.root].op != Op::kConstant;
+  return std::all_of(expression.nodes.begin(), expression.nodes.end(),
+                     [](const ExpressionNode& node) {
+                       return node.op == Op::kName || node.op == Op::kAttribute ||
+                              node.op == Op::kSubscript || node.op == Op::kConstant;
+                     }) &&
+         expression.nodes[expression.root].op != Op::kConstant;
 }
 
 }  // namespace
@@ -35,7 +38,8 @@ const TextTemplate& TextTemplates::of(std::string_view text) {
 TextTemplate TextTemplates::taken_apart(std::string_view text) {
   TextTemplate result;
   const auto add = [&](TextSegment::Kind kind, std::size_t begin, std::size_t end) -> TextSegment& {
-    result.segments.push_back({kind, text.substr(begin, end - begin), static_cast<std::uint32_t>(begin)});
+    result.segments.push_back(
+        {kind, text.substr(begin, end - begin), static_cast<std::uint32_t>(begin)});
     return result.segments.back();
   };
   for (std::size_t at = 0; at < text.size();) {
@@ -57,7 +61,9 @@ TextTemplate TextTemplates::taken_apart(std::string_view text) {
     if (dollars - at == 1 && opens) {
       const std::size_t close = text.find(next == '{' ? '}' : ')', at);
       if (close != std::string_view::npos) {
-        TextSegment& segment = add(next == '{' ? TextSegment::Kind::kExpression : TextSegment::Kind::kCommand, at + 2, close);
+        TextSegment& segment =
+            add(next == '{' ? TextSegment::Kind::kExpression : TextSegment::Kind::kCommand, at + 2,
+                close);
         if (next == '{' && segment.text.find('$') == std::string_view::npos) {
           const std::string_view left = stripped_left(segment.text);
           segment.skipped = static_cast<std::uint32_t>(segment.text.size() - left.size());

@@ -25,9 +25,9 @@ class Heap;
 struct TextSegment {
   enum class Kind : std::uint8_t { kText, kExpression, kCommand };
   Kind kind = Kind::kText;
-  std::string_view text;     ///< without `${` and `}`
-  std::uint32_t begin = 0;   ///< of `text` in the whole
-  std::uint32_t skipped = 0; ///< blanks at the start of an expression
+  std::string_view text;                   ///< without `${` and `}`
+  std::uint32_t begin = 0;                 ///< of `text` in the whole
+  std::uint32_t skipped = 0;               ///< blanks at the start of an expression
   const Expression* expression = nullptr;  ///< null when it holds `$` itself
 };
 

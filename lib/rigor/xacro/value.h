@@ -46,13 +46,13 @@ enum class Type : std::uint8_t {
   kRange,
   kSlice,
   kIterator,
-  kView,      ///< of a dictionary's keys, values or items
+  kView,  ///< of a dictionary's keys, values or items
   kFunction,
-  kMethod,    ///< a function bound to a value
-  kClass,     ///< `list`, `str` …: a function that is also a type
-  kModule,    ///< `python`, `math`, `xacro`
-  kNamespace, ///< of an include with `ns`
-  kBlock,     ///< elements, of a block parameter or property
+  kMethod,     ///< a function bound to a value
+  kClass,      ///< `list`, `str` …: a function that is also a type
+  kModule,     ///< `python`, `math`, `xacro`
+  kNamespace,  ///< of an include with `ns`
+  kBlock,      ///< elements, of a block parameter or property
 };
 
 struct Value {

@@ -42,12 +42,14 @@ Value xacro_fatal(Evaluator& e, Value, Arguments& a) {
 
 Value xacro_load_yaml(Evaluator& e, Value, Arguments& a) {
   const Value path = a.get(0, a.find("filename").value_or(Value::none()));
-  if (!path.is_text()) return e.wrong_type("load_yaml() takes a path, not " + std::string(type_name(path)));
+  if (!path.is_text())
+    return e.wrong_type("load_yaml() takes a path, not " + std::string(type_name(path)));
   return e.host().load_yaml(path.as_text());
 }
 
 Value xacro_abs_filename(Evaluator& e, Value, Arguments& a) {
-  if (!a.values[0].is_text()) return e.wrong_type("abs_filename() takes a path, not " + std::string(type_name(a.values[0])));
+  if (!a.values[0].is_text())
+    return e.wrong_type("abs_filename() takes a path, not " + std::string(type_name(a.values[0])));
   return e.text(e.host().absolute_path(a.values[0].as_text()));
 }
 
@@ -57,7 +59,8 @@ Value xacro_dotify(Evaluator& e, Value, Arguments& a) {
 }
 
 Value xacro_arg(Evaluator& e, Value, Arguments& a) {
-  if (!a.values[0].is_text()) return e.wrong_type("arg() takes a name, not " + std::string(type_name(a.values[0])));
+  if (!a.values[0].is_text())
+    return e.wrong_type("arg() takes a name, not " + std::string(type_name(a.values[0])));
   if (const auto value = e.host().argument(a.values[0].as_text())) return e.text(*value);
   return e.fail(FactKind::kUndefinedArgument, std::string(a.values[0].as_text()));
 }
@@ -66,10 +69,12 @@ Value xacro_arg(Evaluator& e, Value, Arguments& a) {
 Value xacro_tokenize(Evaluator& e, Value, Arguments& a) {
   const Value separators = a.find("sep").value_or(a.get(1, Value::text(",; ")));
   const bool skip = is_true(a.find("skip_empty").value_or(a.get(2, Value::boolean(true))));
-  if (!a.values[0].is_text() || !separators.is_text()) return e.wrong_type("tokenize() takes texts");
+  if (!a.values[0].is_text() || !separators.is_text())
+    return e.wrong_type("tokenize() takes texts");
   const std::string_view by = separators.as_text();
   if (by.empty() || by.find_first_of("\\]^[-") != std::string_view::npos) {
-    return e.fail(FactKind::kOutsideLanguage, {}, "separators with a meaning in regular expressions");
+    return e.fail(FactKind::kOutsideLanguage, {},
+                  "separators with a meaning in regular expressions");
   }
   std::vector<Value> tokens;
   std::string_view rest = a.values[0].as_text();
@@ -83,17 +88,16 @@ Value xacro_tokenize(Evaluator& e, Value, Arguments& a) {
   return e.list(std::move(tokens));
 }
 
-constexpr Function kXacroFunctions[] = {
-    {"abs_filename", xacro_abs_filename, 1, 1},
-    {"arg", xacro_arg, 1, 1},
-    {"dotify", xacro_dotify, 0, 1},
-    {"error", xacro_error, 0, kAnyCount, "*"},
-    {"fatal", xacro_fatal, 0, kAnyCount},
-    {"load_yaml", xacro_load_yaml, 1, 1, "filename"},
-    {"message", xacro_message, 0, kAnyCount, "*"},
-    {"print_location", xacro_print_location, 0, kAnyCount, "*"},
-    {"tokenize", xacro_tokenize, 1, 3, "sep skip_empty"},
-    {"warning", xacro_warning, 0, kAnyCount, "*"}};
+constexpr Function kXacroFunctions[] = {{"abs_filename", xacro_abs_filename, 1, 1},
+                                        {"arg", xacro_arg, 1, 1},
+                                        {"dotify", xacro_dotify, 0, 1},
+                                        {"error", xacro_error, 0, kAnyCount, "*"},
+                                        {"fatal", xacro_fatal, 0, kAnyCount},
+                                        {"load_yaml", xacro_load_yaml, 1, 1, "filename"},
+                                        {"message", xacro_message, 0, kAnyCount, "*"},
+                                        {"print_location", xacro_print_location, 0, kAnyCount, "*"},
+                                        {"tokenize", xacro_tokenize, 1, 3, "sep skip_empty"},
+                                        {"warning", xacro_warning, 0, kAnyCount, "*"}};
 
 }  // namespace
 

@@ -47,17 +47,22 @@ bool all_in(std::string_view text, std::string_view characters) {
 
 constexpr std::string_view kDigitsAndJoints = "0123456789_";
 
-bool is_decimal_start(std::string_view text) { return !text.empty() && text[0] >= '0' && text[0] <= '9'; }
+bool is_decimal_start(std::string_view text) {
+  return !text.empty() && text[0] >= '0' && text[0] <= '9';
+}
 
 /// `1:30`, minutes and seconds: 60 to the next part. The text before the first colon is checked.
 bool is_sexagesimal(std::string_view text) {
   std::size_t colon = text.find(':');
-  if (colon == std::string_view::npos || colon == 0 || !all_in(text.substr(0, colon), kDigitsAndJoints)) return false;
+  if (colon == std::string_view::npos || colon == 0 ||
+      !all_in(text.substr(0, colon), kDigitsAndJoints))
+    return false;
   while (colon != std::string_view::npos) {
     text.remove_prefix(colon + 1);
     colon = text.find(':');
     const std::string_view part = text.substr(0, colon);
-    const bool two = part.size() == 2 && part[0] >= '0' && part[0] <= '5' && part[1] >= '0' && part[1] <= '9';
+    const bool two =
+        part.size() == 2 && part[0] >= '0' && part[0] <= '5' && part[1] >= '0' && part[1] <= '9';
     const bool one = part.size() == 1 && part[0] >= '0' && part[0] <= '9';
     if (!two && !one) return false;
   }
@@ -73,15 +78,19 @@ bool is_yaml_float(std::string_view text) {
   const std::size_t point = text.find('.');
   if (point == std::string_view::npos) return false;
   const std::string_view whole = text.substr(0, point);
-  if (is_sexagesimal(whole)) return is_decimal_start(whole) && all_in(text.substr(point + 1), kDigitsAndJoints);
-  if (whole.empty() ? is_signed : !is_decimal_start(whole) || !all_in(whole, kDigitsAndJoints)) return false;
+  if (is_sexagesimal(whole))
+    return is_decimal_start(whole) && all_in(text.substr(point + 1), kDigitsAndJoints);
+  if (whole.empty() ? is_signed : !is_decimal_start(whole) || !all_in(whole, kDigitsAndJoints))
+    return false;
   std::string_view rest = text.substr(point + 1);
   const std::size_t e = std::min(rest.find_first_of("eE"), rest.size());
   const std::string_view fraction = rest.substr(0, e);
-  if (!all_in(fraction, kDigitsAndJoints) || (whole.empty() && !is_decimal_start(fraction))) return false;
+  if (!all_in(fraction, kDigitsAndJoints) || (whole.empty() && !is_decimal_start(fraction)))
+    return false;
   if (e == rest.size()) return true;
   const std::string_view exponent = rest.substr(e + 1);
-  return exponent.size() > 1 && (exponent[0] == '+' || exponent[0] == '-') && all_in(exponent.substr(1), "0123456789");
+  return exponent.size() > 1 && (exponent[0] == '+' || exponent[0] == '-') &&
+         all_in(exponent.substr(1), "0123456789");
 }
 
 bool is_yaml_integer(std::string_view text) {
@@ -89,7 +98,8 @@ bool is_yaml_integer(std::string_view text) {
   if (!is_decimal_start(text)) return false;
   if (text == "0") return true;
   if (text.starts_with("0b")) return text.size() > 2 && all_in(text.substr(2), "01_");
-  if (text.starts_with("0x")) return text.size() > 2 && all_in(text.substr(2), "0123456789abcdefABCDEF_");
+  if (text.starts_with("0x"))
+    return text.size() > 2 && all_in(text.substr(2), "0123456789abcdefABCDEF_");
   if (text[0] == '0') return all_in(text, "01234567_");
   return all_in(text, kDigitsAndJoints) || is_sexagesimal(text);
 }
@@ -100,7 +110,8 @@ bool is_yaml_date(std::string_view text) {
   };
   if (!digits(0, 4) || text.size() < 8 || text[4] != '-' || !digits(5, 1)) return false;
   const std::size_t dash = text.find('-', 5);
-  return dash != std::string_view::npos && dash <= 7 && digits(dash + 1, 1) && all_in(text, "0123456789-:.TtZ +");
+  return dash != std::string_view::npos && dash <= 7 && digits(dash + 1, 1) &&
+         all_in(text, "0123456789-:.TtZ +");
 }
 
 std::string without_joints(std::string_view text) {
@@ -119,7 +130,9 @@ Value yaml_integer(Heap& heap, std::string_view text) {
     for (std::string part; std::getline(parts, part, ':');) {
       n = integer_operation(heap, IntegerOperation::kMultiply, n, Value::integer(60));
       const Value digits = integer_from_text(heap, part);
-      n = n.failed() || digits.failed() ? Value::error() : integer_operation(heap, IntegerOperation::kAdd, n, digits);
+      n = n.failed() || digits.failed()
+              ? Value::error()
+              : integer_operation(heap, IntegerOperation::kAdd, n, digits);
       if (n.failed()) return n;
     }
   } else if (plain.starts_with("0b") || plain.starts_with("0x")) {
@@ -134,11 +147,14 @@ Value yaml_float(std::string_view text) {
   std::string plain = without_joints(text);
   const double sign = plain[0] == '-' ? -1 : 1;
   if (plain[0] == '-' || plain[0] == '+') plain.erase(0, 1);
-  if (plain.size() > 1 && plain[0] == '.' && (plain[1] | 0x20) == 'i') return Value::real(sign * HUGE_VAL);
-  if (plain.size() > 1 && plain[0] == '.' && (plain[1] | 0x20) == 'n') return Value::real(std::nan(""));
+  if (plain.size() > 1 && plain[0] == '.' && (plain[1] | 0x20) == 'i')
+    return Value::real(sign * HUGE_VAL);
+  if (plain.size() > 1 && plain[0] == '.' && (plain[1] | 0x20) == 'n')
+    return Value::real(std::nan(""));
   double d = 0;
   std::istringstream parts(plain);
-  for (std::string part; std::getline(parts, part, ':');) d = d * 60 + real_from_text(part).value_or(0);
+  for (std::string part; std::getline(parts, part, ':');)
+    d = d * 60 + real_from_text(part).value_or(0);
   return Value::real(sign * d);
 }
 
@@ -159,7 +175,8 @@ class YamlBuilder final : public YAML::EventHandler {
 
   Span span_at(const YAML::Mark& mark, std::string_view value = {}) const {
     // Marks count bytes.
-    const std::size_t begin = std::min(static_cast<std::size_t>(std::max(mark.pos, 0)), bytes_.size());
+    const std::size_t begin =
+        std::min(static_cast<std::size_t>(std::max(mark.pos, 0)), bytes_.size());
     const std::string_view line = bytes_.substr(begin, bytes_.find('\n', begin) - begin);
     if (const std::size_t at = line.find(value); !value.empty() && at != std::string_view::npos) {
       return span(begin + at, begin + at + value.size());
@@ -169,22 +186,29 @@ class YamlBuilder final : public YAML::EventHandler {
 
   void OnDocumentStart(const YAML::Mark&) override {}
   void OnDocumentEnd() override {}
-  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { take(Value::none(), span_at(mark), anchor); }
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    take(Value::none(), span_at(mark), anchor);
+  }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto found = anchors_.find(anchor);
-    if (found == anchors_.end()) refuse(FactKind::kYaml, span_at(mark), "an alias to what is not complete");
+    if (found == anchors_.end())
+      refuse(FactKind::kYaml, span_at(mark), "an alias to what is not complete");
     take(found->second, span_at(mark), YAML::NullAnchor);
   }
-  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string& value) override {
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& value) override {
     const Span where = span_at(mark, value);
-    merge_key_ = tag == "?" && value == "<<" && !open_.empty() && open_.back().map && !open_.back().key;
+    merge_key_ =
+        tag == "?" && value == "<<" && !open_.empty() && open_.back().map && !open_.back().key;
     take(scalar(tag, value, where), where, anchor);
   }
-  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YAML::EmitterStyle::value) override {
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
     begin(mark, tag, anchor, false);
   }
   void OnSequenceEnd() override { end(); }
-  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YAML::EmitterStyle::value) override {
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
     begin(mark, tag, anchor, true);
   }
   void OnMapEnd() override { end(); }
@@ -205,7 +229,8 @@ class YamlBuilder final : public YAML::EventHandler {
 
   Span span(std::size_t begin, std::size_t end) const {
     const std::size_t size = bytes_.size();
-    return {source_, static_cast<std::uint32_t>(std::min(begin, size)), static_cast<std::uint32_t>(std::min(std::max(begin, end), size))};
+    return {source_, static_cast<std::uint32_t>(std::min(begin, size)),
+            static_cast<std::uint32_t>(std::min(std::max(begin, end), size))};
   }
 
   [[noreturn]] void refuse(FactKind kind, Span where, std::string detail) const {
@@ -229,8 +254,10 @@ class YamlBuilder final : public YAML::EventHandler {
     if (done.map) {
       // Merged entries come first, as if they were written there; own ones win.
       Entries& entries = *done.value.dictionary_->entries;
-      for (const Entry& entry : done.merged) set_entry(entries, entry.key, entry.value, entry.place);
-      for (const Entry& entry : done.entries) set_entry(entries, entry.key, entry.value, entry.place);
+      for (const Entry& entry : done.merged)
+        set_entry(entries, entry.key, entry.value, entry.place);
+      for (const Entry& entry : done.entries)
+        set_entry(entries, entry.key, entry.value, entry.place);
       heap_.charge(entries.list.size() * sizeof(Entry));
     } else {
       heap_.charge(done.items.size() * (sizeof(Value) + sizeof(Span)));
@@ -249,7 +276,8 @@ class YamlBuilder final : public YAML::EventHandler {
       for (const Value item : items) merge(into, item, where);
       return;
     }
-    if (!value.is(Type::kDictionary)) refuse(FactKind::kYaml, where, "<< takes a dictionary or a list of them");
+    if (!value.is(Type::kDictionary))
+      refuse(FactKind::kYaml, where, "<< takes a dictionary or a list of them");
     for (const Entry& entry : value.dictionary_->entries->list) into.merged.push_back(entry);
     heap_.charge(value.dictionary_->entries->list.size() * sizeof(Entry));
     if (heap_.full()) refuse(FactKind::kBoundReached, where, "the memory of expressions");
@@ -312,8 +340,10 @@ class YamlBuilder final : public YAML::EventHandler {
 
   Value plain(std::string_view text, Span where) {
     if (text.empty() || one_of(text, {"~", "null", "Null", "NULL"})) return Value::none();
-    if (one_of(text, {"yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"})) return Value::boolean(true);
-    if (one_of(text, {"no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"})) return Value::boolean(false);
+    if (one_of(text, {"yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"}))
+      return Value::boolean(true);
+    if (one_of(text, {"no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"}))
+      return Value::boolean(false);
     constexpr std::string_view kNumberStarts = "+-.0123456789";
     if (kNumberStarts.find(text[0]) != std::string_view::npos) {
       if (is_yaml_float(text)) return yaml_float(text);
@@ -349,12 +379,14 @@ YamlResult read_yaml(std::string_view bytes, SourceId source, Heap& heap,
       // A second document is none for the reference.
       YamlBuilder second(bytes, source, heap, evaluate);
       if (parser.HandleNextDocument(second)) {
-        return {Value::error(), YamlTrouble{FactKind::kYaml, {source, 0, 0}, "there is more than one document"}};
+        return {Value::error(),
+                YamlTrouble{FactKind::kYaml, {source, 0, 0}, "there is more than one document"}};
       }
     }
     return {builder.root(), std::nullopt};
   } catch (const YAML::Exception& problem) {
-    return {Value::error(), YamlTrouble{FactKind::kYaml, builder.span_at(problem.mark), problem.msg}};
+    return {Value::error(),
+            YamlTrouble{FactKind::kYaml, builder.span_at(problem.mark), problem.msg}};
   } catch (const YamlRefusal& refusal) {
     return {Value::error(), YamlTrouble{refusal.kind, refusal.where, refusal.detail}};
   }
