@@ -24,8 +24,7 @@ struct Expanded {
     files["robot.xacro"] = std::move(text);
     disk = MemoryDisk(std::move(files));
     xacro::World world{disk};
-    world.find_package = [](std::string_view name,
-                            std::string_view) -> std::optional<std::string> {
+    world.find_package = [](std::string_view name, std::string_view) -> std::optional<std::string> {
       if (name == "arm_description") return "packages/arm";
       return std::nullopt;
     };

@@ -57,6 +57,7 @@ std::unique_ptr<Command> rules_command();
 std::unique_ptr<Command> explain_command();
 std::unique_ptr<Command> schema_command();
 std::unique_ptr<Command> resolve_command();
+std::unique_ptr<Command> expand_command();
 std::unique_ptr<Command> completion_command();
 std::unique_ptr<Command> manual_command();
 std::unique_ptr<Command> version_command();

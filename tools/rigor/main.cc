@@ -30,6 +30,7 @@ constexpr std::string_view kGreeting =
   new, init                a robot to begin with, done right and explained; a rigor.toml
   rules, explain           what is checked; why, and what to do about it
   schema, resolve          a format's elements; where a URI leads
+  expand                   a xacro file as plain XML, and where each part of it came from
 
   rigor validate my_robot                check every model and mesh in a folder
   rigor simulate my_robot --test drive   `rigor COMMAND --help` begins with examples, too
@@ -69,17 +70,29 @@ struct CommandEntry {
 };
 
 constexpr CommandEntry kCommands[] = {
-    {"validate", validate_command}, {"inspect", inspect_command},
-    {"inertia", inertia_command},   {"mesh-check", mesh_check_command},
-    {"sdf2urdf", sdf2urdf_command}, {"urdf2sdf", urdf2sdf_command},
-    {"diff", diff_command},         {"simulate", simulate_command},
-    {"render", render_command},     {"view", view_command},
-    {"report", report_command},     {"new", new_command},
-    {"merge", merge_command},       {"upgrade", upgrade_command},
-    {"init", init_command},         {"rules", rules_command},
-    {"explain", explain_command},   {"schema", schema_command},
-    {"resolve", resolve_command},   {"completion", completion_command, true},
-    {"man", manual_command, true},  {"version", version_command},
+    {"validate", validate_command},
+    {"inspect", inspect_command},
+    {"inertia", inertia_command},
+    {"mesh-check", mesh_check_command},
+    {"sdf2urdf", sdf2urdf_command},
+    {"urdf2sdf", urdf2sdf_command},
+    {"diff", diff_command},
+    {"simulate", simulate_command},
+    {"render", render_command},
+    {"view", view_command},
+    {"report", report_command},
+    {"new", new_command},
+    {"merge", merge_command},
+    {"upgrade", upgrade_command},
+    {"init", init_command},
+    {"rules", rules_command},
+    {"explain", explain_command},
+    {"schema", schema_command},
+    {"resolve", resolve_command},
+    {"expand", expand_command},
+    {"completion", completion_command, true},
+    {"man", manual_command, true},
+    {"version", version_command},
 };
 
 /// The one that is asked for, as declaring the options of all takes longer than many a run; or all.
