@@ -67,7 +67,8 @@ Expansion Expander::run(const std::string& path) {
     for (const NotWellFormed& fault : file.tree.faults)
       report(FactKind::kNotWellFormed, {fault.where, true}, path, fault.detail);
     if (file.tree.root != nullptr) expand_document(file);
-    if (!stopped_ && !incomplete_) report_unused();
+    // What failed may have been the use.
+    if (result_.ok()) report_unused();
   }
   return std::move(result_);
 }

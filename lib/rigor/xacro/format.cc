@@ -137,7 +137,7 @@ std::optional<std::string> formatted(Evaluator& evaluator, Value v, const Format
 int read_number(std::string_view text, std::size_t& at) {
   int number = 0;
   for (; at < text.size() && text[at] >= '0' && text[at] <= '9'; ++at) {
-    number = std::min(number * 10 + (text[at] - '0'), kMaxFormatWidth);
+    number = std::min(number * 10 + (text[at] - '0'), kMaxFormatWidth + 1);
   }
   return number;
 }
@@ -175,7 +175,7 @@ bool parse_format_spec(std::string_view text, FormatSpec& spec) {
     if (at == before) return false;
   }
   if (at < text.size()) spec.type = text[at++];
-  return at == text.size();
+  return at == text.size() && spec.width <= kMaxFormatWidth && spec.precision <= kMaxFormatWidth;
 }
 
 }  // namespace
@@ -245,6 +245,10 @@ std::optional<std::string> format_percent(Evaluator& evaluator, std::string_view
       spec.precision = star_or_number(0);
     }
     if (at >= format.size()) return refuse("a format that ends within a %");
+    if (spec.width > kMaxFormatWidth || spec.precision > kMaxFormatWidth) {
+      evaluator.fail(FactKind::kBoundReached, {}, "the width of a format");
+      return std::nullopt;
+    }
     const char type = format[at++];
     if (type == '%') {
       result += '%';

@@ -11,7 +11,7 @@
 
 namespace rigor::xacro {
 
-/// Of the candidates the one with the fewest letters added, dropped or changed, a third of the name's
+/// Of the candidates the one with the fewest letters added, dropped, changed or swapped, a third of the name's
 /// at most; empty when none is as near.
 std::string nearest_name(std::string_view name, const std::vector<std::string_view>& candidates);
 
