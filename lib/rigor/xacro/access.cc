@@ -31,10 +31,13 @@ std::int64_t clamped(Value v, std::int64_t otherwise, std::int64_t size, std::in
 }
 
 SliceBounds slice_bounds(const std::vector<Value>& parts, std::int64_t size) {
-  const std::int64_t step = parts[2].is(Type::kNone)        ? 1
-                            : parts[2].is_small()           ? parts[2].integer_
-                            : is_negative_integer(parts[2]) ? -size - 1
-                                                            : size + 1;
+  std::int64_t step = 1;
+  if (parts[2].is_integral()) {
+    // A step past the end is as good as any longer one.
+    step = parts[2].is_small()             ? std::clamp(parts[2].integer_, -size - 1, size + 1)
+           : is_negative_integer(parts[2]) ? -size - 1
+                                           : size + 1;
+  }
   if (step > 0) {
     return {clamped(parts[0], 0, size, 0, size), clamped(parts[1], size, size, 0, size), step};
   }
@@ -55,7 +58,7 @@ std::int64_t range_size(const Iterator& range) {
   const std::int64_t stop = range.values[1].integer_;
   const std::int64_t step = range.values[2].integer_;
   if (step > 0 ? start >= stop : start <= stop) return 0;
-  // Both ends are within 62 bits, so the distance does not overflow.
+  // Both ends are within 61 bits, so the distance does not overflow.
   return step > 0 ? (stop - start - 1) / step + 1 : (start - stop - 1) / -step + 1;
 }
 

@@ -23,8 +23,8 @@ struct Bounds {
   /// Nested elements, macros and conditionals being expanded, on the stack of this thread. Recursive
   /// macros count to some hundred; Python ends the reference at about 330 calls of a macro by itself.
   std::uint32_t depth = 1'000;
-  /// Nodes of the result. The largest robots have 20,000.
-  std::uint32_t nodes = 2'000'000;
+  /// Nodes of the result, and what brought them. The largest robots have 30,000.
+  std::uint32_t nodes = 1'000'000;
   /// Nodes expanded and operations evaluated together; a robot takes less than a million.
   std::uint64_t steps = 20'000'000;
   /// Bytes of all values of expressions, which live as long as the expansion.

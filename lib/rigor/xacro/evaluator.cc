@@ -12,7 +12,7 @@ namespace rigor::xacro {
 namespace {
 
 /// Evaluations within each other on this thread's stack, lazy properties among them.
-constexpr std::uint32_t kMaxEvaluationDepth = 3'000;
+constexpr std::uint32_t kMaxEvaluationDepth = 1'500;
 
 }  // namespace
 

@@ -176,6 +176,7 @@ void Expander::bind_defaults(const Node& node, const Macro& macro, Names caller,
     Value value = Value::error();
     const std::optional<Value> outer =
         parameter.forwards ? look_up(*caller.values, parameter.symbol) : std::nullopt;
+    if (const auto failure = evaluator_.take_failure()) report_failure(*failure, node.where);
     if (outer) {
       value = *outer;
       binding.from = used_;
@@ -201,6 +202,7 @@ std::uint32_t Expander::push_call_frame(const Node& node, const Macro& macro, Sc
     std::string text = v.is_text() ? std::string(v.as_text().substr(0, kShownValueBytes))
                        : plain     ? evaluator_.text_of(v).value_or("…")
                                    : "…";
+    evaluator_.take_failure();  // of a number with too many digits to show
     if (v.is_text() && v.size > kShownValueBytes) text += "…";
     frame.parameters.emplace_back(parameter.name, std::move(text));
   }

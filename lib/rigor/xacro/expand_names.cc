@@ -148,6 +148,7 @@ Expander::File& Expander::file_at(const std::string& path) {
   file.readable = true;
   file.source = sources_.add(path, std::move(*read.bytes));
   result_.files.push_back({path, file.source});
+  heap_.charge(sources_.bytes(file.source).size());
   file.tree = read_source_tree(sources_.bytes(file.source), file.source, nodes_, heap_);
   return file;
 }

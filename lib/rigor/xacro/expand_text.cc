@@ -17,8 +17,11 @@ namespace rigor::xacro {
 Value Expander::evaluate(std::string_view text, Scope& scope, Place place) {
   if (text.find('$') == std::string_view::npos) return Value::text(text);
   const TextTemplate& parts = templates_.of(text);
-  if (parts.segments.size() == 1 && !parts.trouble)
-    return evaluate_segment(parts.segments[0], scope, place);
+  if (parts.segments.size() == 1 && !parts.trouble) {
+    const Value v = evaluate_segment(parts.segments[0], scope, place);
+    if (const auto failure = evaluator_.take_failure()) report_failure(*failure, place);
+    return v;
+  }
   std::string joined;
   bool whole = true;
   for (const TextSegment& segment : parts.segments) {
@@ -149,14 +152,18 @@ Value Expander::resolve(Binding& binding, Symbol name, Scope& scope) {
 Value Expander::load_yaml(std::string_view written) {
   const std::string path = absolute_path(written);
   const auto known = yaml_.find(path);
-  if (known != yaml_.end())
+  if (known != yaml_.end()) {
+    if (known->second.loading) return evaluator_.fail(FactKind::kIncludeCycle, path);
     return known->second.value.failed() ? Value::error() : heap_.wrapped(known->second.value);
+  }
   Yaml& file = yaml_[path];
   file.value = Value::error();
   ReadResult read = world_.disk.read(path, options_.bounds.file_bytes);
   if (!read.bytes) return evaluator_.fail(FactKind::kFileNotFound, path, read.problem);
   file.source = sources_.add(path, std::move(*read.bytes));
   result_.files.push_back({path, file.source});
+  heap_.charge(sources_.bytes(file.source).size());
+  file.loading = true;
   Scope empty(nullptr, ScopeKind::kFile);
   const YamlResult result = read_yaml(
       sources_.bytes(file.source), file.source, heap_, [&](std::string_view text, Span where) {
@@ -164,6 +171,7 @@ Value Expander::load_yaml(std::string_view written) {
         return evaluate_expression(expression, templates_.expression(expression), empty,
                                    {where, where.size() == expression.size()});
       });
+  file.loading = false;
   if (result.trouble) {
     report(result.trouble->kind, {result.trouble->where, true}, path, result.trouble->detail,
            reader_);

@@ -112,7 +112,10 @@ Node& Expander::new_node(const Node& like) {
   return node;
 }
 
-Node& Expander::fragment() { return nodes_.emplace_back(); }
+Node& Expander::fragment() {
+  ++nodes_made_;
+  return nodes_.emplace_back();
+}
 
 Node& Expander::clone(const Node& node) {
   Node& copy = new_node(node);

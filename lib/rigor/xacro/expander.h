@@ -159,6 +159,7 @@ class Expander final : public Host {
   struct Yaml {
     Value value;
     SourceId source = kNoSource;
+    bool loading = false;
   };
   std::unordered_map<std::string, Yaml> yaml_;
   std::map<std::string, Argument, std::less<>> arguments_;

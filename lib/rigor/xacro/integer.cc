@@ -149,7 +149,7 @@ Value integer_operation(Heap& heap, IntegerOperation operation, Value a, Value b
       if (base == 0 || base == 1) return Value::integer(is_zero_integer(b) ? 1 : a.integer_);
       if (base == -1) return Value::integer(bit_test(cpp_int(abs(wide(b))), 0) ? -1 : 1);
       // |base| is 2 at least, so the result has at least as many bits as the exponent says.
-      if (!b.is_small() ||
+      if (!b.is_small() || b.integer_ > kMaxIntegerBits ||
           static_cast<std::uint64_t>(b.integer_) * (bits_of(base) - 1) > kMaxIntegerBits) {
         return Value::error();
       }
@@ -196,7 +196,9 @@ double integer_to_double(Value a) {
 
 double true_quotient(Value a, Value b) {
   constexpr std::int64_t kExact = std::int64_t{1} << 53U;
-  const auto exact = [](Value v) { return v.is_small() && std::abs(v.integer_) <= kExact; };
+  const auto exact = [](Value v) {
+    return v.is_small() && v.integer_ <= kExact && v.integer_ >= -kExact;
+  };
   if (exact(a) && exact(b))
     return static_cast<double>(a.integer_) / static_cast<double>(b.integer_);
   cpp_int x = wide(a);

@@ -259,8 +259,8 @@ Value python_reversed(Evaluator& e, Value, Arguments& a) {
 }
 
 Value python_range(Evaluator& e, Value, Arguments& a) {
-  // Within 62 bits, so that distances fit 64.
-  constexpr std::int64_t kFar = std::int64_t{1} << 62U;
+  // Within 61 bits, so that distances fit 64.
+  constexpr std::int64_t kFar = std::int64_t{1} << 61U;
   for (const Value v : a.values) {
     if (!v.is_integral())
       return e.wrong_type("range() takes whole numbers, not " + std::string(type_name(v)));
@@ -311,8 +311,11 @@ Value python_divmod(Evaluator& e, Value, Arguments& a) {
 
 Value python_hash(Evaluator& e, Value, Arguments& a) {
   const Value v = a.values[0];
-  if (v.is_small() && std::abs(v.integer_) < (std::int64_t{1} << 61U) - 1)
+  // Python takes hashes modulo 2^61 - 1, and keeps -1 for itself.
+  constexpr std::int64_t kHashModulus = (std::int64_t{1} << 61U) - 1;
+  if (v.is_small() && v.integer_ < kHashModulus && v.integer_ > -kHashModulus) {
     return Value::integer(v.integer_ == -1 ? -2 : v.integer_);
+  }
   return e.fail(FactKind::kOutsideLanguage, {},
                 "hash() of other than small numbers, which differs from run to run");
 }

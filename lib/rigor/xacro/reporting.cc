@@ -33,6 +33,10 @@ std::vector<FactFrame> Expansion::stack_of(std::uint32_t frame) const {
 }
 
 std::uint32_t Expander::push_frame(Frame frame) {
+  if (++nodes_made_ > options_.bounds.nodes && !stopped_) {
+    report(FactKind::kBoundReached, {frame.where, true}, {}, "the size of an expansion");
+    stopped_ = true;
+  }
   result_.frames.push_back(std::move(frame));
   return static_cast<std::uint32_t>(result_.frames.size() - 1);
 }

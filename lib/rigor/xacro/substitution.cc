@@ -89,7 +89,10 @@ std::optional<std::string> Expander::substitute(std::string_view text, bool only
     for (std::size_t found = result.find(whole); found != std::string::npos;
          found = result.find(whole, found + value->size())) {
       result.replace(found, whole.size(), *value);
-      if (result.size() > options_.bounds.text_bytes) return std::nullopt;
+      if (result.size() > options_.bounds.text_bytes) {
+        report(FactKind::kBoundReached, place, {}, "the length of a text");
+        return std::nullopt;
+      }
     }
   }
   return result;

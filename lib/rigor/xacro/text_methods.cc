@@ -353,14 +353,14 @@ Value text_pad(Evaluator& e, Value self, Arguments& a) {
   if (!a.values[0].is_small() || code_points(fill) != 1)
     return e.wrong_type("a width and one character are due");
   const auto size = static_cast<std::int64_t>(code_points(self.as_text()));
-  const std::int64_t missing = a.values[0].integer_ - size;
+  const std::int64_t width = std::max<std::int64_t>(a.values[0].integer_, 0);
+  const std::int64_t missing = width - size;
   if (missing <= 0) return self;
   if (static_cast<std::uint64_t>(missing) > e.bounds().text_bytes)
     return e.fail(FactKind::kBoundReached, {}, "the length of a text");
-  const std::int64_t before = S == Side::kLeft ? missing
-                              : S == Side::kRight
-                                  ? 0
-                                  : missing / 2 + (missing & a.values[0].integer_ & 1);
+  const std::int64_t before = S == Side::kLeft    ? missing
+                              : S == Side::kRight ? 0
+                                                  : missing / 2 + (missing & width & 1);
   std::string result;
   for (std::int64_t i = 0; i < before; ++i) result += fill;
   result += self.as_text();
@@ -371,7 +371,8 @@ Value text_pad(Evaluator& e, Value self, Arguments& a) {
 Value text_zfill(Evaluator& e, Value self, Arguments& a) {
   if (!a.values[0].is_small()) return e.wrong_type("a width is due");
   const std::string_view text = self.as_text();
-  const std::int64_t missing = a.values[0].integer_ - static_cast<std::int64_t>(code_points(text));
+  const std::int64_t missing = std::max<std::int64_t>(a.values[0].integer_, 0) -
+                               static_cast<std::int64_t>(code_points(text));
   if (missing <= 0) return self;
   if (static_cast<std::uint64_t>(missing) > e.bounds().text_bytes)
     return e.fail(FactKind::kBoundReached, {}, "the length of a text");

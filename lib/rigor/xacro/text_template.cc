@@ -25,7 +25,10 @@ bool names_a_value(const Expression& expression) {
 
 const Expression& TextTemplates::expression(std::string_view text) {
   std::unique_ptr<Expression>& kept = expressions_[text];
-  if (!kept) kept = std::make_unique<Expression>(parse_expression(text, heap_, symbols_));
+  if (!kept) {
+    kept = std::make_unique<Expression>(parse_expression(text, heap_, symbols_));
+    heap_.charge(sizeof(Expression) + kept->nodes.size() * sizeof(ExpressionNode));
+  }
   return *kept;
 }
 

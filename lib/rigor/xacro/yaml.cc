@@ -317,7 +317,7 @@ class YamlBuilder final : public YAML::EventHandler {
       const std::string_view type = std::string_view(tag).substr(kStandardTag.size());
       if (type == "str") return heap_.text(text);
       if (type == "null") return Value::none();
-      if (type == "int" && is_yaml_integer(text)) return yaml_integer(heap_, text);
+      if (type == "int" && is_yaml_integer(text)) return plain(text, where);
       if (type == "float") {
         if (is_yaml_float(text)) return yaml_float(text);
         if (const auto d = real_from_text(text)) return Value::real(*d);
