@@ -9,8 +9,9 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <deque>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -66,7 +67,21 @@ struct Node {
   const Node* next_element() const;
 };
 
-/// Nodes that stay where they are.
-using Nodes = std::deque<Node>;
+/// Nodes that stay where they are, made in blocks: there are thousands of them.
+class Nodes {
+ public:
+  Node& emplace_back() {
+    if (left_ == 0) {
+      blocks_.push_back(std::make_unique<Node[]>(kBlock));
+      left_ = kBlock;
+    }
+    return blocks_.back()[kBlock - left_--];
+  }
+
+ private:
+  static constexpr std::size_t kBlock = 64;
+  std::vector<std::unique_ptr<Node[]>> blocks_;
+  std::size_t left_ = 0;
+};
 
 }  // namespace rigor::xacro

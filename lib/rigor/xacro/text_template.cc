@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <rigor/xacro/heap.h>
 #include <rigor/xacro/unicode.h>
 
 namespace rigor::xacro {
