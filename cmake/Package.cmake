@@ -66,8 +66,8 @@ without a window for a verdict that a script can use.")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME librigor-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-    "libconsole-bridge-dev, libeigen3-dev, libfmt-dev, libmeshoptimizer-dev, libode-dev, libpng-dev, libqhull-dev, \
-libtinyxml2-dev, libturbojpeg0-dev, liburdfdom-dev, zlib1g-dev")
+    "libboost-dev, libconsole-bridge-dev, libeigen3-dev, libfmt-dev, libmeshoptimizer-dev, libode-dev, libpng-dev, libqhull-dev, \
+libtinyxml2-dev, libturbojpeg0-dev, liburdfdom-dev, libyaml-cpp-dev, zlib1g-dev")
 set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "${rigor_assimp_package}, libembree3-3")
 set(CPACK_COMPONENT_DEV_DESCRIPTION
 "rigor tells what is wrong with a robot model (SDFormat, URDF) before a
