@@ -84,7 +84,7 @@ TEST_F(ExpandProgram, FailsWithThePlaceAndTheCalls) {
   EXPECT_EQ(ran.exit, 1);
   EXPECT_EQ(ran.out, "");
   EXPECT_EQ(ran.err,
-            "bad.xacro:2:47: error: division by zero\n"
+            "bad.xacro:2:46: error: division by zero\n"
             "  in macro 'leg' (n='1'), called at bad.xacro:3:3\n");
 }
 
