@@ -181,6 +181,19 @@ TEST(XacroExpand, AMissingIncludeDoesNotMakeEveryNameUndefined) {
   EXPECT_EQ(all_findings(expanded), "2:26 'gone.xacro' cannot be read: no such file\n");
 }
 
+TEST(XacroExpand, RemarksOnWhatIsDefinedTwiceOrNotUsed) {
+  const Expanded expanded(
+      robot("<xacro:property name=\"a\" value=\"1\"/>\n<xacro:property name=\"a\" value=\"2\"/>\n"
+            "<xacro:property name=\"b\" value=\"1\"/>\n<xacro:arg name=\"c\" default=\"1\"/>\n"
+            "<xacro:macro name=\"d\" params=\"e\"/>\n<xacro:macro name=\"f\"/>\n"
+            "<xacro:d e=\"1\"/><v>${a}</v>"));
+  EXPECT_TRUE(expanded.expansion.ok());
+  EXPECT_EQ(all_findings(expanded),
+            "3:23 property 'a' is defined again\n4:23 property 'b' is not used\n"
+            "6:31 parameter 'e' of macro 'd' is not used\n7:1 macro 'f' is not called\n"
+            "5:30 argument 'c' is not used\n");
+}
+
 TEST(XacroExpand, FilesThatAreNotWellFormedAreRefusedAtTheirPlace) {
   const Expanded mismatched(robot("<a></b>"));
   EXPECT_TRUE(

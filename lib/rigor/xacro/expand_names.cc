@@ -70,6 +70,12 @@ void Expander::define_property(const Node& node, Names names, Node& out) {
   binding.place = value != nullptr ? value->where : node.where;
   binding.definition = static_cast<std::uint32_t>(definitions_.size());
   if (builtins_.contains(symbol)) report(FactKind::kRedefinedBuiltin, name_attribute->where, key);
+  const Binding* before = otherwise == nullptr ? target->own().find(symbol) : nullptr;
+  if (before != nullptr && before->definition != kNoDefinition &&
+      definitions_[before->definition].where != name_attribute->where.span) {
+    report(FactKind::kRedefinedProperty, name_attribute->where, key, {},
+           definitions_[before->definition].where);
+  }
   definitions_.push_back({symbols_.name(symbol), name_attribute->where.span, false});
   if (value == nullptr) {
     symbol = symbols_.of("**" + key);

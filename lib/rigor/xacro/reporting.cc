@@ -102,7 +102,12 @@ void Expander::report_unused() {
       report(FactKind::kUnusedProperty, {definition.where, true}, std::string(definition.name));
   }
   for (const Macro& macro : macros_) {
-    if (!macro.used || macro.body->where.span.source != own) continue;
+    if (macro.body->where.span.source != own) continue;
+    // A file of macros alone is for others to call.
+    if (!macro.used && result_.root->first_element() != nullptr) {
+      report(FactKind::kUnusedMacro, macro.body->where, std::string(macro.name));
+    }
+    if (!macro.used) continue;
     for (const MacroParameter& parameter : macro.parameters) {
       if (!parameter.used)
         report(FactKind::kUnusedParameter, macro.body->attribute("params")->where,
