@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 
 # embed_page(OUT FOLDER): a source file that holds the page of `rigor view`, which node builds of FOLDER when the
-# library is built. What npm fetches goes into the build folder. Where that fails, or without node, the page is
-# empty and `rigor view` says so: everything else is as good.
+# library is built. What npm fetches goes into the build folder. With RIGOR_PAGE off the page is empty and
+# `rigor view` says so; a page that was asked for and cannot be built ends the build.
 function(embed_page out folder)
   find_program(RIGOR_NODE NAMES node nodejs)
   find_program(RIGOR_NPM npm)
@@ -14,7 +14,8 @@ function(embed_page out folder)
   if(NOT RIGOR_PAGE)
     message(STATUS "RIGOR_PAGE is off: `rigor view` will write no page")
   elseif(NOT RIGOR_NODE OR NOT RIGOR_NPM)
-    message(STATUS "node or npm is not installed: `rigor view` will write no page")
+    message(FATAL_ERROR "The page of `rigor view` is built with node and npm, which are not installed (Debian: \
+apt install nodejs npm). To build rigor without the page: cmake -DRIGOR_PAGE=OFF")
   else()
     set(node ${RIGOR_NODE})
     file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE ${folder} ${folder}/*)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # What a release holds beside the program, and how CPack makes Debian packages of it: `rigor` (the program, its
-# pages and completions) and `librigor-dev` (the library, its headers, its CMake package). The component of
+# worker, pages and completions) and `librigor-dev` (the library, its headers, its CMake package). The component of
 # a file is the default one of the folder that installs it (see the top CMakeLists.txt).
 
 # Pages and completions come from the program itself, so that they say what it does.
@@ -22,7 +22,7 @@ add_custom_command(OUTPUT ${rigor_completions} ${rigor_share}/man/man1/rigor.1
   DEPENDS rigor_cli VERBATIM)
 add_custom_target(rigor_manual ALL DEPENDS ${rigor_share}/man/man1/rigor.1)
 # All that an installation needs, and no test.
-add_custom_target(rigor_release DEPENDS rigor rigor_cli rigor_docs rigor_manual)
+add_custom_target(rigor_release DEPENDS rigor rigor_cli rigor_worker rigor_docs rigor_manual)
 
 install(DIRECTORY ${rigor_share}/ DESTINATION ${CMAKE_INSTALL_DATAROOTDIR} COMPONENT program)
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
@@ -52,7 +52,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME rigor)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 # Opened when a Collada, glTF or PLY mesh is first read, so that no dependency shows.
-string(REPLACE ".so." "" rigor_assimp_package ${RIGOR_ASSIMP_SONAME})
+string(REPLACE ".so." "" rigor_assimp_package "${RIGOR_ASSIMP_SONAME}")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "${rigor_assimp_package}, libembree3-3")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
 "rigor tells what is wrong with a robot model (SDFormat, URDF) before a
@@ -65,9 +65,10 @@ without a window for a verdict that a script can use.")
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME librigor-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+# The library runs importers and engines in the worker, which is in the program's package.
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-    "libboost-dev, libconsole-bridge-dev, libeigen3-dev, libfmt-dev, libmeshoptimizer-dev, libode-dev, libpng-dev, libqhull-dev, \
-libtinyxml2-dev, libturbojpeg0-dev, liburdfdom-dev, libyaml-cpp-dev, zlib1g-dev")
+    "rigor (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), libboost-dev, libconsole-bridge-dev, libeigen3-dev, libfmt-dev, libmeshoptimizer-dev, libode-dev, libpng-dev, libqhull-dev, \
+libtinyxml2-dev, libturbojpeg0-dev, liburdfdom-dev, libxxhash-dev, libyaml-cpp-dev, zlib1g-dev")
 set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "${rigor_assimp_package}, libembree3-3")
 set(CPACK_COMPONENT_DEV_DESCRIPTION
 "rigor tells what is wrong with a robot model (SDFormat, URDF) before a

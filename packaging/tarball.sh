@@ -17,12 +17,13 @@ rm -rf "$root"
 cmake --install "$build" --prefix "$root" --component program --strip >/dev/null
 mkdir -p "$root/libexec" "$root/lib/glibc" "$root/share/doc/licenses"
 mv "$root/bin/rigor" "$root/libexec/rigor"
+mv "$root/libexec/rigor-worker" "$root/libexec/rigor-worker.program"
 mv "$root/share/doc/rigor/LICENSE" "$root/share/doc/rigor/CHANGELOG.md" "$root/share/doc/"
 [ -e "$root/share/doc/rigor/rules.md" ] && mv "$root/share/doc/rigor/rules.md" "$root/share/doc/"
 rm -rf "$root/share/doc/rigor"
 
 # The library that scenes are read with is opened by name; everything else shows in the program.
-assimp=$(grep -aom 1 'libassimp\.so\.[0-9]*' "$build/rigor")
+assimp=$(grep -aom 1 'libassimp\.so\.[0-9]*' "$build/rigor-worker")
 assimp_path=$(ldconfig -p | awk -v name="$assimp" '$1 == name && !path { path = $NF } END { print path }')
 [ -n "$assimp_path" ] || { echo "$assimp is not installed" >&2; exit 1; }
 loader_path=$(patchelf --print-interpreter "$root/libexec/rigor")
@@ -32,6 +33,7 @@ loader=$(basename "$loader_path")
 printf 'library\tpackage\tversion\n' >"$root/share/doc/licenses/libraries.tsv"
 {
   ldd "$build/rigor"
+  ldd "$build/rigor-worker"
   ldd "$assimp_path"
   echo "$assimp => $assimp_path"
   echo "$loader => $loader_path"
@@ -57,10 +59,12 @@ done
 chmod 755 "$root/lib/glibc/$loader"
 
 # Found without the launcher too. RPATH, unlike RUNPATH, counts for what is opened by name.
-patchelf --force-rpath --set-rpath '$ORIGIN/../lib' "$root/libexec/rigor"
+for program in "$root/libexec/rigor" "$root/libexec/rigor-worker.program"; do
+  patchelf --force-rpath --set-rpath '$ORIGIN/../lib' "$program"
+done
 for library in "$root"/lib/*.so.*; do patchelf --force-rpath --set-rpath '$ORIGIN' "$library"; done
 
-needed=$(for file in "$root/libexec/rigor" "$root"/lib/*.so.*; do
+needed=$(for file in "$root/libexec/rigor" "$root/libexec/rigor-worker.program" "$root"/lib/*.so.*; do
   objdump -T "$file" | grep -o 'GLIBC_[0-9.]*'
 done | sort -Vu | tail -n 1)
 glibc="glibc $(ldd --version | sed -n '1s/.* //p')"
@@ -68,8 +72,9 @@ kernel=$(file -L "$root/lib/glibc/libc.so.6" | sed -n 's/.*for GNU\/Linux \([0-9
 sed -e "s/@VERSION@/$version/; s/@MACHINE@/$(uname -m)/g; s/@GLIBC@/$glibc/; s/@KERNEL@/$kernel/; \
 s/@NEEDED_GLIBC@/$needed/g" "$here/tarball/README" >"$root/README"
 mkdir -p "$root/bin"
-sed "s/@LOADER@/$loader/g" "$here/tarball/rigor.sh" >"$root/bin/rigor"
-chmod 755 "$root/bin/rigor"
+sed "s/@LOADER@/$loader/g; s/@PROGRAM@/rigor/g" "$here/tarball/launch.sh" >"$root/bin/rigor"
+sed "s/@LOADER@/$loader/g; s/@PROGRAM@/rigor-worker.program/g" "$here/tarball/launch.sh" >"$root/libexec/rigor-worker"
+chmod 755 "$root/bin/rigor" "$root/libexec/rigor-worker"
 
 tar --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 --numeric-owner --format=gnu \
   -C "$out" -cf - "$name" | gzip -9n >"$out/$name.tar.gz"

@@ -34,24 +34,23 @@ const std::map<std::string, Names>& rooms() {
       {"xacro", {"text", "xml"}},
       {"config", {"text"}},
       {"mesh", {"text", "xml", "model", "process"}},
-      {"mass", {"text", "model", "mesh"}},
+      {"mass", {"text", "model", "mesh", "process"}},
       {"write", {"text", "xml", "schema", "model", "read", "mass"}},
-      {"convert", {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "process"}},
+      {"robot", {"text", "schema", "model", "read", "mesh", "mass"}},
+      {"convert",
+       {"text", "xml", "schema", "model", "process", "read", "mesh", "mass", "write", "robot"}},
       {"simulate",
-       {"text", "xml", "schema", "model", "config", "process", "read", "mesh", "mass", "convert"}},
+       {"text", "xml", "schema", "model", "config", "process", "read", "mesh", "mass", "robot"}},
       {"rules",
-       {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "convert", "simulate",
-        "environment"}},
-      {"environment", {"text", "schema", "read", "rules"}},
+       {"text", "xml", "schema", "model", "process", "read", "mesh", "mass", "write", "robot",
+        "convert", "simulate"}},
       {"author",
-       {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "convert", "simulate",
-        "rules", "environment"}},
-      {"view",
-       {"text", "xml", "schema", "model", "read", "mesh", "mass", "convert", "simulate", "rules",
-        "author", "environment"}},
+       {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "robot", "convert",
+        "simulate", "rules"}},
+      {"view", {"text", "xml", "schema", "model", "read", "mesh", "mass", "robot"}},
       {"report",
-       {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "convert", "simulate",
-        "rules", "author", "view", "environment"}},
+       {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "robot", "convert",
+        "simulate", "rules", "author", "view"}},
   };
   return kRooms;
 }
@@ -62,8 +61,9 @@ const std::map<std::string, Names>& third_parties() {
       {"tinyxml2.h", {"xml", "tools"}},
       {"Eigen/", {"mass", "report"}},
       {"fmt/", {"convert", "rules", "author", "report", "tools"}},
-      {"nlohmann/", {"report", "tools"}},
+      {"nlohmann/", {"mesh", "report", "tools"}},
       {"CLI/", {"tools"}},
+      {"httplib.h", {"tools"}},
       {"toml++", {"config"}},
       {"assimp/", {"mesh"}},
       {"libqhull", {"mesh"}},
@@ -74,17 +74,15 @@ const std::map<std::string, Names>& third_parties() {
       {"embree3/", {"view"}},
       {"png.h", {"view", "mesh"}},
       {"turbojpeg.h", {"view"}},
-      {"zlib.h", {"report"}},
+      {"xxhash.h", {"text"}},
       {"yaml-cpp/", {"xacro"}},
-      {"boost/", {"xacro"}}};
+      {"boost/", {"xacro"}},
+      {"zlib.h", {"report"}}};
   return kParties;
 }
 
-/// `rules/xml/a.cc` is of room rules; `environment.h` is a room of its own.
-std::string room_of(const std::string& path) {
-  const std::size_t slash = path.find('/');
-  return slash == std::string::npos ? path.substr(0, path.find('.')) : path.substr(0, slash);
-}
+/// The first folder: `rules/xml/a.cc` is of room rules.
+std::string room_of(const std::string& path) { return path.substr(0, path.find('/')); }
 
 struct File {
   std::string name;  ///< "read/load.cc"; tools as "tools/main.cc"
@@ -154,6 +152,42 @@ TEST(Architecture, NoTwoFilesFormACircle) {
     state[name] = 2;
   };
   for (const auto& [name, next] : std::map(includes)) visit(name);
+}
+
+/// What lib/public_headers.cmake lists, as "read/load.h".
+Names public_headers() {
+  const std::string list =
+      test::read_file(fs::path(RIGOR_SOURCE_DIR) / "lib" / "public_headers.cmake");
+  const std::regex header("^  rigor/([^)\\s]+)", std::regex::multiline);
+  Names names;
+  for (std::sregex_iterator it(list.begin(), list.end(), header), end; it != end; ++it) {
+    names.insert((*it)[1]);
+  }
+  return names;
+}
+
+TEST(Architecture, PublicHeadersIncludeNoOthers) {
+  const Names listed = public_headers();
+  ASSERT_GT(listed.size(), 40U);
+  std::map<std::string, Names> includes;
+  for (const File& file : all_files()) includes[file.name] = file.rigor;
+  for (const std::string& header : listed) {
+    ASSERT_TRUE(includes.contains(header)) << header << " does not exist";
+    for (const std::string& name : includes[header]) {
+      EXPECT_TRUE(listed.contains(name)) << header << " includes " << name;
+    }
+  }
+}
+
+TEST(Architecture, FoldersAreSmall) {
+  constexpr int kMostFiles = 40;  // more are split by noun
+  std::map<std::string, int> files;
+  for (const File& file : all_files()) {
+    const fs::path folder = fs::path(file.name).parent_path();
+    // A rule is one file, and its category is where people look for it.
+    if (folder.parent_path() != "rules") ++files[folder.generic_string()];
+  }
+  for (const auto& [folder, count] : files) EXPECT_LE(count, kMostFiles) << folder;
 }
 
 TEST(Architecture, FilesHaveOneSubject) {

@@ -7,9 +7,9 @@
 
 #include <string>
 
-#include <rigor/environment.h>
-#include <rigor/report/pretty.h>
-#include <rigor/report/rules_list.h>
+#include <rigor/report/rules/list.h>
+#include <rigor/report/terminal/pretty.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 
 #include "support/corpus.h"

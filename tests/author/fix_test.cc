@@ -14,10 +14,10 @@
 
 #include <rigor/author/edit_set.h>
 #include <rigor/author/patched_text.h>
-#include <rigor/environment.h>
-#include <rigor/mass/mesh_survey.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/read/load.h>
-#include <rigor/report/inspect.h>
+#include <rigor/report/inspect/inspect.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/example.h>
 #include <rigor/rules/validate.h>
 
@@ -298,7 +298,7 @@ TEST(Fix, OfEveryRuleKeepsItsPromise) {
     if (rule.category == rules::Category::kConvert || rule.category == rules::Category::kSimulate) {
       continue;
     }
-    for (const rules::Example& example : rule.bad) {
+    for (const rules::Example& example : rules::examples_of(rule).bad) {
       SCOPED_TRACE(example.text);
       const rules::ParsedExample parsed = rules::parse_example(example.text);
       MemoryDisk disk;

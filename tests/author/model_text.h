@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
-#include <rigor/environment.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
+#include <rigor/rules/environment.h>
 #include <rigor/text/disk.h>
 #include <rigor/text/sources.h>
 

@@ -4,7 +4,7 @@
 // Against texts written by hand from the published tables of what changed between versions
 // (docs/upgrade.md), and against what the upgraded file is when read by itself.
 
-#include <rigor/author/upgrade.h>
+#include <rigor/author/upgrade/upgrade.h>
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include <rigor/author/upgrade_step.h>
+#include <rigor/author/upgrade/step.h>
 #include <rigor/model/frames.h>
 
 #include "author/model_text.h"

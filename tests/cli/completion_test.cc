@@ -80,6 +80,43 @@ TEST_F(BashCompletion, OffersValuesOfAnOption) {
   EXPECT_TRUE(bash_offers(folder_, "rigor inspect --format ''").contains("tsv"));
 }
 
+/// The names are those that the command takes, however its help words them.
+TEST_F(BashCompletion, OffersValuesThatHelpDoesNotList) {
+  EXPECT_EQ(bash_offers(folder_, "rigor mesh-check --fit ''"),
+            (std::set<std::string>{"box", "sphere", "cylinder", "capsule", "best"}));
+  EXPECT_EQ(bash_offers(folder_, "rigor inertia --from ''"),
+            (std::set<std::string>{"collision", "visual"}));
+  EXPECT_EQ(bash_offers(folder_, "rigor urdf2sdf --sdf-version ''"),
+            (std::set<std::string>{"1.9", "1.10", "1.11"}));
+  EXPECT_TRUE(bash_offers(folder_, "rigor mesh-check --unit ''").contains("foot"));
+  EXPECT_EQ(bash_offers(folder_, "rigor completion z"), (std::set<std::string>{"zsh"}));
+}
+
+TEST(Completion, EachValueThatIsOfferedIsTaken) {
+  const Folder folder;
+  std::istringstream script(folder.rigor("completion bash").out);
+  int tried = 0;
+  for (std::string line; std::getline(script, line);) {
+    // "    'validate --color') words='auto always never' ;;"
+    const std::size_t option = line.find(" --");
+    const std::size_t words = line.find("') words='");
+    if (!line.starts_with("    '") || option == std::string::npos || words == std::string::npos ||
+        line.find(" | ") != std::string::npos) {
+      continue;
+    }
+    const std::string command = line.substr(5, option - 5);
+    std::istringstream values(line.substr(words + 10, line.rfind('\'') - words - 10));
+    for (std::string value; values >> value;) {
+      const std::string given = command + line.substr(option, words - option) + ' ' + value;
+      // What is said of anything else is that there is no such file.
+      EXPECT_EQ(folder.rigor(given + " none.sdf").err.find('"' + value + '"'), std::string::npos)
+          << given;
+      ++tried;
+    }
+  }
+  EXPECT_GT(tried, 100);
+}
+
 TEST_F(BashCompletion, OffersRules) {
   EXPECT_EQ(bash_offers(folder_, "rigor explain axis-z"), (std::set<std::string>{"axis-zero"}));
   EXPECT_TRUE(bash_offers(folder_, "rigor validate --select iner").contains("inertia"));

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cli/program.h>
-#include <convert/robots.h>
+#include <robot/robots.h>
 
 namespace rigor::test {
 namespace {

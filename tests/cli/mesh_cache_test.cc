@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mass/mesh_cache.h>
-#include <rigor/mesh/write.h>
+#include <rigor/mass/mesh/cache.h>
+#include <rigor/mesh/write/write.h>
 
 #include <cli/program.h>
 #include "support/meshes.h"

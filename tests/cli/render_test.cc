@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cli/program.h>
-#include <rigor/view/picture.h>
+#include <rigor/view/image/picture.h>
 #include <rigor/view/trace.h>
 
 namespace rigor::test {

@@ -18,7 +18,7 @@
 #include <filesystem>
 #include <string>
 
-#include <rigor/report/model_page.h>
+#include <rigor/report/page/model_page.h>
 
 #include "cli/program.h"
 

@@ -12,10 +12,10 @@
 #include <variant>
 #include <vector>
 
-#include <rigor/convert/documents.h>
 #include <rigor/convert/sdf_to_urdf.h>
-#include <rigor/convert/urdf_robot.h>
+#include <rigor/convert/urdf/robot.h>
 #include <rigor/model/frames.h>
+#include <rigor/read/documents.h>
 #include <rigor/read/load.h>
 #include <rigor/read/resolver.h>
 #include <rigor/read/workspace.h>
@@ -23,6 +23,8 @@
 #include <rigor/schema/schema.h>
 #include <rigor/text/disk.h>
 #include <rigor/text/sources.h>
+
+#include "support/workers.h"
 
 namespace rigor::test {
 
@@ -50,7 +52,7 @@ struct ReadRobot {
   read::Workspace workspace;
   read::Loaded loaded;
   model::Frames frames;
-  convert::Documents documents;
+  read::Documents documents;
 };
 
 /// `files["robot.sdf"]`, converted.
@@ -58,7 +60,7 @@ struct Converted {
   explicit Converted(std::map<std::string, std::string> files, convert::UrdfOptions options = {})
       : disk(std::move(files)), source(disk, "robot.sdf") {
     result = sdf_to_urdf({source.loaded.root, source.frames, source.documents, source.resolver,
-                          sdf_schema(), "robot.sdf"},
+                          sdf_schema(), workers(), "robot.sdf"},
                          options);
   }
   /// What stands in the one model of an SDF file of this version.

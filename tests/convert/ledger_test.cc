@@ -50,7 +50,7 @@ struct Books {
   Sources sources;
   read::Workspace workspace{disk, sources};
   const read::File* file = nullptr;
-  std::optional<Documents> documents;
+  std::optional<read::Documents> documents;
   std::optional<Ledger> open_ledger;
 };
 

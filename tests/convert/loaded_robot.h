@@ -10,9 +10,9 @@
 #include <utility>
 #include <variant>
 
-#include <rigor/convert/documents.h>
 #include <rigor/convert/sdf_to_urdf.h>
 #include <rigor/model/frames.h>
+#include <rigor/read/documents.h>
 #include <rigor/read/load.h>
 #include <rigor/read/resolver.h>
 #include <rigor/read/workspace.h>
@@ -20,6 +20,8 @@
 #include <rigor/schema/schema.h>
 #include <rigor/text/disk.h>
 #include <rigor/text/sources.h>
+
+#include "support/workers.h"
 
 namespace rigor::test {
 
@@ -42,7 +44,7 @@ class LoadedRobot {
   const model::Frames& frames() const { return frames_; }
   convert::Source source() const {
     const bool sdf = root().format == model::Format::kSdf;
-    return {root(), frames_, documents_, resolver_, sdf ? sdf_ : urdf_, path_};
+    return {root(), frames_, documents_, resolver_, sdf ? sdf_ : urdf_, workers(), path_};
   }
 
  private:
@@ -53,7 +55,7 @@ class LoadedRobot {
   read::Workspace workspace_;
   read::Loaded loaded_;
   model::Frames frames_;
-  convert::Documents documents_;
+  read::Documents documents_;
   std::string path_;
 };
 

@@ -12,6 +12,7 @@
 
 #include "convert/converted.h"
 #include "support/corpus.h"
+#include "support/workers.h"
 
 namespace rigor::convert {
 namespace {
@@ -334,9 +335,10 @@ TEST(SdfToUrdf, TheCorpusConverts) {
   for (const std::string& path : test::corpus_models()) {
     const test::ReadRobot source(disk, path);
     if (source.loaded.root.format != model::Format::kSdf) continue;
-    const UrdfConversion result = sdf_to_urdf({source.loaded.root, source.frames, source.documents,
-                                               source.resolver, test::sdf_schema(), path},
-                                              {});
+    const UrdfConversion result =
+        sdf_to_urdf({source.loaded.root, source.frames, source.documents, source.resolver,
+                     test::sdf_schema(), test::workers(), path},
+                    {});
     // Whatever is not converted says why.
     EXPECT_EQ(result.robot.has_value(), sum_of_counts(result.account) > 0) << path;
     EXPECT_TRUE(result.robot || !result.account.notes.empty()) << path;

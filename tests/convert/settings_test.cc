@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <convert/converted.h>
-#include <convert/robots.h>
+#include <robot/robots.h>
 
 namespace rigor::test {
 namespace {

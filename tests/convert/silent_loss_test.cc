@@ -16,12 +16,13 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/convert/sdf_robot.h>
+#include <rigor/convert/sdf/robot.h>
 #include <rigor/convert/urdf_to_sdf.h>
 
 #include "convert/converted.h"
-#include "convert/robots.h"
 #include "convert/schema_fixture.h"
+#include "robot/robots.h"
+#include "support/workers.h"
 
 namespace rigor::convert {
 namespace {
@@ -59,6 +60,7 @@ Said said_of(std::string text, const std::string& path) {
                       read.documents,
                       read.resolver,
                       sdf ? test::sdf_schema() : test::urdf_schema(),
+                      test::workers(),
                       path};
   if (sdf) {
     UrdfConversion result = sdf_to_urdf(source, {.roots = RootPolicy::kAddRoot});

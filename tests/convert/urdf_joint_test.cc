@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/convert/urdf_joint.h>
+#include <rigor/convert/urdf/joint/joint.h>
 
 #include <gtest/gtest.h>
 
@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
-#include <rigor/convert/urdf_robot.h>
+#include <rigor/convert/urdf/robot.h>
 #include <rigor/model/frames.h>
 
 #include "convert/converted.h"
-#include "convert/robots.h"
+#include "robot/robots.h"
 
 namespace rigor::convert {
 namespace {
@@ -267,21 +267,21 @@ TEST(UrdfJoint, LinksBetweenHaveAMassThatWhatTheyCarryHasLess) {
     EXPECT_EQ(converted.notes(NoteKind::kLinkBetween)[0].outcome, Outcome::kSubstituted);
 
     // All bodies together, at joint positions drawn at random, far within what a comparison lets pass.
-    const Robot before =
+    const robot::Robot before =
         test::robot_from("<sdf version='1.9'><model name='m'>" + model + "</model></sdf>");
-    const Robot after = test::robot_from(urdf_text(robot));
+    const robot::Robot after = test::robot_from(urdf_text(robot));
     std::mt19937 random(7);
     for (int round = 0; round < 10; ++round) {
       std::map<std::string, double> drawn;
       const auto draw = [&] { return static_cast<double>(random()) / 2147483648.0 - 1; };
       for (const std::string name : {"j", "j_axis2", "j_axis3"}) drawn[name] = draw();
-      RobotPositions q{{}}, p;
+      robot::Positions q{{}}, p;
       for (std::size_t k = 0; k < before.joints[0].axes.size(); ++k) {
         q[0].push_back(drawn[k == 0 ? "j" : "j_axis" + std::to_string(k + 1)]);
       }
-      for (const RobotJoint& joint : after.joints) p.push_back({drawn[joint.name]});
-      const Moments x = moments(before, body_poses(before, q));
-      const Moments y = moments(after, body_poses(after, followed(after, p)));
+      for (const robot::Joint& joint : after.joints) p.push_back({drawn[joint.name]});
+      const robot::Moments x = moments(before, body_poses(before, q));
+      const robot::Moments y = moments(after, body_poses(after, followed(after, p)));
       EXPECT_NEAR(x.mass, y.mass, 1e-14);
       EXPECT_NEAR(length(x.first - y.first), 0, 1e-14);
       EXPECT_NEAR(x.second.ixx, y.second.ixx, 1e-13);

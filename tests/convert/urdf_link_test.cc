@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/convert/urdf_draft.h>
+#include <rigor/convert/urdf/draft.h>
 
 #include <cmath>
 #include <numbers>
@@ -11,7 +11,7 @@
 
 #include <rigor/mass/polyhedron.h>
 #include <rigor/mesh/read.h>
-#include <rigor/mesh/topology.h>
+#include <rigor/mesh/topology/topology.h>
 
 #include "convert/urdf_part.h"
 

@@ -13,11 +13,11 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/convert/urdf_draft.h>
-#include <rigor/environment.h>
+#include <rigor/convert/urdf/draft.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
+#include <rigor/rules/environment.h>
 #include <rigor/text/disk.h>
 #include <rigor/text/sources.h>
 
@@ -43,6 +43,7 @@ struct UrdfPart {
                documents,
                environment.resolver,
                environment.sdf,
+               environment.workers,
                "/robots/arm/model.sdf",
                out},
         ledger(documents),
@@ -73,7 +74,7 @@ struct UrdfPart {
   convert::UrdfOptions options;
   read::Loaded loaded;
   model::Frames frames;
-  convert::Documents documents;
+  read::Documents documents;
   convert::Source source;
   convert::Ledger ledger;
   convert::UrdfDraft draft;

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/convert/urdf_robot.h>
+#include <rigor/convert/urdf/robot.h>
 
 #include <gtest/gtest.h>
 

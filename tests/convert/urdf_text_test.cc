@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include <rigor/convert/urdf_robot.h>
+#include <rigor/convert/urdf/robot.h>
 
 #include "convert/loaded_robot.h"
 

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/convert/urdf_uri.h>
+#include <rigor/convert/urdf/uri.h>
 
 #include <variant>
 

@@ -5,8 +5,9 @@
 
 #include <cmath>
 
-#include <convert/robots.h>
+#include <robot/robots.h>
 #include "support/corpus.h"
+#include "support/workers.h"
 
 namespace rigor::test {
 namespace {
@@ -21,7 +22,7 @@ bool mentions(const UrdfdomVerdict& verdict, const std::string& words) {
 }
 
 TEST(Urdfdom, ReadsTheArmAsRigorDoes) {
-  const UrdfdomVerdict verdict = judge_by_urdfdom(kArmUrdf);
+  const UrdfdomVerdict verdict = judge_by_urdfdom(kArmUrdf, workers());
   ASSERT_TRUE(verdict.robot) << testing::PrintToString(verdict.messages);
   EXPECT_EQ(verdict.messages, Lines{});
   EXPECT_EQ(told(compare(robot_from(kArmUrdf), *verdict.robot)), Lines{});
@@ -30,7 +31,7 @@ TEST(Urdfdom, ReadsTheArmAsRigorDoes) {
 
 TEST(Urdfdom, SeesWhatDiffers) {
   const UrdfdomVerdict verdict =
-      judge_by_urdfdom(with(kArmUrdf, "xyz=\"0 0 0.5\"", "xyz=\"0 0 0.501\""));
+      judge_by_urdfdom(with(kArmUrdf, "xyz=\"0 0 0.5\"", "xyz=\"0 0 0.501\""), workers());
   ASSERT_TRUE(verdict.robot);
   const auto found = compare(robot_from(kArmSdf), *verdict.robot);
   ASSERT_EQ(told(found), Lines{"joint-moved joint elbow"});
@@ -38,16 +39,18 @@ TEST(Urdfdom, SeesWhatDiffers) {
 }
 
 TEST(Urdfdom, RefusesAndSaysWhy) {
-  EXPECT_FALSE(judge_by_urdfdom("").robot);
-  const UrdfdomVerdict text = judge_by_urdfdom("<robot name=\"r\"><link name=\"a\"></robot>");
+  EXPECT_FALSE(judge_by_urdfdom("", workers()).robot);
+  const UrdfdomVerdict text =
+      judge_by_urdfdom("<robot name=\"r\"><link name=\"a\"></robot>", workers());
   EXPECT_FALSE(text.robot);
   EXPECT_FALSE(text.messages.empty());
   EXPECT_FALSE(text.died);
-  const UrdfdomVerdict effort = judge_by_urdfdom(with(kArmUrdf, "effort=\"10\"", "effort=\"inf\""));
+  const UrdfdomVerdict effort =
+      judge_by_urdfdom(with(kArmUrdf, "effort=\"10\"", "effort=\"inf\""), workers());
   EXPECT_FALSE(effort.robot);
   EXPECT_TRUE(mentions(effort, "effort")) << testing::PrintToString(effort.messages);
   const UrdfdomVerdict roots =
-      judge_by_urdfdom("<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/></robot>");
+      judge_by_urdfdom("<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/></robot>", workers());
   EXPECT_FALSE(roots.robot);
   EXPECT_TRUE(mentions(roots, "root")) << testing::PrintToString(roots.messages);
 }
@@ -61,10 +64,11 @@ TEST(Urdfdom, LoopsEnd) {
   const std::string links =
       "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/><link name=\"c\"/>";
   const UrdfdomVerdict circle =
-      judge_by_urdfdom(links + joint("j", "b", "c") + joint("k", "c", "b") + "</robot>");
+      judge_by_urdfdom(links + joint("j", "b", "c") + joint("k", "c", "b") + "</robot>", workers());
   EXPECT_TRUE(circle.died || !circle.robot || circle.robot->bodies.size() == 3);
   const UrdfdomVerdict parents = judge_by_urdfdom(
-      links + joint("i", "a", "b") + joint("j", "a", "c") + joint("k", "b", "c") + "</robot>");
+      links + joint("i", "a", "b") + joint("j", "a", "c") + joint("k", "b", "c") + "</robot>",
+      workers());
   EXPECT_TRUE(parents.died || !parents.robot || parents.robot->bodies.size() == 3);
 }
 
@@ -75,14 +79,14 @@ TEST(Urdfdom, AgreesOverTheCorpus) {
   for (const std::string& path : corpus_models()) {
     if (!path.ends_with(".urdf")) continue;
     const std::string text = read_file(path);
-    const UrdfdomVerdict verdict = judge_by_urdfdom(text);
+    const UrdfdomVerdict verdict = judge_by_urdfdom(text, workers());
     if (!verdict.robot || !verdict.messages.empty()) {
       ++refused;
       continue;
     }
     ++read;
     const auto found =
-        compare(robot_from(text), *verdict.robot, {.helpers = convert::Helpers::kTold});
+        compare(robot_from(text), *verdict.robot, {.helpers = robot::Helpers::kTold});
     EXPECT_EQ(told(found), Lines{}) << path;
   }
   EXPECT_GT(read, refused);

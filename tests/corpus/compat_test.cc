@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include <rigor/environment.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 
 #include "support/corpus.h"

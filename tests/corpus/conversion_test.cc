@@ -16,9 +16,9 @@
 #include <vector>
 
 #include <rigor/author/conversion.h>
-#include <rigor/environment.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/environment.h>
 
 #include "support/corpus.h"
 

@@ -3,7 +3,7 @@
 //
 // Models of the corpus, drawn with everything that can be shown of them.
 
-#include <rigor/view/drawing.h>
+#include <rigor/view/drawing/drawing.h>
 
 #include <gtest/gtest.h>
 
@@ -17,12 +17,12 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/environment.h>
-#include <rigor/mass/mesh_reads.h>
+#include <rigor/mass/mesh/reads.h>
 #include <rigor/mass/shapes.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>
-#include <rigor/view/drawing_files.h>
+#include <rigor/rules/environment.h>
+#include <rigor/view/drawing/files.h>
 #include <rigor/view/trace.h>
 
 #include "support/corpus.h"
@@ -112,7 +112,7 @@ TEST(CorpusDrawing, DrawsWhateverLoads) {
     const read::Loaded loaded = read::load(reader, file);
     const model::Root& root = loaded.root;
     const model::Frames frames(root);
-    mass::MeshReads reads(disk);
+    mass::MeshReads reads(disk, environment.workers);
     Files files = files_of(environment.resolver, sources, reads);
     if (i % kMeshStride != 0) files = {};
 
@@ -153,7 +153,7 @@ TEST(CorpusDrawing, HasNoBlankPicture) {
     const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
     const read::Loaded loaded = read::load(reader, file);
     const model::Frames frames(loaded.root);
-    mass::MeshReads reads(disk);
+    mass::MeshReads reads(disk, environment.workers);
     const Drawing drawing =
         draw(loaded.root, frames, sources, files_of(environment.resolver, sources, reads),
              {{Layer::kVisual}});

@@ -19,9 +19,10 @@
 #include <gtest/gtest.h>
 
 #include <rigor/author/fix.h>
-#include <rigor/environment.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/read/load.h>
-#include <rigor/report/inspect.h>
+#include <rigor/report/inspect/inspect.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 #include <rigor/text/diff.h>
 #include <rigor/text/edit.h>

@@ -10,8 +10,9 @@
 #include <gtest/gtest.h>
 
 #include <rigor/author/model_inertia.h>
-#include <rigor/environment.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/environment.h>
 #include <rigor/text/edit.h>
 
 #include "support/corpus.h"

@@ -23,8 +23,8 @@
 #include <vector>
 
 #include <rigor/author/conversion.h>
-#include <rigor/environment.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/environment.h>
 
 #include "corpus/source_robot.h"
 

@@ -18,8 +18,8 @@
 #include <gtest/gtest.h>
 
 #include <rigor/author/apply_mesh.h>
-#include <rigor/environment.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/environment.h>
 #include <rigor/text/edit.h>
 
 #include "support/corpus.h"

@@ -14,8 +14,8 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mass/mesh_facts.h>
-#include <rigor/mesh/collada.h>
+#include <rigor/mass/mesh/facts.h>
+#include <rigor/mesh/collada/collada.h>
 #include <rigor/text/disk.h>
 
 #include "support/corpus.h"

@@ -14,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mass/mesh_survey.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/text/disk.h>
 
 #include "support/corpus.h"

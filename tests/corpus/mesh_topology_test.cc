@@ -14,7 +14,7 @@
 
 #include <rigor/mass/polyhedron.h>
 #include <rigor/mesh/read.h>
-#include <rigor/mesh/topology.h>
+#include <rigor/mesh/topology/topology.h>
 #include <rigor/text/disk.h>
 
 #include "support/corpus.h"

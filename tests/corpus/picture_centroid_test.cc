@@ -15,11 +15,11 @@
 #include <variant>
 #include <vector>
 
-#include <rigor/environment.h>
-#include <rigor/mass/mesh_reads.h>
+#include <rigor/mass/mesh/reads.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>
-#include <rigor/view/drawing_files.h>
+#include <rigor/rules/environment.h>
+#include <rigor/view/drawing/files.h>
 #include <rigor/view/trace.h>
 
 #include "corpus/link_silhouettes.h"
@@ -74,7 +74,8 @@ Drawing painted(Drawing drawing, const std::vector<std::uint32_t>& links, std::s
 }
 
 struct CorpusRobot {
-  explicit CorpusRobot(const std::string& file) : environment(disk, {}), reads(disk) {
+  explicit CorpusRobot(const std::string& file)
+      : environment(disk, {}), reads(disk, environment.workers) {
     read::Workspace workspace(disk, sources);
     const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
     loaded = read::load(reader, workspace.open(test::corpus() + '/' + file));

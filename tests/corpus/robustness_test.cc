@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include <rigor/environment.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 
 #include "support/corpus.h"

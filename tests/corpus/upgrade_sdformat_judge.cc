@@ -18,9 +18,9 @@
 #include <string>
 #include <vector>
 
-#include <rigor/author/upgrade.h>
-#include <rigor/environment.h>
+#include <rigor/author/upgrade/upgrade.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/environment.h>
 
 #include "support/corpus.h"
 

@@ -16,10 +16,10 @@
 #include <string>
 #include <vector>
 
-#include <rigor/author/upgrade.h>
-#include <rigor/environment.h>
+#include <rigor/author/upgrade/upgrade.h>
 #include <rigor/read/load.h>
-#include <rigor/report/inspect.h>
+#include <rigor/report/inspect/inspect.h>
+#include <rigor/rules/environment.h>
 
 #include "support/corpus.h"
 

@@ -9,11 +9,11 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/environment.h>
 #include <rigor/mass/resolve.h>
 #include <rigor/mass/stance.h>
 #include <rigor/mass/total.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/mesh_finder.h>
 
 #include "support/meshes.h"

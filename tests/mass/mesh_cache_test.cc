@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/mass/mesh_cache.h>
+#include <rigor/mass/mesh/cache.h>
 
 #include <cstring>
 #include <filesystem>
@@ -12,9 +12,11 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mass/mesh_facts_code.h>
+#include <rigor/mass/mesh/facts_code.h>
 
 #include <cli/program.h>
+
+#include "support/workers.h"
 
 namespace rigor::mass {
 namespace {
@@ -58,7 +60,7 @@ std::string all_of(const MeshFacts& facts) { return encode({{}, {}, facts}); }
 class MeshCacheTest : public testing::Test {
  protected:
   MeshCache cache(std::uint64_t least = kAnyMesh) const {
-    return {FolderStore(folder_.path("cache")), "a program", least};
+    return {FolderStore(folder_.path("cache")), "a program", test::workers(), least};
   }
 
   MeshFacts find(const Files& files, const std::string& path) const {
@@ -181,7 +183,8 @@ TEST_F(MeshCacheTest, OthersFindOtherThings) {
   EXPECT_TRUE(known(cache().facts(disk, "meshes/box.obj", MeshDepth::kAll)));
   EXPECT_FALSE(known(cache().facts(disk, "meshes/box.obj", MeshDepth::kFile)));
   EXPECT_FALSE(known(cache().facts(disk, "./meshes/box.obj", MeshDepth::kAll)));
-  const MeshCache other(FolderStore(folder_.path("cache")), "another program", kAnyMesh);
+  const MeshCache other(FolderStore(folder_.path("cache")), "another program", test::workers(),
+                        kAnyMesh);
   EXPECT_FALSE(known(other.facts(disk, "meshes/box.obj", MeshDepth::kAll)));
 }
 

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/mass/mesh_reads.h>
+#include <rigor/mass/mesh/reads.h>
 
 #include <atomic>
 #include <thread>
@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mass/mesh_facts.h>
-#include <rigor/mass/mesh_survey.h>
+#include <rigor/mass/mesh/facts.h>
+#include <rigor/mass/mesh/survey.h>
 
 namespace rigor::mass {
 namespace {
@@ -41,7 +41,8 @@ class CountingDisk final : public Disk {
 
 TEST(MeshReads, ReadsOnceWhoeverAsks) {
   const CountingDisk disk(CountingDisk::Files{{"a.obj", kTriangle}});
-  MeshReads reads(disk);
+  const process::Workers workers;
+  MeshReads reads(disk, workers);
   std::vector<std::thread> threads;
   for (int i = 0; i < 8; ++i) threads.emplace_back([&] { reads.find("a.obj"); });
   for (std::thread& thread : threads) thread.join();
@@ -52,10 +53,11 @@ TEST(MeshReads, ReadsOnceWhoeverAsks) {
 TEST(MeshReads, ForgetsWhatWasNotAskedForTheLongest) {
   const CountingDisk disk(
       CountingDisk::Files{{"a.obj", kTriangle}, {"b.obj", kTriangle}, {"c.obj", kTriangle}});
-  MeshReads measure(disk);
+  const process::Workers workers;
+  MeshReads measure(disk, workers);
   const auto one = measure.find("a.obj");
   const std::uint64_t size = sizeof *one + 3 * sizeof(model::Vector3) + sizeof(mesh::Triangle);
-  MeshReads reads(disk, 2 * size + size / 2);  // room for two
+  MeshReads reads(disk, workers, 2 * size + size / 2);  // room for two
   disk.opened = 0;
   const auto kept = reads.find("a.obj");
   reads.find("b.obj");
@@ -74,7 +76,8 @@ TEST(MeshReads, ForgetsWhatWasNotAskedForTheLongest) {
 TEST(MeshReads, GiveFactsAndSurveysAsTheFileDoes) {
   const MemoryDisk disk(
       CountingDisk::Files{{"a.obj", std::string(kTriangle) + "v 0 0 1\nf 1 2 4\n"}});
-  MeshReads reads(disk);
+  const process::Workers workers;
+  MeshReads reads(disk, workers);
   MeshSurveys surveys(disk, {nullptr, &reads});
   MeshFiles files(disk, MeshDepth::kShape, {nullptr, &reads});
   const MeshSurvey alone = survey_mesh(disk, {"a.obj"});

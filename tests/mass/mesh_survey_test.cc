@@ -1,13 +1,13 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/mass/mesh_survey.h>
+#include <rigor/mass/mesh/survey.h>
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include <rigor/mass/facet_stream.h>
+#include <rigor/mass/mesh/facet_stream.h>
 
 #include "support/meshes.h"
 

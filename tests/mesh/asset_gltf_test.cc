@@ -3,7 +3,7 @@
 //
 // What a glTF file leans on, held against byte counts that are worked out by hand.
 
-#include <rigor/mesh/asset.h>
+#include <rigor/mesh/asset/asset.h>
 
 #include <array>
 #include <cstddef>
@@ -43,6 +43,27 @@ TEST(GltfAsset, BuffersThatHoldLessThanTheyPromise) {
   EXPECT_EQ(buffer_overruns("2", "data:;base64,AA=="), (GltfOverruns{1, Of::kBuffer, 0, 2, 1}));
   EXPECT_EQ(buffer_overruns("6", R"(data:;base64,\/AAA\/A+/)"), kNoOverruns) << "escaped slashes";
   EXPECT_EQ(buffer_overruns("900", "data:,text"), kNoOverruns) << "not counted";
+}
+
+/// RFC 8259, 7: what is beyond U+FFFF is written as two escapes.
+TEST(GltfAsset, NamesBeyondTheBasicPlane) {
+  const std::string robot = "\xF0\x9F\xA4\x96.bin";  // U+1F916
+  const MemoryDisk disk({{"a.gltf", R"({"asset": {"generator": "\u00fc\uD83E\uDD16"},
+"buffers": [{"uri": "\ud83e\udd16.bin", "byteLength": 2}]})"},
+                         {robot, "0123456789"}});
+  const GltfFacts facts = asset_of(disk, "a.gltf", Format::kGltf).gltf.value();
+  EXPECT_EQ(facts.generator, "\xC3\xBC\xF0\x9F\xA4\x96");
+  ASSERT_EQ(facts.buffers.size(), 1U);
+  EXPECT_EQ(facts.buffers[0].state, FileReference::State::kFound);
+  EXPECT_EQ(facts.buffers[0].line, 2U);
+}
+
+TEST(GltfAsset, WhatIsNoJsonIsSaidBesideWhatCameBefore) {
+  const MemoryDisk disk(
+      {{"a.gltf", R"({"asset": {"version": "2.0"}, "buffers": [}]})"}, {"b", ""}});
+  const Asset asset = asset_of(disk, "a.gltf", Format::kGltf);
+  EXPECT_EQ(asset.problem, "it is no well-formed JSON");
+  EXPECT_EQ(asset.gltf.value().version, "2.0");
 }
 
 TEST(GltfAsset, BuffersWithoutBytes) {

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mesh/asset.h>
+#include <rigor/mesh/asset/asset.h>
 
 #include "support/meshes.h"
 

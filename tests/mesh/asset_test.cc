@@ -4,7 +4,7 @@
 // Small mesh files whose every fact can be seen in their text, and the corpus, whose facts plain
 // searches of its bytes must agree with.
 
-#include <rigor/mesh/asset.h>
+#include <rigor/mesh/asset/asset.h>
 
 #include <array>
 #include <filesystem>

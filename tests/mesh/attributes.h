@@ -15,9 +15,9 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mesh/obj.h>
+#include <rigor/mesh/obj/obj.h>
 #include <rigor/mesh/read.h>
-#include <rigor/mesh/write.h>
+#include <rigor/mesh/write/write.h>
 #include <rigor/text/disk.h>
 
 #include "mesh/writing.h"

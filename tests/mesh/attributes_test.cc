@@ -9,15 +9,15 @@
 #include <string>
 #include <vector>
 
-#include <rigor/mesh/assimp.h>
-#include <rigor/mesh/flat.h>
+#include <rigor/mesh/importer/flat.h>
 #include <rigor/mesh/normals.h>
-#include <rigor/process/child.h>
+#include <rigor/mesh/importer/scene.h>
 #include <rigor/text/path.h>
 
 #include "attributes.h"
 #include "support/corpus.h"
 #include "support/meshes.h"
+#include "support/workers.h"
 
 namespace rigor::mesh {
 namespace {
@@ -358,14 +358,11 @@ TEST(MeshAttributes, PlyColorsAndNormals) {
 
 // ---- Real files
 
-/// What another program finds in what is written: a child, as it may crash.
+/// What another program finds in what is written: a worker's, as it may crash.
 LoadedMesh as_assimp_reads(const WrittenMesh& files, const std::string& ending) {
   MemoryDisk disk;
   for (const SideFile& side : files.side_files) disk.put(side.name, side.bytes);
-  const auto result = process::run_in_child({.cpu_seconds = 60}, [&] {
-    return flatten(import_with_assimp(disk, "mesh" + ending, *files.bytes));
-  });
-  return unflatten(result.bytes).value_or(LoadedMesh{});
+  return import_scene(disk, "mesh" + ending, *files.bytes, test::workers());
 }
 
 TEST(MeshAttributes, AssimpFindsAllOfThem) {

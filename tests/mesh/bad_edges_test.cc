@@ -3,7 +3,7 @@
 //
 // Held against `look_round`, which walks round every vertex.
 
-#include <rigor/mesh/bad_edges.h>
+#include <rigor/mesh/topology/bad_edges.h>
 
 #include <algorithm>
 #include <cstddef>

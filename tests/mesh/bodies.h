@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/mesh/topology.h>
+#include <rigor/mesh/topology/topology.h>
 
 #include "support/meshes.h"
 

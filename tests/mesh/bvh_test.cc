@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/mesh/bvh.h>
+#include <rigor/mesh/spatial/bvh.h>
 
 #include <cmath>
 #include <cstdint>

@@ -9,9 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mesh/edge_balance.h>
-#include <rigor/mesh/topology.h>
-#include <rigor/mesh/winding.h>
+#include <rigor/mesh/topology/edge_balance.h>
+#include <rigor/mesh/topology/topology.h>
+#include <rigor/mesh/topology/winding.h>
 
 #include "support/meshes.h"
 

@@ -14,16 +14,14 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mesh/assimp.h>
-#include <rigor/mesh/collada.h>
-#include <rigor/mesh/flat.h>
-#include <rigor/mesh/scene.h>
-#include <rigor/process/child.h>
+#include <rigor/mesh/collada/collada.h>
+#include <rigor/mesh/importer/scene.h>
 #include <rigor/text/path.h>
 
 #include "mesh/collada_file.h"
 #include "mesh/reading.h"
 #include "support/corpus.h"
+#include "support/workers.h"
 
 namespace rigor::mesh {
 namespace {
@@ -34,11 +32,7 @@ using test::only_fault;
 using test::text;
 
 LoadedMesh import(const std::string& path, const std::string& bytes) {
-  const process::ChildLimits limits{.cpu_seconds = kImportSeconds, .memory_bytes = kImportBytes};
-  const process::ChildResult result = process::run_in_child(
-      limits, [&] { return flatten(import_with_assimp(MemoryDisk(), path, bytes)); });
-  const std::optional<LoadedMesh> loaded = unflatten(result.bytes);
-  return loaded ? *loaded : LoadedMesh{.faults = {{FaultKind::kImporterCrashed}}};
+  return import_scene(MemoryDisk(), path, bytes, test::workers());
 }
 
 bool importer_is_missing() {
@@ -255,7 +249,7 @@ Collada with_a_texture_of_nothing() {
 TEST(MeshCollada, TakesOverWhereTheImporterRefuses) {
   const std::string bytes = text(with_a_texture_of_nothing());
   EXPECT_FALSE(import("a.dae", bytes).usable()) << "else this test is of no use";
-  const LoadedMesh loaded = read_scene(MemoryDisk({{"a.dae", bytes}}), "a.dae");
+  const LoadedMesh loaded = read_scene(MemoryDisk({{"a.dae", bytes}}), "a.dae", test::workers());
   EXPECT_TRUE(loaded.usable());
   EXPECT_TRUE(loaded.faults.empty());
   EXPECT_EQ(loaded.mesh.triangles.size(), 2U);
@@ -265,7 +259,8 @@ TEST(MeshCollada, WhenBothRefuseTheImportersReasonStays) {
   if (importer_is_missing()) GTEST_SKIP() << "no importer for scenes is installed";
   Collada file = with_a_texture_of_nothing();
   file.corners = "0 0 0";
-  const LoadedMesh loaded = read_scene(MemoryDisk({{"a.dae", text(file)}}), "a.dae");
+  const LoadedMesh loaded =
+      read_scene(MemoryDisk({{"a.dae", text(file)}}), "a.dae", test::workers());
   EXPECT_EQ(only_fault(loaded).kind, FaultKind::kMalformed);
   EXPECT_EQ(only_fault(loaded).detail, import("a.dae", text(file)).faults.at(0).detail);
 }

@@ -11,9 +11,9 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mesh/collada.h>
-#include <rigor/mesh/collada_geometry.h>
-#include <rigor/mesh/write.h>
+#include <rigor/mesh/collada/collada.h>
+#include <rigor/mesh/collada/geometry.h>
+#include <rigor/mesh/write/write.h>
 #include <rigor/xml/document.h>
 
 #include "mesh/attributes.h"

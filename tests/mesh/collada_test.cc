@@ -3,7 +3,7 @@
 //
 // Collada files small enough to say by hand where each corner must come to lie, and hostile ones.
 
-#include <rigor/mesh/collada.h>
+#include <rigor/mesh/collada/collada.h>
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/mesh/distance.h>
+#include <rigor/mesh/spatial/distance.h>
 
 #include <cmath>
 #include <limits>

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/mesh/file_reference.h>
+#include <rigor/mesh/asset/file_reference.h>
 
 #include <string>
 #include <utility>

@@ -3,7 +3,7 @@
 //
 // Holes, the triangles that fill them, and holes that are none.
 
-#include <rigor/mesh/fill_holes.h>
+#include <rigor/mesh/repair/fill_holes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,8 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mesh/holes.h>
-#include <rigor/mesh/loop_filling.h>
+#include <rigor/mesh/repair/loop_filling.h>
+#include <rigor/mesh/topology/holes.h>
 
 #include "mesh/bodies.h"
 
@@ -90,7 +90,8 @@ std::vector<std::pair<double, double>> star(unsigned n, unsigned seed) {
   std::vector<std::pair<double, double>> points;
   for (unsigned i = 0; i < n; ++i) {
     const double r = std::uniform_real_distribution<>(1, 2)(random);
-    points.push_back({r * std::cos(2 * kHalfCircle * i / n), r * std::sin(2 * kHalfCircle * i / n)});
+    points.push_back(
+        {r * std::cos(2 * kHalfCircle * i / n), r * std::sin(2 * kHalfCircle * i / n)});
   }
   return points;
 }

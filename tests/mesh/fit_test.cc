@@ -3,7 +3,7 @@
 //
 // Primitives fitted to meshes that are such primitives, somewhere and turned somehow, and to others.
 
-#include <rigor/mesh/fit.h>
+#include <rigor/mesh/primitive/fit.h>
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mesh/topology.h>
+#include <rigor/mesh/topology/topology.h>
 
 #include "mesh/bodies.h"
 

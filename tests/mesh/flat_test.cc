@@ -3,7 +3,7 @@
 //
 // What a mesh carries, handed over as bytes.
 
-#include <rigor/mesh/flat.h>
+#include <rigor/mesh/importer/flat.h>
 
 #include <optional>
 #include <random>

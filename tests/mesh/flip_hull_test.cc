@@ -8,12 +8,12 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mesh/convexity.h>
-#include <rigor/mesh/edge_balance.h>
-#include <rigor/mesh/flip_hull.h>
-#include <rigor/mesh/hull.h>
-#include <rigor/mesh/predicate.h>
-#include <rigor/mesh/principal_axes.h>
+#include <rigor/mesh/convex/convexity.h>
+#include <rigor/mesh/convex/flip_hull.h>
+#include <rigor/mesh/convex/hull.h>
+#include <rigor/mesh/primitive/principal_axes.h>
+#include <rigor/mesh/spatial/predicate.h>
+#include <rigor/mesh/topology/edge_balance.h>
 
 #include "support/meshes.h"
 

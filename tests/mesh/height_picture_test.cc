@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/mesh/height_picture.h>
+#include <rigor/mesh/image/height_picture.h>
 
 #include <gtest/gtest.h>
 

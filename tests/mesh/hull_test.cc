@@ -1,13 +1,13 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/mesh/hull.h>
+#include <rigor/mesh/convex/hull.h>
 
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include <rigor/mesh/topology.h>
+#include <rigor/mesh/topology/topology.h>
 
 #include "support/meshes.h"
 

@@ -3,7 +3,7 @@
 //
 // OBJ files written by hand and at random.
 
-#include <rigor/mesh/obj.h>
+#include <rigor/mesh/obj/obj.h>
 
 #include "mesh/reading.h"
 #include "support/meshes.h"

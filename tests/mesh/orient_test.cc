@@ -3,7 +3,7 @@
 //
 // Turning triangles to agree, and bodies to face outward.
 
-#include <rigor/mesh/orient.h>
+#include <rigor/mesh/repair/orient.h>
 
 #include <cmath>
 #include <random>

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/mesh/picture_names.h>
+#include <rigor/mesh/image/picture_names.h>
 
 #include <string>
 #include <vector>

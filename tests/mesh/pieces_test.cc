@@ -3,7 +3,7 @@
 //
 // Concave bodies whose convex pieces are known, and real ones whose pieces must be close.
 
-#include <rigor/mesh/pieces.h>
+#include <rigor/mesh/convex/pieces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +15,10 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mesh/cap.h>
-#include <rigor/mesh/principal_axes.h>
+#include <rigor/mesh/primitive/principal_axes.h>
 #include <rigor/mesh/read.h>
-#include <rigor/mesh/topology.h>
+#include <rigor/mesh/repair/cap.h>
+#include <rigor/mesh/topology/topology.h>
 #include <rigor/text/disk.h>
 
 #include "mesh/bodies.h"

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/mesh/pinch.h>
+#include <rigor/mesh/repair/pinch.h>
 
 #include <cstdint>
 #include <numeric>
@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mesh/topology.h>
+#include <rigor/mesh/topology/topology.h>
 
 namespace rigor::mesh {
 namespace {

@@ -3,7 +3,7 @@
 //
 // Halves of bodies: their volumes add up, they are closed, and some are known in closed form.
 
-#include <rigor/mesh/plane_cut.h>
+#include <rigor/mesh/convex/plane_cut.h>
 
 #include <cmath>
 #include <numbers>
@@ -11,9 +11,9 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mesh/edge_balance.h>
-#include <rigor/mesh/principal_axes.h>
-#include <rigor/mesh/topology.h>
+#include <rigor/mesh/primitive/principal_axes.h>
+#include <rigor/mesh/topology/edge_balance.h>
+#include <rigor/mesh/topology/topology.h>
 
 #include "mesh/bodies.h"
 

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include <rigor/mesh/read.h>
-#include <rigor/mesh/topology.h>
+#include <rigor/mesh/topology/topology.h>
 #include <rigor/text/disk.h>
 
 #include "mesh/bodies.h"

@@ -3,7 +3,7 @@
 //
 // Repair of sound bodies with planted defects, of cases of each kind, and of the corpus's real meshes.
 
-#include <rigor/mesh/repair.h>
+#include <rigor/mesh/repair/repair.h>
 
 #include <algorithm>
 #include <cmath>

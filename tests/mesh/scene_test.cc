@@ -3,19 +3,18 @@
 //
 // Scenes small enough to say by hand where each corner must come to lie.
 
-#include <rigor/mesh/scene.h>
-
-#include <sys/wait.h>
+#include <rigor/mesh/importer/scene.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <limits>
 #include <memory>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include <rigor/mesh/flat.h>
+#include <rigor/mesh/importer/flat.h>
+
+#include "support/workers.h"
 
 namespace rigor::mesh {
 namespace {
@@ -81,7 +80,7 @@ bool has(const LoadedMesh& loaded, FaultKind kind) {
 LoadedMesh read(const std::string& path, std::string bytes) {
   MemoryDisk disk;
   disk.put(path, std::move(bytes));
-  return read_scene(disk, path);
+  return read_scene(disk, path, test::workers());
 }
 
 LoadedMesh read(const Collada& file) { return read("m/a.dae", text(file)); }
@@ -102,10 +101,6 @@ class MeshScene : public testing::Test {
     if (has(read("a.ply", kPly), FaultKind::kImporterMissing)) {
       GTEST_SKIP() << "no importer for scenes is installed";
     }
-  }
-  void TearDown() override {
-    EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1) << "a child is left";
-    EXPECT_EQ(errno, ECHILD);
   }
 };
 
@@ -271,7 +266,8 @@ TEST_F(MeshScene, BuffersOfAGltfComeThroughTheDisk) {
   for (const char* folder : {"", "meshes/", "/robots/meshes/", "../meshes/"}) {
     const MemoryDisk disk({{std::string(folder) + "a.gltf", gltf("parts/tip.bin")},
                            {std::string(folder) + "parts/tip.bin", gltf_buffer()}});
-    EXPECT_TRUE(read_scene(disk, std::string(folder) + "a.gltf").usable()) << folder;
+    EXPECT_TRUE(read_scene(disk, std::string(folder) + "a.gltf", test::workers()).usable())
+        << folder;
   }
 }
 
@@ -281,7 +277,7 @@ TEST_F(MeshScene, BuffersOutsideItsFolderAreNotRead) {
     const MemoryDisk disk({{"/robots/meshes/a.gltf", gltf(uri)},
                            {"/robots/secret.bin", gltf_buffer()},
                            {"/secret.bin", gltf_buffer()}});
-    const LoadedMesh loaded = read_scene(disk, "/robots/meshes/a.gltf");
+    const LoadedMesh loaded = read_scene(disk, "/robots/meshes/a.gltf", test::workers());
     EXPECT_FALSE(loaded.usable()) << uri;
     EXPECT_TRUE(loaded.mesh.triangles.empty());
   }
@@ -292,7 +288,19 @@ TEST_F(MeshScene, WhatIsNoSceneIsMalformedOrEmpty) {
   EXPECT_FALSE(read("a.dae", "no scene at all").faults[0].detail.empty());
   EXPECT_TRUE(has(read("a.ply", "ply\nformat ascii 1.0\nelement ver"), FaultKind::kMalformed));
   EXPECT_TRUE(has(read("a.dae", ""), FaultKind::kEmpty));
-  EXPECT_TRUE(has(read_scene(MemoryDisk(), "a.dae"), FaultKind::kUnreadable));
+  EXPECT_TRUE(has(read_scene(MemoryDisk(), "a.dae", test::workers()), FaultKind::kUnreadable));
+}
+
+/// Without a worker a file is not to blame, and a Collada file is read by rigor's own reader.
+TEST(MeshSceneWithoutWorker, TheFaultIsNoneOfTheFile) {
+  const process::Workers none("/nowhere/rigor-worker");
+  const MemoryDisk disk({{"a.ply", kPly}, {"a.dae", text(Collada{})}});
+  const LoadedMesh loaded = read_scene(disk, "a.ply", none);
+  ASSERT_EQ(loaded.faults.size(), 1U);
+  EXPECT_EQ(loaded.faults[0].kind, FaultKind::kWorkerMissing);
+  EXPECT_EQ(loaded.faults[0].detail,
+            "could not be started: /nowhere/rigor-worker: No such file or directory");
+  EXPECT_TRUE(read_scene(disk, "a.dae", none).usable());
 }
 
 TEST_F(MeshScene, CutAnywhereItIsNoMeshOrASmallerOne) {

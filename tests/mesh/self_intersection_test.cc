@@ -4,7 +4,7 @@
 // Held against the intersection itself, worked out in fractions of integers: one triangle is clipped
 // by the plane and by the edges of the other, and what is left is a polygon with known corners.
 
-#include <rigor/mesh/self_intersection.h>
+#include <rigor/mesh/spatial/self_intersection.h>
 
 #include <algorithm>
 #include <array>
@@ -21,9 +21,9 @@
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_int.hpp>
 
-#include <rigor/mesh/bvh.h>
-#include <rigor/mesh/predicate.h>
 #include <rigor/mesh/read.h>
+#include <rigor/mesh/spatial/bvh.h>
+#include <rigor/mesh/spatial/predicate.h>
 #include <rigor/text/disk.h>
 
 #include "mesh/bodies.h"

@@ -12,7 +12,7 @@
 #include <tuple>
 #include <vector>
 
-#include <rigor/mesh/topology.h>
+#include <rigor/mesh/topology/topology.h>
 
 #include "mesh/bodies.h"
 

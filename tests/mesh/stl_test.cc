@@ -4,7 +4,7 @@
 // STL files written by hand and at random: both kinds must read back exactly, and no damage may do
 // more than end in a fault.
 
-#include <rigor/mesh/stl.h>
+#include <rigor/mesh/stl/stl.h>
 
 #include <limits>
 

@@ -12,8 +12,8 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mesh/thinness.h>
-#include <rigor/mesh/topology.h>
+#include <rigor/mesh/topology/thinness.h>
+#include <rigor/mesh/topology/topology.h>
 
 #include "mesh/bodies.h"
 

@@ -3,7 +3,7 @@
 //
 // Topology of sound bodies, of cases counted by hand, and of the real meshes of the corpus.
 
-#include <rigor/mesh/topology.h>
+#include <rigor/mesh/topology/topology.h>
 
 #include <fstream>
 #include <sstream>
@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <rigor/mesh/read.h>
-#include <rigor/mesh/thinness.h>
+#include <rigor/mesh/topology/thinness.h>
 #include <rigor/text/disk.h>
 
 #include "mesh/bodies.h"

@@ -16,8 +16,8 @@
 
 #include <rigor/mass/polyhedron.h>
 #include <rigor/mesh/normals.h>
-#include <rigor/mesh/stl.h>
-#include <rigor/mesh/write.h>
+#include <rigor/mesh/stl/stl.h>
+#include <rigor/mesh/write/write.h>
 
 #include "support/meshes.h"
 

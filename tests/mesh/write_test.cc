@@ -3,7 +3,7 @@
 //
 // What is written is read back by rigor's own readers (STL, OBJ) and by assimp (the rest).
 
-#include <rigor/mesh/write.h>
+#include <rigor/mesh/write/write.h>
 
 #include <bit>
 #include <cmath>
@@ -17,7 +17,7 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mesh/write_losses.h>
+#include <rigor/mesh/write/losses.h>
 
 #include "support/meshes.h"
 #include "writing.h"

@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <rigor/mesh/read.h>
-#include <rigor/mesh/write.h>
+#include <rigor/mesh/write/write.h>
 #include <rigor/text/disk.h>
 
 namespace rigor::test {

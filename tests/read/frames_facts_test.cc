@@ -19,9 +19,9 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/environment.h>
 #include <rigor/mass/resolve.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/environment.h>
 
 namespace rigor {
 namespace {

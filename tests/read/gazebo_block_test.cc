@@ -5,9 +5,9 @@
 
 #include <string>
 
-#include <rigor/environment.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/environment.h>
 
 namespace rigor::read {
 namespace {

@@ -8,11 +8,13 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <string>
+#include <vector>
 
-#include <rigor/environment.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/sdf_reader.h>
+#include <rigor/rules/environment.h>
 
 namespace rigor::read {
 namespace {
@@ -39,6 +41,35 @@ struct Case {
 };
 
 std::map<std::string, std::string> one(std::string text) { return {{"a.sdf", std::move(text)}}; }
+
+/// Every file of it is refused.
+class RefusingDisk final : public Disk {
+ public:
+  explicit RefusingDisk(ReadResult answer) : answer_(std::move(answer)) {}
+  std::unique_ptr<OpenFile> open(const std::string&) const override { return nullptr; }
+  ReadResult read(const std::string&, std::uint64_t) const override { return answer_; }
+  PathKind kind(const std::string&) const override { return PathKind::kFile; }
+  std::vector<std::string> list(const std::string&) const override { return {}; }
+
+ private:
+  ReadResult answer_;
+};
+
+TEST(Load, ATooLargeFileIsKnownByItsErrorNotByItsWords) {
+  const auto kind = [](ReadResult answer) {
+    const RefusingDisk disk(std::move(answer));
+    const Environment environment(disk, {});
+    Sources sources;
+    Workspace workspace(disk, sources);
+    const Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
+    return load(reader, workspace.open("a.sdf")).facts.at(0).kind;
+  };
+  EXPECT_EQ(kind({{}, "reply is larger than the network's packets"}), FactKind::kFileUnreadable);
+  EXPECT_EQ(kind({{}, "over 64 MiB", ReadError::kTooLarge}), FactKind::kFileTooLarge);
+  const MemoryDisk real(one("<sdf/>"));
+  EXPECT_EQ(real.read("a.sdf", 5).error, ReadError::kTooLarge);
+  EXPECT_EQ(real.read("b.sdf", 5).error, ReadError::kOther);
+}
 
 std::string joint(const std::string& version, const std::string& axis) {
   return "<sdf version='" + version +

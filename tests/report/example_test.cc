@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/report/explain.h>
+#include <rigor/report/rules/explain.h>
 
 namespace rigor::rules {
 namespace {
@@ -64,9 +64,10 @@ TEST(Explain, ShowsTheWholePage) {
   rule.summary = "a joint axis is the zero vector";
   rule.why = "It has no\ndirection.";
   rule.what_to_do = "Give it one.";
-  rule.bad = {{"<sdf>\n  <xyz>«0 0 0»</xyz>\n</sdf>\n", "<sdf>\n  <xyz>0 0 1</xyz>\n</sdf>\n"}};
-  rule.good = {{"<robot/>\n=== a.txt\ntext\n"}};
-  EXPECT_EQ(report::explain(rule),
+  const Examples examples{
+      .bad = {{"<sdf>\n  <xyz>«0 0 0»</xyz>\n</sdf>\n", "<sdf>\n  <xyz>0 0 1</xyz>\n</sdf>\n"}},
+      .good = {{"<robot/>\n=== a.txt\ntext\n"}}};
+  EXPECT_EQ(report::explain(rule, examples),
             "axis-zero: a joint axis is the zero vector\n"
             "\n"
             "  severity error, category kinematics, formats sdf, fix unsafe, since 0.1.0\n"

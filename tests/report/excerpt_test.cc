@@ -1,13 +1,13 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/report/excerpt.h>
+#include <rigor/report/terminal/excerpt.h>
 
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include <rigor/report/printable.h>
+#include <rigor/report/terminal/printable.h>
 
 namespace rigor::report {
 namespace {

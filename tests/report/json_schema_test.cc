@@ -15,9 +15,9 @@
 #include <nlohmann/json.hpp>
 
 #include <report/found.h>
-#include <rigor/environment.h>
-#include <rigor/report/json.h>
+#include <rigor/report/json/json.h>
 #include <rigor/report/jsonl.h>
+#include <rigor/rules/environment.h>
 #include <support/corpus.h>
 
 namespace rigor::report {

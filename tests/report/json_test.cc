@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/report/json.h>
+#include <rigor/report/json/json.h>
 
 #include <string>
 #include <vector>

@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include <report/found.h>
-#include <rigor/environment.h>
-#include <rigor/report/json.h>
+#include <rigor/report/json/json.h>
+#include <rigor/rules/environment.h>
 
 namespace rigor::report {
 namespace {

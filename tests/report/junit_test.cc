@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/report/junit.h>
+#include <rigor/report/junit/junit.h>
 
 #include <string>
 #include <vector>

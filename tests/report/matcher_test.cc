@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <report/found.h>
-#include <rigor/report/concise.h>
+#include <rigor/report/terminal/concise.h>
 #include <support/corpus.h>
 
 namespace rigor::report {

@@ -1,14 +1,14 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/report/model_page.h>
+#include <rigor/report/page/model_page.h>
 
 #include <cmath>
 #include <map>
 #include <string>
 
 #include <gtest/gtest.h>
-#include <rigor/report/page_changes.h>
+#include <rigor/report/page/changes.h>
 #include <rigor/rules/validate.h>
 #include <rigor/view/camera.h>
 #include <nlohmann/json.hpp>

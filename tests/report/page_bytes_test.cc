@@ -1,9 +1,13 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/report/page_bytes.h>
+#include <rigor/report/page/bytes.h>
+
+#include <dlfcn.h>
+#include <zlib.h>
 
 #include <cmath>
+#include <new>
 #include <random>
 #include <string>
 #include <vector>
@@ -11,6 +15,16 @@
 #include <gtest/gtest.h>
 
 #include "report/page_decoding.h"
+
+/// Whether zlib is to find no memory.
+static bool zlib_fails = false;
+
+/// Stands before the library's own, for the whole program.
+extern "C" int compress2(Bytef* to, uLongf* size, const Bytef* from, uLong bytes, int level) {
+  if (zlib_fails) return Z_MEM_ERROR;
+  static const auto own = reinterpret_cast<decltype(&compress2)>(dlsym(RTLD_NEXT, "compress2"));
+  return own(to, size, from, bytes, level);
+}
 
 namespace rigor::report {
 namespace {
@@ -149,6 +163,15 @@ TEST(PageBytes, NothingIsNothing) {
   EXPECT_EQ(bytes.text(), "");
   const PageMesh empty = bytes.add({}, Textured::kYes);
   EXPECT_EQ(empty.vertices + empty.triangles, 0U);
+}
+
+TEST(PageBytes, AreNotCutWhereZlibFails) {
+  PageBytes bytes;
+  bytes.add(scattered(5), Textured::kNo);
+  zlib_fails = true;
+  EXPECT_THROW(bytes.text(), std::bad_alloc);
+  zlib_fails = false;
+  EXPECT_FALSE(bytes.text().empty());
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 #include <fstream>
 #include <string>
 
-#include <rigor/environment.h>
-#include <rigor/report/pretty.h>
+#include <rigor/report/terminal/pretty.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 
 #include "support/corpus.h"

@@ -1,14 +1,14 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/report/pretty.h>
+#include <rigor/report/terminal/pretty.h>
 
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include <rigor/report/concise.h>
-#include <rigor/report/summary.h>
+#include <rigor/report/terminal/concise.h>
+#include <rigor/report/terminal/summary.h>
 
 namespace rigor::report {
 namespace {

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/report/sarif.h>
+#include <rigor/report/sarif/sarif.h>
 
 #include <algorithm>
 #include <set>
@@ -12,8 +12,8 @@
 #include <nlohmann/json.hpp>
 
 #include <report/found.h>
-#include <rigor/environment.h>
 #include <rigor/report/tool.h>
+#include <rigor/rules/environment.h>
 
 namespace rigor::report {
 namespace {
@@ -82,7 +82,7 @@ constexpr RequiredField kRequired[] = {
     {"runs[].results[].locations[].physicalLocation.region.endLine", 0},
     {"runs[].results[].locations[].physicalLocation.region.endColumn", 0},
     {"runs[].results[].partialFingerprints.primaryLocationLineHash", 100},
-    {"runs[].results[].partialFingerprints.rigorId/v1", 100},
+    {"runs[].results[].partialFingerprints.rigorId/v2", 100},
 };
 
 TEST(Sarif, HasEveryFieldThatCodeScanningRequires) {

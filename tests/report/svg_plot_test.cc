@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/report/svg_plot.h>
+#include <rigor/report/html/svg_plot.h>
 
 #include <algorithm>
 #include <string>

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/report/team_report.h>
+#include <rigor/report/team/report.h>
 
 #include <cstdio>
 #include <functional>
@@ -15,7 +15,7 @@
 #include <tinyxml2.h>
 
 #include <report/found.h>
-#include <rigor/report/team_report_script.h>
+#include <rigor/report/team/script.h>
 #include <rigor/text/base64.h>
 
 namespace rigor::report {

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/environment.h>
+#include <rigor/rules/environment.h>
 
 namespace rigor::rules {
 namespace {

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/environment.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/example.h>
 #include <rigor/rules/sdformat_inertia.h>
 #include <rigor/rules/validate.h>
@@ -84,8 +84,9 @@ TEST(CompatSdformat, JudgesTheExamplesOfTheRules) {
   int all = 0;
   for (const Rule& rule : registry.rules()) {
     if (rule.category == Category::kConvert || rule.category == Category::kSimulate) continue;
-    for (const auto* examples : {&rule.bad, &rule.good}) {
-      for (const Example& example : *examples) {
+    const Examples examples = examples_of(rule);
+    for (const auto* kind : {&examples.bad, &examples.good}) {
+      for (const Example& example : *kind) {
         const ParsedExample parsed = parse_example(example.text);
         const std::string path = example_path(parsed.files.front());
         if (path.ends_with("model.config")) continue;  // the checker is not asked about these

@@ -15,8 +15,8 @@
 #include <rigor/author/conversion.h>
 #include <rigor/author/simulation.h>
 #include <rigor/config/scenario.h>
-#include <rigor/environment.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/example.h>
 #include <rigor/rules/runner.h>
 #include <rigor/rules/validate.h>
@@ -59,7 +59,7 @@ simulate::Plan plan_of(const Rule& rule, const ParsedExample& example) {
     EXPECT_TRUE(plan.scenarios.back().problems.empty());
   }
   if (!plan.tests.empty() || !plan.scenarios.empty()) return plan;
-  const ParsedExample bad = parse_example(rule.bad.front().text);
+  const ParsedExample bad = parse_example(examples_of(rule).bad.front().text);
   if (bad.files.front().bytes != bytes) return plan_of(rule, bad);
   plan.tests.emplace_back("settle");
   return plan;
@@ -141,7 +141,7 @@ std::vector<const Rule*> all_rules() {
 
 TEST_P(EveryRule, ReportsItsBadExamplesWhereTheyAreMarked) {
   const Rule& rule = *GetParam();
-  for (const Example& example : rule.bad) {
+  for (const Example& example : examples_of(rule).bad) {
     SCOPED_TRACE(example.text);
     const ParsedExample parsed = parse_example(example.text);
     Checked checked;
@@ -169,7 +169,7 @@ TEST_P(EveryRule, ReportsItsBadExamplesWhereTheyAreMarked) {
 
 TEST_P(EveryRule, IsSilentOnItsGoodExamples) {
   const Rule& rule = *GetParam();
-  for (const Example& example : rule.good) {
+  for (const Example& example : examples_of(rule).good) {
     SCOPED_TRACE(example.text);
     Checked checked;
     check(rule, parse_example(example.text), checked);
@@ -187,7 +187,7 @@ TEST_P(EveryRule, FixesWhatItSaysItFixes) {
     EXPECT_EQ(rule.fix, FixGrade::kNone);
     return;
   }
-  for (const Example& example : rule.bad) {
+  for (const Example& example : examples_of(rule).bad) {
     SCOPED_TRACE(example.text);
     const ParsedExample parsed = parse_example(example.text);
     Checked checked;
@@ -222,7 +222,8 @@ TEST_P(EveryRule, SaysWhatItIsAbout) {
   for (const std::string_view text : {rule.summary, rule.why, rule.what_to_do}) {
     EXPECT_EQ(text.find("TODO"), std::string_view::npos);
   }
-  const bool has_fixed = std::any_of(rule.bad.begin(), rule.bad.end(),
+  const std::vector<Example> bad_ones = examples_of(rule).bad;
+  const bool has_fixed = std::any_of(bad_ones.begin(), bad_ones.end(),
                                      [](const Example& bad) { return !bad.fixed.empty(); });
   EXPECT_EQ(has_fixed, rule.fix != FixGrade::kNone) << "a fix is shown where there is one";
 }

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-#include <rigor/environment.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 
 #include "support/corpus.h"

@@ -17,12 +17,12 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/environment.h>
-#include <rigor/mass/mesh_facts.h>
+#include <rigor/mass/mesh/facts.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
 #include <rigor/rules/context.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/runner.h>
 #include <rigor/rules/validate.h>
 
@@ -161,6 +161,9 @@ TEST(MeshFileRules, FaultsOfTheImporter) {
             Strings{"mesh-malformed: the mesh cannot be read: assimp ran out of time"});
   EXPECT_EQ(findings(with_fault({Kind::kImporterMissing, "libassimp.so.5: no such file"})),
             Strings{"mesh-importer-missing: the mesh is not looked at: assimp is not installed"});
+  EXPECT_EQ(findings(with_fault({Kind::kWorkerMissing, "could not be started: no rigor-worker"})),
+            Strings{"mesh-importer-missing: the mesh is not looked at: the importer could not be "
+                    "started: no rigor-worker"});
   EXPECT_EQ(findings(with_fault({Kind::kTooLarge, "over 2 GiB"})),
             Strings{"mesh-too-large: the mesh is too large to be read: over 2 GiB"});
   EXPECT_EQ(findings(with_fault({Kind::kUnreadable, "permission denied"})),

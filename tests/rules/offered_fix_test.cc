@@ -8,7 +8,7 @@
 #include <map>
 #include <string>
 
-#include <rigor/environment.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 
 namespace rigor::rules {

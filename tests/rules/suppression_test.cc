@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/environment.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/runner.h>
 #include <rigor/rules/validate.h>
 

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/environment.h>
+#include <rigor/rules/environment.h>
 
 namespace rigor::rules {
 namespace {

@@ -1,18 +1,18 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/simulate/advice.h>
+#include <rigor/simulate/advice/advice.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include <rigor/environment.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
-#include <rigor/simulate/advice_parts.h>
-#include <rigor/simulate/scene_input.h>
+#include <rigor/rules/environment.h>
+#include <rigor/simulate/advice/parts.h>
+#include <rigor/simulate/scene/input.h>
 #include <rigor/text/disk.h>
 #include <rigor/text/sources.h>
 
@@ -36,7 +36,7 @@ struct NoFile {
   explicit NoFile(const std::string& path = "testdata/none.sdf")
       : loaded(read::load({workspace, environment.resolver, environment.sdf, environment.urdf},
                           workspace.open(path))),
-        files(loaded, workspace, environment.resolver) {}
+        files(loaded, workspace, environment.resolver, environment.workers) {}
 };
 
 std::vector<Fact> of_kind(const Facts& facts, FactKind kind) {

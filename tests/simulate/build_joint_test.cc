@@ -176,6 +176,30 @@ TEST(BuildJoint, Mimics) {
   }
 }
 
+TEST(BuildJoint, MimicsInACycleAreAllDropped) {
+  const auto follower = [](const std::string& name, const std::string& links,
+                           const std::string& leader) {
+    return joint_text("revolute",
+                      "<axis><xyz>0 0 1</xyz><mimic joint=\"" + leader +
+                          "\"><multiplier>2</multiplier></mimic></axis>",
+                      name, links);
+  };
+  const Built ring =
+      built(jointed_model(follower("j", "ab", "k") + follower("k", "bc", "j"), "1.11"));
+  ASSERT_EQ(ring.scene.joints.size(), 2U);
+  for (const simulate::SceneJoint& joint : ring.scene.joints) {
+    EXPECT_TRUE(joint.mimics.empty()) << joint.name;
+  }
+  EXPECT_EQ(ring.places(FactKind::kElementIgnored).size(), 2U);
+  // Who follows a joint of the cycle still does.
+  const Built tail = built(jointed_model(
+      follower("j", "ab", "k") + follower("k", "bc", "j") + follower("l", "ac", "j"), "1.11"));
+  ASSERT_EQ(tail.scene.joints.size(), 3U);
+  EXPECT_TRUE(tail.scene.joints[0].mimics.empty());
+  EXPECT_TRUE(tail.scene.joints[1].mimics.empty());
+  EXPECT_EQ(tail.scene.joints[2].mimics.size(), 1U);
+}
+
 TEST(BuildJoint, ALoopOfJointsStays) {
   const std::string axis = "<axis><xyz>0 0 1</xyz></axis>";
   const Built b = built(jointed_model(joint_text("revolute", axis, "j", "ab") +

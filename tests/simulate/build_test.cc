@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/simulate/build.h>
+#include <rigor/simulate/scene/build.h>
 
 #include <cmath>
 #include <numbers>

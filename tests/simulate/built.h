@@ -16,8 +16,10 @@
 
 #include <rigor/read/load.h>
 #include <rigor/schema/embedded.h>
-#include <rigor/simulate/build.h>
-#include <rigor/simulate/scene_input.h>
+#include <rigor/simulate/scene/build.h>
+#include <rigor/simulate/scene/input.h>
+
+#include "support/workers.h"
 
 namespace rigor::test {
 
@@ -67,7 +69,7 @@ inline Built built(const std::string& text, TextFiles others = {},
   Sources sources;
   read::Workspace workspace(disk, sources);
   const read::Loaded loaded = read::load({workspace, resolver, sdf, urdf}, workspace.open(path));
-  const simulate::SceneFiles files(loaded, workspace, resolver, positions);
+  const simulate::SceneFiles files(loaded, workspace, resolver, workers(), positions);
   simulate::SceneResult made = build_scene(files.input(), options);
   const bool blocked = made.blocked();
   return {std::move(made.scene), std::move(made.facts), blocked, text};

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/simulate/engine.h>
+#include <rigor/simulate/engine/engine.h>
 
 #include "simulate/hand_scene.h"
 

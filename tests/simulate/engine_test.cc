@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/simulate/engine.h>
+#include <rigor/simulate/engine/engine.h>
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <rigor/mesh/hull.h>
+#include <rigor/mesh/convex/hull.h>
 
 #include "simulate/hand_scene.h"
 

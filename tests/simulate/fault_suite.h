@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include <rigor/environment.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
-#include <rigor/simulate/scene_input.h>
+#include <rigor/rules/environment.h>
+#include <rigor/simulate/scene/input.h>
 #include <rigor/text/disk.h>
 #include <rigor/text/sources.h>
 
@@ -59,7 +59,7 @@ class SuiteModel {
         workspace_(disk_, sources_),
         loaded_(read::load({workspace_, environment_.resolver, environment_.sdf, environment_.urdf},
                            workspace_.open(kSuiteFolder + file))),
-        files_(loaded_, workspace_, environment_.resolver) {}
+        files_(loaded_, workspace_, environment_.resolver, environment_.workers) {}
 
   const model::Root& root() const { return loaded_.root; }
   const simulate::SceneInput& input() const { return files_.input(); }

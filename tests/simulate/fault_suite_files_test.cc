@@ -14,7 +14,7 @@
 #include <rigor/mass/link_body.h>
 #include <rigor/mass/resolve.h>
 #include <rigor/rules/validate.h>
-#include <rigor/simulate/tests.h>
+#include <rigor/simulate/test/tests.h>
 
 namespace rigor {
 namespace {

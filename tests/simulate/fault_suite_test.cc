@@ -8,6 +8,7 @@
 // Under sanitizers, where all takes ten times as long, only some rows run, and nothing is counted.
 
 #include "simulate/fault_suite.h"
+#include "support/workers.h"
 
 #include <gtest/gtest.h>
 
@@ -15,9 +16,9 @@
 #include <functional>
 #include <memory>
 
-#include <rigor/simulate/advice.h>
+#include <rigor/simulate/advice/advice.h>
 #include <rigor/simulate/simulate.h>
-#include <rigor/simulate/tests.h>
+#include <rigor/simulate/test/tests.h>
 #include <rigor/simulate/wheels.h>
 
 namespace rigor {
@@ -76,7 +77,7 @@ struct SuiteBatch {
   std::vector<std::size_t> row_of;
 
   void simulate_into(std::vector<SuiteRow>& rows, simulate::Confirm confirm) const {
-    const auto done = simulate::simulate(tasks, {.confirm = confirm, .jobs = 2});
+    const auto done = simulate::simulate(tasks, {.confirm = confirm, .jobs = 2}, test::workers());
     for (std::size_t i = 0; i < done.size(); ++i) {
       SuiteOutcome& outcome = rows[row_of[i]].outcome;
       outcome.verdict = done[i].verdict;

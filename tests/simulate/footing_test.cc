@@ -10,9 +10,10 @@
 #include <cmath>
 
 #include <rigor/simulate/simulate.h>
-#include <rigor/simulate/tests.h>
+#include <rigor/simulate/test/tests.h>
 
 #include "simulate/built.h"
+#include "support/workers.h"
 
 namespace rigor {
 namespace {
@@ -114,7 +115,7 @@ simulate::Run tried(std::string_view test, const std::string& text) {
   const Facts causes;
   const Task task{
       b.scene, causes, {*make_test(test, b.scene, wheels).scenario}, wheels, b.scene.solver};
-  return std::move(simulate::simulate({task}, {.jobs = 2})[0].runs[0]);
+  return std::move(simulate::simulate({task}, {.jobs = 2}, test::workers())[0].runs[0]);
 }
 
 simulate::Run settled(const std::string& text) { return tried("settle", text); }

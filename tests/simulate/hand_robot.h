@@ -10,7 +10,7 @@
 #include <numbers>
 #include <string>
 
-#include <rigor/simulate/scene.h>
+#include <rigor/simulate/scene/scene.h>
 
 namespace rigor::hand {
 

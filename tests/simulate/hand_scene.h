@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <string>
 
-#include <rigor/mesh/primitive_mesh.h>
-#include <rigor/simulate/scene.h>
+#include <rigor/mesh/primitive/primitive_mesh.h>
+#include <rigor/simulate/scene/scene.h>
 
 namespace rigor::hand {
 

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include <rigor/simulate/engine.h>
+#include <rigor/simulate/engine/engine.h>
 
 #include "simulate/built.h"
 #include "simulate/hand_scene.h"

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-#include <rigor/simulate/engine.h>
+#include <rigor/simulate/engine/engine.h>
 #include <rigor/simulate/reach.h>
 
 #include "simulate/built.h"

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/simulate/measure.h>
+#include <rigor/simulate/metric/measure.h>
 
 #include <gtest/gtest.h>
 

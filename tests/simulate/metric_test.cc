@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/simulate/metric.h>
+#include <rigor/simulate/metric/metric.h>
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <limits>
 #include <numbers>
 
-#include <rigor/simulate/metric_parts.h>
-#include <rigor/simulate/tests.h>
+#include <rigor/simulate/metric/parts.h>
+#include <rigor/simulate/test/tests.h>
 
 #include "simulate/hand_robot.h"
 

@@ -12,6 +12,7 @@
 #include <rigor/simulate/stage.h>
 
 #include "simulate/hand_scene.h"
+#include "support/workers.h"
 
 namespace rigor {
 namespace {
@@ -52,9 +53,9 @@ TEST(Run, RepeatsToTheLastBit) {
   simulate::SolverSettings settings;
   const Record first = run(scene, lasting(1), settings);
   const Record again = run(scene, lasting(1), settings);
-  const Record apart = run_isolated(scene, lasting(1), settings);
+  const Record apart = run_isolated(scene, lasting(1), settings, test::workers());
   EXPECT_EQ(first.end, Record::End::kDone);
-  EXPECT_EQ(first.state_hash.size(), 64U);
+  EXPECT_EQ(first.state_hash.size(), 32U);
   EXPECT_EQ(again.state_hash, first.state_hash);
   EXPECT_EQ(apart.state_hash, first.state_hash);
   EXPECT_EQ(encode(apart), encode(first));
@@ -104,7 +105,8 @@ TEST(Run, DamagedRecordsAreRefused) {
     damaged[at] = static_cast<char>(damaged[at] ^ 4);
     EXPECT_FALSE(simulate::decode(damaged)) << at;
   }
-  const process::ChildResult handed{.end = process::ChildResult::End::kDone, .bytes = "nonsense"};
+  const process::RequestResult handed{.end = process::RequestResult::End::kDone,
+                                      .bytes = "nonsense"};
   EXPECT_EQ(simulate::record_of(handed).end, Record::End::kCrashed);
   EXPECT_FALSE(simulate::record_of(handed).message.empty());
 }
@@ -112,12 +114,13 @@ TEST(Run, DamagedRecordsAreRefused) {
 TEST(Run, WhatTheEngineRefusesIsAnEnd) {
   Scene scene = boxes_that_tumble();
   scene.bodies[2].mass.about_com.ixx = -1;
-  const Record record = run_isolated(scene, lasting(1), {});
+  const Record record = run_isolated(scene, lasting(1), {}, test::workers());
   EXPECT_EQ(record.end, Record::End::kRefused);
   EXPECT_FALSE(record.message.empty());
   Scenario nobody = lasting(1);
   nobody.commands.push_back({.joint = 7});
-  EXPECT_EQ(run_isolated(boxes_that_tumble(), nobody, {}).end, Record::End::kRefused);
+  EXPECT_EQ(run_isolated(boxes_that_tumble(), nobody, {}, test::workers()).end,
+            Record::End::kRefused);
 }
 
 TEST(Run, EndsWhenSomethingIsFarAway) {
@@ -138,7 +141,7 @@ TEST(Run, EndsWhenSomethingIsNoNumber) {
   Scenario scenario = lasting(1);
   scenario.pushes.push_back(
       {.body = 0, .impulse_W = {1e308, 1e308, 1e308}, .p_BP = {1, 0, 0}, .at = 0.1});
-  const Record record = run_isolated(scene, scenario, {});
+  const Record record = run_isolated(scene, scenario, {}, test::workers());
   EXPECT_EQ(record.end, Record::End::kNotFinite);
   EXPECT_EQ(record.culprit, 0U);
   EXPECT_NEAR(record.end_time, 0.1, 0.01);

@@ -4,7 +4,7 @@
 // What ODE aborts on, or takes silently and spoils (measured with ODE 0.16.2): each is blocked before it
 // gets there, at the place of the value.
 
-#include <rigor/simulate/scene_check.h>
+#include <rigor/simulate/scene/check.h>
 
 #include <cmath>
 #include <functional>

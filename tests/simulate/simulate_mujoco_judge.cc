@@ -19,9 +19,11 @@
 
 #include <rigor/simulate/run.h>
 #include <rigor/simulate/stage.h>
-#include <rigor/simulate/tests.h>
+#include <rigor/simulate/test/tests.h>
 #include <rigor/simulate/wheels.h>
 #include <simulate/fault_suite.h>
+
+#include "support/workers.h"
 
 namespace rigor::simulate {
 namespace {
@@ -116,7 +118,7 @@ TEST(SimulateJudge, MujocoDrivesTheTutorialsRobotAsFar) {
   const MadeTest drive = make_test("drive", made.scene, find_wheels(made.scene, {}));
   ASSERT_TRUE(drive.scenario) << drive.why_not;
   const Scene scene = stage(made.scene, *drive.scenario);
-  const Record record = run_isolated(scene, *drive.scenario, scene.solver);
+  const Record record = run_isolated(scene, *drive.scenario, scene.solver, test::workers());
   ASSERT_EQ(record.end, Record::End::kDone) << record.message;
   const std::uint32_t base = scene.models.front().base;
   const Vector3 ours = record.final.bodies[base].p_WBcm;

@@ -5,13 +5,14 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/simulate/assertion.h>
 #include <rigor/simulate/confirm.h>
-#include <rigor/simulate/metric_parts.h>
-#include <rigor/simulate/tests.h>
+#include <rigor/simulate/metric/assertion.h>
+#include <rigor/simulate/metric/parts.h>
+#include <rigor/simulate/test/tests.h>
 
 #include "simulate/hand_robot.h"
 #include "simulate/hand_scene.h"
+#include "support/workers.h"
 
 namespace rigor {
 namespace {
@@ -102,7 +103,7 @@ TEST(Simulate, AFaultOfTheModelsNeedsNoSeeds) {
   const Facts causes;
   const Task task{
       scene, causes, {*make_test("settle", scene, wheels).scenario}, wheels, scene.solver};
-  const std::vector<Simulation> result = simulate::simulate({task}, {});
+  const std::vector<Simulation> result = simulate::simulate({task}, {}, test::workers());
   const simulate::Run& run = result[0].runs[0];
   EXPECT_EQ(run.verdict, Verdict::kFail);
   ASSERT_EQ(run.confirmations.size(), 2U);
@@ -163,8 +164,9 @@ TEST(Simulate, ASaneRobotSettlesAndDrivesAsFarAsItsWheelsRoll) {
   for (const char* test : {"settle", "drive"}) {
     task.scenarios.push_back(*make_test(test, scene, wheels).scenario);
   }
-  const std::vector<Simulation> one = simulate::simulate({task}, {.jobs = 1});
-  const std::vector<Simulation> two = simulate::simulate({task, task}, {.jobs = 2});
+  const std::vector<Simulation> one = simulate::simulate({task}, {.jobs = 1}, test::workers());
+  const std::vector<Simulation> two =
+      simulate::simulate({task, task}, {.jobs = 2}, test::workers());
   ASSERT_EQ(one.size(), 1U);
   EXPECT_EQ(one[0].verdict, Verdict::kPass);
   ASSERT_EQ(one[0].runs.size(), 2U);
@@ -198,12 +200,13 @@ TEST(Simulate, ATaskIsHandedOverWhenItIsDone) {
   options.progress = [&](std::size_t count, std::size_t) { ended = count; };
   std::vector<std::size_t> tasks;
   std::vector<std::size_t> ended_before;
-  simulate::simulate({fails, nothing, fails}, options, [&](std::size_t task, Simulation result) {
-    tasks.push_back(task);
-    ended_before.push_back(ended);
-    EXPECT_EQ(result.runs.size(), task == 1 ? 0U : 1U);
-    EXPECT_EQ(result.verdict, task == 1 ? Verdict::kPass : Verdict::kFail);
-  });
+  simulate::simulate({fails, nothing, fails}, options, test::workers(),
+                     [&](std::size_t task, Simulation result) {
+                       tasks.push_back(task);
+                       ended_before.push_back(ended);
+                       EXPECT_EQ(result.runs.size(), task == 1 ? 0U : 1U);
+                       EXPECT_EQ(result.verdict, task == 1 ? Verdict::kPass : Verdict::kFail);
+                     });
   // A failure is run three times: as asked for, with half the step and by the other solver.
   EXPECT_EQ(tasks, (std::vector<std::size_t>{1, 0, 2}));
   EXPECT_EQ(ended_before, (std::vector<std::size_t>{0, 3, 6}));
@@ -215,7 +218,7 @@ TEST(Simulate, ACauseThatNoRunShowedComesFirstAndWarns) {
   const Facts causes{{.kind = FactKind::kCauseMeshWheel, .subject = "w", .severe = true},
                      {.kind = FactKind::kCauseEffort, .subject = "e", .severe = false}};
   Task task{scene, causes, {*make_test("settle", scene, wheels).scenario}, wheels, scene.solver};
-  const std::vector<Simulation> result = simulate::simulate({task}, {});
+  const std::vector<Simulation> result = simulate::simulate({task}, {}, test::workers());
   EXPECT_EQ(result[0].verdict, Verdict::kWarn);
   ASSERT_EQ(result[0].runs[0].facts.size(), 1U);
   EXPECT_EQ(result[0].runs[0].facts[0].kind, FactKind::kCauseMeshWheel);

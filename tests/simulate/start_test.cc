@@ -3,7 +3,7 @@
 //
 // Where a URDF's joints begin, and one that has nothing to simulate.
 
-#include <rigor/simulate/start.h>
+#include <rigor/simulate/scene/start.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/simulate/tests.h>
+#include <rigor/simulate/test/tests.h>
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 
 #include <rigor/simulate/footprint.h>
 #include <rigor/simulate/joint_load.h>
-#include <rigor/simulate/test_parts.h>
+#include <rigor/simulate/test/parts.h>
 
 #include "simulate/hand_robot.h"
 

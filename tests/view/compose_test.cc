@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/view/compose.h>
-#include <rigor/view/font.h>
+#include <rigor/view/image/compose.h>
+#include <rigor/view/image/font.h>
 
 namespace rigor::view {
 namespace {

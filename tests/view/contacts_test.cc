@@ -10,6 +10,8 @@
 
 #include "drawing_fixture.h"
 
+#include <rigor/model/pose.h>
+
 namespace rigor::view {
 namespace {
 

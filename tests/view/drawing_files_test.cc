@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/view/drawing_files.h>
+#include <rigor/view/drawing/files.h>
 
 #include <gtest/gtest.h>
 

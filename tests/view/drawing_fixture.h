@@ -9,18 +9,21 @@
 #include <string>
 #include <utility>
 
-#include <rigor/environment.h>
-#include <rigor/mass/mesh_reads.h>
+#include <rigor/mass/mesh/reads.h>
 #include <rigor/model/frames.h>
 #include <rigor/read/load.h>
-#include <rigor/view/drawing.h>
-#include <rigor/view/drawing_files.h>
+#include <rigor/rules/environment.h>
+#include <rigor/view/drawing/drawing.h>
+#include <rigor/view/drawing/files.h>
 
 namespace rigor::view {
 
 struct DrawnModel {
   DrawnModel(const std::string& path, std::map<std::string, std::string> files)
-      : disk(std::move(files)), environment(disk, {}), workspace(disk, sources), reads(disk) {
+      : disk(std::move(files)),
+        environment(disk, {}),
+        workspace(disk, sources),
+        reads(disk, environment.workers) {
     const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
     loaded = read::load(reader, workspace.open(path));
   }

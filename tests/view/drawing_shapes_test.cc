@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/view/drawing_shapes.h>
+#include <rigor/view/drawing/shapes.h>
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@
 #include <rigor/mass/polyhedron.h>
 #include <rigor/mass/shapes.h>
 #include <rigor/mesh/normals.h>
-#include <rigor/mesh/primitive_mesh.h>
+#include <rigor/mesh/primitive/primitive_mesh.h>
 
 #include "drawing_fixture.h"
 

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/view/drawing.h>
+#include <rigor/view/drawing/drawing.h>
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include <numbers>
 #include <string>
 
-#include <rigor/view/drawing_shapes.h>
-#include <rigor/view/picture.h>
+#include <rigor/view/drawing/shapes.h>
+#include <rigor/view/image/picture.h>
 
 #include "drawing_fixture.h"
 

@@ -1,15 +1,15 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/view/materials.h>
+#include <rigor/view/drawing/materials.h>
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <string>
 
-#include <rigor/view/material_script.h>
-#include <rigor/view/picture.h>
+#include <rigor/view/drawing/material_script.h>
+#include <rigor/view/image/picture.h>
 
 #include "drawing_fixture.h"
 

@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/view/picture.h>
+#include <rigor/view/image/picture.h>
 
 namespace rigor::view {
 namespace {

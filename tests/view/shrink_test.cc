@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/view/shrink.h>
+#include <rigor/view/image/shrink.h>
 
 #include <gtest/gtest.h>
 

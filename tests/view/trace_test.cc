@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include <rigor/mesh/primitive_mesh.h>
+#include <rigor/mesh/primitive/primitive_mesh.h>
 #include <rigor/view/trace.h>
 
 namespace rigor::view {

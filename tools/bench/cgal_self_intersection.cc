@@ -6,7 +6,7 @@
 //
 // Its half-edges need a manifold, so corners where the surface is none are taken apart first. There, as
 // at faces that are doubled or degenerate, it counts pairs that rigor does not: see
-// rigor/mesh/self_intersection.h.
+// rigor/mesh/spatial/self_intersection.h.
 //
 // A program of its own. It uses CGAL, whose mesh packages are under the GPL; nothing of rigor is linked
 // to it or to CGAL, and the benchmarks build it only where CGAL is installed.

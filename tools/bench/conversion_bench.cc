@@ -21,8 +21,8 @@
 #include <fmt/core.h>
 
 #include <rigor/author/conversion.h>
-#include <rigor/environment.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/environment.h>
 
 #include "measure.h"
 

@@ -17,8 +17,8 @@
 #include <fmt/core.h>
 
 #include <rigor/mesh/read.h>
-#include <rigor/mesh/self_intersection.h>
-#include <rigor/mesh/topology.h>
+#include <rigor/mesh/spatial/self_intersection.h>
+#include <rigor/mesh/topology/topology.h>
 #include <rigor/text/disk.h>
 
 #include "measure.h"
@@ -67,12 +67,11 @@ void check_self_intersection(const std::string& path, const char* yardstick) {
   for (int round = 0; round < kRounds; ++round) {
     const auto begin = std::chrono::steady_clock::now();
     pairs = rigor::mesh::self_intersections(loaded.mesh).pairs;
-    ours.push_back(
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    ours.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
   }
   fmt::print("100,000 triangles, self-intersections\n");
-  fmt::print("rigor           {:8.2f} ms, {} pairs\n", *std::min_element(ours.begin(), ours.end()) * 1e3,
-             pairs);
+  fmt::print("rigor           {:8.2f} ms, {} pairs\n",
+             *std::min_element(ours.begin(), ours.end()) * 1e3, pairs);
   if (yardstick == nullptr) return fmt::print("CGAL is not installed\n");
   fmt::print("CGAL            ");
   std::fflush(stdout);

@@ -29,9 +29,9 @@
 
 #include <rigor/mesh/read.h>
 #include <rigor/mesh/reduce.h>
-#include <rigor/mesh/topology.h>
-#include <rigor/mesh/vertices.h>
-#include <rigor/mesh/weld.h>
+#include <rigor/mesh/topology/topology.h>
+#include <rigor/mesh/topology/vertices.h>
+#include <rigor/mesh/topology/weld.h>
 #include <rigor/text/disk.h>
 
 namespace {

@@ -21,8 +21,8 @@
 #include <fmt/core.h>
 #include <tinyxml2.h>
 
-#include <rigor/environment.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 
 namespace {

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `tools/dev fuzz 60 scene`: any bytes as a file of a scene, through the importer in its child process
+// `tools/dev fuzz 60 scene`: any bytes as a file of a scene, through the importer in a worker process
 // and through rigor's own reader of Collada; and what they say beside triangles. The first byte says
 // which ending the file has, so that each of the importer's formats has its turn.
 
@@ -11,10 +11,10 @@
 #include <string>
 #include <string_view>
 
-#include <rigor/mesh/asset.h>
-#include <rigor/mesh/collada.h>
+#include <rigor/mesh/asset/asset.h>
+#include <rigor/mesh/collada/collada.h>
 #include <rigor/mesh/read.h>
-#include <rigor/mesh/topology.h>
+#include <rigor/mesh/topology/topology.h>
 #include <rigor/text/disk.h>
 
 #include "sound.h"

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include <rigor/mesh/obj.h>
-#include <rigor/mesh/stl.h>
+#include <rigor/mesh/obj/obj.h>
+#include <rigor/mesh/stl/stl.h>
 
 #include "sound.h"
 

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <string>
 
-#include <rigor/environment.h>
 #include <rigor/model/frames.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -9,11 +9,11 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <rigor/report/printable.h>
+#include <rigor/report/terminal/printable.h>
 
-#include "command.h"
-#include "output.h"
-#include "own_input.h"
+#include "command/command.h"
+#include "output/output.h"
+#include "output/own_input.h"
 
 namespace rigor::tool {
 namespace {

@@ -23,10 +23,10 @@
 #include <string_view>
 #include <vector>
 
-#include <rigor/environment.h>
 #include <rigor/mesh/transform.h>
 #include <rigor/model/model.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/environment.h>
 #include <rigor/text/edit.h>
 #include <rigor/text/sources.h>
 

@@ -20,9 +20,9 @@
 #include <vector>
 
 #include <rigor/author/mesh_uri.h>
-#include <rigor/environment.h>
 #include <rigor/mesh/triangle_mesh.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/environment.h>
 #include <rigor/text/edit.h>
 #include <rigor/text/sources.h>
 

@@ -10,11 +10,11 @@
 
 #include <fmt/format.h>
 
-#include <rigor/convert/compare.h>
-#include <rigor/convert/robot.h>
-#include <rigor/convert/robot_lookups.h>
 #include <rigor/convert/urdfdom.h>
-#include <rigor/mass/mesh_survey.h>
+#include <rigor/mass/mesh/survey.h>
+#include <rigor/robot/compare.h>
+#include <rigor/robot/lookups.h>
+#include <rigor/robot/robot.h>
 #include <rigor/rules/mesh_finder.h>
 #include <rigor/rules/runner.h>
 #include <rigor/rules/suppression.h>
@@ -23,12 +23,12 @@
 namespace rigor::author {
 namespace {
 
-using convert::Difference;
-using convert::DifferenceKind;
 using convert::Note;
 using convert::NoteKind;
 using convert::Notes;
 using convert::Outcome;
+using robot::Difference;
+using robot::DifferenceKind;
 
 constexpr std::string_view kProof[] = {"convert-not-the-same", "convert-refused"};
 
@@ -136,7 +136,7 @@ class Told {
   std::map<std::pair<SourceId, std::uint32_t>, Span> whole_;
 };
 
-std::string value_text(const convert::DifferenceValue& value, std::string_view unit) {
+std::string value_text(const robot::DifferenceValue& value, std::string_view unit) {
   if (value.numbers.empty()) return value.text.empty() ? "nothing" : value.text;
   std::string text = fmt::format("{}", fmt::join(value.numbers, " "));
   if (!unit.empty()) text += fmt::format(" {}", unit);
@@ -148,7 +148,7 @@ Note note_of(const Difference& difference) {
           .outcome = Outcome::kLost,
           .where = difference.span_a,
           .subject = difference.a.empty() ? difference.b : difference.a,
-          .written = fmt::format("{}: {}, in the result {}", convert::to_string(difference.kind),
+          .written = fmt::format("{}: {}, in the result {}", robot::to_string(difference.kind),
                                  value_text(difference.from, difference.unit),
                                  value_text(difference.to, difference.unit))};
 }
@@ -161,15 +161,14 @@ class Prover {
       : environment_(environment),
         sources_(sources),
         workspace_(workspace),
-        surveys_(environment.disk),
+        surveys_(environment.disk, {.workers = &environment.workers}),
         options_(options),
         result_(result) {}
 
   /// What is not the same though no note has told so.
   Notes prove(const read::Loaded& source, model::Id<model::Model> model) {
     const model::Frames frames(source.root);
-    const convert::Robot before =
-        convert::robot_of(source.root, frames, model, lookups(source.root));
+    const robot::Robot before = robot::robot_of(source.root, frames, model, lookups(source.root));
     const read::File& file = workspace_.put(options_.out, *result_.text);
     const read::Loaded written =
         read::load({workspace_, environment_.resolver, environment_.sdf, environment_.urdf}, file);
@@ -178,8 +177,8 @@ class Prover {
       return {
           {.kind = NoteKind::kRefused, .where = source.root.site.tag, .written = "no model in it"}};
     }
-    const convert::Robot after = convert::robot_of(
-        written.root, written_frames, model::Id<model::Model>{0}, lookups(written.root));
+    const robot::Robot after = robot::robot_of(written.root, written_frames,
+                                               model::Id<model::Model>{0}, lookups(written.root));
     const Told told(source.root, result_.account.notes);
     Notes notes = differences(before, after, told);
     if (written.root.format == model::Format::kUrdf)
@@ -188,8 +187,8 @@ class Prover {
   }
 
  private:
-  convert::RobotLookups lookups(const model::Root& root) {
-    convert::RobotLookups lookups = convert::lookups_in(root, workspace_, environment_.resolver);
+  robot::Lookups lookups(const model::Root& root) {
+    robot::Lookups lookups = robot::lookups_in(root, workspace_, environment_.resolver);
     lookups.find_mesh = rules::mesh_finder(environment_.resolver, sources_, surveys_);
     lookups.find_file = [this, find = lookups.find_file](const std::string& uri, SourceId from) {
       return whole_path(find(uri, from));
@@ -203,26 +202,26 @@ class Prover {
   }
 
   /// A robot that urdfdom has read names files and looks none up.
-  void look_up_files(convert::Robot& robot) {
-    const auto look_up = [this](std::vector<convert::RobotPart>& parts) {
-      for (convert::RobotPart& part : parts) {
+  void look_up_files(robot::Robot& robot) {
+    const auto look_up = [this](std::vector<robot::Part>& parts) {
+      for (robot::Part& part : parts) {
         if (part.shape.uri.empty()) continue;
         const auto path =
             workspace_.resolve(environment_.resolver, part.shape.uri, options_.out).path;
         part.shape.path = whole_path(path.value_or(""));
       }
     };
-    for (convert::RobotBody& body : robot.bodies) {
+    for (robot::Body& body : robot.bodies) {
       look_up(body.collisions);
       look_up(body.visuals);
     }
   }
 
-  static bool has_capsule(const std::vector<convert::RobotPart>& parts) {
+  static bool has_capsule(const std::vector<robot::Part>& parts) {
     return std::any_of(parts.begin(), parts.end(),
                        [](const auto& part) { return part.shape.kind == "capsule"; });
   }
-  static bool has_capsule(const convert::Robot& robot) {
+  static bool has_capsule(const robot::Robot& robot) {
     return std::any_of(robot.bodies.begin(), robot.bodies.end(), [](const auto& body) {
       return has_capsule(body.collisions) || has_capsule(body.visuals);
     });
@@ -230,24 +229,24 @@ class Prover {
 
   /// The subjects of shapes that a urdfdom leaves out that does not know URDF 1.1's capsules: those, and
   /// the other collisions, or visuals, of their links.
-  static std::set<std::string> beside_capsules(const convert::Robot& robot) {
+  static std::set<std::string> beside_capsules(const robot::Robot& robot) {
     std::set<std::string> subjects;
     const auto add = [&](std::string_view kind, const std::string& body, const auto& parts) {
       if (!has_capsule(parts)) return;
       for (const auto& part : parts)
         subjects.insert(fmt::format("{} {}/{}", kind, body, part.name));
     };
-    for (const convert::RobotBody& body : robot.bodies) {
+    for (const robot::Body& body : robot.bodies) {
       add("collision", body.name, body.collisions);
       add("visual", body.name, body.visuals);
     }
     return subjects;
   }
 
-  Notes differences(const convert::Robot& before, const convert::Robot& after, const Told& told,
+  Notes differences(const robot::Robot& before, const robot::Robot& after, const Told& told,
                     const std::set<std::string>& left_out = {}) const {
     Notes notes;
-    for (const Difference& difference : convert::compare(before, after, result_.names)) {
+    for (const Difference& difference : robot::compare(before, after, result_.names)) {
       // Readers of one format disagree on colours: two materials of one name, a script and a colour.
       if (difference.kind == DifferenceKind::kColor || told.has(difference)) continue;
       if (difference.b.empty() && left_out.contains(difference.a)) continue;
@@ -257,9 +256,10 @@ class Prover {
   }
 
   /// The parser that everything in ROS reads URDF with.
-  void ask_urdfdom(const read::Loaded& source, const convert::Robot& before,
-                   const convert::Robot& after, const Told& told, Notes& notes) {
-    convert::UrdfdomVerdict verdict = convert::judge_by_urdfdom(*result_.text);
+  void ask_urdfdom(const read::Loaded& source, const robot::Robot& before,
+                   const robot::Robot& after, const Told& told, Notes& notes) {
+    convert::UrdfdomVerdict verdict = convert::judge_by_urdfdom(*result_.text, environment_.workers);
+    if (!verdict.asked) return;
     if (!verdict.robot) {
       notes.push_back({.kind = NoteKind::kRefused,
                        .where = source.root.site.tag,
@@ -306,7 +306,7 @@ class Conclusion {
       // A proof that fails is no property of the source, and no comment there speaks of it.
       result.diagnostics.take(runner.run(environment_, sources_, loaded_, found));
       result.diagnostics.sort();
-      result.configurations = convert::Tolerance{}.configurations;
+      result.configurations = robot::Tolerance{}.configurations;
     }
     return result;
   }
@@ -331,9 +331,9 @@ Conversion to_urdf(const Environment& environment, Sources& sources, read::Works
                    const read::Loaded& loaded, const convert::UrdfOptions& how,
                    const ConversionOptions& options) {
   const model::Frames frames(loaded.root);
-  const convert::Documents documents(workspace);
+  const read::Documents documents(workspace);
   convert::UrdfConversion converted =
-      convert::sdf_to_urdf({loaded.root, frames, documents, environment.resolver, environment.sdf,
+      convert::sdf_to_urdf({loaded.root, frames, documents, environment.resolver, environment.sdf, environment.workers,
                             loaded.file->path, options.out, options.working_folder},
                            how);
   Conversion result;
@@ -355,9 +355,9 @@ Conversion to_sdf(const Environment& environment, Sources& sources, read::Worksp
                   const read::Loaded& loaded, const convert::SdfOptions& how,
                   const ConversionOptions& options) {
   const model::Frames frames(loaded.root);
-  const convert::Documents documents(workspace);
+  const read::Documents documents(workspace);
   convert::SdfConversion converted =
-      convert::urdf_to_sdf({loaded.root, frames, documents, environment.resolver, environment.urdf,
+      convert::urdf_to_sdf({loaded.root, frames, documents, environment.resolver, environment.urdf, environment.workers,
                             loaded.file->path, options.out, options.working_folder},
                            how);
   Conversion result;

@@ -3,7 +3,7 @@
 //
 // A conversion as a user asks for it: converted, told in findings, and proved. The result is read again
 // as any file is, once by rigor and once by urdfdom, and moved through random joint positions beside
-// the source (convert/compare.h).
+// the source (robot/compare.h).
 //
 //   Conversion result = to_urdf(environment, sources, workspace, loaded, {}, {});
 //   if (result.text && !result.diagnostics.count(Severity::kError)) write(*result.text);
@@ -17,12 +17,12 @@
 #include <string_view>
 #include <vector>
 
-#include <rigor/convert/compare.h>
 #include <rigor/convert/sdf_to_urdf.h>
 #include <rigor/convert/urdf_to_sdf.h>
-#include <rigor/environment.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
+#include <rigor/robot/compare.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/text/sources.h>
@@ -50,7 +50,7 @@ struct Conversion {
   convert::Account account;
   Diagnostics diagnostics;
   /// What of the source is what of the result, by the choices that were made.
-  convert::Correspondence names;
+  robot::Correspondence names;
   std::size_t configurations = 0;  ///< joint positions that it was proved at
 };
 

@@ -20,7 +20,7 @@
 #include <rigor/author/edit_set.h>
 #include <rigor/author/fix.h>
 #include <rigor/author/patched_text.h>
-#include <rigor/environment.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 #include <rigor/text/diagnostic.h>
 

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include <rigor/author/file_fixer.h>
-#include <rigor/mass/mesh_facts.h>
-#include <rigor/mass/mesh_survey.h>
+#include <rigor/mass/mesh/facts.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/read/workspace.h>
 
 namespace rigor::author {
@@ -40,8 +40,9 @@ std::vector<FixedFile> fix_files(const Environment& environment,
                                  const rules::ValidateOptions& options,
                                  const rules::ValidateResult& result, const Sources& sources,
                                  Applicability most) {
-  mass::MeshSurveys surveys(environment.disk);
-  mass::MeshFiles mesh_files(environment.disk);
+  const mass::MeshMemory memory{.workers = &environment.workers};
+  mass::MeshSurveys surveys(environment.disk, memory);
+  mass::MeshFiles mesh_files(environment.disk, mass::MeshDepth::kFile, memory);
   rules::ValidateOptions recheck = options;
   if (recheck.known.surveys == nullptr) recheck.known.surveys = &surveys;
   if (recheck.known.files == nullptr) recheck.known.files = &mesh_files;

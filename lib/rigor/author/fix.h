@@ -26,7 +26,7 @@
 #include <string_view>
 #include <vector>
 
-#include <rigor/environment.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 #include <rigor/text/edit.h>
 #include <rigor/text/sources.h>

@@ -10,16 +10,17 @@
 #include <fmt/core.h>
 
 #include <rigor/mass/polyhedron.h>
-#include <rigor/mesh/distance.h>
-#include <rigor/mesh/hull.h>
+#include <rigor/mesh/convex/hull.h>
+#include <rigor/mesh/convex/pieces.h>
 #include <rigor/mesh/normals.h>
-#include <rigor/mesh/pieces.h>
-#include <rigor/mesh/primitive_mesh.h>
+#include <rigor/mesh/primitive/primitive_mesh.h>
+#include <rigor/mesh/read.h>
 #include <rigor/mesh/reduce.h>
-#include <rigor/mesh/repair.h>
+#include <rigor/mesh/repair/repair.h>
 #include <rigor/mesh/select.h>
+#include <rigor/mesh/spatial/distance.h>
 #include <rigor/mesh/split.h>
-#include <rigor/mesh/topology.h>
+#include <rigor/mesh/topology/topology.h>
 
 namespace rigor::author {
 namespace {

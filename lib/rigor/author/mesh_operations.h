@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-#include <rigor/mesh/fit.h>
+#include <rigor/mesh/primitive/fit.h>
 #include <rigor/mesh/transform.h>
 #include <rigor/mesh/triangle_mesh.h>
 

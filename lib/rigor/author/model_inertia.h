@@ -20,16 +20,20 @@
 #include <string>
 #include <vector>
 
-#include <rigor/environment.h>
 #include <rigor/mass/link_body.h>
 #include <rigor/mass/proposal.h>
 #include <rigor/mass/resolve.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
 #include <rigor/read/load.h>
+#include <rigor/rules/environment.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/text/edit.h>
 #include <rigor/text/sources.h>
+
+namespace rigor::mass {
+class MeshSurveys;
+}  // namespace rigor::mass
 
 namespace rigor::author {
 

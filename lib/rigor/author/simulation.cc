@@ -8,8 +8,8 @@
 
 #include <rigor/rules/runner.h>
 #include <rigor/rules/suppression.h>
-#include <rigor/simulate/advice.h>
-#include <rigor/simulate/scene_input.h>
+#include <rigor/simulate/advice/advice.h>
+#include <rigor/simulate/scene/input.h>
 
 namespace rigor::author {
 namespace {
@@ -60,7 +60,8 @@ Simulator::Simulator(const Environment& environment, const Sources& sources,
 
 PreparedModel Simulator::prepare(const read::Loaded& loaded,
                                  const model::JointPositions& positions) const {
-  const simulate::SceneFiles files(loaded, workspace_, environment_.resolver, positions);
+  const simulate::SceneFiles files(loaded, workspace_, environment_.resolver, environment_.workers,
+                                   positions);
   PreparedModel model{loaded, simulate::build_scene(files.input(), options_.scene), {}, {}};
   simulate::Scene& scene = model.made.scene;
   const SolverChoice& solver = options_.solver;
@@ -121,7 +122,7 @@ void Simulator::run(const std::vector<SimulationCase>& cases,
                      result.scene.solver});
   }
   simulate::simulate(tasks, {options_.confirm, options_.jobs, options_.progress},
-                     [&](std::size_t i, simulate::Simulation simulation) {
+                     environment_.workers, [&](std::size_t i, simulate::Simulation simulation) {
                        results[i].simulation = std::move(simulation);
                        conclude(cases[i], results[i]);
                        done(i, std::move(results[i]));

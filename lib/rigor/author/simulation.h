@@ -16,13 +16,12 @@
 #include <string>
 #include <vector>
 
-#include <rigor/environment.h>
-#include <rigor/mass/mesh_survey.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
-#include <rigor/simulate/build.h>
 #include <rigor/simulate/plan.h>
+#include <rigor/simulate/scene/build.h>
 #include <rigor/simulate/simulate.h>
 #include <rigor/simulate/sweep.h>
 #include <rigor/text/diagnostic.h>

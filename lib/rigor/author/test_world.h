@@ -11,7 +11,7 @@
 
 #include <string>
 
-#include <rigor/mass/mesh_survey.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/model/pose.h>
 
 namespace rigor::author {
@@ -27,7 +27,7 @@ struct TestBody {
 inline constexpr double kLeastSide = 1e-3;
 
 /// An SDF file. The mesh's lowest point stands on the ground, its bounds' middle above the origin.
-/// The mass is that of the mesh where it is a solid (mass/mesh_survey.h), else of its convex hull;
+/// The mass is that of the mesh where it is a solid (mass/mesh/survey.h), else of its convex hull;
 /// a flat mesh has that of a box around it, of kLeastSide at least. The survey must be usable.
 std::string test_world(const TestBody& body, const mass::MeshSurvey& survey);
 

@@ -182,7 +182,7 @@ class CommentFinder {
 
 }  // namespace
 
-Remarks remarks_on(const Documents& documents, const model::Site& site, CommentsFor target) {
+Remarks remarks_on(const read::Documents& documents, const model::Site& site, CommentsFor target) {
   if (site.span.nowhere()) return {};
   const xml::Document& document = documents.of(site.span.source);
   return CommentFinder(document, documents.element(site), target).find();

@@ -9,9 +9,9 @@
 
 #include <cstdint>
 
-#include <rigor/convert/documents.h>
 #include <rigor/convert/remark.h>
 #include <rigor/model/site.h>
+#include <rigor/read/documents.h>
 
 namespace rigor::convert {
 
@@ -21,7 +21,7 @@ enum class CommentsFor : std::uint8_t { kUrdf, kSdf };
 /// on a line of its own speaks of what follows, another one of what stands before it. Those on the
 /// inertial, the visuals and the collisions in it are theirs, and those inside sensors and plugins go
 /// where these go. None for a site that stands nowhere.
-Remarks remarks_on(const Documents& documents, const model::Site& site, CommentsFor target);
+Remarks remarks_on(const read::Documents& documents, const model::Site& site, CommentsFor target);
 
 /// Those before the file's root, but for the head of an earlier conversion.
 Remarks remarks_on_file(const xml::Document& document);

@@ -36,14 +36,14 @@ void adopt(Number3& target, const Vector3& v, const Number3& written) {
 
 }  // namespace
 
-Number3 numbers_like(const Documents& documents, const Vector3& v,
+Number3 numbers_like(const read::Documents& documents, const Vector3& v,
                      const model::Field<Vector3>& field) {
   Number3 result = numbers(v);
   adopt(result, v, written_numbers(documents, field));
   return result;
 }
 
-UrdfOrigin origin_like(const Documents& documents, const Pose& X,
+UrdfOrigin origin_like(const read::Documents& documents, const Pose& X,
                        std::initializer_list<const model::PoseField*> written) {
   UrdfOrigin origin = origin_of(X);
   for (const model::PoseField* field : written) {

@@ -8,11 +8,11 @@
 
 #include <initializer_list>
 
-#include <rigor/convert/documents.h>
-#include <rigor/convert/urdf_robot.h>
+#include <rigor/convert/urdf/robot.h>
 #include <rigor/model/field.h>
 #include <rigor/model/model.h>
 #include <rigor/model/pose.h>
+#include <rigor/read/documents.h>
 
 namespace rigor::convert {
 
@@ -21,11 +21,11 @@ namespace rigor::convert {
 inline constexpr double kDigitNoise = 1e-14;
 
 /// `v`, each number with its text in the field where that says the same.
-Number3 numbers_like(const Documents& documents, const model::Vector3& v,
+Number3 numbers_like(const read::Documents& documents, const model::Vector3& v,
                      const model::Field<model::Vector3>& field);
 
 /// `X`, each number with its text in the first of the written poses that says the same.
-UrdfOrigin origin_like(const Documents& documents, const model::Pose& X,
+UrdfOrigin origin_like(const read::Documents& documents, const model::Pose& X,
                        std::initializer_list<const model::PoseField*> written);
 
 }  // namespace rigor::convert

@@ -27,10 +27,10 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/convert/documents.h>
 #include <rigor/convert/note.h>
 #include <rigor/model/field.h>
 #include <rigor/model/site.h>
+#include <rigor/read/documents.h>
 #include <rigor/xml/document.h>
 
 namespace rigor::convert {
@@ -43,7 +43,7 @@ struct Account {
 
 class Ledger {
  public:
-  explicit Ledger(const Documents& documents) : documents_(documents) {}
+  explicit Ledger(const read::Documents& documents) : documents_(documents) {}
 
   /// Everything inside the element, and the element itself, must be accounted for. `subject` is the
   /// element's, for the notes on what stands in it; what was opened before stays as it is.
@@ -110,7 +110,7 @@ class Ledger {
   Sheet& sheet(SourceId source);
   static void take(Node& node, Outcome outcome);
 
-  const Documents& documents_;
+  const read::Documents& documents_;
   std::vector<std::pair<SourceId, Sheet>> sheets_;  // in the order of their first use: few
   std::vector<Opened> opened_;
   Notes notes_;

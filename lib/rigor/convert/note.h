@@ -1,8 +1,8 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What became of a part of the source that the target could not take as it stands, as data; one rule
-// `convert-…` turns each kind into words and gives it a severity.
+// What became of a part of the source that the target could not take as it stands, as data; a row of the
+// tables in `rules/convert/` turns each kind into words and gives it a severity.
 //
 //   notes.push_back({.kind = NoteKind::kEffortStandIn, .outcome = Outcome::kRewritten,
 //                    .where = axis.effort.span, .subject = subject(root, joint), .written = "-1",

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <string>
 
-#include <rigor/convert/urdf_robot.h>
+#include <rigor/convert/urdf/robot.h>
 
 namespace rigor::convert {
 

@@ -5,11 +5,11 @@
 
 #include <utility>
 
-#include <rigor/convert/urdf_build.h>
-#include <rigor/convert/urdf_choice.h>
-#include <rigor/convert/urdf_draft.h>
-#include <rigor/convert/urdf_roots.h>
-#include <rigor/convert/urdf_tree.h>
+#include <rigor/convert/urdf/build.h>
+#include <rigor/convert/urdf/choice.h>
+#include <rigor/convert/urdf/draft.h>
+#include <rigor/convert/urdf/roots.h>
+#include <rigor/convert/urdf/tree.h>
 
 namespace rigor::convert {
 

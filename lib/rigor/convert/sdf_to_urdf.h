@@ -20,11 +20,12 @@
 #include <string>
 #include <vector>
 
-#include <rigor/convert/documents.h>
 #include <rigor/convert/ledger.h>
-#include <rigor/convert/urdf_robot.h>
+#include <rigor/convert/urdf/robot.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
+#include <rigor/read/documents.h>
+#include <rigor/process/workers.h>
 #include <rigor/read/resolver.h>
 #include <rigor/schema/schema.h>
 
@@ -70,11 +71,12 @@ struct UrdfOptions {
 struct Source {
   const model::Root& root;
   const model::Frames& frames;
-  const Documents& documents;
+  const read::Documents& documents;
   const read::Resolver& resolver;
   const schema::Schema& schema;  ///< of the source's format
-  std::string path;              ///< of the file
-  std::string out = {};          ///< where the result will stand; empty: not known
+  const process::Workers& workers;
+  std::string path;      ///< of the file
+  std::string out = {};  ///< where the result will stand; empty: not known
   /// What relative paths are seen from; empty: not known.
   std::string working_folder = {};
 };

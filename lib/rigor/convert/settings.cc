@@ -14,7 +14,7 @@
 #include <utility>
 #include <variant>
 
-#include <rigor/convert/urdf_draft.h>
+#include <rigor/convert/urdf/draft.h>
 #include <rigor/read/values.h>
 #include <rigor/schema/value.h>
 #include <rigor/write/numbers.h>
@@ -194,7 +194,7 @@ bool same_setting(const std::string& a, const std::string& b) {
   if (a == b) return true;
   const auto x = write::numbers_in(a), y = write::numbers_in(b);
   if (x && y) {
-    const double relative = Tolerance{}.relative;
+    const double relative = robot::Tolerance{}.relative;
     return std::equal(x->begin(), x->end(), y->begin(), y->end(), [relative](double p, double q) {
       return p == q || std::abs(p - q) <= relative * std::max(std::abs(p), std::abs(q));
     });
@@ -210,11 +210,11 @@ class SettingComparer {
       in_b_[{setting.subject, setting.path}].push_back(&setting);
   }
 
-  std::vector<Difference> compare() {
+  std::vector<robot::Difference> compare() {
     for (const Setting& x : a_.all) {
       auto& others = in_b_[{x.subject, x.path}];
       if (others.empty()) {
-        only(x, a_, b_, DifferenceKind::kAttachmentOnlyInA);
+        only(x, a_, b_, robot::DifferenceKind::kAttachmentOnlyInA);
         continue;
       }
       const Setting& y = *others.front();
@@ -223,14 +223,14 @@ class SettingComparer {
       if (!same_setting(x.text, y.text)) tell(&x, &y);
     }
     for (const Setting& y : b_.all) {
-      if (!taken_.contains(&y)) only(y, b_, a_, DifferenceKind::kAttachmentOnlyInB);
+      if (!taken_.contains(&y)) only(y, b_, a_, robot::DifferenceKind::kAttachmentOnlyInB);
     }
     return std::move(found_);
   }
 
  private:
   void only(const Setting& setting, const Settings& own, const Settings& other,
-            DifferenceKind kind) {
+            robot::DifferenceKind kind) {
     const bool in_a = &own == &a_;
     if (other.known.contains(setting.subject)) {
       return tell(in_a ? &setting : nullptr, in_a ? nullptr : &setting);
@@ -239,7 +239,7 @@ class SettingComparer {
     const auto owner = own.owners.find(setting.subject);
     if (!setting.path.empty() || owner == own.owners.end()) return;
     if (!other.known.contains(owner->second)) return;
-    Difference difference{.kind = kind};
+    robot::Difference difference{.kind = kind};
     (in_a ? difference.a : difference.b) = setting.subject;
     (in_a ? difference.span_a : difference.span_b) = setting.span;
     found_.push_back(std::move(difference));
@@ -247,7 +247,8 @@ class SettingComparer {
 
   void tell(const Setting* x, const Setting* y) {
     const Setting& any = x != nullptr ? *x : *y;
-    Difference difference{.kind = DifferenceKind::kSetting, .a = any.subject, .b = any.subject};
+    robot::Difference difference{
+        .kind = robot::DifferenceKind::kSetting, .a = any.subject, .b = any.subject};
     difference.what = any.path;
     if (x != nullptr) difference.from.text = x->text, difference.span_a = x->span;
     if (y != nullptr) difference.to.text = y->text, difference.span_b = y->span;
@@ -258,12 +259,12 @@ class SettingComparer {
   const Settings& b_;
   std::map<std::pair<std::string, std::string>, std::deque<const Setting*>> in_b_;
   std::set<const Setting*> taken_;
-  std::vector<Difference> found_;
+  std::vector<robot::Difference> found_;
 };
 
 }  // namespace
 
-std::vector<Difference> compare_settings(const SettingsSource& a, const SettingsSource& b) {
+std::vector<robot::Difference> compare_settings(const SettingsSource& a, const SettingsSource& b) {
   const Settings in_a = SettingCollector(a).collect(), in_b = SettingCollector(b).collect();
   return SettingComparer(in_a, in_b).compare();
 }

@@ -11,23 +11,23 @@
 
 #include <vector>
 
-#include <rigor/convert/compare.h>
-#include <rigor/convert/documents.h>
 #include <rigor/model/model.h>
+#include <rigor/read/documents.h>
+#include <rigor/robot/compare.h>
 #include <rigor/schema/schema.h>
 
 namespace rigor::convert {
 
 struct SettingsSource {
   const model::Root& root;
-  const Documents& documents;
+  const read::Documents& documents;
   const schema::Schema& sdf;
   model::Id<model::Model> model;
 };
 
 /// Of what both models have by the same name; what only one has of links, joints and collisions is told
 /// by `compare`.
-std::vector<Difference> compare_settings(const SettingsSource& a, const SettingsSource& b);
+std::vector<robot::Difference> compare_settings(const SettingsSource& a, const SettingsSource& b);
 
 /// Whether there is something that only `compare_settings` looks at.
 bool has_settings(const SettingsSource& source);

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include <rigor/convert/comments.h>
-#include <rigor/convert/sdf_draft.h>
+#include <rigor/convert/sdf/draft.h>
 #include <rigor/model/subject.h>
 #include <rigor/read/values.h>
 

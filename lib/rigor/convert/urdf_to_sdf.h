@@ -21,7 +21,7 @@
 #include <vector>
 
 #include <rigor/convert/ledger.h>
-#include <rigor/convert/sdf_robot.h>
+#include <rigor/convert/sdf/robot.h>
 #include <rigor/convert/sdf_to_urdf.h>
 
 namespace rigor::convert {

@@ -12,16 +12,23 @@
 #include <memory>
 #include <utility>
 
-#include <rigor/convert/robot_bytes.h>
-#include <rigor/process/child.h>
+#include <rigor/robot/bytes.h>
 
 namespace rigor::convert {
 namespace {
 
+constexpr std::string_view kUrdfdomKind = "convert.urdfdom";
+
 constexpr double kUrdfdomEndless = std::numeric_limits<double>::infinity();
 
+/// Of the library's, which has one handler for a process, while this lives.
 class MessageKeeper final : public console_bridge::OutputHandler {
  public:
+  MessageKeeper() { console_bridge::useOutputHandler(this); }
+  ~MessageKeeper() override { console_bridge::restorePreviousOutputHandler(); }
+  MessageKeeper(const MessageKeeper&) = delete;
+  MessageKeeper& operator=(const MessageKeeper&) = delete;
+
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
     if (level >= console_bridge::CONSOLE_BRIDGE_LOG_WARN) messages_.push_back(text);
   }
@@ -37,7 +44,7 @@ model::Pose pose_in_urdfdom(const urdf::Pose& X) {
   return {vector_in_urdfdom(X.position), {X.rotation.w, X.rotation.x, X.rotation.y, X.rotation.z}};
 }
 
-RobotShape shape_in_urdfdom(const urdf::Geometry* geometry) {
+robot::Shape shape_in_urdfdom(const urdf::Geometry* geometry) {
   if (const auto* box = dynamic_cast<const urdf::Box*>(geometry)) {
     return {"box", {box->dim.x, box->dim.y, box->dim.z}};
   }
@@ -54,7 +61,7 @@ RobotShape shape_in_urdfdom(const urdf::Geometry* geometry) {
 }
 
 template <class Part>
-RobotPart part_in_urdfdom(const Part& part) {
+robot::Part part_in_urdfdom(const Part& part) {
   return {part.name, pose_in_urdfdom(part.origin), shape_in_urdfdom(part.geometry.get())};
 }
 
@@ -64,8 +71,8 @@ mass::MassProperties mass_in_urdfdom(const urdf::Inertial& i) {
                            {i.mass, {}, {i.ixx, i.ixy, i.ixz, i.iyy, i.iyz, i.izz}});
 }
 
-RobotBody body_in_urdfdom(const urdf::Link& link) {
-  RobotBody body;
+robot::Body body_in_urdfdom(const urdf::Link& link) {
+  robot::Body body;
   body.name = link.name;
   if (link.inertial) body.mass = mass_in_urdfdom(*link.inertial);
   for (const auto& collision : link.collision_array) {
@@ -75,7 +82,7 @@ RobotBody body_in_urdfdom(const urdf::Link& link) {
     body.visuals.push_back(part_in_urdfdom(*visual));
     if (!visual->material || !visual->material->texture_filename.empty()) continue;
     const urdf::Color& color = visual->material->color;
-    body.visuals.back().color = Color{color.r, color.g, color.b, color.a};
+    body.visuals.back().color = robot::Color{color.r, color.g, color.b, color.a};
   }
   return body;
 }
@@ -92,17 +99,17 @@ model::JointType type_in_urdfdom(const urdf::Joint& joint) {
   }
 }
 
-RobotAxis axis_in_urdfdom(const urdf::Joint& joint) {
-  RobotAxis axis;
+robot::Axis axis_in_urdfdom(const urdf::Joint& joint) {
+  robot::Axis axis;
   const model::Vector3 direction = vector_in_urdfdom(joint.axis);
   const double size = length(direction);
   if (size > 0) axis.direction = 1 / size * direction;
-  if (joint.type == urdf::Joint::PRISMATIC) axis.motion = RobotAxis::Motion::kSlide;
+  if (joint.type == urdf::Joint::PRISMATIC) axis.motion = robot::Axis::Motion::kSlide;
   if (joint.limits) {
-    axis.lower = without_sentinel(joint.limits->lower);
-    axis.upper = without_sentinel(joint.limits->upper);
-    axis.effort = ceiling(joint.limits->effort);
-    axis.velocity = ceiling(joint.limits->velocity);
+    axis.lower = robot::without_sentinel(joint.limits->lower);
+    axis.upper = robot::without_sentinel(joint.limits->upper);
+    axis.effort = robot::ceiling(joint.limits->effort);
+    axis.velocity = robot::ceiling(joint.limits->velocity);
   } else {
     axis.effort = axis.velocity = kUrdfdomEndless;
   }
@@ -116,21 +123,21 @@ RobotAxis axis_in_urdfdom(const urdf::Joint& joint) {
   }
   if (joint.mimic) {
     axis.follow =
-        RobotFollow{joint.mimic->joint_name, 0, joint.mimic->multiplier, joint.mimic->offset};
+        robot::Mimic{joint.mimic->joint_name, 0, joint.mimic->multiplier, joint.mimic->offset};
   }
   return axis;
 }
 
-RobotJoint joint_in_urdfdom(const urdf::Joint& joint,
-                            const std::map<std::string, std::uint32_t>& bodies) {
-  RobotJoint result;
+robot::Joint joint_in_urdfdom(const urdf::Joint& joint,
+                              const std::map<std::string, std::uint32_t>& bodies) {
+  robot::Joint result;
   result.name = joint.name;
   result.type = type_in_urdfdom(joint);
   result.parent = bodies.at(joint.parent_link_name);
   result.child = bodies.at(joint.child_link_name);
   result.X_PJ = pose_in_urdfdom(joint.parent_to_joint_origin_transform);
   if (result.type == model::JointType::kPlanar) {
-    result.axes = planar_axes(axis_in_urdfdom(joint).direction);
+    result.axes = robot::planar_axes(axis_in_urdfdom(joint).direction);
   } else if (result.type != model::JointType::kFixed &&
              result.type != model::JointType::kFloating) {
     result.axes.push_back(axis_in_urdfdom(joint));
@@ -138,17 +145,16 @@ RobotJoint joint_in_urdfdom(const urdf::Joint& joint,
   return result;
 }
 
-/// In the child.
-std::string parse_by_urdfdom(const std::string& text) {
-  MessageKeeper keeper;
-  console_bridge::useOutputHandler(&keeper);
+/// In the worker.
+process::Reply parse_by_urdfdom(const std::string& text, const process::Ask& /*ask*/) {
+  const MessageKeeper keeper;
   const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(text);
-  ByteWriter out;
+  robot::ByteWriter out;
   out.count(keeper.messages().size());
   for (const std::string& message : keeper.messages()) out.text(message);
   out.count(model ? 1 : 0);
   if (!model) return out.take();
-  Robot robot;
+  robot::Robot robot;
   robot.name = model->getName();
   std::map<std::string, std::uint32_t> bodies;
   for (const auto& [name, link] : model->links_) {
@@ -158,26 +164,27 @@ std::string parse_by_urdfdom(const std::string& text) {
   for (const auto& [name, joint] : model->joints_) {
     robot.joints.push_back(joint_in_urdfdom(*joint, bodies));
   }
-  write_robot(out, robot);
+  robot::write_robot(out, robot);
   return out.take();
 }
 
 }  // namespace
 
-UrdfdomVerdict judge_by_urdfdom(std::string_view urdf) {
-  const process::ChildLimits limits{.cpu_seconds = kUrdfdomSeconds};
-  const process::ChildResult result =
-      process::run_in_child(limits, [text = std::string(urdf)] { return parse_by_urdfdom(text); });
+UrdfdomVerdict judge_by_urdfdom(std::string_view urdf, const process::Workers& workers) {
+  const process::RequestResult result =
+      workers.call({.kind = kUrdfdomKind, .bytes = std::string(urdf), .limits = kUrdfdomLimits});
   UrdfdomVerdict verdict;
-  verdict.died = result.end != process::ChildResult::End::kDone;
+  verdict.died = result.end != process::RequestResult::End::kDone;
   if (verdict.died) {
-    verdict.messages.push_back("urdfdom " + process::describe(result, limits));
+    verdict.messages.push_back("urdfdom " + process::describe(result, kUrdfdomLimits));
     return verdict;
   }
-  ByteReader in(result.bytes);
+  robot::ByteReader in(result.bytes);
   for (std::size_t left = in.count(); left > 0; --left) verdict.messages.push_back(in.text());
-  if (in.count() > 0) verdict.robot = read_robot(in);
+  if (in.count() > 0) verdict.robot = robot::read_robot(in);
   return verdict;
 }
+
+process::Service urdfdom_service() { return {kUrdfdomKind, parse_by_urdfdom}; }
 
 }  // namespace rigor::convert

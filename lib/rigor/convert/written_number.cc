@@ -21,7 +21,7 @@ namespace {
 /// No value holds more: a pose with a quaternion.
 constexpr std::size_t kMostWrittenNumbers = 7;
 
-std::vector<std::string_view> words_at(const Documents& documents, Span span) {
+std::vector<std::string_view> words_at(const read::Documents& documents, Span span) {
   std::vector<std::string_view> words;
   if (span.nowhere()) return words;
   constexpr std::string_view kSpace = " \t\r\n";
@@ -55,17 +55,18 @@ bool has_angles_in_radians(xml::Element pose) {
 
 }  // namespace
 
-Number written_number(const Documents& documents, const model::Field<double>& field) {
+Number written_number(const read::Documents& documents, const model::Field<double>& field) {
   return number_among(words_at(documents, field.span), 0, field.value);
 }
 
-Number3 written_numbers(const Documents& documents, const model::Field<model::Vector3>& field) {
+Number3 written_numbers(const read::Documents& documents,
+                        const model::Field<model::Vector3>& field) {
   const auto words = words_at(documents, field.span);
   return {number_among(words, 0, field.value.x), number_among(words, 1, field.value.y),
           number_among(words, 2, field.value.z)};
 }
 
-UrdfOrigin written_origin(const Documents& documents, const model::PoseField& pose) {
+UrdfOrigin written_origin(const read::Documents& documents, const model::PoseField& pose) {
   UrdfOrigin origin = origin_of(pose.pose.value);
   if (!pose.pose.written || pose.site.span.nowhere()) return origin;
   const auto words = words_at(documents, pose.pose.span);

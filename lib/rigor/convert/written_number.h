@@ -8,20 +8,21 @@
 
 #pragma once
 
-#include <rigor/convert/documents.h>
-#include <rigor/convert/urdf_robot.h>
+#include <rigor/convert/urdf/robot.h>
 #include <rigor/model/field.h>
 #include <rigor/model/model.h>
 #include <rigor/model/pose.h>
+#include <rigor/read/documents.h>
 
 namespace rigor::convert {
 
 /// Defaults, and what is not written as the value's own digits, have no text.
-Number written_number(const Documents& documents, const model::Field<double>& field);
-Number3 written_numbers(const Documents& documents, const model::Field<model::Vector3>& field);
+Number written_number(const read::Documents& documents, const model::Field<double>& field);
+Number3 written_numbers(const read::Documents& documents,
+                        const model::Field<model::Vector3>& field);
 
 /// The pose itself, whatever it is relative to. Angles in degrees and quaternions are computed.
-UrdfOrigin written_origin(const Documents& documents, const model::PoseField& pose);
+UrdfOrigin written_origin(const read::Documents& documents, const model::PoseField& pose);
 
 /// What may be left of two frames that are one, m and rad, when their poses were multiplied out: a
 /// thousandth of what any reader compares with.

@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/mass/polyline.h>
 #include <rigor/mass/shapes.h>
 

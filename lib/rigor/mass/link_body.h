@@ -7,27 +7,24 @@
 //   if (body.complete()) MassProperties water = of_densities(body, 1000);
 //
 // Each shape is a solid of even density; a mesh is what it encloses, or its convex hull when it is no
-// solid (mesh_survey.h). Shapes that overlap count twice, as they do for libsdformat and MuJoCo;
+// solid (mass/mesh/survey.h). Shapes that overlap count twice, as they do for libsdformat and MuJoCo;
 // `overlaps_in` names them.
 
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <rigor/mass/find_mesh.h>
 #include <rigor/mass/mass_properties.h>
-#include <rigor/mass/mesh_survey.h>
+#include <rigor/mass/mesh/state.h>
 #include <rigor/mass/overlap.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
 
 namespace rigor::mass {
-
-/// The survey of the mesh that a shape names; null when its file is not found, or not to be opened.
-using FindMesh = std::function<const MeshSurvey*(const model::Mesh&)>;
 
 enum class From : std::uint8_t { kCollisions, kVisuals };
 

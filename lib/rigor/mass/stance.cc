@@ -9,6 +9,7 @@
 #include <limits>
 #include <variant>
 
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/mass/support_polygon.h>
 
 namespace rigor::mass {

@@ -21,6 +21,7 @@ enum class FaultKind : std::uint8_t {
   kMalformed,        ///< cannot be parsed; `detail` says at what, `line` where
   kImporterCrashed,  ///< the scene importer died or ran out of time or memory; `detail` says which
   kImporterMissing,  ///< no importer for scenes is installed
+  kWorkerMissing,    ///< no worker to import it in could be started; `detail` says why
   kIndexOutOfRange,  ///< a face names a vertex that there is not
   kNotFinite,        ///< a coordinate is NaN or infinite; `count` of them, `line` of the first
   // The mesh could be read all the same.

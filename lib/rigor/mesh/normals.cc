@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <rigor/mesh/groups.h>
-#include <rigor/mesh/weld.h>
+#include <rigor/mesh/topology/weld.h>
+#include <rigor/text/disjoint_sets.h>
 
 namespace rigor::mesh {
 namespace {
@@ -79,10 +79,10 @@ double angle_between(const Vector3& a, const Vector3& b) {
 }
 
 /// Corners in one place that see each other across smooth edges.
-Groups smooth_groups(const std::vector<std::uint32_t>& places, const std::vector<Vector3>& normals,
-                     double crease_angle) {
+DisjointSets smooth_groups(const std::vector<std::uint32_t>& places,
+                           const std::vector<Vector3>& normals, double crease_angle) {
   const std::vector<TriangleSide> sides = sorted_sides(places);
-  Groups groups(places.size());
+  DisjointSets groups(places.size());
   for (std::size_t first = 0, end = 0; first < sides.size(); first = end) {
     while (end < sides.size() && sides[end].along(sides[first])) ++end;
     if (end - first != 2) continue;
@@ -116,7 +116,7 @@ Corners::Normal as_normal(const Vector3& v) {
 TriangleMesh recomputed_normals(TriangleMesh mesh, double crease_angle) {
   const std::vector<Vector3> faces = face_normals(mesh);
   const std::vector<std::uint32_t> places = places_of_corners(mesh);
-  Groups groups = smooth_groups(places, faces, crease_angle);
+  DisjointSets groups = smooth_groups(places, faces, crease_angle);
   std::vector<Vector3> sums(places.size());
   for (std::uint32_t corner = 0; corner < places.size(); ++corner) {
     Vector3& sum = sums[groups.find(corner)];

@@ -8,9 +8,9 @@
 #include <memory>
 #include <utility>
 
-#include <rigor/mesh/obj.h>
-#include <rigor/mesh/scene.h>
-#include <rigor/mesh/stl.h>
+#include <rigor/mesh/importer/scene.h>
+#include <rigor/mesh/obj/obj.h>
+#include <rigor/mesh/stl/stl.h>
 #include <rigor/mesh/text_cursor.h>
 #include <rigor/text/path.h>
 
@@ -85,10 +85,10 @@ std::string read(const OpenFile& file, std::uint64_t count) {
 }
 
 LoadedMesh read_as(Format format, const OpenFile& file, const Disk& disk, const std::string& path,
-                   const SceneImporter& importer) {
+                   const process::Workers& workers) {
   if (format == Format::kUnknown) return no_mesh(FaultKind::kUnknownFormat, extension(path));
   const bool is_stl = format == Format::kStlBinary || format == Format::kStlAscii;
-  if (!is_stl && format != Format::kObj) return read_scene(disk, path, importer);
+  if (!is_stl && format != Format::kObj) return read_scene(disk, path, workers);
   if (format == Format::kStlBinary) {
     if (std::optional<LoadedMesh> loaded = read_plain_stl(file)) return std::move(*loaded);
   }
@@ -125,10 +125,10 @@ Format format_of(std::string_view first_bytes, std::uint64_t size, std::string_v
 }
 
 LoadedMesh read_mesh(const Disk& disk, const std::string& path) {
-  return read_mesh(disk, path, SceneImporter());
+  return read_mesh(disk, path, process::Workers());
 }
 
-LoadedMesh read_mesh(const Disk& disk, const std::string& path, const SceneImporter& importer) {
+LoadedMesh read_mesh(const Disk& disk, const std::string& path, const process::Workers& workers) {
   const std::unique_ptr<OpenFile> file = disk.open(path);
   if (!file) return no_mesh(FaultKind::kUnreadable, disk.read(path, kMaxMeshBytes).problem);
   if (file->size() == 0) return no_mesh(FaultKind::kEmpty);
@@ -136,7 +136,7 @@ LoadedMesh read_mesh(const Disk& disk, const std::string& path, const SceneImpor
   const std::string first_bytes = read(*file, kProbeBytes);
   if (first_bytes.starts_with(kLfsPointer)) return no_mesh(FaultKind::kLfsPointer);
   const Format format = format_of(first_bytes, file->size(), path);
-  LoadedMesh loaded = read_as(format, *file, disk, path, importer);
+  LoadedMesh loaded = read_as(format, *file, disk, path, workers);
   loaded.format = format;
   const std::string ending = extension(path);
   const bool says_nothing =

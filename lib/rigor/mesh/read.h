@@ -4,9 +4,9 @@
 // Reads a mesh file of any known format into memory, within bounds.
 //
 // STL and OBJ are read by rigor itself, since the file is what is checked; Collada, glTF, PLY and
-// what else there is by an importer in a child process (scene.h), because importers crash.
+// what else there is by an importer in a worker process (mesh/importer/scene.h), because importers crash.
 //
-//   LoadedMesh loaded = read_mesh(disk, "meshes/wheel.stl");
+//   LoadedMesh loaded = read_mesh(disk, "meshes/wheel.stl", environment.workers);
 //   if (!loaded.usable()) explain(loaded.faults);
 //   else integrate(loaded.mesh);
 
@@ -20,6 +20,7 @@
 
 #include <rigor/mesh/fault.h>
 #include <rigor/mesh/triangle_mesh.h>
+#include <rigor/process/workers.h>
 #include <rigor/text/disk.h>
 
 namespace rigor::mesh {
@@ -59,10 +60,10 @@ inline constexpr std::size_t kProbeBytes = 512;
 /// By the bytes first, then by the ending: files lie about what they are.
 Format format_of(std::string_view first_bytes, std::uint64_t size, std::string_view path);
 
-LoadedMesh read_mesh(const Disk& disk, const std::string& path);
+/// Scenes are imported by one of the workers.
+LoadedMesh read_mesh(const Disk& disk, const std::string& path, const process::Workers& workers);
 
-/// The same for one of many: scenes are imported by `importer`.
-class SceneImporter;
-LoadedMesh read_mesh(const Disk& disk, const std::string& path, const SceneImporter& importer);
+/// The same with a worker of its own, for one file: it costs the start of a program when that is a scene.
+LoadedMesh read_mesh(const Disk& disk, const std::string& path);
 
 }  // namespace rigor::mesh

@@ -12,11 +12,11 @@
 
 #include <meshoptimizer.h>
 
-#include <rigor/mesh/old_flaws.h>
-#include <rigor/mesh/pinch.h>
-#include <rigor/mesh/rings.h>
-#include <rigor/mesh/vertices.h>
-#include <rigor/mesh/weld.h>
+#include <rigor/mesh/repair/pinch.h>
+#include <rigor/mesh/topology/old_flaws.h>
+#include <rigor/mesh/topology/rings.h>
+#include <rigor/mesh/topology/vertices.h>
+#include <rigor/mesh/topology/weld.h>
 
 namespace rigor::mesh {
 namespace {

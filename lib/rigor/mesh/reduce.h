@@ -7,7 +7,7 @@
 //
 // What the library knows nothing of is done here. A vertex is a place together with what must not
 // blur across it, so borders of parts and seams of textures keep their course. Collapses that fold the
-// surface onto itself, or pinch it at an edge, are undone (pinch.h); where that fails, the places
+// surface onto itself, or pinch it at an edge, are undone (mesh/repair/pinch.h); where that fails, the places
 // around are held, and the reduction is done again.
 //
 //   Reduced reduced = reduce(mesh, {.triangles = mesh.triangles.size() / 10});

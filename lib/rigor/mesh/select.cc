@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include <rigor/mesh/weld.h>
+#include <rigor/mesh/topology/weld.h>
 
 namespace rigor::mesh {
 namespace {

@@ -8,11 +8,11 @@
 #include <cstdint>
 #include <utility>
 
-#include <rigor/mesh/edge_balance.h>
-#include <rigor/mesh/groups.h>
-#include <rigor/mesh/principal_axes.h>
-#include <rigor/mesh/rings.h>
-#include <rigor/mesh/weld.h>
+#include <rigor/mesh/primitive/principal_axes.h>
+#include <rigor/mesh/topology/edge_balance.h>
+#include <rigor/mesh/topology/rings.h>
+#include <rigor/mesh/topology/weld.h>
+#include <rigor/text/disjoint_sets.h>
 
 namespace rigor::mesh {
 namespace {
@@ -31,7 +31,7 @@ struct Numbers {
 /// Triangles that share a place, each group with positions of its own.
 std::vector<TriangleMesh> connected(const TriangleMesh& mesh) {
   const Weld welded = weld(mesh.positions);
-  Groups groups(welded.places());
+  DisjointSets groups(welded.places());
   for (const Triangle& t : mesh.triangles) {
     const Triangle places = places_of(welded, t);
     groups.join(places[0], places[1]);

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <utility>
 
-#include <rigor/mesh/component.h>
-#include <rigor/mesh/rings.h>
-#include <rigor/mesh/weld.h>
+#include <rigor/mesh/topology/component.h>
+#include <rigor/mesh/topology/rings.h>
+#include <rigor/mesh/topology/weld.h>
 
 namespace rigor::mesh {
 namespace {

@@ -33,7 +33,7 @@ struct Split {
   bool too_many() const { return count > kMaxSplit; }
 };
 
-/// By components of triangles that edges join (component.h), a cavity being one of its own. A
+/// By components of triangles that edges join (mesh/topology/component.h), a cavity being one of its own. A
 /// degenerate triangle, which is in none, goes with the triangle before it.
 Split split_by_component(const TriangleMesh& mesh);
 

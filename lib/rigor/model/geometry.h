@@ -83,6 +83,8 @@ struct Geometry {
   Shape shape;
   /// Further shape elements in the same geometry: a consumer takes one and drops the rest.
   std::vector<Site> more;
+  /// The first element in a geometry in which none is a shape.
+  Site no_shape;
   bool explicitly_empty = false;  ///< SDF's `<empty/>`
 };
 

@@ -27,6 +27,7 @@
 #include <rigor/model/field.h>
 #include <rigor/model/geometry.h>
 #include <rigor/model/id.h>
+#include <rigor/model/parameter.h>
 #include <rigor/model/pose.h>
 #include <rigor/model/site.h>
 
@@ -48,7 +49,13 @@ struct PoseField {
   Field<Pose> pose;
   /// `relative_to` from SDF 1.7, `frame` in 1.5 and 1.6.
   Field<std::string> relative_to;
-  Site site;  ///< of the element, when written
+  Site site;               ///< of the element, when written
+  bool malformed = false;  ///< URDF: whether `xyz` or `rpy` is there and is no vector
+};
+
+/// `<fluid_added_mass>` of SDF 1.11: the diagonal, kg (xx, yy, zz) and kg·m² (pp, qq, rr).
+struct FluidAddedMass {
+  Field<double> xx, yy, zz, pp, qq, rr;
 };
 
 struct Inertial {
@@ -62,6 +69,7 @@ struct Inertial {
   Site tensor_site;
   /// kg·m² about the centre of mass, in C's axes; matrix entries, so ixy = -∫xy dm.
   Field<double> ixx, ixy, ixz, iyy, iyz, izz;
+  std::optional<FluidAddedMass> added_mass;
 };
 
 /// `<surface>` of a collision, as far as rigor understands it.
@@ -70,8 +78,12 @@ struct Surface {
   Field<double> mu2;  ///< along the second
   Field<double> slip1;
   Field<double> slip2;
-  Field<double> kp;  ///< N/m
-  Field<double> kd;  ///< N·s/m
+  Field<double> kp;               ///< N/m
+  Field<double> kd;               ///< N·s/m
+  Field<double> min_depth;        ///< m, that contacts leave uncorrected
+  Field<Vector3> fdir1;           ///< the first friction direction, in the collision's frame, or
+  bool fdir1_in_frame = false;    ///< in one that an attribute of it names
+  bool chooses_contacts = false;  ///< by bitmasks, or as `<collide_without_contact>`
 };
 
 struct Collision {
@@ -90,6 +102,10 @@ struct Material {
   Field<std::string> name;     ///< of a script, or of a URDF material
   Field<std::string> texture;  ///< URDF: file name
   bool defines_color = false;
+  bool has_color = false;         ///< SDF: `<ambient>`, `<diffuse>` or `<emissive>`
+  Site script;                    ///< SDF: `<script>`, when written
+  Field<std::string> script_uri;  ///< the first `<uri>` of it
+  Site pbr;                       ///< SDF: `<pbr>`, when written
 };
 
 struct Visual {
@@ -99,6 +115,13 @@ struct Visual {
   PoseField pose;  ///< in the link frame
   Geometry geometry;
   Material material;
+  Field<double> transparency;  ///< from 0, opaque, to 1, invisible
+};
+
+/// `<noise>` of what a sensor measures, in the unit of that.
+struct Noise {
+  Site site;
+  Field<double> stddev;
 };
 
 struct Camera {
@@ -108,15 +131,24 @@ struct Camera {
   Field<double> width;      ///< pixels
   Field<double> height;
   Field<double> horizontal_fov;  ///< rad
+  std::vector<Noise> noises;
+};
+
+/// `<horizontal>` or `<vertical>` of a lidar's scan.
+struct LidarScan {
+  Field<double> samples;
+  Field<double> resolution;  ///< measurements for each sample
+  Field<double> min_angle;   ///< rad
+  Field<double> max_angle;
 };
 
 struct Lidar {
   Site site;
   Field<double> range_min;  ///< m
   Field<double> range_max;
-  Field<double> samples;    ///< horizontal
-  Field<double> angle_min;  ///< rad
-  Field<double> angle_max;
+  LidarScan horizontal;
+  LidarScan vertical;
+  std::vector<Noise> noises;
 };
 
 struct Sensor {
@@ -130,7 +162,13 @@ struct Sensor {
   Field<std::string> topic;
   std::vector<Camera> cameras;
   std::optional<Lidar> lidar;
+  std::vector<Noise>
+      imu_noises;  ///< of all axes of `<angular_velocity>` and `<linear_acceleration>`
   std::vector<Field<std::string>> contact_collisions;
+  /// Those that it names itself, in `<gz_frame_id>`, `<ignition_frame_id>` or `<frame_name>`.
+  std::vector<Field<std::string>> frames;
+  std::string gazebo_reference;  ///< URDF: the `<gazebo reference>` that it is in
+  bool configured = false;       ///< whether it has any element but plugins
 };
 
 struct Light {
@@ -139,6 +177,9 @@ struct Light {
   Field<std::string> type;
   Id<Link> link;  ///< none for a light of the world
   PoseField pose;
+  Field<Vector3> direction;        ///< of a directional or spot light, in the light's frame
+  Field<double> spot_inner_angle;  ///< rad
+  Field<double> spot_outer_angle;
 };
 
 enum class JointType : std::uint8_t {
@@ -205,10 +246,14 @@ struct Joint {
   Id<World> world;
   Field<std::string> parent;  ///< of a link, joint, model or frame; `world`
   Field<std::string> child;
-  PoseField pose;          ///< SDF: in the child's frame; URDF: in the parent link's frame
-  std::vector<Axis> axes;  ///< at most two
-  Field<double> thread_pitch;
+  PoseField pose;              ///< SDF: in the child's frame; URDF: in the parent link's frame
+  std::vector<Axis> axes;      ///< at most two
+  Field<double> thread_pitch;  ///< of old screws; what it means says `screw_lead` (motion.h)
+  Field<double> screw_thread_pitch;  ///< SDF 1.10: m for each turn of a right-handed thread
   Field<double> gearbox_ratio;
+  Field<std::string> gearbox_reference;  ///< the link that a gearbox's angles are measured from
+  /// ODE solves the spring and damper with the constraints (`<cfm_damping>` in older files).
+  bool implicit_spring_damper = false;
   std::optional<SafetyController> safety;  ///< URDF
 };
 
@@ -230,6 +275,7 @@ struct Link {
   Inertial inertial;
   Field<bool> kinematic;
   Field<bool> gravity;
+  Field<bool> self_collide;  ///< when not written, as the model's
   std::vector<Id<Collision>> collisions;
   std::vector<Id<Visual>> visuals;
   std::vector<Id<Sensor>> sensors;  ///< written in it; not those of a URDF's <gazebo> blocks
@@ -244,6 +290,7 @@ struct Plugin {
   Id<Link> link;
   Id<Sensor> sensor;
   std::string gazebo_reference;  ///< URDF: the `<gazebo reference>` it stands in
+  Parameters parameters;         ///< what it is given
 };
 
 /// `<include>`, whether or not it could be followed.
@@ -273,6 +320,7 @@ struct Model {
   Id<World> world;
   std::uint32_t include = 0xffffffffU;  ///< index of the include that brought it; else none
   Field<bool> is_static;
+  Field<bool> self_collide;
   Field<std::string> canonical_link;
   Field<std::string> placement_frame;
   PoseField pose;
@@ -296,6 +344,12 @@ struct Physics {
   Id<World> world;
 };
 
+/// `<spherical_coordinates>` of a world: where its origin is on the globe.
+struct GlobePosition {
+  Field<double> latitude;   ///< degrees
+  Field<double> longitude;  ///< degrees
+};
+
 struct World {
   Site site;
   Field<std::string> name;
@@ -303,18 +357,29 @@ struct World {
   std::vector<Id<Model>> models;
   std::vector<Id<Joint>> joints;
   std::vector<Id<Frame>> frames;
+  std::optional<GlobePosition> globe_position;
+};
+
+/// `<trajectory>` of an actor's script.
+struct Trajectory {
+  Site site;
+  Field<std::string> type;           ///< the name of the animation that is played along it
+  std::vector<Field<double>> times;  ///< s, of each waypoint
 };
 
 struct Actor {
   Site site;
   Field<std::string> name;
   Id<World> world;
+  std::vector<Field<std::string>> animations;  ///< their names
+  std::vector<Trajectory> trajectories;
 };
 
 /// URDF: `<gazebo reference="…">`; an empty reference speaks of the whole robot.
 struct GazeboBlock {
   Site site;
   Field<std::string> reference;
+  Parameters content;  ///< without its plugins and sensors, which are in lists of their own
 };
 
 /// URDF: a joint that a `<transmission>` or `<ros2_control>` names.
@@ -322,12 +387,14 @@ struct ControlledJoint {
   Site site;
   Field<std::string> joint;
   bool ros2_control = false;
+  Parameters parameters;  ///< its interfaces, and what each is given
 };
 
 /// URDF: a `<material>` of the robot, outside any visual.
 struct RobotMaterial {
   Site site;
   Field<std::string> name;
+  bool defines_color = false;  ///< or a texture
 };
 
 /// What a file holds, its includes followed.
@@ -353,6 +420,9 @@ struct Root {
   std::vector<Physics> physics;
   std::vector<GazeboBlock> gazebo_blocks;
   std::vector<ControlledJoint> controlled_joints;
+  Parameters ros2_controls;  ///< URDF: each `<ros2_control>`, with its hardware and components
+  Parameters transmissions;  ///< URDF: each `<transmission>`
+  Parameters mujoco;         ///< URDF: what MuJoCo is told, in `<mujoco>`
   std::vector<RobotMaterial> materials;
 
   const World& operator[](Id<World> id) const { return worlds[id.value]; }

@@ -5,14 +5,14 @@
 
 #include <fcntl.h>
 #include <sys/resource.h>
+#include <sys/time.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <csignal>
-#include <exception>
-#include <new>
-#include <system_error>
+#include <string>
 
 #include <rigor/process/descriptor.h>
 
@@ -27,36 +27,49 @@ constexpr bool kAddressSanitizer = __has_feature(address_sanitizer);
 constexpr bool kAddressSanitizer = false;
 #endif
 
-void lower_limit(decltype(RLIMIT_CPU) resource, rlim_t soft, rlim_t hard) {
+/// The hard limit stays, so that the next request may have more.
+void limit_to(decltype(RLIMIT_AS) resource, rlim_t soft) {
   rlimit limit = {};
   if (::getrlimit(resource, &limit) != 0) return;
-  limit.rlim_max = std::min(limit.rlim_max, hard);
   limit.rlim_cur = std::min(limit.rlim_max, soft);
   ::setrlimit(resource, &limit);
 }
 
-/// Bytes of address space in use: the first number of statm, in pages (man 5 proc). 0 where there is
-/// no such file.
-rlim_t address_space() {
+/// A timer and not RLIMIT_CPU, which counts from the start of the process and in whole seconds.
+void limit_cpu_time(unsigned seconds) {
+  itimerval time = {};
+  time.it_value.tv_sec = static_cast<time_t>(seconds);
+  ::setitimer(ITIMER_PROF, &time, nullptr);
+}
+
+/// Empty where there is no such file.
+std::string statm() {
   const Descriptor file(::open("/proc/self/statm", O_RDONLY | O_CLOEXEC));
-  std::array<char, 64> text = {};
+  std::array<char, 128> text = {};
   const ssize_t size = ::read(file.number(), text.data(), text.size());
-  rlim_t pages = 0;
-  if (size > 0) std::from_chars(text.data(), text.data() + size, pages);
-  return pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE));
+  return {text.data(), size > 0 ? static_cast<std::size_t>(size) : 0};
+}
+
+/// Zero when the text does not begin with a number.
+std::uint64_t bytes_of_pages(std::string_view text) {
+  std::uint64_t pages = 0;
+  std::from_chars(text.data(), text.data() + text.size(), pages);
+  return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
 }  // namespace
 
-void keep_only(int descriptor) {
-  if (::dup2(descriptor, kKept) < 0) ::_exit(1);
-  const int nowhere = ::open("/dev/null", O_RDWR);
-  for (int standard = STDIN_FILENO; standard <= STDERR_FILENO; ++standard) {
-    nowhere >= 0 ? ::dup2(nowhere, standard) : ::close(standard);
-  }
-  // Another child's pipe among them would keep its reader waiting for this child. An old kernel
-  // refuses; then the reader waits.
-  ::close_range(kKept + 1, ~0U, 0);
+std::uint64_t address_space_in(std::string_view statm) {
+  const std::uint64_t bytes = bytes_of_pages(statm);
+  return bytes > 0 ? bytes : kAssumedAddressSpace;
+}
+
+std::uint64_t address_space_in_use() { return address_space_in(statm()); }
+
+std::uint64_t resident_in_use() {
+  const std::string text = statm();
+  const std::size_t blank = text.find(' ');
+  return blank == std::string::npos ? 0 : bytes_of_pages(std::string_view(text).substr(blank + 1));
 }
 
 void reset_signals() {
@@ -66,35 +79,11 @@ void reset_signals() {
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-void confine(const ChildLimits& limits) {
-  const unsigned seconds = std::max(limits.cpu_seconds, 1U);
-  lower_limit(RLIMIT_CORE, 0, 0);
-  lower_limit(RLIMIT_CPU, seconds, rlim_t{seconds} + 1);
-  ::alarm(seconds * kWallPerCpuSecond);
+void confine(const RequestLimits& limits) {
+  limit_to(RLIMIT_CORE, 0);
+  limit_cpu_time(std::max(limits.cpu_seconds, 1U));
   if (kAddressSanitizer) return;
-  const rlim_t bytes = address_space() + limits.memory_bytes;
-  lower_limit(RLIMIT_AS, bytes, bytes);
-}
-
-ChildResult outcome_of(const std::function<std::string()>& work) {
-  try {
-    return {ChildResult::End::kDone, 0, work()};
-  } catch (const std::bad_alloc&) {
-    return {ChildResult::End::kOutOfMemory, 0, {}};
-  } catch (const std::exception& error) {
-    return {ChildResult::End::kFailed, 0, error.what()};
-  } catch (...) {
-    return {ChildResult::End::kFailed, 0, "an exception of unknown type"};
-  }
-}
-
-ChildResult ended_by(int signal) {
-  const bool too_long = signal == SIGXCPU || signal == SIGALRM;
-  return {too_long ? ChildResult::End::kOutOfTime : ChildResult::End::kCrashed, signal, {}};
-}
-
-ChildResult not_started(int error) {
-  return {ChildResult::End::kNotStarted, 0, std::generic_category().message(error)};
+  limit_to(RLIMIT_AS, address_space_in_use() + limits.memory_bytes);
 }
 
 }  // namespace rigor::process

@@ -1,46 +1,39 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a process that was just forked does to itself before it works: it lets go of what its parent
-// holds, and lowers its own limits. And what its parent makes of its end. For the files of this folder.
+// What a worker does to itself: it drops its parent's signal handlers, and lowers its own limits, first as it
+// starts and then for each request. For the files of this folder.
 //
-//   const pid_t pid = ::fork();
-//   if (pid == 0) {
-//     keep_only(pipe);          // is kKept now
-//     reset_signals();
-//     confine(limits);
-//     const ChildResult outcome = outcome_of(work);
-//     ...
-//   }
+//   reset_signals();
+//   const std::uint64_t baseline = address_space_in_use();
+//   confine({.cpu_seconds = 20, .memory_bytes = kImportBytes});
 
 #pragma once
 
-#include <unistd.h>
+#include <cstdint>
+#include <string_view>
 
-#include <functional>
-#include <string>
-
-#include <rigor/process/child.h>
+#include <rigor/process/request.h>
 
 namespace rigor::process {
 
-/// The one descriptor that is kept; everything above it is closed, the standard ones lead nowhere.
-inline constexpr int kKept = STDERR_FILENO + 1;
-void keep_only(int descriptor);
+/// Where the system does not tell how much address space is in use (no /proc), it is taken to be this
+/// much: a worker that had read a scene with assimp had 36 MiB.
+inline constexpr std::uint64_t kAssumedAddressSpace = std::uint64_t{64} << 20U;
 
-/// The parent's handlers and mask are not the child's: a crash must be a crash.
+/// Bytes, from the text of /proc/self/statm (man 5 proc: the first number, in pages); `kAssumedAddressSpace`
+/// when the text has no number.
+std::uint64_t address_space_in(std::string_view statm);
+std::uint64_t address_space_in_use();
+
+/// Bytes that are in memory; 0 where the system does not tell.
+std::uint64_t resident_in_use();
+
+/// All to their defaults, none blocked: a crash must be a crash.
 void reset_signals();
 
-/// Sets the limits, from now on and on top of the memory in use now.
-void confine(const ChildLimits& limits);
-
-/// What the work gave, or how it failed; nothing is thrown.
-ChildResult outcome_of(const std::function<std::string()>& work);
-
-/// How a process ended that a signal killed, or none (0), before it could say.
-ChildResult ended_by(int signal);
-
-/// Of an `errno`.
-ChildResult not_started(int error);
+/// Sets the limits from now on, on top of the time and memory that are used by now; the next request has its
+/// own. Past the CPU time SIGPROF ends the process. The wall clock is the caller's.
+void confine(const RequestLimits& limits);
 
 }  // namespace rigor::process

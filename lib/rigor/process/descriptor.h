@@ -12,6 +12,7 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <utility>
 
 namespace rigor::process {
@@ -31,9 +32,10 @@ class Descriptor {
 
   /// Negative when there is none.
   int number() const { return number_; }
-  void close() {
-    if (number_ >= 0) ::close(number_);
-    number_ = -1;
+  /// Zero, or the error's number: some file systems say only here that a write failed.
+  int close() {
+    const int number = std::exchange(number_, -1);
+    return number >= 0 && ::close(number) != 0 ? errno : 0;
   }
 
  private:

@@ -1,58 +1,63 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a caller, the helper of its `ForkServer` and a child say to each other. For the files of this folder.
+// What a worker and its caller say to each other over the worker's socket. For the files of this folder.
 //
-// There are three ways of talk. Over the helper's socket go wishes for a child: its limits, and the child's
-// ends of the two others. Over a socket of its own go messages to the child and from it. Over a pipe of
-// its own the helper tells how the child ended.
+//   worker            caller
+//   kHello, version →
+//                   ← kRequest, RequestHead and the kind; kBytes, those of the request
+//   kQuestion       →
+//                   ← kAnswer or kNoAnswer
+//   kResult         →
+//                   ← kRequest ...
+//
+// Both are of one build, so messages are structs as they lie in memory, each followed by its bytes.
 
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 
-#include <rigor/process/child.h>
-#include <rigor/process/descriptor.h>
+#include <rigor/process/request.h>
 
 namespace rigor::process {
 
-enum class MessageKind : std::uint64_t { kRequest, kQuestion, kAnswer, kNoAnswer, kResult };
+enum class MessageKind : std::uint64_t {
+  kHello,
+  kRequest,
+  kBytes,
+  kQuestion,
+  kAnswer,
+  kNoAnswer,
+  kResult
+};
 
 struct Message {
-  MessageKind kind = MessageKind::kRequest;
+  MessageKind kind = MessageKind::kHello;
   std::uint64_t size = 0;  ///< bytes that follow
-  std::uint64_t end = 0;   ///< of a result: a ChildResult::End
+  // Of a result:
+  std::uint32_t end = 0;      ///< a RequestResult::End
+  std::uint32_t retires = 0;  ///< 1 when the worker is not to be asked again
 };
 
-struct ChildEnd {
-  int signal = 0;  ///< that killed it
-  int error = 0;   ///< why there was no child
+/// Followed by the name of the kind.
+struct RequestHead {
+  std::uint64_t memory_bytes = 0;
+  std::uint64_t cpu_seconds = 0;
 };
 
-/// False when nobody listens any more.
-bool send_message(int socket, MessageKind kind, std::string_view bytes, std::uint64_t end = 0);
+/// Longer first messages, and names of kinds, are of no worker.
+inline constexpr std::size_t kMaxName = 1024;
 
-/// False when the end comes before `size` bytes.
+/// What the worker says first: the version that both must be of.
+std::string_view worker_version();
+
+/// In the worker, over `socket`. False when nobody listens any more.
+bool send_message(int socket, const Message& message, std::string_view bytes);
+
+/// In the worker: exactly `size` bytes; false when the end comes before.
 bool receive_all(int socket, void* into, std::size_t size);
-
-/// The same. Room is made as bytes come: the size that was announced may be a lie.
-bool receive_text(int socket, std::uint64_t size, std::string& text);
-
-/// What the caller wants of the helper.
-struct Wish {
-  ChildLimits limits;
-  Descriptor socket{-1};  ///< for the child
-  Descriptor pipe{-1};    ///< for the helper: a ChildEnd
-};
-
-/// False when nobody listens any more.
-bool send_wish(int socket, const Wish& wish);
-
-/// Nothing when there will be no more.
-std::optional<Wish> receive_wish(int socket);
 
 }  // namespace rigor::process

@@ -19,6 +19,8 @@
 #include <system_error>
 #include <utility>
 
+#include <rigor/process/descriptor.h>
+
 namespace rigor::process {
 namespace {
 
@@ -27,31 +29,17 @@ using ProgramEnd = ProgramResult::End;
 /// Where the program's side says why it could not be started; closed once it is.
 constexpr int kStartFailure = STDERR_FILENO + 1;
 
-/// A pipe that nobody else inherits.
-class ProgramPipe {
- public:
+/// A pipe that nobody else inherits; without one, its numbers are negative.
+struct ProgramPipe {
   ProgramPipe() {
-    if (::pipe2(ends_.data(), O_CLOEXEC) != 0) ends_ = {-1, -1};
+    std::array<int, 2> ends = {-1, -1};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return;
+    reading = Descriptor(ends[0]);
+    writing = Descriptor(ends[1]);
   }
-  ~ProgramPipe() {
-    close_reading();
-    close_writing();
-  }
-  ProgramPipe(const ProgramPipe&) = delete;
-  ProgramPipe& operator=(const ProgramPipe&) = delete;
 
-  bool is_open() const { return ends_[0] >= 0; }
-  int reading() const { return ends_[0]; }
-  int writing() const { return ends_[1]; }
-  void close_reading() { close_one(ends_[0]); }
-  void close_writing() { close_one(ends_[1]); }
-
- private:
-  static void close_one(int& end) {
-    if (end >= 0) ::close(end);
-    end = -1;
-  }
-  std::array<int, 2> ends_ = {-1, -1};
+  Descriptor reading{-1};
+  Descriptor writing{-1};
 };
 
 /// After the fork: nothing here may allocate, since another thread may have held the allocator's lock.
@@ -165,21 +153,24 @@ ProgramResult run_program(const std::vector<std::string>& words, const ProgramLi
   ProgramPipe out;
   ProgramPipe err;
   ProgramPipe failure;
-  if (!out.is_open() || !err.is_open() || !failure.is_open()) return program_not_started(errno);
+  for (const ProgramPipe* pipe : {&out, &err, &failure}) {
+    if (pipe->reading.number() < 0) return program_not_started(errno);
+  }
   const pid_t pid = ::fork();
   if (pid < 0) return program_not_started(errno);
   if (pid == 0) {
-    become(arguments.data(), limits, out.writing(), err.writing(), failure.writing());
+    become(arguments.data(), limits, out.writing.number(), err.writing.number(),
+           failure.writing.number());
   }
-  for (ProgramPipe* pipe : {&out, &err, &failure}) pipe->close_writing();
+  for (ProgramPipe* pipe : {&out, &err, &failure}) pipe->writing.close();
 
-  if (const int why = start_failure(failure.reading()); why != 0) {
+  if (const int why = start_failure(failure.reading.number()); why != 0) {
     wait_for_program(pid);
     return program_not_started(why);
   }
   ProgramResult result;
   const std::optional<ProgramEnd> ended =
-      ProgramOutput(limits).read(out.reading(), err.reading(), result);
+      ProgramOutput(limits).read(out.reading.number(), err.reading.number(), result);
   if (ended) ::kill(pid, SIGKILL);
   const std::optional<int> status = wait_for_program(pid);
   result.exit_code = status && WIFEXITED(*status) ? WEXITSTATUS(*status) : 0;

@@ -13,6 +13,27 @@
 #include <rigor/text/letter_case.h>
 
 namespace rigor::read {
+
+std::string_view SchemaFact::ancestor(std::size_t levels) const {
+  std::optional<xml::Element> at = element;
+  for (; at && levels > 0; --levels) at = at->parent();
+  return at ? at->name() : std::string_view();
+}
+
+bool SchemaFact::is_inside(std::string_view name) const {
+  for (auto at = element.parent(); at; at = at->parent()) {
+    if (at->name() == name) return true;
+  }
+  return false;
+}
+
+bool SchemaFact::has_child(std::string_view name) const { return element.child(name).has_value(); }
+
+bool SchemaFact::has_sibling(std::string_view name) const {
+  const auto above = element.parent();
+  return above && above->child(name);
+}
+
 namespace {
 
 using schema::Cardinality;

@@ -12,6 +12,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -51,6 +52,12 @@ struct SchemaFact {
   std::optional<schema::ValueFault> value_fault;
   Span related;
   std::string_view text;  ///< the value at fault, decoded
+
+  /// The name of the element that `element` is in (1), of the one around that (2), …; empty above the root.
+  std::string_view ancestor(std::size_t levels) const;
+  bool is_inside(std::string_view name) const;    ///< of an ancestor
+  bool has_child(std::string_view name) const;    ///< of `element`
+  bool has_sibling(std::string_view name) const;  ///< of `element`, or it itself
 };
 
 /// Gives `tell` the facts in document order: one at a time, since a file may have as many as it has

@@ -76,6 +76,7 @@ model::Geometry read_geometry(xml::Element parent) {
   for (const xml::Element child : element->children()) {
     if (child.name() == "empty") geometry.explicitly_empty = true;
     auto shape = shape_of(child);
+    if (!shape && geometry.no_shape.span.nowhere()) geometry.no_shape = site_of(child);
     if (!shape) continue;
     // A polyline may be repeated: it then has holes.
     const bool another_outline = found && child.name() == "polyline" &&
@@ -89,6 +90,7 @@ model::Geometry read_geometry(xml::Element parent) {
     geometry.site = site_of(child);
     geometry.shape = std::move(*shape);
   }
+  if (found) geometry.no_shape = {};
   return geometry;
 }
 

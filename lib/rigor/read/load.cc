@@ -33,7 +33,7 @@ class FileLoader {
   Loaded load() {
     const File& file = *loaded_.file;
     if (!file.document) {
-      const bool large = file.problem.find("larger") != std::string::npos;
+      const bool large = file.error == ReadError::kTooLarge;
       add(large ? FactKind::kFileTooLarge : FactKind::kFileUnreadable, {}, file.problem);
       return std::move(loaded_);
     }

@@ -26,6 +26,17 @@ model::Pose to_pose(const schema::PoseNumbers& pose, double angle_unit) {
   return {translation, model::from_rpy(n[3] * angle_unit, n[4] * angle_unit, n[5] * angle_unit)};
 }
 
+model::Trajectory read_trajectory(xml::Element element) {
+  model::Trajectory trajectory;
+  trajectory.site = site_of(element);
+  trajectory.type = string_field(attribute_text(element, "type"));
+  for (const xml::Element child : element.children()) {
+    if (child.name() != "waypoint") continue;
+    trajectory.times.push_back(number_field(child_text(child, "time"), 0));
+  }
+  return trajectory;
+}
+
 constexpr double kDegree = 0.017453292519943295;  // π/180, as libsdformat converts
 
 }  // namespace
@@ -150,6 +161,10 @@ void SdfReader::read_world(xml::Element element) {
   world.site = site_of(element);
   world.name = string_field(attribute_text(element, "name"));
   world.gravity = gravity_of(element);
+  if (const auto place = element.child("spherical_coordinates")) {
+    world.globe_position = {number_field(child_text(*place, "latitude_deg"), 0),
+                            number_field(child_text(*place, "longitude_deg"), 0)};
+  }
   root_.worlds.push_back(std::move(world));
   const Scope scope{{}, id};
   for (const xml::Element child : element.children()) {
@@ -184,6 +199,7 @@ Id<model::Model> SdfReader::read_model(xml::Element element, Scope scope) {
   model.parent = scope.model;
   model.world = scope.world;
   model.is_static = bool_field(child_text(element, "static"), false);
+  model.self_collide = bool_field(child_text(element, "self_collide"), false);
   model.canonical_link = string_field(attribute_text(element, "canonical_link"));
   model.placement_frame = string_field(attribute_text(element, "placement_frame"));
   model.pose = read_pose(element);
@@ -334,8 +350,19 @@ void SdfReader::read_frame(xml::Element element, Scope scope) {
 }
 
 void SdfReader::read_actor(xml::Element element, Scope scope) {
-  root_.actors.push_back(
-      {site_of(element), string_field(attribute_text(element, "name")), scope.world});
+  model::Actor& actor = root_.actors.emplace_back();
+  actor.site = site_of(element);
+  actor.name = string_field(attribute_text(element, "name"));
+  actor.world = scope.world;
+  for (const xml::Element child : element.children()) {
+    const auto name = attribute_text(child, "name");
+    if (child.name() == "animation" && name) actor.animations.push_back(string_field(name));
+  }
+  const auto script = element.child("script");
+  if (!script) return;
+  for (const xml::Element child : script->children()) {
+    if (child.name() == "trajectory") actor.trajectories.push_back(read_trajectory(child));
+  }
 }
 
 void SdfReader::read_physics(xml::Element element, Scope scope) {
@@ -357,6 +384,11 @@ void SdfReader::read_light(xml::Element element, Id<model::Link> link) {
   light.type = string_field(attribute_text(element, "type"));
   light.link = link;
   light.pose = read_pose(element);
+  light.direction = vector_field(child_text(element, "direction"), {0, 0, -1});
+  if (const auto spot = element.child("spot")) {
+    light.spot_inner_angle = number_field(child_text(*spot, "inner_angle"), 0);
+    light.spot_outer_angle = number_field(child_text(*spot, "outer_angle"), 0);
+  }
   root_.lights.push_back(std::move(light));
 }
 
@@ -364,6 +396,7 @@ void SdfReader::read_plugin(xml::Element element, model::Plugin plugin) {
   plugin.site = site_of(element);
   plugin.name = string_field(attribute_text(element, "name"));
   plugin.filename = string_field(attribute_text(element, "filename"));
+  plugin.parameters = parameters_in(element);
   root_.plugins.push_back(std::move(plugin));
 }
 

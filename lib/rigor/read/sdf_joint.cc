@@ -40,6 +40,13 @@ model::Field<std::string> link_name(xml::Element joint, std::string_view which) 
   return string_field(Text{element->text(), element->text_span()});
 }
 
+bool is_implicit(xml::Element joint) {
+  const auto physics = joint.child("physics");
+  const auto ode = physics ? physics->child("ode") : std::nullopt;
+  return ode && (bool_field(child_text(*ode, "implicit_spring_damper"), false).value ||
+                 bool_field(child_text(*ode, "cfm_damping"), false).value);
+}
+
 }  // namespace
 
 model::JointType joint_type(std::string_view name) {
@@ -110,7 +117,10 @@ void SdfReader::read_joint(xml::Element element, Scope scope) {
     if (const auto axis = element.child(name)) joint.axes.push_back(read_axis(*axis));
   }
   joint.thread_pitch = number_field(child_text(element, "thread_pitch"), 1);
+  joint.screw_thread_pitch = number_field(child_text(element, "screw_thread_pitch"), 1);
   joint.gearbox_ratio = number_field(child_text(element, "gearbox_ratio"), 1);
+  joint.gearbox_reference = string_field(child_text(element, "gearbox_reference_body"));
+  joint.implicit_spring_damper = is_implicit(element);
   auto& siblings =
       scope.model ? root_.models[scope.model.value].joints : root_.worlds[scope.world.value].joints;
   siblings.push_back(id);

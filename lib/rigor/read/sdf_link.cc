@@ -14,6 +14,13 @@ namespace {
 /// SDF 1.11 computes inertials from densities.
 constexpr int kDensity = 11;
 
+model::FluidAddedMass read_added_mass(xml::Element element) {
+  const auto value = [element](std::string_view name) {
+    return number_field(child_text(element, name), 0);
+  };
+  return {value("xx"), value("yy"), value("zz"), value("pp"), value("qq"), value("rr")};
+}
+
 }  // namespace
 
 void SdfReader::read_link(xml::Element element, Id<model::Model> parent) {
@@ -26,6 +33,7 @@ void SdfReader::read_link(xml::Element element, Id<model::Model> parent) {
   link.inertial = read_inertial(element);
   link.kinematic = bool_field(child_text(element, "kinematic"), false);
   link.gravity = bool_field(child_text(element, "gravity"), true);
+  link.self_collide = bool_field(child_text(element, "self_collide"), false);
   root_.models[parent.value].links.push_back(id);
   for (const xml::Element child : element.children()) {
     const std::string_view name = child.name();
@@ -61,6 +69,9 @@ model::Inertial SdfReader::read_inertial(xml::Element link) const {
   }
   inertial.mass = number_field(child_text(*element, "mass"), 1);
   inertial.pose = read_pose(*element);
+  if (const auto added = element->child("fluid_added_mass")) {
+    inertial.added_mass = read_added_mass(*added);
+  }
   const auto tensor = element->child("inertia");
   if (!tensor) return inertial;
   inertial.tensor_written = true;
@@ -90,7 +101,16 @@ model::Surface read_surface(xml::Element collision) {
   surface.mu2 = value(friction, "mu2", 1);
   surface.slip1 = value(friction, "slip1", 0);
   surface.slip2 = value(friction, "slip2", 0);
-  const auto contact = descend(descend(element, "contact"), "ode");
+  if (const auto fdir1 = descend(friction, "fdir1")) {
+    surface.fdir1 = vector_field(Text{fdir1->text(), fdir1->text_span()}, {});
+    surface.fdir1_in_frame = !fdir1->attributes().empty();
+  }
+  const auto contacts = descend(element, "contact");
+  surface.chooses_contacts = descend(contacts, "collide_bitmask") ||
+                             descend(contacts, "category_bitmask") ||
+                             descend(contacts, "collide_without_contact");
+  const auto contact = descend(contacts, "ode");
+  surface.min_depth = value(contact, "min_depth", 0);
   surface.kp = value(contact, "kp", 1e12);
   surface.kd = value(contact, "kd", 1);
   return surface;
@@ -103,9 +123,13 @@ model::Material read_visual_material(xml::Element visual) {
   material.written = true;
   material.site = site_of(*element);
   if (const auto script = element->child("script")) {
+    material.script = site_of(*script);
     material.name = string_field(child_text(*script, "name"));
+    material.script_uri = string_field(child_text(*script, "uri"));
   }
+  if (const auto pbr = element->child("pbr")) material.pbr = site_of(*pbr);
   material.defines_color = element->child("diffuse") || element->child("ambient");
+  material.has_color = material.defines_color || element->child("emissive");
   return material;
 }
 
@@ -134,6 +158,7 @@ void SdfReader::read_visual(xml::Element element, Id<model::Link> link) {
   visual.pose = read_pose(element);
   visual.geometry = read_geometry(element);
   visual.material = read_visual_material(element);
+  visual.transparency = number_field(child_text(element, "transparency"), 0);
 }
 
 }  // namespace rigor::read

@@ -8,6 +8,15 @@
 namespace rigor::read {
 namespace {
 
+std::vector<model::Noise> noises_in(xml::Element measured) {
+  std::vector<model::Noise> noises;
+  for (const xml::Element child : measured.children()) {
+    if (child.name() != "noise") continue;
+    noises.push_back({site_of(child), number_field(child_text(child, "stddev"), 0)});
+  }
+  return noises;
+}
+
 model::Camera read_camera(xml::Element element) {
   model::Camera camera;
   camera.site = site_of(element);
@@ -18,7 +27,16 @@ model::Camera read_camera(xml::Element element) {
   const auto image = element.child("image");
   camera.width = number_field(image ? child_text(*image, "width") : std::nullopt, 320);
   camera.height = number_field(image ? child_text(*image, "height") : std::nullopt, 240);
+  camera.noises = noises_in(element);
   return camera;
+}
+
+model::LidarScan read_scan(std::optional<xml::Element> element) {
+  const auto value = [&element](std::string_view name, double fallback) {
+    return number_field(element ? child_text(*element, name) : std::nullopt, fallback);
+  };
+  return {value("samples", 640), value("resolution", 1), value("min_angle", 0),
+          value("max_angle", 0)};
 }
 
 model::Lidar read_lidar(xml::Element element) {
@@ -28,14 +46,25 @@ model::Lidar read_lidar(xml::Element element) {
   lidar.range_min = number_field(range ? child_text(*range, "min") : std::nullopt, 0);
   lidar.range_max = number_field(range ? child_text(*range, "max") : std::nullopt, 0);
   const auto scan = element.child("scan");
-  const auto horizontal = scan ? scan->child("horizontal") : std::nullopt;
-  const auto value = [&horizontal](std::string_view name, double fallback) {
-    return number_field(horizontal ? child_text(*horizontal, name) : std::nullopt, fallback);
-  };
-  lidar.samples = value("samples", 640);
-  lidar.angle_min = value("min_angle", 0);
-  lidar.angle_max = value("max_angle", 0);
+  lidar.horizontal = read_scan(scan ? scan->child("horizontal") : std::nullopt);
+  lidar.vertical = read_scan(scan ? scan->child("vertical") : std::nullopt);
+  lidar.noises = noises_in(element);
   return lidar;
+}
+
+std::vector<model::Noise> imu_noises(xml::Element imu) {
+  std::vector<model::Noise> noises;
+  for (const xml::Element quantity : imu.children()) {
+    for (const xml::Element axis : quantity.children()) {
+      for (model::Noise& noise : noises_in(axis)) noises.push_back(std::move(noise));
+    }
+  }
+  return noises;
+}
+
+bool names_frame(std::string_view element) {
+  return element == "gz_frame_id" || element == "ignition_frame_id" || element == "frameName" ||
+         element == "frame_name";
 }
 
 }  // namespace
@@ -48,6 +77,11 @@ void read_measurement(xml::Element element, model::Sensor& sensor) {
   sensor.topic = string_field(child_text(element, "topic"));
   for (const xml::Element child : element.children()) {
     const std::string_view name = child.name();
+    if (name != "plugin") sensor.configured = true;
+    if (names_frame(name)) {
+      sensor.frames.push_back(string_field(Text{child.text(), child.text_span()}));
+    }
+    if (name == "imu" && sensor.imu_noises.empty()) sensor.imu_noises = imu_noises(child);
     if (name == "camera") sensor.cameras.push_back(read_camera(child));
     if (name == "ray" || name == "lidar") sensor.lidar = read_lidar(child);
     if (name != "contact") continue;

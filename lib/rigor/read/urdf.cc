@@ -27,6 +27,8 @@ model::PoseField read_origin(xml::Element parent) {
   field.site = site_of(*origin);
   const auto xyz = vector_field(attribute_text(*origin, "xyz"), {});
   const auto rpy = vector_field(attribute_text(*origin, "rpy"), {});
+  field.malformed = xyz.written != origin->attribute("xyz").has_value() ||
+                    rpy.written != origin->attribute("rpy").has_value();
   field.pose.value = {xyz.value, model::from_rpy(rpy.value.x, rpy.value.y, rpy.value.z)};
   field.pose.span = origin->tag_span();
   field.pose.written = true;
@@ -138,13 +140,18 @@ class UrdfReader {
       } else if (name == "joint") {
         read_joint(child);
       } else if (name == "material") {
-        root_.materials.push_back({site_of(child), string_field(attribute_text(child, "name"))});
+        const model::Material material = read_urdf_material(child);
+        root_.materials.push_back({material.site, material.name, material.defines_color});
       } else if (name == "gazebo") {
         read_gazebo(child);
+      } else if (name == "mujoco") {
+        if (root_.mujoco.empty()) root_.mujoco = parameters_in(child);
       } else if (name == "transmission") {
-        read_controlled_joints(child, Controller::kTransmission);
+        root_.transmissions.push_back(parameter_of(child));
+        read_controlled_joints(root_.transmissions.back());
       } else if (name == "ros2_control") {
-        read_controlled_joints(child, Controller::kRos2Control);
+        root_.ros2_controls.push_back(parameter_of(child));
+        read_controlled_joints(root_.ros2_controls.back());
       }
     }
     const LinksByName links = links_by_name();
@@ -153,8 +160,6 @@ class UrdfReader {
   }
 
  private:
-  enum class Controller { kTransmission, kRos2Control };
-
   void read_link(xml::Element element) {
     const Id<model::Link> id = next_id(root_.links);
     model::Link link;
@@ -225,12 +230,19 @@ class UrdfReader {
   }
 
   void read_gazebo(xml::Element element) {
-    const auto reference = string_field(attribute_text(element, "reference"));
-    root_.gazebo_blocks.push_back({site_of(element), reference});
+    model::GazeboBlock block;
+    block.site = site_of(element);
+    block.reference = string_field(attribute_text(element, "reference"));
     for (const xml::Element child : element.children()) {
-      if (child.name() == "sensor") block_sensors_.push_back({child, reference.value});
-      if (child.name() == "plugin") read_plugin(child, {.model = model_}, reference.value);
+      if (child.name() == "sensor") {
+        block_sensors_.push_back({child, block.reference.value});
+      } else if (child.name() == "plugin") {
+        read_plugin(child, {.model = model_}, block.reference.value);
+      } else {
+        block.content.push_back(parameter_of(child));
+      }
     }
+    root_.gazebo_blocks.push_back(std::move(block));
   }
 
   /// Written as in SDF. It belongs to a link; what is told of a joint, or of none, belongs to no part
@@ -240,6 +252,7 @@ class UrdfReader {
     model::Sensor sensor;
     read_measurement(element, sensor);
     sensor.link = link;
+    sensor.gazebo_reference = reference;
     sensor.pose = read_block_pose(element);
     for (const xml::Element child : element.children()) {
       if (child.name() == "plugin") read_plugin(child, {.sensor = id}, reference);
@@ -251,16 +264,19 @@ class UrdfReader {
     plugin.site = site_of(element);
     plugin.name = string_field(attribute_text(element, "name"));
     plugin.filename = string_field(attribute_text(element, "filename"));
+    plugin.parameters = parameters_in(element);
     plugin.gazebo_reference = reference;
     root_.plugins.push_back(std::move(plugin));
   }
 
-  void read_controlled_joints(xml::Element element, Controller controller) {
-    for (const xml::Element child : element.children()) {
-      if (child.name() != "joint") continue;
-      root_.controlled_joints.push_back({site_of(child),
-                                         string_field(attribute_text(child, "name")),
-                                         controller == Controller::kRos2Control});
+  void read_controlled_joints(const model::Parameter& block) {
+    for (const model::Parameter& child : block.children) {
+      if (child.name != "joint") continue;
+      model::ControlledJoint& joint = root_.controlled_joints.emplace_back();
+      joint.site = child.site;
+      if (const auto* name = attribute(child, "name")) joint.joint = *name;
+      joint.ros2_control = block.name == "ros2_control";
+      joint.parameters = child.children;
     }
   }
 

@@ -39,6 +39,25 @@ std::optional<Text> child_text(xml::Element element, std::string_view name) {
   return value_attribute(element, name);
 }
 
+model::Parameter parameter_of(xml::Element element) {
+  model::Parameter parameter;
+  parameter.site = site_of(element);
+  parameter.name = element.name();
+  parameter.value = string_field(Text{element.text(), element.text_span()});
+  for (const xml::Attribute attribute : element.attributes()) {
+    parameter.attributes.push_back({std::string(attribute.name()),
+                                    string_field(Text{attribute.value(), attribute.value_span()})});
+  }
+  parameter.children = parameters_in(element);
+  return parameter;
+}
+
+model::Parameters parameters_in(xml::Element parent) {
+  model::Parameters parameters;
+  for (const xml::Element child : parent.children()) parameters.push_back(parameter_of(child));
+  return parameters;
+}
+
 model::Field<std::string> string_field(const std::optional<Text>& text, std::string_view fallback) {
   if (!text) return {std::string(fallback), {}, false};
   return {std::string(trimmed(text->text)), text->span, true};
@@ -52,12 +71,20 @@ model::Field<double> number_field(const std::optional<Text>& text, double fallba
   return {fallback, {}, false};
 }
 
+model::Field<double> number_field(const model::Parameter& parameter) {
+  return number_field(Text{parameter.value.value, parameter.value.span}, 0);
+}
+
 model::Field<bool> bool_field(const std::optional<Text>& text, bool fallback) {
   if (text) {
     const auto parsed = schema::parse_bool(text->text);
     if (const bool* value = std::get_if<bool>(&parsed)) return {*value, text->span, true};
   }
   return {fallback, {}, false};
+}
+
+model::Field<bool> bool_field(const model::Parameter& parameter) {
+  return bool_field(Text{parameter.value.value, parameter.value.span}, false);
 }
 
 model::Field<model::Vector3> vector_field(const std::optional<Text>& text,

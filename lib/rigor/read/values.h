@@ -60,10 +60,17 @@ std::optional<Text> value_attribute(xml::Element element, std::string_view name)
 /// A child's text; in SDF 1.0, where most values were attributes, that attribute's.
 std::optional<Text> child_text(xml::Element element, std::string_view name);
 
+/// The element and all that is in it, whatever their names are.
+model::Parameter parameter_of(xml::Element element);
+model::Parameters parameters_in(xml::Element parent);
+
 model::Field<std::string> string_field(const std::optional<Text>& text,
                                        std::string_view fallback = {});
 model::Field<double> number_field(const std::optional<Text>& text, double fallback);
+/// A parameter's text as a number; not written when it is none.
+model::Field<double> number_field(const model::Parameter& parameter);
 model::Field<bool> bool_field(const std::optional<Text>& text, bool fallback);
+model::Field<bool> bool_field(const model::Parameter& parameter);
 model::Field<model::Vector3> vector_field(const std::optional<Text>& text, model::Vector3 fallback);
 
 }  // namespace rigor::read

@@ -56,6 +56,7 @@ const File& Workspace::keep(const std::string& path, ReadResult read) {
   auto file = std::make_unique<File>();
   file->path = path;
   file->problem = std::move(read.problem);
+  file->error = read.error;
   if (read.bytes) {
     file->source = sources_.add(path, std::move(*read.bytes));
     file->document = xml::parse(sources_.bytes(file->source), file->source);

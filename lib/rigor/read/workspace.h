@@ -34,6 +34,7 @@ struct File {
   SourceId source = kNoSource;
   std::optional<xml::Document> document;  ///< nothing when the file could not be read
   std::string problem;                    ///< why not
+  ReadError error = ReadError::kOther;    ///< the same, for programs
 };
 
 class Workspace {

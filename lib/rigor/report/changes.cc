@@ -10,9 +10,9 @@
 #include <utility>
 
 #include <rigor/report/places.h>
-#include <rigor/report/pretty.h>
-#include <rigor/report/printable.h>
-#include <rigor/report/summary.h>
+#include <rigor/report/terminal/pretty.h>
+#include <rigor/report/terminal/printable.h>
+#include <rigor/report/terminal/summary.h>
 #include <rigor/report/validation.h>
 
 namespace rigor::report {

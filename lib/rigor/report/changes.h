@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include <rigor/report/color.h>
+#include <rigor/report/terminal/color.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/text/sources.h>
 

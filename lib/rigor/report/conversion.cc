@@ -5,9 +5,9 @@
 
 #include <numeric>
 
-#include <rigor/report/json_diagnostic.h>
-#include <rigor/report/json_values.h>
-#include <rigor/report/summary.h>
+#include <rigor/report/json/diagnostic.h>
+#include <rigor/report/json/values.h>
+#include <rigor/report/terminal/summary.h>
 #include <rigor/report/tool.h>
 
 namespace rigor::report {

@@ -19,9 +19,6 @@ constexpr std::size_t kHashedUnits = 100;
 constexpr std::uint64_t kHashBase = 37;
 constexpr std::uint16_t kEndOfText = 0xFFFF;
 
-/// 128 bits: enough that no two findings meet by chance.
-constexpr std::size_t kIdDigits = 32;
-
 constexpr std::uint64_t power_of_base() {
   std::uint64_t power = 1;
   for (std::size_t i = 0; i < kHashedUnits; ++i) power *= kHashBase;
@@ -169,7 +166,7 @@ std::vector<std::string> finding_ids(const Validation& validation) {
     }
     const std::size_t occurrence = ++seen[key];
     if (occurrence > 1) key += std::to_string(occurrence);
-    ids.push_back(hex(digest_of(key)).substr(0, kIdDigits));
+    ids.push_back(hex(digest_of(key)));
   }
   return ids;
 }

@@ -9,8 +9,8 @@
 
 #include <fmt/core.h>
 
-#include <rigor/report/printable.h>
-#include <rigor/report/summary.h>
+#include <rigor/report/terminal/printable.h>
+#include <rigor/report/terminal/summary.h>
 #include <rigor/report/tool.h>
 
 namespace rigor::report {

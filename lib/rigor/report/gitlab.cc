@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <rigor/report/fingerprint.h>
-#include <rigor/report/json_values.h>
+#include <rigor/report/json/values.h>
 
 namespace rigor::report {
 namespace {

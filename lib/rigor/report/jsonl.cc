@@ -6,8 +6,8 @@
 #include <map>
 #include <string_view>
 
-#include <rigor/report/json_diagnostic.h>
-#include <rigor/report/json_file.h>
+#include <rigor/report/json/diagnostic.h>
+#include <rigor/report/json/file.h>
 
 namespace rigor::report {
 namespace {

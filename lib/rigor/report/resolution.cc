@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <rigor/report/printable.h>
+#include <rigor/report/terminal/printable.h>
 #include <rigor/report/tool.h>
 
 namespace rigor::report {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <rigor/mesh/engines.h>
-#include <rigor/simulate/ode_version.h>
+#include <rigor/simulate/engine/ode_version.h>
 #include <rigor/xml/engine.h>
 
 namespace rigor::report {
@@ -22,7 +22,7 @@ std::vector<Engine> engines() {
       {"fmt",
        fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
       {"meshoptimizer", mesh::meshoptimizer_version()},
-      {"ODE", simulate::ode_version()},
+      {"ODE", simulate::ode_version().empty() ? "(built without)" : simulate::ode_version()},
       {"Qhull", mesh::qhull_version()},
       {"tinyxml2", xml::tinyxml2_version()},
   };

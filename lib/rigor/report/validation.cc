@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include <rigor/report/printable.h>
+#include <rigor/report/terminal/printable.h>
 #include <rigor/text/path.h>
 
 namespace rigor::report {

@@ -25,7 +25,7 @@
 #include <string_view>
 #include <vector>
 
-#include <rigor/environment.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 
 namespace rigor::rules {

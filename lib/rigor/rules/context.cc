@@ -3,12 +3,23 @@
 
 #include <rigor/rules/context.h>
 
+#include <map>
+#include <set>
+#include <tuple>
+#include <unordered_map>
 #include <utility>
 
+#include <rigor/mass/link_body.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/mass/resolve.h>
 #include <rigor/model/subject.h>
+#include <rigor/read/resolver.h>
 #include <rigor/read/values.h>
+#include <rigor/rules/names.h>
+#include <rigor/rules/package/assets.h>
 #include <rigor/rules/schema/place.h>
+#include <rigor/rules/sdformat_robot.h>
+#include <rigor/rules/uris.h>
 #include <rigor/rules/xml/xacro.h>
 #include <rigor/text/path.h>
 
@@ -30,6 +41,30 @@ std::string shortened(std::string message) {
 }
 
 }  // namespace
+
+struct Context::Found {
+  /// The findings of a rule: how many, and what says how many are not listed.
+  struct Tally {
+    std::size_t found = 0;
+    Diagnostic rest;
+  };
+  std::unordered_map<std::string_view, Tally> tallies;  // by rule
+  std::unordered_map<std::string, read::Resolution> resolved;
+  std::optional<std::vector<xml::Element>> elements_about_files;
+  std::optional<std::vector<Uri>> uris;
+  std::optional<std::vector<NameScope>> repeated_names;
+  std::optional<SdformatRobot> sdformat_robot;
+  std::map<std::pair<const model::Link*, mass::From>, mass::LinkBody> bodies;
+  std::vector<std::optional<mass::Verdict>> verdicts;  // by the link's index
+  std::set<std::tuple<std::string_view, std::string, std::string>> told_of_meshes;
+};
+
+Context::Context(const Inputs& inputs, Diagnostics& diagnostics)
+    : inputs_(inputs), diagnostics_(diagnostics), found_(std::make_unique<Found>()) {}
+
+Context::~Context() = default;
+
+const Disk& Context::disk() const { return inputs_.resolver.disk(); }
 
 /// What the innermost element around a place is part of.
 std::string Context::subject_at(Span where) const {
@@ -72,8 +107,9 @@ void Context::report(Finding finding) {
   for (Label& label : finding.related) label.where = written(label.where);
   // What xacro was to write is told by that rule, and nothing else of it is known.
   if (has_xacro(bytes(finding.where)) && rule_ != kLeftoverXacro) return;
-  if (!mesh_.empty() && !told_of_meshes_.insert({rule_, mesh_, finding.message}).second) return;
-  Tally& tally = tallies_[rule_];
+  if (!mesh_.empty() && !found_->told_of_meshes.insert({rule_, mesh_, finding.message}).second)
+    return;
+  Found::Tally& tally = found_->tallies[rule_];
   if (++tally.found > inputs_.most_listed) {
     if (tally.found == inputs_.most_listed + 1) tally.rest = told_by_rule(finding);
     if (severity_of(finding) == Severity::kError) tally.rest.severity = Severity::kError;
@@ -90,40 +126,42 @@ void Context::report(Finding finding) {
 }
 
 void Context::report_counted() {
-  for (auto& [rule, tally] : tallies_) {
+  for (auto& [rule, tally] : found_->tallies) {
     if (tally.found <= inputs_.most_listed) continue;
     tally.rest.count = tally.found - inputs_.most_listed;
     tally.rest.message = "from here on " + std::to_string(tally.rest.count) +
                          " more of this kind are counted and not listed";
     diagnostics_.add(std::move(tally.rest));
   }
-  tallies_.clear();
+  found_->tallies.clear();
 }
 
 const read::Resolution& Context::resolve(const std::string& uri) {
-  const auto found = resolved_.find(uri);
-  if (found != resolved_.end()) return found->second;
-  return resolved_.emplace(uri, inputs_.resolver.resolve(uri, inputs_.path)).first->second;
+  const auto found = found_->resolved.find(uri);
+  if (found != found_->resolved.end()) return found->second;
+  return found_->resolved.emplace(uri, inputs_.resolver.resolve(uri, inputs_.path)).first->second;
 }
 
 const std::vector<xml::Element>& Context::elements_about_files() {
-  if (!elements_about_files_) elements_about_files_ = rules::elements_about_files(document());
-  return *elements_about_files_;
+  if (!found_->elements_about_files)
+    found_->elements_about_files = rules::elements_about_files(document());
+  return *found_->elements_about_files;
 }
 
 const std::vector<Uri>& Context::uris() {
-  if (!uris_) uris_ = uris_of(elements_about_files());
-  return *uris_;
+  if (!found_->uris) found_->uris = uris_of(elements_about_files());
+  return *found_->uris;
 }
 
 const std::vector<NameScope>& Context::repeated_names() {
-  if (!repeated_names_) repeated_names_ = NameCollector(document(), root()).collect();
-  return *repeated_names_;
+  if (!found_->repeated_names) found_->repeated_names = NameCollector(document(), root()).collect();
+  return *found_->repeated_names;
 }
 
 const SdformatRobot& Context::sdformat_robot() {
-  if (!sdformat_robot_) sdformat_robot_ = rules::sdformat_robot(root(), frames(), document());
-  return *sdformat_robot_;
+  if (!found_->sdformat_robot)
+    found_->sdformat_robot = rules::sdformat_robot(root(), frames());
+  return *found_->sdformat_robot;
 }
 
 const mass::MeshSurvey* Context::survey(const model::Mesh& mesh) {
@@ -134,17 +172,17 @@ const mass::MeshSurvey* Context::survey(const model::Mesh& mesh) {
 }
 
 const mass::LinkBody& Context::body(const model::Link& link, mass::From from) {
-  const auto known = bodies_.find({&link, from});
-  if (known != bodies_.end()) return known->second;
+  const auto known = found_->bodies.find({&link, from});
+  if (known != found_->bodies.end()) return known->second;
   const model::Id<model::Link> id{static_cast<std::uint32_t>(&link - root().links.data())};
   const auto find = [this](const model::Mesh& mesh) { return survey(mesh); };
-  return bodies_.emplace(std::pair{&link, from}, link_body(root(), frames(), id, from, find))
+  return found_->bodies.emplace(std::pair{&link, from}, link_body(root(), frames(), id, from, find))
       .first->second;
 }
 
 const mass::Verdict& Context::verdict(const model::Link& link) {
-  verdicts_.resize(root().links.size());
-  auto& known = verdicts_[static_cast<std::size_t>(&link - root().links.data())];
+  found_->verdicts.resize(root().links.size());
+  auto& known = found_->verdicts[static_cast<std::size_t>(&link - root().links.data())];
   if (!known) known = mass::judge(link.inertial.mass.value, mass::tensor(link.inertial));
   return *known;
 }

@@ -8,31 +8,45 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
+#include <cstdint>
+#include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
-#include <tuple>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include <rigor/mass/link_body.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
-#include <rigor/read/resolver.h>
 #include <rigor/rules/compat.h>
-#include <rigor/rules/names.h>
-#include <rigor/rules/sdformat_robot.h>
-#include <rigor/rules/uris.h>
-#include <rigor/schema/schema.h>
 #include <rigor/text/diagnostic.h>
-#include <rigor/text/disk.h>
 #include <rigor/text/sources.h>
 #include <rigor/xml/document.h>
 
+// What rules ask for and few of them do: who asks includes its header.
+namespace rigor {
+class Disk;
+}  // namespace rigor
+namespace rigor::schema {
+class Schema;
+}  // namespace rigor::schema
+namespace rigor::read {
+struct Resolution;
+class Resolver;
+}  // namespace rigor::read
+namespace rigor::mass {
+enum class From : std::uint8_t;
+struct LinkBody;
+struct MeshSurvey;
+class MeshSurveys;
+struct Verdict;
+}  // namespace rigor::mass
+
 namespace rigor::rules {
+
+struct NameScope;
+struct SdformatRobot;
+struct Uri;
 
 /// What a rule says; its name, category and severity are added for it.
 struct Finding {
@@ -62,8 +76,11 @@ class Context {
     std::size_t most_listed;    ///< findings of one rule
   };
 
-  Context(const Inputs& inputs, Diagnostics& diagnostics)
-      : inputs_(inputs), diagnostics_(diagnostics) {}
+  /// Both outlive it.
+  Context(const Inputs& inputs, Diagnostics& diagnostics);
+  ~Context();
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
 
   /// Lists the first `most_listed` of a rule, and counts the others. Of what was left for xacro only
   /// that is told. What a rule says of a mesh file is told once, however many shapes use it.
@@ -96,7 +113,7 @@ class Context {
 
   /// Where a URI that stands in this file leads. Looked up once, however many rules ask.
   const read::Resolution& resolve(const std::string& uri);
-  const Disk& disk() const { return inputs_.resolver.disk(); }
+  const Disk& disk() const;
   /// Those that may name another file, as `package/assets.h` has them. Collected once.
   const std::vector<xml::Element>& elements_about_files();
   /// The URIs that stand in the file. Collected once.
@@ -144,11 +161,7 @@ class Context {
   void judge_by(Refusal refusal) { refusal_ = refusal; }
 
  private:
-  /// The findings of a rule: how many, and what says how many are not listed.
-  struct Tally {
-    std::size_t found = 0;
-    Diagnostic rest;
-  };
+  struct Found;  ///< what was asked for so far, and what each rule reported
 
   Diagnostic told_by_rule(const Finding& finding) const;
   Severity severity_of(const Finding& finding) const;
@@ -160,17 +173,9 @@ class Context {
 
   const Inputs& inputs_;
   Diagnostics& diagnostics_;
-  std::unordered_map<std::string_view, Tally> tallies_;  // by rule
+  std::unique_ptr<Found> found_;
   std::size_t compared_ = 0;
-  std::unordered_map<std::string, read::Resolution> resolved_;
-  std::optional<std::vector<xml::Element>> elements_about_files_;
-  std::optional<std::vector<Uri>> uris_;
-  std::optional<std::vector<NameScope>> repeated_names_;
-  std::optional<SdformatRobot> sdformat_robot_;
-  std::map<std::pair<const model::Link*, mass::From>, mass::LinkBody> bodies_;
-  std::vector<std::optional<mass::Verdict>> verdicts_;  // by the link's index
-  std::string mesh_;                                    // empty when none is looked at
-  std::set<std::tuple<std::string_view, std::string, std::string>> told_of_meshes_;
+  std::string mesh_;  // empty when none is looked at
   std::string_view rule_;
   std::string_view category_;
   Severity severity_ = Severity::kError;

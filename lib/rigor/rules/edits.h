@@ -28,6 +28,33 @@ inline std::optional<Fix> fix_of(std::string title, Applicability applicability,
   return Fix{std::move(title), applicability, std::move(edits)};
 }
 
+/// Takes an element away, with all that is in it.
+inline std::vector<Edit> removed(const Context& context, const model::Site& site) {
+  return xml::remove_element(context.document(), context.element(site));
+}
+
+/// Gives an element another name, in its start tag and its end tag.
+inline std::vector<Edit> renamed(const Context& context, const model::Site& site,
+                                 std::string_view name) {
+  return xml::rename_element(context.document(), context.element(site), name);
+}
+
+/// Puts a child into an element, behind the child that the span `after` is in the tag or text of; as the
+/// last one when that is nowhere.
+inline std::vector<Edit> inserted(const Context& context, const model::Site& parent, Span after,
+                                  std::string_view child) {
+  const auto before = after.nowhere() ? std::nullopt : context.document().element_at(after.begin);
+  return xml::insert_child(context.document(), context.element(parent), before, child);
+}
+
+/// Takes an attribute away, and the blanks before it; nothing where there is none.
+inline std::vector<Edit> attribute_removed(const Context& context, const model::Site& site,
+                                           std::string_view name) {
+  const auto attribute = context.element(site).attribute(name);
+  if (!attribute) return {};
+  return xml::remove_attribute(context.document(), *attribute);
+}
+
 /// Takes a text away, and the line with it when nothing else stands there.
 inline Edit without(const Context& context, Span text) {
   const std::string_view bytes = context.document().bytes();

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include <rigor/rules/embedded_examples.h>
+#include <rigor/rules/rule.h>
+
 namespace rigor::rules {
 namespace {
 
@@ -58,7 +61,24 @@ void take_marks_out(std::string_view text, ParsedExample& example) {
   if (!open.empty()) throw std::logic_error("example: « without »");
 }
 
+std::vector<Example> examples_of(std::string_view owner, ExampleKind kind) {
+  std::vector<Example> found;
+  for (const EmbeddedExample& each : embedded_examples()) {
+    if (each.owner == owner && each.kind == kind) found.push_back(each.example);
+  }
+  return found;
+}
+
 }  // namespace
+
+Examples examples_of(const Rule& rule) {
+  Examples examples{examples_of(rule.name, ExampleKind::kBad),
+                    examples_of(rule.name, ExampleKind::kGood)};
+  if (examples.good.empty()) {
+    examples.good = examples_of(to_string(rule.category), ExampleKind::kGood);
+  }
+  return examples;
+}
 
 ParsedExample parse_example(std::string_view text) {
   std::vector<ParsedExample::File> files(1);

@@ -1,9 +1,11 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The text of a rule's example taken apart: its files, and where findings are expected.
+// The examples of rules, and the text of one taken apart: its files, and where findings are expected.
+// They are the files of `rules/<category>/<rule-name>/`, embedded by cmake/EmbedExamples.cmake.
 //
-//   ParsedExample bad = parse_example(rule.bad[0].text);
+//   const Examples examples = examples_of(rule);
+//   ParsedExample bad = parse_example(examples.bad[0].text);
 //   disk.put(example_path(bad.files[0]), bad.files[0].bytes);
 
 #pragma once
@@ -14,6 +16,25 @@
 #include <vector>
 
 namespace rigor::rules {
+
+struct Rule;
+
+/// A document that shows the rule, or shows how it is avoided.
+///
+/// In a bad one the bytes that the finding points at are between « and »; the marks are taken out
+/// before the text is used. A line `=== path` begins another file; what comes before the first such
+/// line is the file that is checked. `fixed` is the checked file after the fix, where there is one.
+struct Example {
+  std::string_view text;
+  std::string_view fixed = {};
+};
+
+struct Examples {
+  std::vector<Example> bad;
+  std::vector<Example> good;  ///< of its category, where the rule has none of its own
+};
+
+Examples examples_of(const Rule& rule);
 
 struct ParsedExample {
   struct File {

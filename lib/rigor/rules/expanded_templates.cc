@@ -34,7 +34,7 @@ Diagnostics ExpandedTemplates::in_source(const std::string& path, Diagnostics fo
   ReadResult read = environment_.disk.read(path, read::kMaxModelBytes);
   if (!file.document || !read.bytes) return found;
   const SourceId id = sources_.add(path, std::move(*read.bytes));
-  const xml::Document source = xml::parse(sources_.bytes(id), id);
+  const auto source = xml::parse(sources_.bytes(id), id);
   const read::XacroPlaces places(*file.document, source);
   Diagnostics traced;
   for (const Diagnostic& each : found.list()) traced.add(places.in_source(each, path));

@@ -14,10 +14,10 @@
 #include <map>
 #include <string>
 
-#include <rigor/environment.h>
 #include <rigor/read/discover.h>
 #include <rigor/read/expansion.h>
 #include <rigor/read/workspace.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/text/sources.h>

@@ -13,10 +13,10 @@
 #include <string_view>
 #include <vector>
 
-#include <rigor/environment.h>
-#include <rigor/mass/mesh_facts.h>
+#include <rigor/mass/mesh/facts.h>
 #include <rigor/model/pose.h>
 #include <rigor/read/discover.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/text/sources.h>

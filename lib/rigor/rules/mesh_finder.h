@@ -9,7 +9,7 @@
 #pragma once
 
 #include <rigor/mass/link_body.h>
-#include <rigor/mass/mesh_survey.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/read/resolver.h>
 #include <rigor/text/sources.h>
 

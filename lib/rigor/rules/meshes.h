@@ -5,9 +5,13 @@
 
 #pragma once
 
-#include <rigor/mass/mesh_facts.h>
-#include <rigor/mass/mesh_survey.h>
-#include <rigor/text/turns.h>
+namespace rigor {
+class Turns;
+}  // namespace rigor
+namespace rigor::mass {
+class MeshFiles;
+class MeshSurveys;
+}  // namespace rigor::mass
 
 namespace rigor::rules {
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -24,6 +25,22 @@ struct Named {
   Span where;  ///< of the name, where it was written in the file itself
   xml::Element element;
 };
+
+/// "arm/link palm/collision pad": the names on the way in from the root.
+inline std::string subject_of(const Named& named) {
+  std::string subject;
+  for (std::optional<xml::Element> at = named.element; at; at = at->parent()) {
+    const auto name = at->attribute("name");
+    const bool itself = *at == named.element;
+    if (!name && !itself) continue;
+    const std::string_view called = itself ? named.name : name->value();
+    const bool model = at->name() == "model" || at->name() == "robot" || at->name() == "include";
+    std::string part = model ? "" : std::string(at->name()) + " ";
+    part += called;
+    subject = subject.empty() ? part : part + "/" + subject;
+  }
+  return subject;
+}
 
 /// Things among which names are told apart: all that one element holds.
 struct NameScope {

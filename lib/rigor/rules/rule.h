@@ -1,12 +1,13 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A rule: one thing that can be wrong with a model, in one file.
+// A rule: one thing that can be wrong with a model, in one file. Those on conversions and simulations are
+// rows of tables (fact_row.h).
 //
 // `lib/rigor/rules/<category>/<rule-name>.cc` defines, in a namespace of its own, a function `rule()`
-// that returns the metadata, the prose, the examples and the check. CMake finds the file and puts it
-// into the registry; tests, `rigor explain`, the documentation and SARIF's help all come from what it
-// returns. See CONTRIBUTING.md, "How to add a rule".
+// that returns the metadata, the prose and the check. Its examples lie beside it, in the folder
+// `<rule-name>/` (example.h). CMake finds both and puts them into the library; tests, `rigor explain`,
+// the documentation and SARIF's help all come from them. See CONTRIBUTING.md, "How to add a rule".
 //
 //   namespace rigor::rules::axis_zero {
 //   void check(const model::Joint& joint, Context& context) {
@@ -28,22 +29,43 @@
 #include <variant>
 #include <vector>
 
-#include <rigor/convert/note.h>
-#include <rigor/mass/mesh_facts.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
-#include <rigor/read/conformance.h>
-#include <rigor/read/fact.h>
-#include <rigor/read/model_config.h>
 #include <rigor/rules/compat.h>
 #include <rigor/rules/context.h>
-#include <rigor/rules/suppression_fact.h>
 #include <rigor/rules/target.h>
-#include <rigor/simulate/fact.h>
 #include <rigor/text/diagnostic.h>
-#include <rigor/xml/fault.h>
+
+// Facts that lower rooms find. Only a rule that turns a kind of them into words includes their header, so
+// that a new kind is compiled into those rules and no others.
+namespace rigor::xml {
+struct Fault;
+enum class FaultKind : std::uint8_t;
+}  // namespace rigor::xml
+namespace rigor::read {
+struct SchemaFact;
+enum class SchemaFactKind : std::uint8_t;
+struct Fact;
+enum class FactKind : std::uint8_t;
+struct ConfigFact;
+enum class ConfigFactKind : std::uint8_t;
+}  // namespace rigor::read
+namespace rigor::mass {
+struct MeshFacts;
+}  // namespace rigor::mass
+namespace rigor::convert {
+struct Note;
+enum class NoteKind : std::uint8_t;
+}  // namespace rigor::convert
+namespace rigor::simulate {
+struct Fact;
+enum class FactKind : std::uint8_t;
+}  // namespace rigor::simulate
 
 namespace rigor::rules {
+
+struct SuppressionFact;
+enum class SuppressionFactKind : std::uint8_t;
 
 enum class Category : std::uint8_t {
   kXml,
@@ -74,22 +96,13 @@ enum class FixGrade : std::uint8_t { kNone, kSafe, kUnsafe };
 /// In which files a rule looks.
 enum class Formats : std::uint8_t { kAny, kSdf, kUrdf, kModelConfig };
 
-/// A document that shows the rule, or shows how it is avoided.
-///
-/// In a bad one the bytes that the finding points at stand between « and »; the marks are taken out
-/// before the text is used. A line `=== path` begins another file; what stands before the first such
-/// line is the file that is checked. `fixed` is the checked file after the fix, when there is one.
-struct Example {
-  std::string_view text;
-  std::string_view fixed = {};
-};
-
 /// A mesh used by a collision or visual.
 struct MeshUse {
   const model::Mesh& mesh;
   const model::Geometry& geometry;
   std::string subject;
   bool collision;
+  bool painted;  ///< whether the visual has a `<material>` of its own
 };
 
 /// A mesh file, by itself or as a model places it. Of several uses with the same role and scale the
@@ -164,8 +177,8 @@ inline Check on_suppression(std::vector<SuppressionFactKind> kinds,
 }
 
 struct Rule {
-  std::string_view name;  ///< kebab-case; states the defect; also the file's name
-  Category category = Category::kXml;
+  std::string_view name;               ///< kebab-case; states the defect; also the file's name
+  Category category = Category::kXml;  ///< of its folder; the registry sets it
   Severity severity = Severity::kError;
   Refusals refused = {};  ///< whether libsdformat refuses a file for it
   Formats formats = Formats::kAny;
@@ -177,8 +190,6 @@ struct Rule {
   std::string_view summary;     ///< one line: what is wrong
   std::string_view why;         ///< what a consumer does with it; which ones
   std::string_view what_to_do;  ///< how to put it right
-  std::vector<Example> bad;
-  std::vector<Example> good;
   std::vector<Check> checks;
 };
 

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include <rigor/model/subject.h>
@@ -153,7 +154,7 @@ class Runner::Walk {
     if (!document) return;
     for (const xml::Fault& fault : document->faults()) facts(fault);
     for (const read::ConfigFact& fact : loaded_.config_facts) facts(fact);
-    check_schema(*document);
+    check_schema();
     // What a cut file lacks is not the author's doing: only what is there is spoken of.
     if (document->complete()) check_model();
   }
@@ -198,7 +199,8 @@ class Runner::Walk {
     check_each(own);
   }
 
-  void check_schema(const xml::Document& document) {
+  void check_schema() {
+    const auto& document = *inputs_.document;
     const auto top = document.root();
     if (!top || inputs_.schema == nullptr) return;
     auto node = inputs_.schema->root(top->name(), {loaded_.root.version});
@@ -242,8 +244,10 @@ class Runner::Walk {
     for (const Entity& entity : list) {
       const auto* mesh = std::get_if<model::Mesh>(&entity.geometry.shape);
       if (mesh == nullptr || !loaded_.root.own(entity.site)) continue;
+      bool painted = false;
+      if constexpr (std::is_same_v<Entity, model::Visual>) painted = entity.material.written;
       const MeshUse use{*mesh, entity.geometry, context_.subject(entity),
-                        role == MeshRole::kCollision};
+                        role == MeshRole::kCollision, painted};
       check_each<MeshUse>({&use});
       check_file_of(use);
     }

@@ -15,13 +15,14 @@
 #include <vector>
 
 #include <rigor/convert/note.h>
-#include <rigor/environment.h>
-#include <rigor/mass/mesh_facts.h>
+#include <rigor/mass/mesh/facts.h>
 #include <rigor/read/load.h>
 #include <rigor/rules/compat.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/meshes.h>
 #include <rigor/rules/registry.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/suppression_fact.h>
 #include <rigor/rules/validate.h>
 #include <rigor/simulate/fact.h>
 #include <rigor/text/diagnostic.h>

@@ -11,10 +11,8 @@
 #include <variant>
 
 #include <rigor/mass/resolve.h>
-#include <rigor/read/values.h>
 #include <rigor/rules/kinematics/tree.h>
 #include <rigor/rules/sdformat_inertia.h>
-#include <rigor/schema/value.h>
 
 namespace rigor::rules {
 namespace {
@@ -25,21 +23,10 @@ constexpr double kNoMass = 1e-6;
 using Part = SdformatRobot::Part;
 using Fate = SdformatRobot::Fate;
 
-bool readable_origin(const model::Inertial& inertial, const xml::Document& document) {
-  const auto origin = document.element(inertial.site.element).child("origin");
-  if (!origin) return true;
-  for (const char* name : {"xyz", "rpy"}) {
-    const auto attribute = origin->attribute(name);
-    if (attribute && schema::check(schema::Type::kVector3, attribute->value())) return false;
-  }
-  return true;
-}
-
 /// As urdfdom reads it: what is not whole is zero from there on, and stays an inertial.
-mass::MassProperties inertial_of_urdfdom(const model::Inertial& inertial,
-                                         const xml::Document& document) {
+mass::MassProperties inertial_of_urdfdom(const model::Inertial& inertial) {
   if (!inertial.mass.written || !std::isfinite(inertial.mass.value)) return {};
-  if (!readable_origin(inertial, document)) return {};
+  if (inertial.pose.malformed) return {};
   mass::MassProperties body{inertial.mass.value, {}, {}};
   const std::array entries{&inertial.ixx, &inertial.ixy, &inertial.ixz,
                            &inertial.iyy, &inertial.iyz, &inertial.izz};
@@ -52,17 +39,13 @@ mass::MassProperties inertial_of_urdfdom(const model::Inertial& inertial,
 }
 
 /// The fixed joints that a `<gazebo>` block keeps from being lumped away.
-std::set<std::string_view> kept_fixed_joints(const model::Root& root,
-                                             const xml::Document& document) {
+std::set<std::string_view> kept_fixed_joints(const model::Root& root) {
   std::set<std::string_view> kept;
   for (const model::GazeboBlock& block : root.gazebo_blocks) {
     if (!root.own(block.site)) continue;
-    const xml::Element element = document.element(block.site.element);
     for (const char* name : {"preserveFixedJoint", "disableFixedJointLumping"}) {
-      const auto flag = element.child(name);
-      if (!flag) continue;
-      const std::string_view text = read::trimmed(flag->text());
-      if (text == "true" || text == "1") kept.insert(block.reference.value);
+      const auto* flag = find(block.content, name);
+      if (flag != nullptr && is_true(*flag)) kept.insert(block.reference.value);
     }
   }
   return kept;
@@ -70,9 +53,8 @@ std::set<std::string_view> kept_fixed_joints(const model::Root& root,
 
 class SdformatConversion {
  public:
-  SdformatConversion(const model::Root& root, const model::Frames& frames,
-                     const xml::Document& document)
-      : root_(root), document_(document), robot_(root.models.front()) {
+  SdformatConversion(const model::Root& root, const model::Frames& frames)
+      : root_(root), robot_(root.models.front()) {
     result_.parts.resize(robot_.links.size());
     children_.resize(robot_.links.size());
     parents_.resize(robot_.links.size(), kNobody);
@@ -81,7 +63,7 @@ class SdformatConversion {
 
   SdformatRobot run() {
     if (!result_.known) return {};
-    kept_ = kept_fixed_joints(root_, document_);
+    kept_ = kept_fixed_joints(root_);
     order();
     lump();
     leave_out();
@@ -136,7 +118,7 @@ class SdformatConversion {
       const model::Inertial& inertial = root_[robot_.links[link]].inertial;
       Part& part = result_.parts[link];
       part.has_inertial = inertial.written;
-      if (inertial.written) part.body = inertial_of_urdfdom(inertial, document_);
+      if (inertial.written) part.body = inertial_of_urdfdom(inertial);
       part.head = lumped(link) ? result_.parts[parents_[link]].head : link;
     }
     for (auto at = order_.rbegin(); at != order_.rend(); ++at) {
@@ -164,7 +146,6 @@ class SdformatConversion {
   }
 
   const model::Root& root_;
-  const xml::Document& document_;
   const model::Model& robot_;
   SdformatRobot result_;
   std::set<std::string_view> kept_;
@@ -182,10 +163,9 @@ bool SdformatRobot::refuses_inertia(std::size_t link) const {
   return head.fate == Fate::kLink && !sdformat_takes(head.body.mass, head.body.about_com);
 }
 
-SdformatRobot sdformat_robot(const model::Root& root, const model::Frames& frames,
-                             const xml::Document& document) {
+SdformatRobot sdformat_robot(const model::Root& root, const model::Frames& frames) {
   if (root.format != model::Format::kUrdf || root.models.empty()) return {};
-  return SdformatConversion(root, frames, document).run();
+  return SdformatConversion(root, frames).run();
 }
 
 }  // namespace rigor::rules

@@ -17,7 +17,6 @@
 #include <rigor/mass/mass_properties.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
-#include <rigor/xml/document.h>
 
 namespace rigor::rules {
 
@@ -45,7 +44,6 @@ struct SdformatRobot {
 };
 
 /// Of the first model of a URDF file.
-SdformatRobot sdformat_robot(const model::Root& root, const model::Frames& frames,
-                             const xml::Document& document);
+SdformatRobot sdformat_robot(const model::Root& root, const model::Frames& frames);
 
 }  // namespace rigor::rules

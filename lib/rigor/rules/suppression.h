@@ -23,6 +23,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include <rigor/rules/names.h>
 #include <rigor/rules/registry.h>
 #include <rigor/rules/suppression_fact.h>
 #include <rigor/rules/validate.h>

@@ -10,7 +10,8 @@
 #include <set>
 #include <utility>
 
-#include <rigor/mass/mesh_reads.h>
+#include <rigor/mass/mesh/reads.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/read/discover.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
@@ -71,7 +72,7 @@ class Run {
         templates_(environment, sources, workspace_, options),
         runners_(environment.registry, options),
         turns_(options.threads),
-        reads_(environment.disk, turns_),
+        reads_(environment.disk, environment.workers, turns_),
         surveys_(environment.disk, {nullptr, &reads_}),
         mesh_files_(environment.disk, mass::MeshDepth::kFile, {nullptr, &reads_}) {
     if (options.meshes == MeshPolicy::kDoNotOpen) return;

@@ -16,11 +16,11 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/environment.h>
 #include <rigor/model/model.h>
 #include <rigor/read/discover.h>
 #include <rigor/read/expansion.h>
 #include <rigor/rules/compat.h>
+#include <rigor/rules/environment.h>
 #include <rigor/rules/meshes.h>
 #include <rigor/rules/target.h>
 #include <rigor/text/diagnostic.h>

@@ -15,9 +15,9 @@
 #include <cstdint>
 #include <vector>
 
-#include <rigor/simulate/engine.h>
+#include <rigor/simulate/engine/engine.h>
 #include <rigor/simulate/scenario.h>
-#include <rigor/simulate/scene.h>
+#include <rigor/simulate/scene/scene.h>
 
 namespace rigor::simulate {
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include <rigor/simulate/metric_parts.h>
+#include <rigor/simulate/metric/parts.h>
 
 namespace rigor::simulate {
 namespace {

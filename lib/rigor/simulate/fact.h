@@ -1,8 +1,8 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a simulation has to say about a model, as data without words; one rule `simulate-…` turns each
-// kind into a finding.
+// What a simulation has to say about a model, as data without words; a row of the tables in
+// `rules/simulate/` turns each kind into a finding.
 //
 //   facts.push_back({.kind = FactKind::kTips, .where = body.where, .subject = "robot/link base",
 //                    .value = 1.2, .limit = 0.52, .phase = "settle"});
@@ -79,7 +79,7 @@ enum class FactKind : std::uint8_t {
   kSeedSensitive,
   kSolverDiffers,
   kAssertion,  ///< of a scenario; `name` is the assertion's
-  // Why, found in the model (advice.h). They go along with what a run shows.
+  // Why, found in the model (simulate/advice/advice.h). They go along with what a run shows.
   kCauseInertia,         ///< `value`: times the moment of the link's shapes; `name`: which moment
   kCauseDefaultInertia,  ///< nothing is written: 1 kg and the identity; `value` and `name` as above
   kCauseMassRatio,       ///< of two bodies that a joint connects; `name`: the other's

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include <rigor/mass/mass_properties.h>
-#include <rigor/simulate/scene.h>
+#include <rigor/simulate/scene/scene.h>
 
 namespace rigor::simulate {
 

@@ -4,13 +4,11 @@
 #include <rigor/simulate/model_groups.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace rigor::simulate {
 
 ModelGroups::ModelGroups(const Scene& scene)
-    : scene_(scene), parent_(scene.models.size()), held_(scene.models.size()) {
-  std::iota(parent_.begin(), parent_.end(), 0U);
+    : scene_(scene), groups_(scene.models.size()), held_(scene.models.size()) {
   for (std::size_t i = 0; i < held_.size(); ++i) held_[i] = scene.models[i].is_static ? 1 : 0;
   for (const SceneJoint& joint : scene.joints) {
     const std::uint32_t child = model_of(joint.child);
@@ -24,11 +22,6 @@ ModelGroups::ModelGroups(const Scene& scene)
   }
 }
 
-std::uint32_t ModelGroups::root(std::uint32_t model) const {
-  while (parent_[model] != model) model = parent_[model];
-  return model;
-}
-
 std::uint32_t ModelGroups::model_of(std::uint32_t body) const {
   return body == kWorld ? kWorld : scene_.bodies[body].model;
 }
@@ -36,7 +29,7 @@ std::uint32_t ModelGroups::model_of(std::uint32_t body) const {
 void ModelGroups::join(std::uint32_t a, std::uint32_t b) {
   const std::uint32_t one = root(a);
   const std::uint32_t two = root(b);
-  parent_[std::max(one, two)] = std::min(one, two);
+  groups_.join(one, two);
   held_[std::min(one, two)] |= held_[std::max(one, two)];
 }
 

@@ -11,7 +11,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <rigor/simulate/scene.h>
+#include <rigor/simulate/scene/scene.h>
+#include <rigor/text/disjoint_sets.h>
 
 namespace rigor::simulate {
 
@@ -21,7 +22,7 @@ class ModelGroups {
   explicit ModelGroups(const Scene& scene);
 
   /// One model of those that are held together: the same for all of them.
-  std::uint32_t root(std::uint32_t model) const;
+  std::uint32_t root(std::uint32_t model) const { return groups_.find(model); }
 
   /// Whether one of the group is static, or a joint holds it to the world.
   bool held(std::uint32_t root) const { return held_[root] != 0; }
@@ -31,7 +32,7 @@ class ModelGroups {
   void join(std::uint32_t a, std::uint32_t b);
 
   const Scene& scene_;
-  std::vector<std::uint32_t> parent_;
+  DisjointSets groups_;
   std::vector<unsigned char> held_;
 };
 

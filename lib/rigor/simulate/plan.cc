@@ -7,7 +7,7 @@
 #include <array>
 #include <string_view>
 
-#include <rigor/simulate/tests.h>
+#include <rigor/simulate/test/tests.h>
 
 namespace rigor::simulate {
 namespace {

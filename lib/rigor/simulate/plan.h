@@ -15,7 +15,7 @@
 
 #include <rigor/config/scenario.h>
 #include <rigor/simulate/scenario.h>
-#include <rigor/simulate/scene.h>
+#include <rigor/simulate/scene/scene.h>
 #include <rigor/simulate/wheels.h>
 
 namespace rigor::simulate {

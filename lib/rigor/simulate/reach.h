@@ -11,7 +11,7 @@
 
 #include <vector>
 
-#include <rigor/simulate/scene.h>
+#include <rigor/simulate/scene/scene.h>
 
 namespace rigor::simulate {
 

@@ -9,7 +9,7 @@
 
 #include <optional>
 
-#include <rigor/simulate/scene.h>
+#include <rigor/simulate/scene/scene.h>
 
 namespace rigor::simulate {
 

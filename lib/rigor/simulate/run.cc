@@ -7,14 +7,18 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 #include <rigor/simulate/commander.h>
-#include <rigor/simulate/engine.h>
+#include <rigor/simulate/engine/engine.h>
+#include <rigor/simulate/run_request.h>
 #include <rigor/text/digest.h>
 
 namespace rigor::simulate {
 namespace {
+
+constexpr std::string_view kRunKind = "simulate.run";
 
 /// m: a scene smaller than this is given this size when it is asked whether something is far away.
 constexpr double kNearbySize = 0.1;
@@ -135,6 +139,17 @@ class Recorder {
   std::vector<Vector3> starts_;
 };
 
+/// In the worker.
+process::Reply run_requested(const std::string& bytes, const process::Ask& /*ask*/) {
+  const std::optional<RunRequest> request = decode_run(bytes);
+  if (!request) throw std::invalid_argument("the scene is damaged");
+  const Record record = run(request->scene, request->scenario, request->settings);
+  // ODE does not come back from an error within a step.
+  const bool refused = record.end == Record::End::kRefused;
+  return {encode(record),
+          refused ? process::Reply::Then::kRetire : process::Reply::Then::kServeAgain};
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> first_axes(const Scene& scene) {
@@ -172,13 +187,20 @@ Record run(const Scene& scene, const Scenario& scenario, const SolverSettings& s
   }
 }
 
-Record run_isolated(const Scene& scene, const Scenario& scenario, const SolverSettings& settings) {
-  return record_of(
-      process::run_in_child(kRunLimits, [&] { return encode(run(scene, scenario, settings)); }));
+Record run_isolated(const Scene& scene, const Scenario& scenario, const SolverSettings& settings,
+                    const process::Workers& workers) {
+  return record_of(workers.call(run_request(scene, scenario, settings)));
 }
 
-Record record_of(const process::ChildResult& result) {
-  using End = process::ChildResult::End;
+process::Request run_request(const Scene& scene, const Scenario& scenario,
+                             const SolverSettings& settings) {
+  return {.kind = kRunKind, .bytes = encode_run(scene, scenario, settings), .limits = kRunLimits};
+}
+
+process::Service run_service() { return {kRunKind, run_requested}; }
+
+Record record_of(const process::RequestResult& result) {
+  using End = process::RequestResult::End;
   Record record;
   record.end = result.end == End::kOutOfTime ? Record::End::kOutOfTime : Record::End::kCrashed;
   record.message = describe(result, kRunLimits);

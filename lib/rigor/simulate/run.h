@@ -4,11 +4,11 @@
 // Runs a scenario in ODE and records it.
 //
 // `run` works in the calling process: ODE has globals, and aborts on what it does not like. So only a
-// child process calls it (`run_isolated`, or `process::run_in_children` for many at once), which ends by
-// itself after its steps, and by the child's limits in the worst case. For the same scene, scenario and
-// settings the record is the same to the last bit.
+// worker process calls it (for `run_isolated`, or `run_request` for many at once), which ends by itself after
+// its steps, and by the request's limits in the worst case. For the same scene, scenario and settings the
+// record is the same to the last bit.
 //
-//   Record record = run_isolated(scene, scenario, scene.solver);
+//   Record record = run_isolated(scene, scenario, scene.solver, environment.workers);
 //   if (record.end != Record::End::kDone) explain(record);
 
 #pragma once
@@ -19,11 +19,13 @@
 #include <string_view>
 #include <vector>
 
-#include <rigor/process/child.h>
-#include <rigor/simulate/measure.h>
+#include <rigor/simulate/engine/state.h>
+#include <rigor/simulate/metric/measure.h>
+#include <rigor/process/request.h>
+#include <rigor/process/serve.h>
+#include <rigor/process/workers.h>
 #include <rigor/simulate/scenario.h>
-#include <rigor/simulate/scene.h>
-#include <rigor/simulate/state.h>
+#include <rigor/simulate/scene/scene.h>
 
 namespace rigor::simulate {
 
@@ -33,8 +35,8 @@ inline constexpr double kSampleInterval = 0.01;
 /// What a run may take before it is ended: steps first. Ten million steps of a robot take some minutes,
 /// and a thousand of a demonstration with 3,003 bodies nearly one: time is only for what hangs.
 inline constexpr std::uint64_t kMaxSteps = 10'000'000;
-inline constexpr process::ChildLimits kRunLimits{.cpu_seconds = 300,
-                                                 .memory_bytes = std::uint64_t{2} << 30U};
+inline constexpr process::RequestLimits kRunLimits{.cpu_seconds = 300,
+                                                   .memory_bytes = std::uint64_t{2} << 30U};
 
 struct Record {
   enum class End : std::uint8_t {
@@ -42,7 +44,7 @@ struct Record {
     kNotFinite,  ///< a pose or speed stopped being a number
     kFarAway,    ///< something is farther than 1000 sizes of the scene away
     kRefused,    ///< the engine stopped with an error; `message` is its words
-    kCrashed,    ///< the child did; `message` says how
+    kCrashed,    ///< the worker did, or there is none; `message` says how
     kOutOfTime,
   };
   End end = End::kDone;
@@ -67,14 +69,20 @@ std::vector<std::uint32_t> first_axes(const Scene& scene);
 /// In this process. The scene is taken as it is: see `stage`.
 Record run(const Scene& scene, const Scenario& scenario, const SolverSettings& settings);
 
-/// In a child.
-Record run_isolated(const Scene& scene, const Scenario& scenario, const SolverSettings& settings);
+/// In a worker.
+Record run_isolated(const Scene& scene, const Scenario& scenario, const SolverSettings& settings,
+                    const process::Workers& workers);
 
-/// A record as the bytes that a child hands over, and back. Nothing when they are damaged.
+/// The same as a request, for many at once; `record_of` reads its result.
+process::Request run_request(const Scene& scene, const Scenario& scenario,
+                             const SolverSettings& settings);
+Record record_of(const process::RequestResult& result);
+
+/// What a worker has to serve for these.
+process::Service run_service();
+
+/// A record as the bytes that a worker hands over, and back. Nothing when they are damaged.
 std::string encode(const Record& record);
 std::optional<Record> decode(std::string_view bytes);
-
-/// What came of a child that was to run and encode.
-Record record_of(const process::ChildResult& result);
 
 }  // namespace rigor::simulate

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What is done to a scene over time, and what is demanded of it: phases, commands with ramps, pushes,
-// a table that tilts. The tests of `simulate` are scenarios (tests.h); a user writes others in a file
+// a table that tilts. The tests of `simulate` are scenarios (simulate/test/tests.h); a user writes others in a file
 // (scenario_file.h).
 //
 //   Scenario drive{.name = "drive", .duration = 5, .phases = {{"settle", 0, 1}, {"drive", 1, 5}}};
@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include <rigor/simulate/scene.h>
+#include <rigor/simulate/scene/scene.h>
 
 namespace rigor::simulate {
 

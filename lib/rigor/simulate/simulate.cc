@@ -11,25 +11,24 @@
 #include <tuple>
 #include <utility>
 
-#include <rigor/process/child.h>
-#include <rigor/simulate/advice.h>
-#include <rigor/simulate/assertion.h>
+#include <rigor/simulate/advice/advice.h>
 #include <rigor/simulate/confirm.h>
-#include <rigor/simulate/metric_parts.h>
+#include <rigor/simulate/metric/assertion.h>
+#include <rigor/simulate/metric/parts.h>
 #include <rigor/simulate/stage.h>
 
 namespace rigor::simulate {
 namespace {
 
-/// A scenario of a task with settings, to be run in a child.
+/// A scenario of a task with settings, to be run in a worker.
 struct RunOrder {
   const Task* task = nullptr;
   const Scenario* scenario = nullptr;
   SolverSettings settings;
 };
 
-std::string run_and_encode(const RunOrder& order) {
-  return encode(run(stage(order.task->scene, *order.scenario), *order.scenario, order.settings));
+process::Request request_of(const RunOrder& order) {
+  return run_request(stage(order.task->scene, *order.scenario), *order.scenario, order.settings);
 }
 
 Run judged_run(const RunOrder& order, Record record) {
@@ -135,8 +134,9 @@ class Runs {
  public:
   using Done = std::function<void(std::size_t, Simulation)>;
 
-  Runs(const std::vector<Task>& tasks, const SimulateOptions& options, const Done& done)
-      : tasks_(tasks), options_(options), done_(done) {}
+  Runs(const std::vector<Task>& tasks, const SimulateOptions& options,
+       const process::Workers& workers, const Done& done)
+      : tasks_(tasks), options_(options), workers_(workers), done_(done) {}
 
   void run_all() {
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
@@ -152,9 +152,11 @@ class Runs {
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
       if (left_[i] == 0) hand_over(i);
     }
-    process::feed_children(
-        kRunLimits, options_.jobs, [this] { return next(); },
-        [this](std::size_t number, const process::ChildResult& result) { ended(number, result); });
+    workers_.feed(
+        options_.jobs, [this] { return next(); },
+        [this](std::size_t number, const process::RequestResult& result) {
+          ended(number, result);
+        });
   }
 
  private:
@@ -164,18 +166,18 @@ class Runs {
     std::optional<std::size_t> variant;
   };
 
-  std::function<std::string()> next() {
-    if (waiting_.empty()) return {};
+  std::optional<process::Request> next() {
+    if (waiting_.empty()) return std::nullopt;
     const Job job = waiting_.front();
     waiting_.pop_front();
     started_.push_back(job);
     const TaskRun& one = runs_[job.run];
     RunOrder order = one.order;
     if (job.variant) order.settings = one.variants[*job.variant].settings;
-    return [order] { return run_and_encode(order); };
+    return request_of(order);
   }
 
-  void ended(std::size_t number, const process::ChildResult& result) {
+  void ended(std::size_t number, const process::RequestResult& result) {
     const Job job = started_[number];
     TaskRun& one = runs_[job.run];
     ++ended_;
@@ -239,6 +241,7 @@ class Runs {
 
   const std::vector<Task>& tasks_;
   const SimulateOptions& options_;
+  const process::Workers& workers_;
   const Done& done_;
   std::vector<TaskRun> runs_;       // task by task
   std::vector<std::size_t> first_;  // of each task, among the runs
@@ -265,17 +268,19 @@ Verdict worse(Verdict a, Verdict b) {
   return rank(a) < rank(b) ? b : a;
 }
 
-std::vector<Simulation> simulate(const std::vector<Task>& tasks, const SimulateOptions& options) {
+std::vector<Simulation> simulate(const std::vector<Task>& tasks, const SimulateOptions& options,
+                                 const process::Workers& workers) {
   std::vector<Simulation> simulations(tasks.size());
-  simulate(tasks, options, [&](std::size_t task, Simulation simulation) {
+  simulate(tasks, options, workers, [&](std::size_t task, Simulation simulation) {
     simulations[task] = std::move(simulation);
   });
   return simulations;
 }
 
 void simulate(const std::vector<Task>& tasks, const SimulateOptions& options,
+              const process::Workers& workers,
               const std::function<void(std::size_t, Simulation)>& done) {
-  Runs(tasks, options, done).run_all();
+  Runs(tasks, options, workers, done).run_all();
 }
 
 }  // namespace rigor::simulate

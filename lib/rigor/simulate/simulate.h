@@ -3,13 +3,14 @@
 //
 // Simulates scenes in tests and says whether they are physically sane.
 //
-//   std::vector<Simulation> results = simulate({{scene, causes, {settle, drive}, wheels, scene.solver}}, {});
+//   std::vector<Simulation> results = simulate({{scene, causes, {settle, drive}, wheels, scene.solver}},
+//                                              {}, environment.workers);
 //   if (results.front().verdict == Verdict::kFail) say(results.front().runs.front().facts);
 //
 // A failure is confirmed before it is believed: the same test with half the step and with the other
 // solver, and with two other seeds where these do not settle it. What most of the runs do not show is
-// called the solver's. Each run is a child process; this function uses no threads and forks at most
-// `jobs` at a time, whichever task they are of. Those that a failure is confirmed by go before those of
+// called the solver's. Each run is a worker process's; this function uses no threads and has at most
+// `jobs` under way at a time, whichever task they are of. Those that a failure is confirmed by go before those of
 // later tasks, so that a task that was begun is soon done.
 
 #pragma once
@@ -20,10 +21,10 @@
 #include <vector>
 
 #include <rigor/simulate/fact.h>
-#include <rigor/simulate/metric.h>
+#include <rigor/simulate/metric/metric.h>
 #include <rigor/simulate/run.h>
 #include <rigor/simulate/scenario.h>
-#include <rigor/simulate/scene.h>
+#include <rigor/simulate/scene/scene.h>
 #include <rigor/simulate/wheels.h>
 
 namespace rigor::simulate {
@@ -33,7 +34,7 @@ enum class Confirm : std::uint8_t { kNo, kFailures };
 /// A scene in its scenarios. What is referred to outlives the call.
 struct Task {
   const Scene& scene;
-  const Facts& causes;  ///< see advice.h: facts of runs come with those that explain them
+  const Facts& causes;  ///< advice/advice.h: facts of runs come with those that explain them
   std::vector<Scenario> scenarios;
   const DriveTrain& wheels;
   SolverSettings solver;  ///< usually the scene's; its seed is the run's
@@ -42,7 +43,7 @@ struct Task {
 struct SimulateOptions {
   Confirm confirm = Confirm::kFailures;
   unsigned jobs = 1;
-  /// Called in the parent after each child, for progress: done, of how many that are known of.
+  /// Called here after each run, for progress: done, of how many that are known of.
   std::function<void(std::size_t, std::size_t)> progress = {};
 };
 
@@ -72,11 +73,13 @@ struct Simulation {
 };
 
 /// In the order of the tasks; the same for any number of jobs.
-std::vector<Simulation> simulate(const std::vector<Task>& tasks, const SimulateOptions& options);
+std::vector<Simulation> simulate(const std::vector<Task>& tasks, const SimulateOptions& options,
+                                 const process::Workers& workers);
 
 /// Hands each over, with the number of its task, as soon as it is done: nothing is kept of it. Which is done
 /// first depends on how long they take.
 void simulate(const std::vector<Task>& tasks, const SimulateOptions& options,
+              const process::Workers& workers,
               const std::function<void(std::size_t, Simulation)>& done);
 
 /// The worse of two.

@@ -9,7 +9,7 @@
 #pragma once
 
 #include <rigor/simulate/scenario.h>
-#include <rigor/simulate/scene.h>
+#include <rigor/simulate/scene/scene.h>
 
 namespace rigor::simulate {
 

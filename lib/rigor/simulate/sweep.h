@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-#include <rigor/simulate/scene.h>
+#include <rigor/simulate/scene/scene.h>
 
 namespace rigor::simulate {
 

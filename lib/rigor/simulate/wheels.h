@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include <rigor/simulate/scene.h>
+#include <rigor/simulate/scene/scene.h>
 
 namespace rigor::simulate {
 

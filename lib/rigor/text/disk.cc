@@ -23,10 +23,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string too_large(std::uint64_t max_bytes) {
+ReadResult too_large(std::uint64_t max_bytes) {
   const bool in_mib = max_bytes >= std::uint64_t{1} << 20U;
-  return "is larger than " + std::to_string(max_bytes >> (in_mib ? 20U : 10U)) +
-         (in_mib ? " MiB" : " KiB");
+  return {std::nullopt,
+          "is larger than " + std::to_string(max_bytes >> (in_mib ? 20U : 10U)) +
+              (in_mib ? " MiB" : " KiB"),
+          ReadError::kTooLarge};
 }
 
 class RealFile final : public OpenFile {
@@ -93,7 +95,7 @@ ReadResult RealDisk::read(const std::string& path, std::uint64_t max_bytes) cons
   if (!fs::is_regular_file(status)) return {std::nullopt, "is not a regular file"};
   const std::uintmax_t size = fs::file_size(path, error);
   if (error) return {std::nullopt, error.message()};
-  if (size > max_bytes) return {std::nullopt, too_large(max_bytes)};
+  if (size > max_bytes) return too_large(max_bytes);
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return {std::nullopt, "cannot be opened (permissions?)"};
   std::string bytes(static_cast<std::size_t>(size), '\0');
@@ -164,7 +166,7 @@ ReadResult MemoryDisk::read(const std::string& path, std::uint64_t max_bytes) co
   if (found == files_.end()) {
     return {std::nullopt, kind(path) == PathKind::kFolder ? "is a folder" : "no such file"};
   }
-  if (found->second.size() > max_bytes) return {std::nullopt, too_large(max_bytes)};
+  if (found->second.size() > max_bytes) return too_large(max_bytes);
   return {found->second, {}};
 }
 

@@ -25,9 +25,13 @@ namespace rigor {
 
 enum class PathKind { kMissing, kFile, kFolder, kOther };
 
+enum class ReadError : std::uint8_t { kOther, kTooLarge };
+
 struct ReadResult {
   std::optional<std::string> bytes;
-  std::string problem;  ///< why there are no bytes: "no such file", "is a folder", "over 64 MiB"
+  std::string
+      problem;  ///< why there are no bytes: "no such file", "is a folder", "is larger than 64 MiB"
+  ReadError error = ReadError::kOther;  ///< of a file without bytes: `problem`, for programs
 };
 
 /// An open file, read piece by piece. Safe across threads.

@@ -29,7 +29,7 @@ constexpr std::string_view kUnfinished = ".XXXXXX";
 constexpr std::chrono::hours kAbandoned{1};
 
 // What an entry begins with; the digest of key and bytes follows, then the bytes.
-constexpr std::string_view kEntryMagic = "rigor1\n";
+constexpr std::string_view kEntryMagic = "rigor2\n";
 
 std::string entry_head(const Digest& key, std::string_view bytes) {
   Hasher hasher;

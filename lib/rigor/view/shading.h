@@ -14,7 +14,7 @@
 #include <vector>
 
 #include <rigor/model/pose.h>
-#include <rigor/view/drawing.h>
+#include <rigor/view/drawing/drawing.h>
 
 namespace rigor::view {
 

@@ -16,8 +16,8 @@
 #include <string>
 
 #include <rigor/view/camera.h>
-#include <rigor/view/drawing.h>
-#include <rigor/view/picture.h>
+#include <rigor/view/drawing/drawing.h>
+#include <rigor/view/image/picture.h>
 
 namespace rigor::view {
 

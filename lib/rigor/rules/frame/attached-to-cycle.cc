@@ -5,42 +5,20 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::attached_to_cycle {
-namespace {
 
 void check(const model::FrameProblem& problem, Context& context) {
-  context.report({.where = problem.where,
-                  .message = "frames are attached to each other in a circle: " + chain(problem),
-                  .subject = problem.subject});
+  report_cycle(problem, "frames are attached to each other", context);
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "attached-to-cycle",
-      .category = Category::kFrame,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .summary = "frames are attached to each other in a circle",
       .why = "libsdformat refuses the file: no frame of the circle reaches a link.",
       .what_to_do = "Attach one of the frames to a link.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <frame name="a" attached_to="«b»"/>
-    <frame name="b" attached_to="a"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <frame name="a" attached_to="base"/>
-    <frame name="b" attached_to="a"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_frames({model::FrameProblemKind::kAttachedToCycle}, check)},
   };
 }

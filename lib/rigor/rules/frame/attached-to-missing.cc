@@ -5,51 +5,22 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::attached_to_missing {
-namespace {
 
 void check(const model::FrameProblem& problem, Context& context) {
-  const Suggestion near = suggest(problem.name, problem.candidates, problem.where, context);
-  context.report(
-      {.where = problem.where,
-       .message = "the frame is attached to '" + problem.name + "', which is nothing in this scope",
-       .subject = problem.subject,
-       .help = near.help,
-       .fix = near.fix});
+  context.report(unresolved(
+      problem, "the frame is attached to '" + problem.name + "', which is nothing in this scope",
+      context));
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "attached-to-missing",
-      .category = Category::kFrame,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .fix = FixGrade::kUnsafe,
       .summary = "a frame is attached to something that does not exist",
       .why = "libsdformat refuses the file: a frame moves with what it is attached to.",
       .what_to_do = "Name a link, joint, frame or model of the same scope.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <frame name="tool" attached_to="«bse»"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <frame name="tool" attached_to="base"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <frame name="tool" attached_to="base"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_frames({model::FrameProblemKind::kAttachedToMissing}, check)},
   };
 }

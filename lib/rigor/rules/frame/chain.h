@@ -8,6 +8,7 @@
 #include <string>
 
 #include <rigor/model/frames.h>
+#include <rigor/rules/context.h>
 
 namespace rigor::rules {
 
@@ -19,6 +20,14 @@ inline std::string chain(const model::FrameProblem& problem) {
     text += "'" + member + "'";
   }
   return text;
+}
+
+/// Reports what the members do to each other, around the cycle.
+inline void report_cycle(const model::FrameProblem& problem, const std::string& what,
+                         Context& context) {
+  context.report({.where = problem.where,
+                  .message = what + " in a circle: " + chain(problem),
+                  .subject = problem.subject});
 }
 
 }  // namespace rigor::rules

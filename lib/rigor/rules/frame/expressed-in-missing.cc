@@ -5,89 +5,23 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::expressed_in_missing {
-namespace {
 
 void check(const model::FrameProblem& problem, Context& context) {
-  const Suggestion near = suggest(problem.name, problem.candidates, problem.where, context);
-  context.report(
-      {.where = problem.where,
-       .message = "the axis is expressed in '" + problem.name + "', which is nothing in this scope",
-       .subject = problem.subject,
-       .help = near.help,
-       .fix = near.fix});
+  context.report(unresolved(
+      problem, "the axis is expressed in '" + problem.name + "', which is nothing in this scope",
+      context));
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "expressed-in-missing",
-      .category = Category::kFrame,
       .severity = Severity::kError,
       .fix = FixGrade::kUnsafe,
       .summary = "a joint axis is expressed in a frame that does not exist",
-      .why =
-          "ign sdf -k calls the file valid, but whoever asks for the axis, the simulator among "
-          "them, gets an error instead.",
+      .why = "ign sdf -k calls the file valid, but whoever asks for the axis, the simulator among "
+             "them, gets an error instead.",
       .what_to_do =
-          "Name a link, joint, frame or model of the same scope; __model__ is the model "
-          "itself.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz expressed_in="«bse»">0 0 1</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz expressed_in="base">0 0 1</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz expressed_in="base">0 0 1</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz expressed_in="__model__">0 0 1</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
+          "Name a link, joint, frame or model of the same scope; __model__ is the model itself.",
       .checks = {on_frames({model::FrameProblemKind::kExpressedInMissing}, check)},
   };
 }

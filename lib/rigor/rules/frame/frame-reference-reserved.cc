@@ -4,7 +4,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::frame_reference_reserved {
-namespace {
 
 void check(const model::FrameProblem& problem, Context& context) {
   context.report({.where = problem.where,
@@ -13,35 +12,15 @@ void check(const model::FrameProblem& problem, Context& context) {
                   .subject = problem.subject});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "frame-reference-reserved",
-      .category = Category::kFrame,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "a reference to a frame that only the parser may name",
-      .why =
-          "Names with two underscores before and behind are kept for the parser; libsdformat "
-          "refuses a reference to any but __model__.",
+      .why = "Names with two underscores before and behind are kept for the parser; libsdformat "
+             "refuses a reference to any but __model__.",
       .what_to_do = "Refer to __model__, to world (in the world), or to a frame of your own.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose relative_to="«__root__»"/>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose relative_to="__model__"/>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_frames({model::FrameProblemKind::kReservedReference}, check)},
   };
 }

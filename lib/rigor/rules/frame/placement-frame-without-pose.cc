@@ -5,79 +5,29 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::placement_frame_without_pose {
-namespace {
 
 void check(const model::Include& include, Context& context) {
   if (!include.placement_frame.written || include.placement_frame.value.empty()) return;
-  const xml::Element element = context.element(include.site);
-  const auto frame = element.child("placement_frame");
-  if (!frame || element.child("pose")) return;
+  if (!include.pose.site.span.nowhere()) return;
   context.report({.where = include.placement_frame.span,
                   .message = "the placement frame '" + include.placement_frame.value +
                              "' is put nowhere: the include has no <pose>",
                   .fix = fix_of("put it at the origin", Applicability::kUnsafe,
-                                xml::insert_child(context.document(), element, *frame,
-                                                  "<pose>0 0 0 0 0 0</pose>"))});
+                                inserted(context, include.site, include.placement_frame.span,
+                                         "<pose>0 0 0 0 0 0</pose>"))});
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "placement-frame-without-pose",
-      .category = Category::kFrame,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "an include names a placement frame and no pose",
-      .why =
-          "The pose of the include is where the placement frame is put. libsdformat refuses "
-          "the file: \"<pose> is required when specifying the placement_frame element\".",
+      .why = "The pose of the include is where the placement frame is put. libsdformat refuses the "
+             "file: \"<pose> is required when specifying the placement_frame element\".",
       .what_to_do = "Write the pose; 0 0 0 0 0 0 puts the frame at the origin.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>crate.sdf</uri>
-      <placement_frame>«lid»</placement_frame>
-    </include>
-  </world>
-</sdf>
-=== crate.sdf
-<sdf version="1.9">
-  <model name="crate">
-    <static>true</static>
-    <link name="lid"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>crate.sdf</uri>
-      <placement_frame>lid</placement_frame>
-      <pose>0 0 0 0 0 0</pose>
-    </include>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>crate.sdf</uri>
-      <placement_frame>lid</placement_frame>
-      <pose>0 0 0 0 0 0</pose>
-    </include>
-  </world>
-</sdf>
-=== crate.sdf
-<sdf version="1.9">
-  <model name="crate">
-    <static>true</static>
-    <link name="lid"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Include>(check)},
   };
 }

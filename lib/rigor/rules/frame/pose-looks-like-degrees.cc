@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::pose_looks_like_degrees {
-namespace {
 
 constexpr double kTurn = 6.283185307179586;
 // 1 % over a full turn leaves room for 6.3 and the like.
@@ -45,61 +44,15 @@ std::optional<Finding> check_pose(const model::PoseField& pose, const Context& c
   return std::nullopt;
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "pose-looks-like-degrees",
-      .category = Category::kFrame,
       .severity = Severity::kWarning,
       .summary = "an angle of a pose looks like degrees",
       .why =
-          "Angles are in radians unless degrees=\"true\" says otherwise (SDF 1.9 and later). "
-          "Taken as radians, 90 is fourteen turns and some: the part stands askew, and nobody "
-          "complains.",
+          "Angles are in radians unless degrees=\"true\" says otherwise (SDF 1.9 and later). Taken "
+          "as radians, 90 is fourteen turns and some: the part stands askew, and nobody complains.",
       .what_to_do = "Convert the angle to radians, or write degrees=\"true\" in an SDF 1.9 pose.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose>«0 0 1 0 0 90»</pose>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="fixed">
-    <origin xyz="0 0 1" rpy="«180 0 0»"/>
-    <parent link="base"/>
-    <child link="tip"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose degrees="true">0 0 1 0 0 90</pose>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose>0 0 1 0 0 1.5707</pose>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose>0 0 1 0 0 6.597345</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = on_poses<check_pose>(),
   };
 }

@@ -8,68 +8,28 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::quaternion_in_degrees {
-namespace {
 
 std::optional<Finding> check_pose(const model::PoseField& pose, const Context& context) {
   if (!pose.pose.written || !context.root().own(pose.site)) return std::nullopt;
-  const xml::Element element = context.element(pose.site);
-  const auto format = element.attribute("rotation_format");
-  if (!format || format->value() != "quat_xyzw") return std::nullopt;
-  const auto degrees = element.attribute("degrees");
-  if (!degrees || (degrees->value() != "true" && degrees->value() != "1")) return std::nullopt;
-  return Finding{.where = degrees->value_span(),
+  const RotationFormat format = rotation_format(pose, context);
+  if (!format.quaternion || !format.degrees) return std::nullopt;
+  return Finding{.where = format.degrees_span,
                  .message = "a quaternion has no unit: degrees=\"true\" does not apply to it",
                  .fix = fix_of("take it out", Applicability::kSafe,
-                               xml::remove_attribute(context.document(), *degrees))};
+                               attribute_removed(context, pose.site, "degrees"))};
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "quaternion-in-degrees",
-      .category = Category::kFrame,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .fix = FixGrade::kSafe,
       .summary = "the quaternion of a pose is said to be in degrees",
-      .why =
-          "A quaternion has no unit. libsdformat refuses the file: degrees=\"true\" does not "
-          "apply to quaternions.",
+      .why = "A quaternion has no unit. libsdformat refuses the file: degrees=\"true\" does not "
+             "apply to quaternions.",
       .what_to_do = "Take degrees=\"true\" out, or write roll, pitch and yaw.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose rotation_format="quat_xyzw" degrees="«true»">0 0 1 0 0 0 1</pose>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose rotation_format="quat_xyzw">0 0 1 0 0 0 1</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose rotation_format="quat_xyzw">0 0 1 0 0 0 1</pose>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose rotation_format="quat_xyzw" degrees="false">0 0 1 0 0 0 1</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = on_poses<check_pose>(),
   };
 }

@@ -15,7 +15,6 @@
 #include <rigor/write/numbers.h>
 
 namespace rigor::rules::quaternion_not_unit {
-namespace {
 
 // Numbers with three digits are near enough.
 constexpr double kTolerance = 0.002;
@@ -41,8 +40,7 @@ std::optional<Fix> divided(const WrittenRotation& rotation, double length, const
 
 std::optional<Finding> check_pose(const model::PoseField& pose, const Context& context) {
   if (!pose.pose.written || !context.root().own(pose.site)) return std::nullopt;
-  const xml::Element element = context.element(pose.site);
-  if (!element.attribute("rotation_format")) return std::nullopt;
+  if (!rotation_format(pose, context).declared) return std::nullopt;
   const auto rotation = written_rotation(pose, context);
   if (!rotation || rotation->numbers.size() != 4 || rotation->degrees) return std::nullopt;
   double square = 0;
@@ -54,57 +52,21 @@ std::optional<Finding> check_pose(const model::PoseField& pose, const Context& c
   }
   Finding finding{.where = rotation->span,
                   .message = fmt::format("the quaternion has the length {:.6g}, not 1", length)};
-  if (element.text_verbatim()) finding.fix = divided(*rotation, length, context);
+  if (rotation->verbatim) finding.fix = divided(*rotation, length, context);
   return finding;
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "quaternion-not-unit",
-      .category = Category::kFrame,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kSafe,
       .summary = "the quaternion of a pose is not of length one",
-      .why =
-          "Only a quaternion of length one is a rotation. libsdformat divides by the length "
-          "without a word; a mistyped number becomes another rotation, and who does not "
-          "divide gets a body that is sheared.",
+      .why = "Only a quaternion of length one is a rotation. libsdformat divides by the length "
+             "without a word; a mistyped number becomes another rotation, and who does not divide "
+             "gets a body that is sheared.",
       .what_to_do = "Write x y z w so that their squares sum up to 1; w comes last.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose rotation_format="quat_xyzw">«0 0 1 0 0 3 4»</pose>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose rotation_format="quat_xyzw">0 0 1 0 0 0.6 0.8</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose rotation_format="quat_xyzw">0 0 1 0 0 0.7071 0.7071</pose>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose rotation_format="quat_xyzw">0 0 1 0 0 0 1</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = on_poses<check_pose>(),
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::quaternion_zero {
-namespace {
 
 /// The last of seven numbers becomes a one.
 std::optional<Fix> unit_quaternion(const WrittenRotation& rotation, const Context& context) {
@@ -26,7 +25,7 @@ std::optional<Fix> unit_quaternion(const WrittenRotation& rotation, const Contex
 std::optional<Finding> check_pose(const model::PoseField& pose, const Context& context) {
   // A zero quaternion is read as no rotation, so only that needs a closer look.
   if (!pose.pose.written || !(pose.pose.value.rotation == model::Quaternion{})) return std::nullopt;
-  if (!context.element(pose.site).attribute("rotation_format")) return std::nullopt;
+  if (!rotation_format(pose, context).declared) return std::nullopt;
   const auto rotation = written_rotation(pose, context);
   if (!rotation || rotation->numbers.size() != 4) return std::nullopt;
   const auto zero = [](double number) { return number == 0; };
@@ -37,44 +36,16 @@ std::optional<Finding> check_pose(const model::PoseField& pose, const Context& c
                  .fix = unit_quaternion(*rotation, context)};
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "quaternion-zero",
-      .category = Category::kFrame,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kSafe,
       .summary = "the quaternion of a pose is zero",
-      .why =
-          "A rotation is a quaternion of length one. libsdformat takes the zero one for no "
-          "rotation, without a word.",
+      .why = "A rotation is a quaternion of length one. libsdformat takes the zero one for no "
+             "rotation, without a word.",
       .what_to_do = "Write 0 0 0 1 where nothing is turned; w comes last.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose rotation_format="quat_xyzw">«1 0 0 0 0 0 0»</pose>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose rotation_format="quat_xyzw">1 0 0 0 0 0 1</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base">
-      <pose rotation_format="quat_xyzw">1 0 0 0 0 0 1</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = on_poses<check_pose>(),
   };
 }

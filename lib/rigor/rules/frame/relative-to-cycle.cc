@@ -5,48 +5,21 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::relative_to_cycle {
-namespace {
 
 void check(const model::FrameProblem& problem, Context& context) {
-  context.report({.where = problem.where,
-                  .message = "poses are relative to each other in a circle: " + chain(problem),
-                  .subject = problem.subject});
+  report_cycle(problem, "poses are relative to each other", context);
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "relative-to-cycle",
-      .category = Category::kFrame,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .summary = "poses are relative to each other in a circle",
       .why = "libsdformat refuses the file: nothing in the circle has a place.",
-      .what_to_do =
-          "Give one of the frames a pose relative to something outside the circle, such "
-          "as __model__.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="a">
-      <pose relative_to="«b»"/>
-    </link>
-    <link name="b">
-      <pose relative_to="a"/>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="a"/>
-    <link name="b">
-      <pose relative_to="a"/>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .what_to_do = "Give one of the frames a pose relative to something outside the circle, such "
+                    "as __model__.",
       .checks = {on_frames({model::FrameProblemKind::kRelativeToCycle}, check)},
   };
 }

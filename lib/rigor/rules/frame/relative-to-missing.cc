@@ -3,12 +3,12 @@
 
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include <rigor/rules/reference/nearest.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::relative_to_missing {
-namespace {
 
 /// libsdformat looks for the frames of models, links, joints and frames while it loads, and for those of
 /// all else when somebody asks.
@@ -22,62 +22,25 @@ bool refused(const model::FrameProblem& problem, const Context& context) {
 }
 
 void check(const model::FrameProblem& problem, Context& context) {
-  const Suggestion near = suggest(problem.name, problem.candidates, problem.where, context);
-  context.report(
-      {.where = problem.where,
-       .message = "the pose is relative to '" + problem.name + "', which is nothing in this scope",
-       .subject = problem.subject,
-       .help = near.help,
-       .fix = near.fix,
-       .refused = refused(problem, context)});
+  Finding finding = unresolved(
+      problem, "the pose is relative to '" + problem.name + "', which is nothing in this scope",
+      context);
+  finding.refused = refused(problem, context);
+  context.report(std::move(finding));
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "relative-to-missing",
-      .category = Category::kFrame,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "a pose is relative to a frame that does not exist",
-      .why =
-          "Of a link, joint, frame or model libsdformat refuses the file: without the frame there "
-          "is "
-          "no pose. Of a visual, collision, sensor or light the simulator prints an error and "
-          "takes "
-          "the numbers as if no frame were named.",
-      .what_to_do =
-          "Name a link, joint, frame or model of the same scope. The world can be named "
-          "only from a pose that stands in the world itself.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip">
-      <pose relative_to="«bse»">1 0 0 0 0 0</pose>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip">
-      <pose relative_to="base">1 0 0 0 0 0</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip">
-      <pose relative_to="base">1 0 0 0 0 0</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .why = "Of a link, joint, frame or model libsdformat refuses the file: without the frame "
+             "there is no pose. Of a visual, collision, sensor or light the simulator prints an "
+             "error and takes the numbers as if no frame were named.",
+      .what_to_do = "Name a link, joint, frame or model of the same scope. The world can be named "
+                    "only from a pose that stands in the world itself.",
       .checks = {on_frames({model::FrameProblemKind::kRelativeToMissing}, check)},
   };
 }

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::top_level_pose_relative_to {
-namespace {
 
 constexpr int kSince = 7;
 
@@ -16,22 +15,17 @@ void check(const model::Model& model, Context& context) {
   const model::Field<std::string>& frame = model.pose.relative_to;
   // Other names are told as the nothing, or the circle, that they are.
   if (!frame.written || frame.value != "world") return;
-  const auto attribute = context.element(model.pose.site).attribute("relative_to");
-  if (!attribute) return;
   context.report({.where = frame.span,
                   .message = "no frame is around a model at the top of a file: relative_to has to "
                              "be left out",
                   .subject = context.subject(model),
                   .fix = fix_of("take it out", Applicability::kSafe,
-                                xml::remove_attribute(context.document(), *attribute))});
+                                attribute_removed(context, model.pose.site, "relative_to"))});
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "top-level-pose-relative-to",
-      .category = Category::kFrame,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
@@ -39,39 +33,8 @@ Rule rule() {
       .summary = "the pose of a model at the top of a file is relative to a frame",
       .why =
           "No frame is around such a model: whoever includes it decides where it stands. "
-          "libsdformat refuses the file: relative_to must be left empty there, even for "
-          "\"world\".",
+          "libsdformat refuses the file: relative_to must be left empty there, even for \"world\".",
       .what_to_do = "Take relative_to out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <pose relative_to="«world»">0 0 1 0 0 0</pose>
-    <link name="base"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <pose>0 0 1 0 0 0</pose>
-    <link name="base"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <pose>0 0 1 0 0 0</pose>
-    <link name="base"/>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <world name="lab">
-    <model name="arm">
-      <pose relative_to="world">0 0 1 0 0 0</pose>
-      <link name="base"/>
-    </model>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Model>(check)},
   };
 }

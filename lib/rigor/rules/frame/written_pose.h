@@ -18,11 +18,36 @@
 
 namespace rigor::rules {
 
+/// How the attributes of a pose say that its rotation is written.
+struct RotationFormat {
+  bool declared = false;  ///< `rotation_format` is there
+  bool quaternion = false;
+  bool degrees = false;
+  Span degrees_span;
+};
+
+/// All false when the pose is not one of the file itself.
+inline RotationFormat rotation_format(const model::PoseField& pose, const Context& context) {
+  RotationFormat result;
+  if (pose.site.span.nowhere() || !context.root().own(pose.site)) return result;
+  const xml::Element element = context.element(pose.site);
+  if (const auto format = element.attribute("rotation_format")) {
+    result.declared = true;
+    result.quaternion = format->value() == "quat_xyzw";
+  }
+  if (const auto unit = element.attribute("degrees")) {
+    result.degrees = unit->value() == "true" || unit->value() == "1";
+    result.degrees_span = unit->value_span();
+  }
+  return result;
+}
+
 /// The rotation of a pose: three angles, or a quaternion x y z w.
 struct WrittenRotation {
   std::vector<double> numbers;
   bool degrees = false;
-  Span span;  ///< of the value that holds the numbers
+  Span span;             ///< of the value that holds the numbers
+  bool verbatim = true;  ///< whether that value is the file's own bytes
 };
 
 /// Nothing when none is written, or when it is not a pose.
@@ -38,18 +63,16 @@ inline std::optional<WrittenRotation> written_rotation(const model::PoseField& p
   }
   const auto old = element.attribute("pose");  // SDF 1.0: <origin pose="…"/>
   if (element.name() == "origin" && !old) return std::nullopt;
-  const auto format = element.attribute("rotation_format");
-  const bool quaternion = format && format->value() == "quat_xyzw";
+  const RotationFormat format = rotation_format(pose, context);
   const auto parsed = schema::parse_pose(
       old ? old->value() : element.text(),
-      quaternion ? schema::RotationFormat::kQuatXyzw : schema::RotationFormat::kEulerRpy);
+      format.quaternion ? schema::RotationFormat::kQuatXyzw : schema::RotationFormat::kEulerRpy);
   const auto* numbers = std::get_if<schema::PoseNumbers>(&parsed);
   if (numbers == nullptr || numbers->count < 6) return std::nullopt;
-  const auto unit = element.attribute("degrees");
-  const bool degrees = unit && (unit->value() == "true" || unit->value() == "1");
   return WrittenRotation{{numbers->numbers.begin() + 3, numbers->numbers.begin() + numbers->count},
-                         degrees,
-                         old ? old->value_span() : element.text_span()};
+                         format.degrees,
+                         old ? old->value_span() : element.text_span(),
+                         element.text_verbatim()};
 }
 
 /// A check of the pose of whatever can have one; the subject is added for it.

@@ -13,7 +13,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::collision_duplicate {
-namespace {
 
 /// Kind, numbers of pose and sizes, file: equal for shapes that fill the same space.
 using Key = std::tuple<std::size_t, std::vector<double>, std::string>;
@@ -80,90 +79,20 @@ void check(const model::Link& link, Context& context) {
                                 other.name.value.empty() ? "" : ": '" + other.name.value + "'"),
          .subject = context.subject(collision),
          .related = {{other.site.name, "the first one"}},
-         .fix = fix_of("remove it", Applicability::kUnsafe,
-                       xml::remove_element(context.document(), context.element(collision.site)))});
+         .fix = fix_of("remove it", Applicability::kUnsafe, removed(context, collision.site))});
   }
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "collision-duplicate",
-      .category = Category::kGeometry,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a link has the same collision shape twice in the same place",
-      .why =
-          "It was copied and not moved. Both are there: contacts count twice, so they are twice as "
-          "stiff "
-          "and cost twice the time; where the mass is computed from the shapes, it counts twice as "
-          "well. "
-          "The part that the copy was meant for has none.",
+      .why = "It was copied and not moved. Both are there: contacts count twice, so they are twice "
+             "as stiff and cost twice the time; where the mass is computed from the shapes, it "
+             "counts twice as well. The part that the copy was meant for has none.",
       .what_to_do = "Give the copy its own pose and size, or take it out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="table">
-    <static>true</static>
-    <link name="body">
-      <collision name="left_leg">
-        <pose>0 0.5 0.4 0 0 0</pose>
-        <geometry><box><size>0.1 0.1 0.8</size></box></geometry>
-      </collision>
-      <«collision» name="right_leg">
-        <pose>0 0.5 0.4 0 0 0</pose>
-        <geometry><box><size>0.1 0.1 0.8</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="table">
-    <static>true</static>
-    <link name="body">
-      <collision name="left_leg">
-        <pose>0 0.5 0.4 0 0 0</pose>
-        <geometry><box><size>0.1 0.1 0.8</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="table">
-  <link name="body">
-    <collision>
-      <geometry><sphere radius="0.1"/></geometry>
-    </collision>
-    <«collision»>
-      <geometry><sphere radius="0.1"/></geometry>
-    </collision>
-  </link>
-</robot>
-)",
-               R"(<robot name="table">
-  <link name="body">
-    <collision>
-      <geometry><sphere radius="0.1"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="table">
-    <static>true</static>
-    <link name="body">
-      <collision name="left_leg">
-        <pose>0 0.5 0.4 0 0 0</pose>
-        <geometry><box><size>0.1 0.1 0.8</size></box></geometry>
-      </collision>
-      <collision name="right_leg">
-        <pose>0 -0.5 0.4 0 0 0</pose>
-        <geometry><box><size>0.1 0.1 0.8</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

@@ -8,10 +8,9 @@
 #include <rigor/rules/schema/misspelt.h>
 
 namespace rigor::rules::collision_missing {
-namespace {
 
 void report_link(const model::Link& link, Context& context) {
-  if (misspelt_child(context.element(link.site), "collision", context)) return;  // unknown-element
+  if (misspelt_child(link.site, "collision", context)) return;  // unknown-element
   context.report({.where = link.site.name,
                   .message = "the link '" + link.name.value +
                              "' can be seen but not touched: it has a visual and no collision",
@@ -40,80 +39,15 @@ void check_robot(const model::Model& robot, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "collision-missing",
-      .category = Category::kGeometry,
       .severity = Severity::kInfo,
       .summary = "a link that moves has a visual but no collision",
-      .why =
-          "It falls through the ground and other bodies pass through it. That is often meant, "
-          "for a small part that is fixed to another; in a URDF those are not told of, nor robots "
-          "without "
-          "any collision.",
+      .why = "It falls through the ground and other bodies pass through it. That is often meant, "
+             "for a small part that is fixed to another; in a URDF those are not told of, nor "
+             "robots without any collision.",
       .what_to_do = "Add a collision, best a simple shape about the visual.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <«link» name="body">
-      <visual name="hull">
-        <geometry>
-          <box><size>1 2 3</size></box>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base">
-    <collision>
-      <geometry><box size="1 1 0.1"/></geometry>
-    </collision>
-  </link>
-  <«link» name="body">
-    <visual>
-      <geometry><box size="0.1 0.1 0.5"/></geometry>
-    </visual>
-  </link>
-  <joint name="waist" type="continuous">
-    <parent link="base"/>
-    <child link="body"/>
-    <axis xyz="0 0 1"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <visual name="hull">
-        <geometry>
-          <box><size>1 2 3</size></box>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<robot name="arm">
-  <link name="base">
-    <collision>
-      <geometry><box size="1 1 0.1"/></geometry>
-    </collision>
-  </link>
-  <link name="badge">
-    <visual>
-      <geometry><box size="0.1 0.1 0.001"/></geometry>
-    </visual>
-  </link>
-  <joint name="rivet" type="fixed">
-    <parent link="base"/>
-    <child link="badge"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Link>(check), on<model::Model>(check_robot)},
   };
 }

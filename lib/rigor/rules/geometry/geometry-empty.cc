@@ -6,81 +6,30 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::geometry_empty {
-namespace {
 
 template <class Part>
 void check(const Part& part, Context& context) {
   const model::Geometry& geometry = part.geometry;
   if (!geometry.written || geometry.explicitly_empty) return;
   if (!std::holds_alternative<model::NoShape>(geometry.shape)) return;
-  const auto children = context.element(geometry.site).children();
-  if (!children.empty() && !context.is_urdf()) return;  // unknown-element
-  const std::string name(children.empty() ? "" : (*children.begin()).name());
-  context.report({.where = children.empty() ? geometry.site.name : (*children.begin()).name_span(),
-                  .message = children.empty() ? "the geometry holds no shape"
-                                              : "<" + name + "> is no shape of URDF",
+  const Span other = geometry.no_shape.name;
+  if (!other.nowhere() && !context.is_urdf()) return;  // unknown-element
+  context.report({.where = other.nowhere() ? geometry.site.name : other,
+                  .message = other.nowhere() ? "the geometry holds no shape"
+                                             : "<" + std::string(context.bytes(other)) +
+                                                   "> is no shape of URDF",
                   .subject = context.subject(part)});
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "geometry-empty",
-      .category = Category::kGeometry,
       .severity = Severity::kError,
       .summary = "a <geometry> holds no shape",
-      .why =
-          "urdfdom stops reading the link with an error: this part and all that follow are not "
-          "there, first the visuals, then the collisions. libsdformat takes it for nothing.",
-      .what_to_do =
-          "Put a shape in, or take the visual or collision out. Where nothing is meant, "
-          "SDF has <empty/>.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <collision name="hull">
-        <«geometry»/>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base">
-    <collision>
-      <«geometry»/>
-    </collision>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <collision name="hull">
-        <geometry>
-          <box><size>1 2 3</size></box>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <collision name="hull">
-        <geometry>
-          <empty/>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .why = "urdfdom stops reading the link with an error: this part and all that follow are not "
+             "there, first the visuals, then the collisions. libsdformat takes it for nothing.",
+      .what_to_do = "Put a shape in, or take the visual or collision out. Where nothing is meant, "
+                    "SDF has <empty/>.",
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };
 }

@@ -4,65 +4,32 @@
 #include <string>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/xml/xacro.h>
-#include <rigor/schema/suggest.h>
+#include <rigor/rules/schema/misspelt.h>
 
 namespace rigor::rules::geometry_missing {
-namespace {
-
-/// A child that is a misspelt <geometry> is told as an unknown element; a plugin may draw the visual.
-bool has_another_reason(xml::Element part) {
-  for (const xml::Element child : part.children()) {
-    if (child.name() == "plugin" || !schema::near(child.name(), {"geometry"}).empty()) return true;
-  }
-  return false;
-}
 
 template <class Part>
 void check(const Part& part, Context& context) {
   if (part.geometry.written) return;
-  const xml::Element element = context.element(part.site);
-  if (has_another_reason(element) || has_xacro_child(element)) return;
-  context.report({.where = part.site.name,
-                  .message = "<" + std::string(element.name()) + "> has no <geometry>",
-                  .subject = context.subject(part)});
+  // A misspelt <geometry> is told as an unknown element; a plugin may draw the visual.
+  if (has_near_child(part.site, "geometry", context) ||
+      has_near_child(part.site, "plugin", context) || has_xacro_child(part.site, context)) {
+    return;
+  }
+  context.report(
+      {.where = part.site.name,
+       .message = "<" + std::string(context.bytes(part.site.name)) + "> has no <geometry>",
+       .subject = context.subject(part)});
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "geometry-missing",
-      .category = Category::kGeometry,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a collision or visual has no <geometry>",
       .why = "libsdformat takes it for a part without a shape: nothing is touched, or seen.",
       .what_to_do = "Add the <geometry> with its shape, or take the part out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <«collision» name="hull">
-        <pose>0 0 1 0 0 0</pose>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <collision name="hull">
-        <geometry>
-          <box><size>1 2 3</size></box>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };
 }

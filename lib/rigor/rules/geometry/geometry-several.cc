@@ -6,7 +6,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::geometry_several {
-namespace {
 
 template <class Part>
 void check(const Part& part, Context& context) {
@@ -20,45 +19,14 @@ void check(const Part& part, Context& context) {
                   .related = {{geometry.site.name, "the first shape"}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "geometry-several",
-      .category = Category::kGeometry,
       .severity = Severity::kError,
       .summary = "a <geometry> holds more than one shape",
-      .why =
-          "libsdformat takes the first of its own order (box, capsule, cylinder, …), not the "
-          "first in the file; urdfdom takes the first. The other is dropped without a word.",
+      .why = "libsdformat takes the first of its own order (box, capsule, cylinder, …), not the "
+             "first in the file; urdfdom takes the first. The other is dropped without a word.",
       .what_to_do = "Give each shape a visual or collision of its own.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <collision name="hull">
-        <geometry>
-          <box><size>1 2 3</size></box>
-          <«sphere»><radius>1</radius></sphere>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <collision name="hull">
-        <geometry>
-          <box><size>1 2 3</size></box>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };
 }

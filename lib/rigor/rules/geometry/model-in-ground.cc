@@ -1,7 +1,6 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
 #include <map>
 #include <string>
 #include <string_view>
@@ -10,12 +9,11 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/geometry/placed_shapes.h>
+#include <rigor/robot/placed_collisions.h>
 #include <rigor/rules/geometry/world_shapes.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::model_in_ground {
-namespace {
 
 using model::Id;
 using model::Vector3;
@@ -44,7 +42,7 @@ bool is_ground_plane(std::string_view uri) {
 
 std::vector<Ground> grounds(const model::Root& root, const model::Frames& frames) {
   std::vector<Ground> found;
-  const auto top = top_models(root);
+  const auto top = robot::top_models(root);
   for (std::uint32_t i = 0; i < root.collisions.size() && found.size() < kMostPlanes; ++i) {
     const auto* plane = std::get_if<model::Plane>(&root.collisions[i].geometry.shape);
     const auto X_WP = frames.pose(Id<model::Collision>{i});
@@ -79,7 +77,7 @@ void check(const model::Root& root, Context& context) {
   const std::vector<Ground> planes = grounds(root, context.frames());
   if (planes.empty()) return;
   std::map<Id<model::Model>, Sunk> sunk;
-  for (const PlacedCollision& placed : placed_collisions(root, context.frames())) {
+  for (const robot::PlacedCollision& placed : robot::placed_collisions(root, context.frames())) {
     if (placed.fast) continue;
     for (const Ground& ground : planes) {
       if (ground.top == placed.top || ground.world != root[placed.top].world) continue;
@@ -104,84 +102,17 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "model-in-ground",
-      .category = Category::kGeometry,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a model of a world begins inside the ground",
-      .why =
-          "All below a plane is solid for the engines: what begins there is thrown out at the "
-          "first step, "
-          "the faster the deeper, or stays caught. It is the pose of the model's middle that was "
-          "given "
-          "where that of its feet was meant, or none.",
-      .what_to_do =
-          "Raise the model by that much with its <pose>. `rigor simulate` shows how it lands. "
-          "Boxes, "
-          "balls, cylinders and the like are looked at, meshes are not.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <model name="floor">
-      <static>true</static>
-      <link name="slab">
-        <collision name="ground">
-          <geometry><plane><normal>0 0 1</normal></plane></geometry>
-        </collision>
-      </link>
-    </model>
-    <«model» name="crate">
-      <link name="body">
-        <collision name="wood">
-          <geometry><box><size>0.5 0.5 0.5</size></box></geometry>
-        </collision>
-      </link>
-    </model>
-  </world>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>https://fuel.gazebosim.org/1.0/OpenRobotics/models/Ground Plane</uri>
-    </include>
-    <«model» name="ball">
-      <pose>0 0 0.1 0 0 0</pose>
-      <link name="body">
-        <collision name="skin">
-          <geometry><sphere><radius>0.2</radius></sphere></geometry>
-        </collision>
-      </link>
-    </model>
-  </world>
-</sdf>
-)"}},
-      .good = {{
-          R"(<sdf version="1.9">
-  <world name="lab">
-    <model name="floor">
-      <static>true</static>
-      <link name="slab">
-        <collision name="ground">
-          <geometry><plane><normal>0 0 1</normal></plane></geometry>
-        </collision>
-      </link>
-    </model>
-    <model name="crate">
-      <pose>0 0 0.25 0 0 0</pose>
-      <link name="body">
-        <collision name="wood">
-          <geometry><box><size>0.5 0.5 0.5</size></box></geometry>
-        </collision>
-      </link>
-    </model>
-  </world>
-</sdf>
-)",
-      }},
+      .why = "All below a plane is solid for the engines: what begins there is thrown out at the "
+             "first step, the faster the deeper, or stays caught. It is the pose of the model's "
+             "middle that was given where that of its feet was meant, or none.",
+      .what_to_do = "Raise the model by that much with its <pose>. `rigor simulate` shows how it "
+                    "lands. Boxes, balls, cylinders and the like are looked at, meshes are not.",
       .checks = {on<model::Root>(check)},
   };
 }

@@ -9,12 +9,11 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/geometry/placed_shapes.h>
+#include <rigor/robot/placed_collisions.h>
 #include <rigor/rules/geometry/world_shapes.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::models_overlap {
-namespace {
 
 using ModelId = model::Id<model::Model>;
 
@@ -33,7 +32,7 @@ using Found = std::map<ModelId, std::map<ModelId, Neighbour>>;
 
 /// Models that a joint connects, or a plugin that makes one.
 std::set<std::pair<ModelId, ModelId>> joined(const model::Root& root, const model::Frames& frames) {
-  const auto top = top_models(root);
+  const auto top = robot::top_models(root);
   std::set<std::pair<ModelId, ModelId>> pairs;
   for (std::uint32_t i = 0; i < root.joints.size(); ++i) {
     const auto& ends = frames.ends({i});
@@ -53,23 +52,23 @@ bool may_hold_others(const model::Root& root) {
 }
 
 Found find(const model::Root& root, Context& context) {
-  std::vector<PlacedCollision> placed = placed_collisions(root, context.frames());
+  std::vector<robot::PlacedCollision> placed = robot::placed_collisions(root, context.frames());
   const auto connected = joined(root, context.frames());
   Found found;
-  for_near_pairs(
+  robot::for_near_pairs(
       placed,
-      [&](const PlacedCollision& a, const PlacedCollision& b) {
+      [&](const robot::PlacedCollision& a, const robot::PlacedCollision& b) {
         return a.top != b.top && !(a.fast && b.fast) && root[a.top].world == root[b.top].world &&
                !connected.contains(std::minmax(a.top, b.top)) &&
                !is_choosy(*a.collision, context) && !is_choosy(*b.collision, context);
       },
-      [&](const PlacedCollision& a, const PlacedCollision& b) {
+      [&](const robot::PlacedCollision& a, const robot::PlacedCollision& b) {
         const double depth = mass::common_ball(a.shape, b.shape);
         const double smaller = 2 * std::min(a.shape.inradius(), b.shape.inradius());
         if (depth < kDeep || depth < kDeepShare * smaller) return;
         const bool a_moves = !a.fast && (b.fast || a.top > b.top);
-        const PlacedCollision& mover = a_moves ? a : b;
-        const PlacedCollision& other = a_moves ? b : a;
+        const robot::PlacedCollision& mover = a_moves ? a : b;
+        const robot::PlacedCollision& other = a_moves ? b : a;
         Neighbour& pair = found[mover.top][other.top];
         if (depth <= pair.depth) return;
         pair = {mover.collision, other.collision,
@@ -101,69 +100,18 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "models-overlap",
-      .category = Category::kGeometry,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "models of a world begin inside each other",
-      .why =
-          "Models collide with each other in every engine. Those that are in each other at the "
-          "start are "
-          "thrown apart at the first step, the faster the deeper; or one of them falls through a "
-          "thin "
-          "floor. Boxes, balls, cylinders and the like are looked at, meshes are not.",
-      .what_to_do =
-          "Move one of them by its <pose>: what stands on the other has its lowest point on the "
-          "other's "
-          "highest.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <model name="table">
-      <static>true</static>
-      <link name="top">
-        <collision name="board">
-          <geometry><box><size>1 1 0.8</size></box></geometry>
-        </collision>
-      </link>
-    </model>
-    <«model» name="cup">
-      <pose>0.2 0.1 0.4 0 0 0</pose>
-      <link name="body">
-        <collision name="wall">
-          <geometry><cylinder><radius>0.04</radius><length>0.1</length></cylinder></geometry>
-        </collision>
-      </link>
-    </model>
-  </world>
-</sdf>
-)"}},
-      .good = {{
-          R"(<sdf version="1.9">
-  <world name="lab">
-    <model name="table">
-      <static>true</static>
-      <link name="top">
-        <collision name="board">
-          <geometry><box><size>1 1 0.8</size></box></geometry>
-        </collision>
-      </link>
-    </model>
-    <model name="cup">
-      <pose>0.2 0.1 0.45 0 0 0</pose>
-      <link name="body">
-        <collision name="wall">
-          <geometry><cylinder><radius>0.04</radius><length>0.1</length></cylinder></geometry>
-        </collision>
-      </link>
-    </model>
-  </world>
-</sdf>
-)",
-      }},
+      .why = "Models collide with each other in every engine. Those that are in each other at the "
+             "start are thrown apart at the first step, the faster the deeper; or one of them "
+             "falls through a thin floor. Boxes, balls, cylinders and the like are looked at, "
+             "meshes are not.",
+      .what_to_do = "Move one of them by its <pose>: what stands on the other has its lowest point "
+                    "on the other's highest.",
       .checks = {on<model::Root>(check)},
   };
 }

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plane_normal_zero {
-namespace {
 
 template <class Part>
 void check(const Part& part, Context& context) {
@@ -20,60 +19,16 @@ void check(const Part& part, Context& context) {
        .fix = Fix{"let it face up", Applicability::kUnsafe, {{plane->normal.span, "0 0 1"}}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plane-normal-zero",
-      .category = Category::kGeometry,
       .severity = Severity::kError,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the normal of a plane is zero",
-      .why =
-          "The normal says which side is up. Normalised, zero becomes nan or stays zero, and "
-          "nothing rests "
-          "on the plane.",
+      .why = "The normal says which side is up. Normalised, zero becomes nan or stays zero, and "
+             "nothing rests on the plane.",
       .what_to_do = "Write the direction the plane faces; 0 0 1 for a floor.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="ground">
-    <static>true</static>
-    <link name="slab">
-      <collision name="top">
-        <geometry>
-          <plane><normal>«0 0 0»</normal></plane>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="ground">
-    <static>true</static>
-    <link name="slab">
-      <collision name="top">
-        <geometry>
-          <plane><normal>0 0 1</normal></plane>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="ramp">
-    <static>true</static>
-    <link name="slab">
-      <collision name="top">
-        <geometry>
-          <plane><normal>1 0 3</normal></plane>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };
 }

@@ -5,27 +5,19 @@
 
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/misspelt.h>
 
 namespace rigor::rules::plane_on_moving_link {
-namespace {
-
-/// Whether there is a <static> already, if only a misspelt one, that has to be put right first.
-bool has_near_static(xml::Element model) {
-  for (const xml::Element child : model.children()) {
-    if (child.name() == "static" || !schema::near(child.name(), {"static"}).empty()) return true;
-  }
-  return false;
-}
 
 /// The model that would have to be static: its own, when nothing in it can move.
 std::optional<Fix> make_static(const model::Model& model, Context& context) {
+  // One that is there, if only misspelt, has to be put right first.
   if (!context.root().own(model.site) || !model.joints.empty() || model.links.size() != 1 ||
-      model.is_static.written || has_near_static(context.element(model.site))) {
+      model.is_static.written || has_near_child(model.site, "static", context)) {
     return std::nullopt;
   }
   return fix_of("make the model static", Applicability::kUnsafe,
-                xml::insert_child(context.document(), context.element(model.site), std::nullopt,
-                                  "<static>true</static>"));
+                inserted(context, model.site, {}, "<static>true</static>"));
 }
 
 void check(const model::Collision& collision, Context& context) {
@@ -41,59 +33,17 @@ void check(const model::Collision& collision, Context& context) {
                   .fix = make_static(root[link.model], context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plane-on-moving-link",
-      .category = Category::kGeometry,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a plane collides on a link that moves",
-      .why =
-          "A plane is a half space: all below it is solid. ODE knows no plane that moves with a "
-          "body, MuJoCo refuses one, and a ground that is not static falls.",
+      .why = "A plane is a half space: all below it is solid. ODE knows no plane that moves with a "
+             "body, MuJoCo refuses one, and a ground that is not static falls.",
       .what_to_do =
           "Add <static>true</static> to the model when it is the ground, else use a thin box.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="ground">
-    <link name="slab">
-      <collision name="top">
-        <geometry>
-          <«plane»><normal>0 0 1</normal></plane>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="ground">
-    <static>true</static>
-    <link name="slab">
-      <collision name="top">
-        <geometry>
-          <plane><normal>0 0 1</normal></plane>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="ground">
-    <static>true</static>
-    <link name="slab">
-      <collision name="top">
-        <geometry>
-          <plane><normal>0 0 1</normal></plane>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Collision>(check)},
   };
 }

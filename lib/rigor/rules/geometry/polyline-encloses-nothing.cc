@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::polyline_encloses_nothing {
-namespace {
 
 // Whether its sides cross takes the square of their number: here some milliseconds. Nobody writes more
 // by hand, and no program crosses its own lines.
@@ -38,78 +37,17 @@ void check(const Part& part, Context& context) {
                   .subject = context.subject(part)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "polyline-encloses-nothing",
-      .category = Category::kGeometry,
       .severity = Severity::kError,
       .formats = Formats::kSdf,
       .summary = "the outline of a <polyline> has too few points, or crosses itself",
-      .why =
-          "Gazebo cuts the outline into triangles and extrudes them. Of fewer than three points, "
-          "or where "
-          "sides cross, none or wrong ones come out: the shape has holes, or is not there.",
-      .what_to_do =
-          "Write the corners one after another in the order in which they follow each other round "
-          "the "
-          "outline. A hole is a second <polyline> in the same geometry.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="plate">
-    <static>true</static>
-    <link name="body">
-      <visual name="steel">
-        <geometry>
-          <«polyline»>
-            <point>0 0</point>
-            <point>1 1</point>
-            <point>1 0</point>
-            <point>0 1</point>
-            <height>0.01</height>
-          </polyline>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="plate">
-    <static>true</static>
-    <link name="body">
-      <collision name="steel">
-        <geometry>
-          <«polyline»>
-            <point>0 0</point>
-            <point>1 1</point>
-            <height>0.01</height>
-          </polyline>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="plate">
-    <static>true</static>
-    <link name="body">
-      <visual name="steel">
-        <geometry>
-          <polyline>
-            <point>0 0</point>
-            <point>1 0</point>
-            <point>1 1</point>
-            <point>0 1</point>
-            <height>0.01</height>
-          </polyline>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .why = "Gazebo cuts the outline into triangles and extrudes them. Of fewer than three "
+             "points, or where sides cross, none or wrong ones come out: the shape has holes, or "
+             "is not there.",
+      .what_to_do = "Write the corners one after another in the order in which they follow each "
+                    "other round the outline. A hole is a second <polyline> in the same geometry.",
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };
 }

@@ -6,7 +6,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::shape_newer_than_urdf {
-namespace {
 
 template <class Entity>
 void check(const Entity& entity, Context& context) {
@@ -17,39 +16,17 @@ void check(const Entity& entity, Context& context) {
                   .subject = context.subject(entity)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "shape-newer-than-urdf",
-      .category = Category::kGeometry,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .summary = "a shape is newer than the version of the file",
-      .why =
-          "urdfdom knows capsules since 5.1, in files of version 1.1; else it stops reading the "
-          "link "
-          "here, and RViz and MoveIt have neither this part nor those that follow. Pinocchio, "
-          "Drake and others have readers of their own and take it.",
-      .what_to_do =
-          "Write version=\"1.1\" at <robot> where urdfdom is new enough, or a cylinder and two "
-          "spheres.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base">
-    <collision>
-      <geometry><«capsule» radius="0.1" length="0.5"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm" version="1.1">
-  <link name="base">
-    <collision>
-      <geometry><capsule radius="0.1" length="0.5"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
+      .why = "urdfdom knows capsules since 5.1, in files of version 1.1; else it stops reading the "
+             "link here, and RViz and MoveIt have neither this part nor those that follow. "
+             "Pinocchio, Drake and others have readers of their own and take it.",
+      .what_to_do = "Write version=\"1.1\" at <robot> where urdfdom is new enough, or a cylinder "
+                    "and two spheres.",
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };
 }

@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::shape_not_in_urdf {
-namespace {
 
 bool is_taken(const model::Shape& shape) {
   return std::holds_alternative<model::Box>(shape) ||
@@ -30,71 +29,17 @@ void check(const Entity& entity, Context& context) {
        .subject = context.subject(entity)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "shape-not-in-urdf",
-      .category = Category::kGeometry,
       .severity = Severity::kError,
       .formats = Formats::kSdf,
       .targets = {Target::kRos},
       .summary = "a shape is one that a robot of ROS cannot have",
-      .why =
-          "ROS reads SDF by sdformat_urdf, which makes a URDF robot of it. It knows boxes, "
-          "cylinders, spheres and meshes, and refuses the whole model for any other shape.",
+      .why = "ROS reads SDF by sdformat_urdf, which makes a URDF robot of it. It knows boxes, "
+             "cylinders, spheres and meshes, and refuses the whole model for any other shape.",
       .what_to_do =
           "Write a cylinder for a capsule, a sphere or a mesh for an ellipsoid, a box for a plane.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="car">
-    <link name="base">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-      <collision name="body">
-        <geometry><«capsule»><radius>0.1</radius><length>0.5</length></capsule></geometry>
-      </collision>
-    </link>
-    <link name="wheel">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-    </link>
-    <joint name="axle" type="revolute">
-      <parent>base</parent>
-      <child>wheel</child>
-      <axis><xyz>0 1 0</xyz></axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="car">
-    <link name="base">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-      <collision name="body">
-        <geometry><cylinder><radius>0.1</radius><length>0.5</length></cylinder></geometry>
-      </collision>
-    </link>
-    <link name="wheel">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-    </link>
-    <joint name="axle" type="revolute">
-      <parent>base</parent>
-      <child>wheel</child>
-      <axis><xyz>0 1 0</xyz></axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };
 }

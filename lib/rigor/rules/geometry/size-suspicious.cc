@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::size_suspicious {
-namespace {
 
 // m: what a part of a robot measures, where the size was written in another unit.
 constexpr double kLikelySmall = 0.01;
@@ -44,54 +43,14 @@ void check(const Part& part, Context& context) {
                   .help = meant(*largest)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "size-suspicious",
-      .category = Category::kGeometry,
       .severity = Severity::kWarning,
       .summary = "a shape of a link that moves is larger than 100 m",
-      .why =
-          "Sizes are in metres. A part of 300 mm that was written as 300 is as large as a stadium: "
-          "it throws "
-          "all else about, and no camera sees its outside.",
+      .why = "Sizes are in metres. A part of 300 mm that was written as 300 is as large as a "
+             "stadium: it throws all else about, and no camera sees its outside.",
       .what_to_do = "Write the size in metres. What stands fast may be as large as it likes.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="brick">
-    <link name="body">
-      <collision name="clay">
-        <geometry>
-          <«box»><size>200 100 50</size></box>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="brick">
-  <link name="body">
-    <visual>
-      <geometry>
-        <«cylinder» radius="60" length="40"/>
-      </geometry>
-    </visual>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="hall">
-    <static>true</static>
-    <link name="body">
-      <collision name="floor">
-        <geometry>
-          <box><size>200 100 1</size></box>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };
 }

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include <rigor/mass/convex.h>
-#include <rigor/rules/geometry/placed_shapes.h>
+#include <rigor/robot/placed_collisions.h>
 
 namespace rigor::rules {
 
@@ -19,7 +19,7 @@ inline constexpr double kLargeShape = 100;
 /// The largest extent (m) of a shape with a closed form, where that is too much for what moves.
 inline std::optional<double> suspicious_size(const model::Shape& shape) {
   const auto convex = mass::ConvexShape::of(shape, {});
-  if (!convex || !sizes_are_written(shape)) return std::nullopt;
+  if (!convex || !robot::sizes_are_written(shape)) return std::nullopt;
   const mesh::Bounds box = convex->bounds();
   const model::Vector3 size = box.max - box.min;
   const double largest = std::max({size.x, size.y, size.z});

@@ -5,12 +5,10 @@
 
 #include <fmt/core.h>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::transparency_out_of_range {
-namespace {
 
 /// Where a percentage was written: its share of one.
 std::optional<Fix> as_share(const model::Field<double>& field) {
@@ -21,8 +19,7 @@ std::optional<Fix> as_share(const model::Field<double>& field) {
 }
 
 void check(const model::Visual& visual, Context& context) {
-  const auto transparency =
-      read::number_field(read::child_text(context.element(visual.site), "transparency"), 0);
+  const auto& transparency = visual.transparency;
   if (transparency.value >= 0 && transparency.value <= 1) return;
   context.report(
       {.where = transparency.span,
@@ -33,57 +30,17 @@ void check(const model::Visual& visual, Context& context) {
        .fix = as_share(transparency)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "transparency-out-of-range",
-      .category = Category::kGeometry,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the transparency of a visual is below 0 or above 1",
       .why =
           "The opacity is 1 minus the transparency. Above 1 nothing is left of the visual; below 0 "
-          "the "
-          "number means nothing. Mostly it is in per cent, or the opacity was meant.",
+          "the number means nothing. Mostly it is in per cent, or the opacity was meant.",
       .what_to_do = "Write a number from 0 to 1; half transparent is 0.5.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="window">
-    <static>true</static>
-    <link name="body">
-      <visual name="pane">
-        <transparency>«50»</transparency>
-        <geometry><box><size>1 0.01 1</size></box></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="window">
-    <static>true</static>
-    <link name="body">
-      <visual name="pane">
-        <transparency>0.5</transparency>
-        <geometry><box><size>1 0.01 1</size></box></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="window">
-    <static>true</static>
-    <link name="body">
-      <visual name="pane">
-        <transparency>0.5</transparency>
-        <geometry><box><size>1 0.01 1</size></box></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Visual>(check)},
   };
 }

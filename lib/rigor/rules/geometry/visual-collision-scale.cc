@@ -12,7 +12,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::visual_collision_scale {
-namespace {
 
 using model::Vector3;
 
@@ -150,72 +149,16 @@ void check_mesh(const MeshFile& file, Context& context) {
   compare(*link, touched ? own : *other, touched ? *other : own, context);
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "visual-collision-scale",
-      .category = Category::kGeometry,
       .severity = Severity::kWarning,
       .summary = "a link's collision is the visual in another scale",
       .why =
           "Both have the same proportions, and one is 10, 100, 1000 or 25.4 times as large: a unit "
-          "or a "
-          "scale was put right in one of them only. The robot then touches what it does not reach, "
-          "or reaches through what it "
-          "touches. Two different meshes are not compared.",
+          "or a scale was put right in one of them only. The robot then touches what it does not "
+          "reach, or reaches through what it touches. Two different meshes are not compared.",
       .what_to_do = "Write the size or the mesh's <scale> of the wrong one as in the other.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="brick">
-    <static>true</static>
-    <«link» name="body">
-      <visual name="clay">
-        <geometry><box><size>0.2 0.1 0.05</size></box></geometry>
-      </visual>
-      <collision name="solid">
-        <geometry><box><size>200 100 50</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="ball">
-  <«link» name="body">
-    <visual>
-      <geometry><sphere radius="0.1"/></geometry>
-    </visual>
-    <collision>
-      <geometry><sphere radius="1"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="brick">
-    <static>true</static>
-    <link name="body">
-      <visual name="clay">
-        <geometry><box><size>0.2 0.1 0.05</size></box></geometry>
-      </visual>
-      <collision name="solid">
-        <geometry><box><size>0.22 0.1 0.06</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-               // A foot: the collision is a small part of what is seen.
-               {R"(<robot name="leg">
-  <link name="shank">
-    <visual>
-      <geometry><cylinder radius="0.04" length="0.5"/></geometry>
-    </visual>
-    <collision>
-      <geometry><sphere radius="0.03"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
       .checks = {on<model::Link>(check), on<MeshFile>(check_mesh)},
   };
 }

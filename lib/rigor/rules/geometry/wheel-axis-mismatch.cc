@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <optional>
 #include <variant>
 
 #include <fmt/core.h>
@@ -12,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::wheel_axis_mismatch {
-namespace {
 
 using model::Vector3;
 
@@ -68,90 +66,18 @@ void check(const model::Joint& joint, Context& context) {
   context.report(std::move(finding));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "wheel-axis-mismatch",
-      .category = Category::kGeometry,
       .severity = Severity::kWarning,
       .summary = "a wheel does not turn about its own axis",
       .why =
           "A joint without limits turns a flat cylinder through its middle, but about another line "
-          "than "
-          "the cylinder's. The wheel tumbles like a coin, or wobbles: it lifts the robot, or does "
-          "not roll. "
-          "Mostly the axis is right for another frame: up to SDF 1.4 it is in the model's, from "
-          "1.5 on in "
-          "the joint's; or the cylinder was turned and the axis not.",
-      .what_to_do =
-          "Write the axis along the cylinder's z, in the frame that the axis is in; `rigor "
-          "inspect` "
-          "prints both in one frame.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="cart">
-    <link name="body"/>
-    <link name="wheel">
-      <pose>0 0.2 0.1 -1.5708 0 0</pose>
-      <collision name="tyre">
-        <geometry><cylinder><radius>0.1</radius><length>0.04</length></cylinder></geometry>
-      </collision>
-    </link>
-    <joint name="axle" type="revolute">
-      <parent>body</parent>
-      <child>wheel</child>
-      <axis><xyz>«0 1 0»</xyz></axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="cart">
-  <link name="body"/>
-  <link name="wheel">
-    <collision>
-      <geometry><cylinder radius="0.1" length="0.04"/></geometry>
-    </collision>
-  </link>
-  <joint name="axle" type="continuous">
-    <parent link="body"/>
-    <child link="wheel"/>
-    <axis xyz="«0 1 0»"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="cart">
-    <link name="body"/>
-    <link name="wheel">
-      <pose>0 0.2 0.1 -1.5708 0 0</pose>
-      <collision name="tyre">
-        <geometry><cylinder><radius>0.1</radius><length>0.04</length></cylinder></geometry>
-      </collision>
-    </link>
-    <joint name="axle" type="revolute">
-      <parent>body</parent>
-      <child>wheel</child>
-      <axis><xyz>0 0 1</xyz></axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-               // A pendulum: the bob is beside the axis.
-               {R"(<robot name="clock">
-  <link name="body"/>
-  <link name="bob">
-    <collision>
-      <origin xyz="0 0 -1"/>
-      <geometry><cylinder radius="0.1" length="0.04"/></geometry>
-    </collision>
-  </link>
-  <joint name="pivot" type="continuous">
-    <parent link="body"/>
-    <child link="bob"/>
-    <axis xyz="0 1 0"/>
-  </joint>
-</robot>
-)"}},
+          "than the cylinder's. The wheel tumbles like a coin, or wobbles: it lifts the robot, or "
+          "does not roll. Mostly the axis is right for another frame: up to SDF 1.4 it is in the "
+          "model's, from 1.5 on in the joint's; or the cylinder was turned and the axis not.",
+      .what_to_do = "Write the axis along the cylinder's z, in the frame that the axis is in; "
+                    "`rigor inspect` prints both in one frame.",
       .checks = {on<model::Joint>(check)},
   };
 }

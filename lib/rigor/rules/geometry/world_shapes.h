@@ -25,11 +25,7 @@ inline std::optional<Span> place_of(const model::Model& model, const model::Root
 
 /// Whether the collision says itself what it touches, by bits, or that touching does nothing.
 inline bool is_choosy(const model::Collision& collision, const Context& context) {
-  if (!context.root().own(collision.site)) return false;
-  const auto surface = context.element(collision.site).child("surface");
-  const auto contact = surface ? surface->child("contact") : std::nullopt;
-  return contact && (contact->child("collide_bitmask") || contact->child("category_bitmask") ||
-                     contact->child("collide_without_contact"));
+  return context.root().own(collision.site) && collision.surface.chooses_contacts;
 }
 
 }  // namespace rigor::rules

@@ -9,14 +9,13 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::added_mass_negative {
-namespace {
 
 void check(const model::Link& link, Context& context) {
-  if (!link.inertial.written) return;
-  const auto added = context.element(link.inertial.site).child("fluid_added_mass");
-  if (!added) return;
-  for (const std::string_view name : {"xx", "yy", "zz", "pp", "qq", "rr"}) {
-    const auto number = read::number_field(read::child_text(*added, name), 0);
+  if (!link.inertial.added_mass) return;
+  const auto& [xx, yy, zz, pp, qq, rr] = *link.inertial.added_mass;
+  const std::pair<const char*, const model::Field<double>&> diagonal[] = {
+      {"xx", xx}, {"yy", yy}, {"zz", zz}, {"pp", pp}, {"qq", qq}, {"rr", rr}};
+  for (const auto& [name, number] : diagonal) {
     if (!(number.value < 0)) continue;
     const std::string text(read::trimmed(context.bytes(number.span)));
     context.report({.where = number.span,
@@ -27,55 +26,17 @@ void check(const model::Link& link, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "added-mass-negative",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "an added mass on the diagonal is negative",
-      .why =
-          "Gazebo adds the matrix to the body's own, so a negative entry makes the body lighter, "
-          "and "
-          "one that outweighs it makes the simulation diverge. Gazebo's hydrodynamics plugin takes "
-          "the same coefficients as xDotU, where they are negative: they are easily copied as they "
-          "are.",
+      .why = "Gazebo adds the matrix to the body's own, so a negative entry makes the body "
+             "lighter, and one that outweighs it makes the simulation diverge. Gazebo's "
+             "hydrodynamics plugin takes the same coefficients as xDotU, where they are negative: "
+             "they are easily copied as they are.",
       .what_to_do = "Write the entry without the minus sign.",
-      .bad = {{R"(<sdf version="1.10">
-  <model name="glider">
-    <link name="hull">
-      <inertial>
-        <mass>12</mass>
-        <inertia><ixx>0.1</ixx><iyy>1.2</iyy><izz>1.2</izz></inertia>
-        <fluid_added_mass>
-          <xx>«-0.6»</xx>
-          <yy>14</yy>
-          <zz>14</zz>
-        </fluid_added_mass>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.10">
-  <model name="glider">
-    <link name="hull">
-      <inertial>
-        <mass>12</mass>
-        <inertia><ixx>0.1</ixx><iyy>1.2</iyy><izz>1.2</izz></inertia>
-        <fluid_added_mass>
-          <xx>0.6</xx>
-          <yy>14</yy>
-          <yr>-2</yr>
-          <zz>14</zz>
-        </fluid_added_mass>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <cstdint>
-#include <string>
-#include <vector>
 
 #include <fmt/core.h>
 
@@ -12,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::automatic_inertia_counted_twice {
-namespace {
 
 // Shapes that share less than this part of the smaller are put together as people do.
 constexpr double kJoined = 0.2;
@@ -42,53 +39,16 @@ void check(const model::Link& link, Context& context) {
        .related = {{first.site.name, "the other collision"}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "automatic-inertia-counted-twice",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "collisions of a link with an automatic inertial overlap",
-      .why =
-          "libsdformat adds up the collisions as separate bodies, so what two of them share weighs "
-          "twice.",
+      .why = "libsdformat adds up the collisions as separate bodies, so what two of them share "
+             "weighs twice.",
       .what_to_do =
           "Let the collisions touch instead of overlap, or give one of them a smaller <density>.",
-      .bad = {{R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="true">
-        <density>1240</density>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-      <«collision» name="rim">
-        <geometry><box><size>0.2 0.25 0.02</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="true">
-        <density>1240</density>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-      <collision name="lid">
-        <pose>0 0 0.06 0 0 0</pose>
-        <geometry><box><size>0.2 0.25 0.02</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

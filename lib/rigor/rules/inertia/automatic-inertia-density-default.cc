@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
-#include <string>
 
 #include <rigor/rules/inertia/automatic.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::automatic_inertia_density_default {
-namespace {
 
 void check(const model::Link& link, Context& context) {
   const model::Inertial& inertial = link.inertial;
@@ -24,45 +22,16 @@ void check(const model::Link& link, Context& context) {
                   .related = {{root[*without].site.name, "this collision"}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "automatic-inertia-density-default",
-      .category = Category::kInertia,
       .severity = Severity::kInfo,
       .formats = Formats::kSdf,
       .summary = "an automatic inertial is computed with the density of water",
-      .why =
-          "Without <density> in the inertial or in the collision libsdformat takes 1000 kg/m³. "
-          "Steel is eight times as heavy, a printed part lighter.",
-      .what_to_do =
-          "Write <density> in the <inertial>, in kg/m³; from libsdformat 15.2 on, <mass> does "
-          "as well.",
-      .bad = {{R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="«true»"/>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="true">
-        <density>7850</density>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .why = "Without <density> in the inertial or in the collision libsdformat takes 1000 kg/m³. "
+             "Steel is eight times as heavy, a printed part lighter.",
+      .what_to_do = "Write <density> in the <inertial>, in kg/m³; from libsdformat 15.2 on, <mass> "
+                    "does as well.",
       .checks = {on<model::Link>(check)},
   };
 }

@@ -10,19 +10,16 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::automatic_inertia_overridden {
-namespace {
 
 void check(const model::Link& link, Context& context) {
   const model::Inertial& inertial = link.inertial;
   if (!is_computed(link, context)) return;
-  const xml::Element element = context.element(inertial.site);
   std::vector<Edit> edits;
   std::string what;
-  for (const std::string_view name : {"pose", "inertia"}) {
-    const auto child = element.child(name);
-    if (!child) continue;
-    what += (what.empty() ? "<" : " and <") + std::string(name) + ">";
-    for (Edit& edit : xml::remove_element(context.document(), *child)) edits.push_back(edit);
+  for (const model::Site& unused : {inertial.pose.site, inertial.tensor_site}) {
+    if (unused.span.nowhere()) continue;
+    what += (what.empty() ? "<" : " and <") + std::string(context.bytes(unused.name)) + ">";
+    for (Edit& edit : removed(context, unused)) edits.push_back(edit);
   }
   if (what.empty()) return;
   context.report(
@@ -33,12 +30,9 @@ void check(const model::Link& link, Context& context) {
        .fix = fix_of("remove " + what, Applicability::kUnsafe, std::move(edits))});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "automatic-inertia-overridden",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
@@ -48,50 +42,6 @@ Rule rule() {
           "and warn that the written ones are overwritten. A written mass is used from 15.2 on. "
           "libsdformat 13 and older do the opposite: they do not know auto=\"true\".",
       .what_to_do = "Remove what is not used, or auto=\"true\".",
-      .bad = {{R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="«true»">
-        <density>1240</density>
-        <inertia>
-          <ixx>0.1</ixx>
-          <iyy>0.1</iyy>
-          <izz>0.1</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="true">
-        <density>1240</density>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="true">
-        <mass>3</mass>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

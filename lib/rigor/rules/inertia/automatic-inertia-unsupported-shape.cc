@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::automatic_inertia_unsupported_shape {
-namespace {
 
 bool is_supported(const model::Shape& shape) {
   return !std::holds_alternative<model::Plane>(shape) &&
@@ -30,57 +29,17 @@ void check(const model::Collision& collision, Context& context) {
        .related = {{link.inertial.automatic.span, "asked for here"}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "automatic-inertia-unsupported-shape",
-      .category = Category::kInertia,
       .severity = Severity::kError,
       .formats = Formats::kSdf,
       .summary = "an automatic inertial is to be computed from a shape without a computable mass",
-      .why =
-          "libsdformat 14 and later compute boxes, capsules, cones, cylinders, ellipsoids, spheres "
-          "and, within Gazebo, meshes. Of a plane, heightmap, image or polyline they report that "
-          "the "
-          "inertia is invalid.",
-      .what_to_do =
-          "Use another shape, or write mass and tensor: `rigor inertia MODEL --write` computes "
-          "those "
-          "of a polyline.",
-      .bad = {{R"(<sdf version="1.11">
-  <model name="plate">
-    <link name="body">
-      <inertial auto="true">
-        <density>2700</density>
-      </inertial>
-      <collision name="outline">
-        <geometry>
-          <«polyline»>
-            <point>0 0</point>
-            <point>0.2 0</point>
-            <point>0 0.1</point>
-            <height>0.01</height>
-          </polyline>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.11">
-  <model name="plate">
-    <link name="body">
-      <inertial auto="true">
-        <density>2700</density>
-      </inertial>
-      <collision name="outline">
-        <geometry><box><size>0.2 0.1 0.01</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .why = "libsdformat 14 and later compute boxes, capsules, cones, cylinders, ellipsoids, "
+             "spheres and, within Gazebo, meshes. Of a plane, heightmap, image or polyline they "
+             "report that the inertia is invalid.",
+      .what_to_do = "Use another shape, or write mass and tensor: `rigor inertia MODEL --write` "
+                    "computes those of a polyline.",
       .checks = {on<model::Collision>(check)},
   };
 }

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::automatic_inertia_without_collision {
-namespace {
 
 void check(const model::Link& link, Context& context) {
   if (!is_computed(link, context) || !link.collisions.empty()) return;
@@ -15,46 +14,16 @@ void check(const model::Link& link, Context& context) {
                   .subject = context.subject(link)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "automatic-inertia-without-collision",
-      .category = Category::kInertia,
       .severity = Severity::kError,
       .formats = Formats::kSdf,
       .summary = "an automatic inertial has no collision to be computed from",
-      .why =
-          "libsdformat 14 and later refuse the file for it; visuals do not count. Older ones do "
-          "not "
-          "know auto=\"true\", and take 1 kg.",
-      .what_to_do =
-          "Give the link a collision, or write mass and tensor: `rigor inertia MODEL --write` "
-          "computes them from the visuals too.",
-      .bad = {{R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="«true»"/>
-      <visual name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="true">
-        <density>1240</density>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .why = "libsdformat 14 and later refuse the file for it; visuals do not count. Older ones do "
+             "not know auto=\"true\", and take 1 kg.",
+      .what_to_do = "Give the link a collision, or write mass and tensor: `rigor inertia MODEL "
+                    "--write` computes them from the visuals too.",
       .checks = {on<model::Link>(check)},
   };
 }

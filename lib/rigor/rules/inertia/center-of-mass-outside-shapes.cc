@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
 #include <fmt/core.h>
 
@@ -12,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::center_of_mass_outside_shapes {
-namespace {
 
 // What is drawn may be less than what was weighed: not all screws and cables are.
 constexpr double kShare = 0.05;  // of the size
@@ -74,58 +72,18 @@ void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
        .help = "it is given in the link's own frame, from the link's origin, in metres"});
 }
 
-void check(const model::Root& root, Context& context) {
-  LazyGroups groups(context);
-  for (const model::Link& link : root.links) {
-    if (root.own(link.site)) check_link(link, groups, context);
-  }
-}
-
-}  // namespace
-
 Rule rule() {
   return {
       .name = "center-of-mass-outside-shapes",
-      .category = Category::kInertia,
       .severity = Severity::kInfo,
       .summary = "a link's center of mass is outside all of its shapes",
-      .why =
-          "No body has its center of mass outside its convex hull. Mostly it was written in the "
-          "frame of the model, of the mesh or of the joint, or for the link on the other side; "
-          "the simulated body then swings about a point in the air, and tips where the real one "
-          "stands.",
-      .what_to_do =
-          "Give it in the link's frame, or let it stand where shapes are simpler than the body. "
-          "`rigor inertia MODEL` shows where that of the shapes is.",
-      .bad = {{R"(<robot name="arm">
-  <link name="rod">
-    <inertial>
-      <«origin» xyz="0 0 0.9"/>
-      <mass value="1.5"/>
-      <inertia ixx="0.0201" ixy="0" ixz="0" iyy="0.0201" iyz="0" izz="0.0001"/>
-    </inertial>
-    <collision>
-      <origin xyz="0 0 0.2"/>
-      <geometry><box size="0.02 0.02 0.4"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="rod">
-    <inertial>
-      <origin xyz="0 0 0.39"/>
-      <mass value="1.5"/>
-      <inertia ixx="0.0201" ixy="0" ixz="0" iyy="0.0201" iyz="0" izz="0.0001"/>
-    </inertial>
-    <collision>
-      <origin xyz="0 0 0.2"/>
-      <geometry><box size="0.02 0.02 0.4"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
-      .checks = {on<model::Root>(check)},
+      .why = "No body has its center of mass outside its convex hull. Mostly it was written in the "
+             "frame of the model, of the mesh or of the joint, or for the link on the other side; "
+             "the simulated body then swings about a point in the air, and tips where the real one "
+             "stands.",
+      .what_to_do = "Give it in the link's frame, or let it stand where shapes are simpler than "
+                    "the body. `rigor inertia MODEL` shows where that of the shapes is.",
+      .checks = {on<model::Root>(check_own_links<check_link>)},
   };
 }
 

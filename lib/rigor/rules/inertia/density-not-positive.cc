@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::density_not_positive {
-namespace {
 
 void look_at(const model::Field<double>& density, const std::string& subject, Context& context) {
   if (!density.written || density.value > 0) return;
@@ -28,56 +27,15 @@ void check(const model::Link& link, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "density-not-positive",
-      .category = Category::kInertia,
       .severity = Severity::kError,
       .formats = Formats::kSdf,
       .summary = "an automatic inertial is computed with a density that is not above zero",
-      .why =
-          "The mass of such a shape would be zero or negative. libsdformat 14 and later cannot "
-          "compute the inertial and refuse the link.",
+      .why = "The mass of such a shape would be zero or negative. libsdformat 14 and later cannot "
+             "compute the inertial and refuse the link.",
       .what_to_do = "Write the density in kg/m³: water has 1000, steel 7850.",
-      .bad = {{R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="true"/>
-      <collision name="hull">
-        <density>«-1000»</density>
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="true">
-        <density>«0»</density>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="body">
-      <inertial auto="true"/>
-      <collision name="hull">
-        <density>1000</density>
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

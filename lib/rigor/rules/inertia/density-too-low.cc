@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::density_too_low {
-namespace {
 
 // Foams and balloons aside, nothing is lighter: a carton has 50, a car 150.
 constexpr double kLightest = 10;  // kg/m³
@@ -41,57 +40,15 @@ void check(const model::Link& link, Context& context) {
        .subject = context.subject(link)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "density-too-low",
-      .category = Category::kInertia,
       .severity = Severity::kInfo,
       .summary = "a link weighs less than its shapes would have of any solid material",
-      .why =
-          "A mass of 1 kg is what templates hold. A body that is far too light is thrown about by "
-          "whatever touches it, and rests badly beneath a heavy one.",
-      .what_to_do =
-          "Weigh the body, or let `rigor inertia MODEL --density KG_PER_M3` compute its mass. What "
-          "is "
-          "hollow or blown up may be right as it is.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="crate">
-    <link name="body">
-      <inertial>
-        <mass>«1»</mass>
-        <inertia>
-          <ixx>0.166667</ixx>
-          <iyy>0.166667</iyy>
-          <izz>0.166667</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>1 1 1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="crate">
-    <link name="body">
-      <inertial>
-        <mass>60</mass>
-        <inertia>
-          <ixx>10</ixx>
-          <iyy>10</iyy>
-          <izz>10</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>1 1 1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .why = "A mass of 1 kg is what templates hold. A body that is far too light is thrown about "
+             "by whatever touches it, and rests badly beneath a heavy one.",
+      .what_to_do = "Weigh the body, or let `rigor inertia MODEL --density KG_PER_M3` compute its "
+                    "mass. What is hollow or blown up may be right as it is.",
       .checks = {on<model::Link>(check)},
   };
 }

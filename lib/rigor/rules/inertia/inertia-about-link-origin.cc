@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertia_about_link_origin {
-namespace {
 
 void check(const model::Link& link, Context& context) {
   if (link.inertial.pose.pose.value.translation == model::Vector3{}) return;
@@ -25,65 +24,18 @@ void check(const model::Link& link, Context& context) {
        .fix = fix_from_shapes(link, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertia-about-link-origin",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "an inertia tensor is about the link's origin instead of the center of mass",
-      .why =
-          "SDF and URDF want the tensor about the center of mass, and consumers move it from "
-          "there themselves (parallel axes). One that is about the origin already is moved twice, "
-          "so that the link turns too sluggishly. CAD programs print both.",
+      .why = "SDF and URDF want the tensor about the center of mass, and consumers move it from "
+             "there themselves (parallel axes). One that is about the origin already is moved "
+             "twice, so that the link turns too sluggishly. CAD programs print both.",
       .what_to_do =
-          "Take the tensor about the center of mass: from ixx subtract m (y² + z²), to ixy add "
-          "m x y, and so on. `rigor inertia MODEL --write` computes it from the shapes.",
-      .bad = {{R"(<robot name="arm">
-  <link name="rod">
-    <inertial>
-      <origin xyz="0 0 0.2"/>
-      <mass value="3"/>
-      <«inertia» ixx="0.1602" ixy="0" ixz="0" iyy="0.1602" iyz="0" izz="0.00045"/>
-    </inertial>
-    <collision>
-      <origin xyz="0 0 0.2"/>
-      <geometry><box size="0.03 0.03 0.4"/></geometry>
-    </collision>
-  </link>
-</robot>
-)",
-               // 3/12 (0.03² + 0.4²), not 3/12 (…) + 3 · 0.2².
-               R"(<robot name="arm">
-  <link name="rod">
-    <inertial>
-      <origin xyz="0 0 0.2"/>
-      <mass value="3"/>
-      <inertia ixx="0.040225" ixy="0" ixz="0" iyy="0.040225" iyz="0" izz="0.00045"/>
-    </inertial>
-    <collision>
-      <origin xyz="0 0 0.2"/>
-      <geometry><box size="0.03 0.03 0.4"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="rod">
-    <inertial>
-      <origin xyz="0 0 0.2"/>
-      <mass value="3"/>
-      <inertia ixx="0.0402" ixy="0" ixz="0" iyy="0.0402" iyz="0" izz="0.00045"/>
-    </inertial>
-    <collision>
-      <origin xyz="0 0 0.2"/>
-      <geometry><box size="0.03 0.03 0.4"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
+          "Take the tensor about the center of mass: from ixx subtract m (y² + z²), to ixy add m x "
+          "y, and so on. `rigor inertia MODEL --write` computes it from the shapes.",
       .checks = {on<model::Link>(check)},
   };
 }

@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertia_axes_swapped {
-namespace {
 
 using Moments = std::array<const model::Field<double>*, 3>;
 
@@ -44,79 +43,16 @@ void check(const model::Link& link, Context& context) {
        .fix = put_where_they_belong(moments, found.belongs, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertia-axes-swapped",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "the moments of inertia fit the shapes, but stand at the wrong axes",
-      .why =
-          "Formulas for a cylinder or a box take its length along one axis; when the shape is "
-          "turned, or the formula's axes are others, the moments must move with it. As it stands "
-          "a wheel turns about its own axle with the moment of another axis.",
+      .why = "Formulas for a cylinder or a box take its length along one axis; when the shape is "
+             "turned, or the formula's axes are others, the moments must move with it. As it "
+             "stands a wheel turns about its own axle with the moment of another axis.",
       .what_to_do = "Exchange the moments.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="cart">
-    <link name="wheel">
-      <inertial>
-        <mass>2</mass>
-        <«inertia»>
-          <ixx>0.00541667</ixx>
-          <iyy>0.00541667</iyy>
-          <izz>0.01</izz>
-        </inertia>
-      </inertial>
-      <collision name="tyre">
-        <pose>0 0 0 1.570796 0 0</pose>
-        <geometry><cylinder><radius>0.1</radius><length>0.05</length></cylinder></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               // m/2 r² about its own axis, which is y; m/12 (3 r² + h²) about the others.
-               R"(<sdf version="1.9">
-  <model name="cart">
-    <link name="wheel">
-      <inertial>
-        <mass>2</mass>
-        <inertia>
-          <ixx>0.00541667</ixx>
-          <iyy>0.01</iyy>
-          <izz>0.00541667</izz>
-        </inertia>
-      </inertial>
-      <collision name="tyre">
-        <pose>0 0 0 1.570796 0 0</pose>
-        <geometry><cylinder><radius>0.1</radius><length>0.05</length></cylinder></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="cart">
-    <link name="wheel">
-      <inertial>
-        <pose>0 0 0 1.570796 0 0</pose>
-        <mass>2</mass>
-        <inertia>
-          <ixx>0.00541667</ixx>
-          <iyy>0.00541667</iyy>
-          <izz>0.01</izz>
-        </inertia>
-      </inertial>
-      <collision name="tyre">
-        <pose>0 0 0 1.570796 0 0</pose>
-        <geometry><cylinder><radius>0.1</radius><length>0.05</length></cylinder></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <string>
 
 #include <fmt/core.h>
@@ -20,7 +19,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertia_exceeds_shapes {
-namespace {
 
 // What is drawn may be a little smaller than what was weighed: no bolts, no cables.
 constexpr double kDrawnSmaller = 1.1;
@@ -134,108 +132,18 @@ void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
        .fix = fix_from_shapes(link, context)});
 }
 
-void check(const model::Root& root, Context& context) {
-  LazyGroups groups(context);
-  for (const model::Link& link : root.links) {
-    if (root.own(link.site)) check_link(link, groups, context);
-  }
-}
-
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertia-exceeds-shapes",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "moments of inertia are larger than any body inside the link's shapes can have",
-      .why =
-          "Wherever the mass is inside the shapes, even half of it at each end, it has smaller "
-          "moments than these: so they are another body's, in another unit, or made up. The link "
-          "turns more sluggishly than the real one, and controllers are tuned to that.",
-      .what_to_do =
-          "`rigor inertia MODEL` shows what the mass has in the link's shapes, and writes it with "
-          "--write.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="rod">
-      <collision name="hull">
-        <geometry><box><size>0.03 0.03 0.4</size></box></geometry>
-      </collision>
-      <inertial>
-        <mass>1.5</mass>
-        <«inertia»>
-          <ixx>0.0201</ixx>
-          <iyy>0.0201</iyy>
-          <izz>0.0101</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)",
-               // 1.5 kg / 12 (y² + z²) = 0.125 (0.0009 + 0.16), and so on.
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="rod">
-      <collision name="hull">
-        <geometry><box><size>0.03 0.03 0.4</size></box></geometry>
-      </collision>
-      <inertial>
-        <mass>1.5</mass>
-        <inertia>
-          <ixx>0.0201125</ixx>
-          <iyy>0.0201125</iyy>
-          <izz>0.000225</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{
-                   R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="rod">
-      <collision name="hull">
-        <geometry><box><size>0.03 0.03 0.4</size></box></geometry>
-      </collision>
-      <inertial>
-        <mass>1.5</mass>
-        <inertia>
-          <ixx>0.0201</ixx>
-          <iyy>0.0201</iyy>
-          <izz>0.000225</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)",
-               },
-               {R"(<robot name="arm">
-  <link name="rod">
-    <inertial>
-      <mass value="1.5"/>
-      <inertia ixx="0.0201" ixy="0" ixz="0" iyy="0.0201" iyz="0" izz="0.0101"/>
-    </inertial>
-    <collision>
-      <geometry><box size="0.03 0.03 0.4"/></geometry>
-    </collision>
-  </link>
-  <link name="flange">
-    <collision>
-      <geometry><box size="0.3 0.3 0.02"/></geometry>
-    </collision>
-  </link>
-  <joint name="weld" type="fixed">
-    <parent link="rod"/>
-    <child link="flange"/>
-  </joint>
-</robot>
-)"}},
-      .checks = {on<model::Root>(check)},
+      .why = "Wherever the mass is inside the shapes, even half of it at each end, it has smaller "
+             "moments than these: so they are another body's, in another unit, or made up. The "
+             "link turns more sluggishly than the real one, and controllers are tuned to that.",
+      .what_to_do = "`rigor inertia MODEL` shows what the mass has in the link's shapes, and "
+                    "writes it with --write.",
+      .checks = {on<model::Root>(check_own_links<check_link>)},
   };
 }
 

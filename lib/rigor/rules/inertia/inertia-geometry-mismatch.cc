@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
-#include <string>
 
 #include <fmt/core.h>
 
@@ -14,7 +13,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertia_geometry_mismatch {
-namespace {
 
 // Less is a token for a frame that had to have some mass.
 constexpr double kLeast = 1e-3;  // kg
@@ -41,79 +39,18 @@ void check(const model::Link& link, Context& context) {
                   .fix = fix_from_shapes(link, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertia-geometry-mismatch",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "moments of inertia do not fit the mass and the shapes of the link",
-      .why =
-          "The link's shapes are all boxes, balls, closed meshes and the like, so what a solid of "
-          "the same mass has is known. Hollow bodies have up to three times as much; a factor "
-          "of ten and more is mostly a slip of units. Too small moments make a simulation "
-          "shake, too large ones make it sluggish.",
-      .what_to_do =
-          "`rigor inertia MODEL` shows what the mass has in the link's shapes, in kg·m², and "
-          "writes it "
-          "with --write.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-      <inertial>
-        <mass>2</mass>
-        <«inertia»>
-          <ixx>8333</ixx>
-          <iyy>16667</iyy>
-          <izz>21667</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)",
-               // 2 kg / 12 (y² + z²) = (0.04 + 0.01) / 6, and so on.
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-      <inertial>
-        <mass>2</mass>
-        <inertia>
-          <ixx>0.00833333333</ixx>
-          <iyy>0.0166666667</iyy>
-          <izz>0.0216666667</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-      <inertial>
-        <mass>2</mass>
-        <inertia>
-          <ixx>0.008333</ixx>
-          <iyy>0.016667</iyy>
-          <izz>0.021667</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .why = "The link's shapes are all boxes, balls, closed meshes and the like, so what a solid "
+             "of the same mass has is known. Hollow bodies have up to three times as much; a "
+             "factor of ten and more is mostly a slip of units. Too small moments make a "
+             "simulation shake, too large ones make it sluggish.",
+      .what_to_do = "`rigor inertia MODEL` shows what the mass has in the link's shapes, in kg·m², "
+                    "and writes it with --write.",
       .checks = {on<model::Link>(check)},
   };
 }

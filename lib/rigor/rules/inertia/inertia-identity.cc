@@ -12,7 +12,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertia_identity {
-namespace {
 
 // Without shapes to compare with: a ball with these moments and this mass is a metre across.
 constexpr double kLight = 10;  // kg
@@ -33,109 +32,16 @@ void check(const model::Link& link, Context& context) {
                   .fix = fix_from_shapes(link, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertia-identity",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "an inertia tensor is the identity, which does not fit the body",
-      .why =
-          "Ones on the diagonal are what a template holds before anybody fills it in. The link "
-          "then turns far too slowly or too fast, and the motors are tuned to that.",
-      .what_to_do =
-          "`rigor inertia MODEL --write` computes the moments that the mass has in the link's "
-          "shapes.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-      <inertial>
-        <mass>0.5</mass>
-        <«inertia»>
-          <ixx>1</ixx>
-          <iyy>1</iyy>
-          <izz>1</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)",
-               // A solid box has m / 12 (y² + z²) and so on.
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-      <inertial>
-        <mass>0.5</mass>
-        <inertia>
-          <ixx>0.00208333333</ixx>
-          <iyy>0.00416666667</iyy>
-          <izz>0.00541666667</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-      <inertial>
-        <mass>0.5</mass>
-        <inertia>
-          <ixx>0.0021</ixx>
-          <iyy>0.0042</iyy>
-          <izz>0.0054</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <collision name="hull">
-        <geometry><box><size>1 1 1</size></box></geometry>
-      </collision>
-      <inertial>
-        <mass>6</mass>
-        <inertia>
-          <ixx>1</ixx>
-          <iyy>1</iyy>
-          <izz>1</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="point">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>1</ixx>
-          <iyy>1</iyy>
-          <izz>1</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .why = "Ones on the diagonal are what a template holds before anybody fills it in. The link "
+             "then turns far too slowly or too fast, and the motors are tuned to that.",
+      .what_to_do = "`rigor inertia MODEL --write` computes the moments that the mass has in the "
+                    "link's shapes.",
       .checks = {on<model::Link>(check)},
   };
 }

@@ -6,93 +6,38 @@
 #include <rigor/rules/inertia/inertial_fix.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/schema/misspelt.h>
 
 namespace rigor::rules::inertia_moment_missing {
-namespace {
 
 void check(const model::Link& link, Context& context) {
   const model::Inertial& inertial = link.inertial;
   if (!inertial.tensor_written || mass::is_automatic(link)) return;
   // An entry that cannot be read is not written either, and another rule's affair.
-  const xml::Element tensor = context.element(inertial.tensor_site);
   std::string missing;
   for (const char* name : {"ixx", "iyy", "izz"}) {
-    if (tensor.child(name)) continue;
+    if (has_child(inertial.tensor_site, name, context)) continue;
     missing += (missing.empty() ? "<" : " and <") + std::string(name) + ">";
   }
-  if (missing.empty() || tensor.children().empty() || tensor.cut()) return;
+  // An empty element is another rule's.
+  if (missing.empty() || !has_any_child(inertial.tensor_site, context)) return;
   context.report({.where = inertial.tensor_site.name,
                   .message = "the tensor has no " + missing + ": 1 kg·m² is taken instead",
                   .subject = context.subject(link),
                   .fix = fix_from_shapes(link, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertia-moment-missing",
-      .category = Category::kInertia,
       .severity = Severity::kError,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a moment of an inertia tensor is missing",
-      .why =
-          "libsdformat takes 1 kg·m² in its place. Beside the small moments of most links that is "
-          "no body's tensor, and it refuses the model without a word of what is missing (error "
-          "18).",
+      .why = "libsdformat takes 1 kg·m² in its place. Beside the small moments of most links that "
+             "is no body's tensor, and it refuses the model without a word of what is missing "
+             "(error 18).",
       .what_to_do = "Write all of ixx, iyy and izz. Often one of them stands twice.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>6</mass>
-        <«inertia»>
-          <ixx>0.16</ixx>
-          <iyy>0.58</iyy>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>1 0.4 0.4</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               // A solid box has m / 12 (y² + z²) and so on.
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>6</mass>
-        <inertia>
-          <ixx>0.16</ixx>
-          <iyy>0.58</iyy>
-          <izz>0.58</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>1 0.4 0.4</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>6</mass>
-        <inertia>
-          <ixx>0.02</ixx>
-          <iyy>0.04</iyy>
-          <izz>0.03</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

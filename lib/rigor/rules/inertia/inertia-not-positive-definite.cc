@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertia_not_positive_definite {
-namespace {
 
 std::string help(const mass::Inertia& tensor) {
   if (tensor.ixx < 0 || tensor.iyy < 0 || tensor.izz < 0)
@@ -35,78 +34,18 @@ void check(const model::Link& link, Context& context) {
        .refused = refuses_inertia(link, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertia-not-positive-definite",
-      .category = Category::kInertia,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "an inertia tensor is not positive definite",
       .why =
           "About some axis the body would turn against a push. libsdformat refuses the model "
-          "without a number (error 18); urdfdom takes it, and Drake and MuJoCo refuse the "
-          "robot.",
-      .what_to_do =
-          "Compute the tensor again from the mass and the shapes. "
-          "Mind the order ixx ixy ixz iyy iyz izz and the units.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <«inertia»>
-          <ixx>1</ixx>
-          <ixy>2</ixy>
-          <iyy>1</iyy>
-          <izz>1</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               // A solid box has m / 12 (y² + z²) and so on.
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>0.00416666667</ixx>
-          <ixy>0</ixy>
-          <iyy>0.00833333333</iyy>
-          <izz>0.0108333333</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>1</ixx>
-          <ixy>0.2</ixy>
-          <iyy>1</iyy>
-          <izz>1</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
+          "without a number (error 18); urdfdom takes it, and Drake and MuJoCo refuse the robot.",
+      .what_to_do = "Compute the tensor again from the mass and the shapes. Mind the order ixx ixy "
+                    "ixz iyy iyz izz and the units.",
       .checks = {on<model::Link>(check)},
   };
 }

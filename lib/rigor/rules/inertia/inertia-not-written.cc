@@ -9,15 +9,13 @@
 #include <rigor/rules/schema/misspelt.h>
 
 namespace rigor::rules::inertia_not_written {
-namespace {
 
 void check(const model::Link& link, Context& context) {
   const model::Inertial& inertial = link.inertial;
   if (!(inertial.mass.value > 0)) return;  // mass-negative and mass-zero speak of that
   if (!inertial.mass.written || inertial.tensor_written || mass::is_automatic(link)) return;
   if (!is_dynamic(link, context)) return;
-  if (misspelt_child(context.element(inertial.site), "inertia", context))
-    return;  // unknown-element
+  if (misspelt_child(inertial.site, "inertia", context)) return;  // unknown-element
   context.report(
       {.where = inertial.site.name,
        .message = fmt::format("the mass is {} kg, but there is no <inertia>: the moments "
@@ -27,72 +25,17 @@ void check(const model::Link& link, Context& context) {
        .fix = fix_from_shapes(link, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertia-not-written",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a mass is written without an inertia tensor",
-      .why =
-          "SDF then takes the identity as the tensor, whatever the mass: a wheel of 100 g "
-          "turns as hard as a door.",
-      .what_to_do =
-          "`rigor inertia MODEL --write` computes the tensor that the mass has in the link's "
-          "shapes.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <«inertial»>
-        <mass>0.1</mass>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               // A solid box has m / 12 (y² + z²) and so on.
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>0.1</mass>
-        <inertia>
-          <ixx>0.000416666667</ixx>
-          <ixy>0</ixy>
-          <ixz>0</ixz>
-          <iyy>0.000833333333</iyy>
-          <iyz>0</iyz>
-          <izz>0.00108333333</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>0.1</mass>
-        <inertia>
-          <ixx>0.001</ixx>
-          <iyy>0.001</iyy>
-          <izz>0.001</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .why = "SDF then takes the identity as the tensor, whatever the mass: a wheel of 100 g turns "
+             "as hard as a door.",
+      .what_to_do = "`rigor inertia MODEL --write` computes the tensor that the mass has in the "
+                    "link's shapes.",
       .checks = {on<model::Link>(check)},
   };
 }

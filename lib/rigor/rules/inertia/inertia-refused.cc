@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertia_refused {
-namespace {
 
 /// Whether another rule finds something in what the link itself says.
 bool told_of_itself(const model::Link& link, const Context& context) {
@@ -54,54 +53,18 @@ void check_robot(const model::Model& robot, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertia-refused",
-      .category = Category::kInertia,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .targets = {Target::kGazeboClassic, Target::kGzSim},
       .summary = "libsdformat refuses an inertia although each number could be right",
-      .why =
-          "libsdformat allows the triangle inequality no more than ten roundings of a double, so a "
-          "plate "
-          "whose moments are written with few digits is refused (error 18). Where some entries are "
-          "not "
-          "written it takes 1 for the moments and 0 for the others.",
+      .why = "libsdformat allows the triangle inequality no more than ten roundings of a double, "
+             "so a plate whose moments are written with few digits is refused (error 18). Where "
+             "some entries are not written it takes 1 for the moments and 0 for the others.",
       .what_to_do =
           "Write all six entries, and as many digits as there are, or round the largest down.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <«inertial»>
-        <mass>1</mass>
-        <inertia>
-          <ixx>0.1</ixx>
-          <iyy>0.2</iyy>
-          <izz>0.30000000000001</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>0.1</ixx>
-          <iyy>0.2</iyy>
-          <izz>0.3</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check), on<model::Model>(check_robot)},
   };
 }

@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertia_singular {
-namespace {
 
 /// A point of mass that is fixed to another link of a URDF becomes part of that.
 std::unordered_set<std::string_view> fixed_links(const model::Root& root) {
@@ -39,74 +38,16 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertia-singular",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a body that moves has no moment of inertia about an axis",
-      .why =
-          "libsdformat and urdfdom take a point or a thin rod, but an engine has to divide by "
-          "the moment: ODE stops at an assertion, KDL and MuJoCo refuse, others set a number "
-          "of their own.",
-      .what_to_do =
-          "Write the moments of the real body: even a pin has some, about every "
-          "axis.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <«inertia»>
-          <ixx>0</ixx>
-          <iyy>0</iyy>
-          <izz>0</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               // A solid box has m / 12 (y² + z²) and so on.
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>0.00416666667</ixx>
-          <iyy>0.00833333333</iyy>
-          <izz>0.0108333333</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>0.01</ixx>
-          <iyy>0.01</iyy>
-          <izz>0.01</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .why = "libsdformat and urdfdom take a point or a thin rod, but an engine has to divide by "
+             "the moment: ODE stops at an assertion, KDL and MuJoCo refuse, others set a number of "
+             "their own.",
+      .what_to_do = "Write the moments of the real body: even a pin has some, about every axis.",
       .checks = {on<model::Root>(check)},
   };
 }

@@ -13,7 +13,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertia_triangle_inequality {
-namespace {
 
 const model::Field<double>* entry(const model::Inertial& inertial, std::string_view name) {
   if (name == "ixx") return &inertial.ixx;
@@ -51,76 +50,19 @@ void check(const model::Link& link, Context& context) {
        .refused = refuses_inertia(link, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertia-triangle-inequality",
-      .category = Category::kInertia,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "the moments of an inertia tensor break the triangle inequality",
-      .why =
-          "Of any rigid body two moments of inertia sum up to the third at least. libsdformat "
-          "refuses what breaks this, without saying which number is at fault (error 18), but for a "
-          "URDF link that is fixed to another, if the two together do not break it; Drake and "
-          "MuJoCo refuse it too, urdfdom lets it pass.",
-      .what_to_do =
-          "Compute the tensor again from the mass and the shapes. "
-          "Where it is missed by little, write more digits.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>0.0002</ixx>
-          <iyy>0.001</iyy>
-          <izz>«0.004»</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               // A solid box has m / 12 (y² + z²) and so on.
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>0.00416666667</ixx>
-          <iyy>0.00833333333</iyy>
-          <izz>0.0108333333</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>0.0032</ixx>
-          <iyy>0.001</iyy>
-          <izz>0.004</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .why = "Of any rigid body two moments of inertia sum up to the third at least. libsdformat "
+             "refuses what breaks this, without saying which number is at fault (error 18), but "
+             "for a URDF link that is fixed to another, if the two together do not break it; Drake "
+             "and MuJoCo refuse it too, urdfdom lets it pass.",
+      .what_to_do = "Compute the tensor again from the mass and the shapes. Where it is missed by "
+                    "little, write more digits.",
       .checks = {on<model::Link>(check)},
   };
 }

@@ -8,15 +8,12 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::inertia_turned_by_pose {
-namespace {
 
 /// Of a URDF, where the rotation is an attribute of its own.
 std::optional<Fix> without_rotation(const model::Inertial& inertial, const Context& context) {
   if (!context.is_urdf()) return std::nullopt;
-  const auto rpy = context.element(inertial.pose.site).attribute("rpy");
-  if (!rpy) return std::nullopt;
   return fix_of("take the rotation out of the inertial", Applicability::kUnsafe,
-                xml::remove_attribute(context.document(), *rpy));
+                attribute_removed(context, inertial.pose.site, "rpy"));
 }
 
 void check(const model::Link& link, Context& context) {
@@ -31,62 +28,16 @@ void check(const model::Link& link, Context& context) {
                   .fix = without_rotation(inertial, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "inertia-turned-by-pose",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a tensor along the link's axes is turned by its inertial's rotation",
-      .why =
-          "The tensor is taken along the axes that the inertial's pose or origin gives. A rotation "
-          "that was copied there from the visual or collision turns a tensor that had been right "
-          "along the link's axes.",
+      .why = "The tensor is taken along the axes that the inertial's pose or origin gives. A "
+             "rotation that was copied there from the visual or collision turns a tensor that had "
+             "been right along the link's axes.",
       .what_to_do = "Take the rotation out of the inertial, and leave the position.",
-      .bad = {{R"(<robot name="arm">
-  <link name="rod">
-    <inertial>
-      <«origin» xyz="0 0.2 0" rpy="1.570796 0 0"/>
-      <mass value="3"/>
-      <inertia ixx="0.0402" ixy="0" ixz="0" iyy="0.0006" iyz="0" izz="0.0402"/>
-    </inertial>
-    <collision>
-      <origin xyz="0 0.2 0" rpy="1.570796 0 0"/>
-      <geometry><cylinder radius="0.02" length="0.4"/></geometry>
-    </collision>
-  </link>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="rod">
-    <inertial>
-      <origin xyz="0 0.2 0"/>
-      <mass value="3"/>
-      <inertia ixx="0.0402" ixy="0" ixz="0" iyy="0.0006" iyz="0" izz="0.0402"/>
-    </inertial>
-    <collision>
-      <origin xyz="0 0.2 0" rpy="1.570796 0 0"/>
-      <geometry><cylinder radius="0.02" length="0.4"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="rod">
-    <inertial>
-      <origin xyz="0 0.2 0" rpy="1.570796 0 0"/>
-      <mass value="3"/>
-      <inertia ixx="0.0402" ixy="0" ixz="0" iyy="0.0402" iyz="0" izz="0.0006"/>
-    </inertial>
-    <collision>
-      <origin xyz="0 0.2 0" rpy="1.570796 0 0"/>
-      <geometry><cylinder radius="0.02" length="0.4"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

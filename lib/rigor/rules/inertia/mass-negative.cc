@@ -15,7 +15,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mass_negative {
-namespace {
 
 /// Only the sign goes where that gives the shapes a density that bodies have.
 std::optional<Fix> fix_of_sign(const model::Link& link, Context& context) {
@@ -47,71 +46,16 @@ void check(const model::Link& link, Context& context) {
                   .refused = refuses_inertia(link, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mass-negative",
-      .category = Category::kInertia,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "a mass is negative",
-      .why =
-          "libsdformat refuses the model. urdfdom takes it, and the simulation then explodes: "
-          "what is pushed comes nearer.",
+      .why = "libsdformat refuses the model. urdfdom takes it, and the simulation then explodes: "
+             "what is pushed comes nearer.",
       .what_to_do = "Write a mass above zero.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>«-1»</mass>
-        <inertia>
-          <ixx>0.01</ixx>
-          <iyy>0.01</iyy>
-          <izz>0.01</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>0.01</ixx>
-          <iyy>0.01</iyy>
-          <izz>0.01</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>0.01</ixx>
-          <iyy>0.01</iyy>
-          <izz>0.01</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

@@ -1,8 +1,6 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <string>
-
 #include <fmt/core.h>
 
 #include <rigor/read/values.h>
@@ -12,7 +10,6 @@
 #include <rigor/rules/schema/misspelt.h>
 
 namespace rigor::rules::mass_not_written {
-namespace {
 
 // A tensor that is within this factor of what 1 kg has in the link's shapes was made for 1 kg.
 constexpr double kFits = 2;
@@ -42,65 +39,16 @@ void check(const model::Link& link, Context& context) {
        .subject = context.subject(link)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mass-not-written",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "an <inertial> has no mass",
-      .why =
-          "SDF then takes 1 kg, which no checker mentions, and which fits neither the tensor nor "
-          "the body.",
-      .what_to_do =
-          "Write the mass in kilograms. `rigor inertia MODEL --mass LINK=KG --write` computes a "
-          "tensor that fits.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <«inertial»>
-        <inertia>
-          <ixx>0.02</ixx>
-          <iyy>0.02</iyy>
-          <izz>0.02</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <«mass»></mass>
-        <inertia>
-          <ixx>0.02</ixx>
-          <iyy>0.02</iyy>
-          <izz>0.02</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>3</mass>
-        <inertia>
-          <ixx>0.02</ixx>
-          <iyy>0.02</iyy>
-          <izz>0.02</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .why = "SDF then takes 1 kg, which no checker mentions, and which fits neither the tensor "
+             "nor the body.",
+      .what_to_do = "Write the mass in kilograms. `rigor inertia MODEL --mass LINK=KG --write` "
+                    "computes a tensor that fits.",
       .checks = {on<model::Link>(check)},
   };
 }

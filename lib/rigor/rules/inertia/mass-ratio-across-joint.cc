@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mass_ratio_across_joint {
-namespace {
 
 // Propellers and steering wheels have a hundredth of what they are on; the rest is tokens.
 constexpr double kMost = 1000;
@@ -34,68 +33,17 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mass-ratio-across-joint",
-      .category = Category::kInertia,
       .severity = Severity::kInfo,
       .summary = "the bodies at a joint differ in mass by more than a thousand times",
-      .why =
-          "Iterative solvers, which Gazebo's engines use by default, need about as many iterations "
-          "as the ratio of the masses: a token mass on a real robot costs accuracy. A light body "
-          "at "
-          "the end of a chain mostly does no harm; one between heavy bodies does "
-          "(light-link-between-heavy).",
-      .what_to_do =
-          "Make the light body heavier, or fix it to its neighbour. Masses within a factor of 50 "
-          "are "
-          "safe.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="cart">
-    <link name="chassis">
-      <inertial>
-        <mass>720</mass>
-        <inertia><ixx>140</ixx><iyy>550</iyy><izz>550</izz></inertia>
-      </inertial>
-    </link>
-    <link name="knob">
-      <inertial>
-        <mass>0.001</mass>
-        <inertia><ixx>1e-7</ixx><iyy>1e-7</iyy><izz>1e-7</izz></inertia>
-      </inertial>
-    </link>
-    <«joint» name="turn" type="revolute">
-      <parent>chassis</parent>
-      <child>knob</child>
-      <axis><xyz>0 0 1</xyz><limit><lower>-1</lower><upper>1</upper></limit></axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="cart">
-    <link name="chassis">
-      <inertial>
-        <mass>720</mass>
-        <inertia><ixx>140</ixx><iyy>550</iyy><izz>550</izz></inertia>
-      </inertial>
-    </link>
-    <link name="wheel">
-      <inertial>
-        <mass>12</mass>
-        <inertia><ixx>0.5</ixx><iyy>0.5</iyy><izz>0.9</izz></inertia>
-      </inertial>
-    </link>
-    <joint name="turn" type="revolute">
-      <parent>chassis</parent>
-      <child>wheel</child>
-      <axis><xyz>0 0 1</xyz><limit><lower>-1</lower><upper>1</upper></limit></axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
+      .why = "Iterative solvers, which Gazebo's engines use by default, need about as many "
+             "iterations as the ratio of the masses: a token mass on a real robot costs accuracy. "
+             "A light body at the end of a chain mostly does no harm; one between heavy bodies "
+             "does (light-link-between-heavy).",
+      .what_to_do = "Make the light body heavier, or fix it to its neighbour. Masses within a "
+                    "factor of 50 are safe.",
       .checks = {on<model::Root>(check)},
   };
 }

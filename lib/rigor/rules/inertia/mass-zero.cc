@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mass_zero {
-namespace {
 
 bool is_zero(const mass::Inertia& tensor) { return tensor == mass::Inertia{}; }
 
@@ -38,102 +37,17 @@ void check(const model::Link& link, Context& context) {
                   .fix = fix_from_shapes(link, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mass-zero",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a link that moves has a mass of zero",
-      .why =
-          "libsdformat lets it pass, and the physics engine then divides by it: ODE stops at "
-          "an assertion, DART sets a tiny mass of its own. A URDF link of no mass but with "
-          "moments is dropped by Gazebo, unless it is fixed to one that has mass.",
-      .what_to_do =
-          "Write the mass, however small. For a frame without a body take the "
-          "<inertial> out of a URDF link, or use <frame> in SDF.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>«0»</mass>
-        <inertia>
-          <ixx>0.01</ixx>
-          <iyy>0.01</iyy>
-          <izz>0.01</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               // Six litres of water; a solid box has m / 12 (y² + z²) and so on.
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>6</mass>
-        <inertia>
-          <ixx>0.025</ixx>
-          <iyy>0.05</iyy>
-          <izz>0.065</izz>
-        </inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.3 0.2 0.1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="body">
-      <inertial>
-        <mass>0.1</mass>
-        <inertia>
-          <ixx>0.001</ixx>
-          <iyy>0.001</iyy>
-          <izz>0.001</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<robot name="arm">
-  <link name="body">
-    <inertial>
-      <mass value="0"/>
-      <inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/>
-    </inertial>
-  </link>
-</robot>
-)"},
-               {R"(<robot name="arm">
-  <link name="shank">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <link name="foot">
-    <inertial>
-      <mass value="0"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <joint name="ankle" type="fixed">
-    <parent link="shank"/>
-    <child link="foot"/>
-  </joint>
-</robot>
-)"}},
+      .why = "libsdformat lets it pass, and the physics engine then divides by it: ODE stops at an "
+             "assertion, DART sets a tiny mass of its own. A URDF link of no mass but with moments "
+             "is dropped by Gazebo, unless it is fixed to one that has mass.",
+      .what_to_do = "Write the mass, however small. For a frame without a body take the <inertial> "
+                    "out of a URDF link, or use <frame> in SDF.",
       .checks = {on<model::Link>(check)},
   };
 }

@@ -12,7 +12,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::moving_link_massless {
-namespace {
 
 /// Per link, whether it has mass, or anything that is fixed to it has.
 std::vector<bool> with_mass(const model::Root& root, const Context& context) {
@@ -71,94 +70,18 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "moving-link-massless",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a joint of a URDF moves a link without mass",
       .why =
-          "A link without <inertial> weighs nothing in URDF. Where it is fixed to others that "
-          "is a normal frame; where a joint moves it, no simulator can integrate its motion: "
-          "Gazebo drops the link with its joint and all that hangs on it, MuJoCo refuses the "
-          "robot.",
+          "A link without <inertial> weighs nothing in URDF. Where it is fixed to others that is a "
+          "normal frame; where a joint moves it, no simulator can integrate its motion: Gazebo "
+          "drops the link with its joint and all that hangs on it, MuJoCo refuses the robot.",
       .what_to_do = "Give the link a mass and a tensor, however small, or fix the joint.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <«link» name="tip">
-    <collision>
-      <geometry><box size="0.3 0.2 0.1"/></geometry>
-    </collision>
-  </link>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)",
-               // Six litres of water; a solid box has m / 12 (y² + z²) and so on.
-               R"(<robot name="arm">
-  <link name="base">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <link name="tip">
-    <inertial>
-      <mass value="6"/>
-      <inertia ixx="0.025" ixy="0" ixz="0" iyy="0.05" iyz="0" izz="0.065"/>
-    </inertial>
-    <collision>
-      <geometry><box size="0.3 0.2 0.1"/></geometry>
-    </collision>
-  </link>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"},
-               {R"(<robot name="arm">
-  <link name="base">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <link name="tip"/>
-  <joint name="elbow" type="fixed">
-    <parent link="base"/>
-    <child link="tip"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -17,7 +17,7 @@
 #include <variant>
 #include <vector>
 
-#include <rigor/mass/mesh_survey.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/mass/shapes.h>
 #include <rigor/model/geometry.h>
 #include <rigor/rules/context.h>
@@ -146,6 +146,15 @@ std::optional<Outline> outline_that_breaks(const model::Link& link, LazyGroups& 
   }
   if (!breaks(outline)) return std::nullopt;
   return outline;
+}
+
+/// Checks the links of the file itself, which share the groups.
+template <void (*check_link)(const model::Link&, LazyGroups&, Context&)>
+void check_own_links(const model::Root& root, Context& context) {
+  LazyGroups groups(context);
+  for (const model::Link& link : root.links) {
+    if (root.own(link.site)) check_link(link, groups, context);
+  }
 }
 
 }  // namespace rigor::rules

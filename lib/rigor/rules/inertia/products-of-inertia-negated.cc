@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::products_of_inertia_negated {
-namespace {
 
 std::string with_other_sign(std::string_view number) {
   if (number.starts_with('-')) return std::string(number.substr(1));
@@ -42,62 +41,17 @@ void check(const model::Link& link, Context& context) {
        .fix = negate(inertial, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "products-of-inertia-negated",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "the products of inertia have the opposite sign",
-      .why =
-          "SDF and URDF want the entries of the tensor, ixy = -∫xy dm; some CAD programs and mesh "
-          "tools print the products ∫xy dm. The body then has its principal axes mirrored, and "
-          "turns askew to the real one. A link that was copied from the robot's other side has "
-          "the same fault.",
+      .why = "SDF and URDF want the entries of the tensor, ixy = -∫xy dm; some CAD programs and "
+             "mesh tools print the products ∫xy dm. The body then has its principal axes mirrored, "
+             "and turns askew to the real one. A link that was copied from the robot's other side "
+             "has the same fault.",
       .what_to_do = "Give ixy, ixz and iyz the other sign.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base">
-    <inertial>
-      <mass value="12"/>
-      <«inertia» ixx="2.4" ixy="-2.14" ixz="0" iyy="2.4" iyz="0" izz="4.54"/>
-    </inertial>
-    <collision>
-      <origin rpy="0 0 -0.7853981634"/>
-      <geometry><box size="2.1 0.36 0.36"/></geometry>
-    </collision>
-  </link>
-</robot>
-)",
-               // Along the box I1 = 12/12 (2 0.36²) = 0.2592, across it I2 = 12/12 (2.1² + 0.36²) =
-               // 4.5396; turned by -45° ixx = iyy = (I1 + I2)/2, ixy = (I2 - I1)/2 = 2.1402.
-               R"(<robot name="arm">
-  <link name="base">
-    <inertial>
-      <mass value="12"/>
-      <inertia ixx="2.4" ixy="2.14" ixz="0" iyy="2.4" iyz="0" izz="4.54"/>
-    </inertial>
-    <collision>
-      <origin rpy="0 0 -0.7853981634"/>
-      <geometry><box size="2.1 0.36 0.36"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base">
-    <inertial>
-      <mass value="12"/>
-      <inertia ixx="2.4" ixy="2.14" ixz="0" iyy="2.4" iyz="0" izz="4.54"/>
-    </inertial>
-    <collision>
-      <origin rpy="0 0 -0.7853981634"/>
-      <geometry><box size="2.1 0.36 0.36"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
       .checks = {on<model::Link>(check)},
   };
 }

@@ -8,6 +8,7 @@
 #include <rigor/mass/resolve.h>
 #include <rigor/rules/context.h>
 #include <rigor/rules/sdformat_inertia.h>
+#include <rigor/rules/sdformat_robot.h>
 
 namespace rigor::rules {
 

@@ -11,40 +11,32 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <optional>
 #include <vector>
 
 #include <rigor/rules/context.h>
+#include <rigor/text/disjoint_sets.h>
 
 namespace rigor::rules {
 
 class RigidGroups {
  public:
-  explicit RigidGroups(const Context& context) : group_(context.root().links.size()) {
-    std::iota(group_.begin(), group_.end(), 0U);
+  explicit RigidGroups(const Context& context) {
     const model::Root& root = context.root();
+    DisjointSets fixed(root.links.size());
     for (std::uint32_t i = 0; i < root.joints.size(); ++i) {
       const auto& ends = context.frames().ends({i});
       if (root.joints[i].type != model::JointType::kFixed || !ends.parent || !ends.child) continue;
-      group_[first(ends.child.value)] = first(ends.parent.value);
+      fixed.join(ends.child.value, ends.parent.value);
     }
-    for (std::uint32_t i = 0; i < group_.size(); ++i) group_[i] = first(i);
+    for (std::uint32_t i = 0; i < root.links.size(); ++i) group_.push_back(fixed.find(i));
   }
 
-  /// The index of the link that stands for the group.
+  /// The index of the link that represents the group.
   std::uint32_t of(model::Id<model::Link> link) const { return group_[link.value]; }
   std::size_t size() const { return group_.size(); }
 
  private:
-  std::uint32_t first(std::uint32_t link) {
-    while (group_[link] != link) {
-      group_[link] = group_[group_[link]];
-      link = group_[link];
-    }
-    return link;
-  }
-
   std::vector<std::uint32_t> group_;
 };
 

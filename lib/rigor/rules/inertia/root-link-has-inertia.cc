@@ -6,7 +6,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::root_link_has_inertia {
-namespace {
 
 void check(const model::Model& robot, Context& context) {
   if (robot.joints.empty()) return;
@@ -29,57 +28,18 @@ void check(const model::Model& robot, Context& context) {
                   .subject = context.subject(*base)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "root-link-has-inertia",
-      .category = Category::kInertia,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .targets = {Target::kRos},
       .summary = "the root link of a robot has an inertia, which KDL cannot hold",
-      .why =
-          "robot_state_publisher, MoveIt's solvers and others make a KDL tree of the robot, whose "
-          "root is a frame without mass. kdl_parser warns that it does not support a root link "
-          "with an inertia, and leaves it out of the dynamics.",
-      .what_to_do =
-          "Put an empty link before it: <link name=\"base_footprint\"/> and a fixed joint from "
-          "that to this link. Simulators merge the two.",
-      .bad = {{R"(<robot name="cart">
-  <link name="base">
-    <«inertial»>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <link name="wheel">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <joint name="axle" type="continuous">
-    <parent link="base"/>
-    <child link="wheel"/>
-    <axis xyz="0 1 0"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="cart">
-  <link name="base_footprint"/>
-  <link name="base">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <joint name="weld" type="fixed">
-    <parent link="base_footprint"/>
-    <child link="base"/>
-  </joint>
-</robot>
-)"}},
+      .why = "robot_state_publisher, MoveIt's solvers and others make a KDL tree of the robot, "
+             "whose root is a frame without mass. kdl_parser warns that it does not support a root "
+             "link with an inertia, and leaves it out of the dynamics.",
+      .what_to_do = "Put an empty link before it: <link name=\"base_footprint\"/> and a fixed "
+                    "joint from that to this link. Simulators merge the two.",
       .checks = {on<model::Model>(check)},
   };
 }

@@ -12,6 +12,7 @@
 
 #include <rigor/mass/link_body.h>
 #include <rigor/mass/proposal.h>
+#include <rigor/mass/shapes.h>
 #include <rigor/rules/context.h>
 
 namespace rigor::rules {

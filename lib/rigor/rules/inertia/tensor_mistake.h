@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <optional>
 
+#include <rigor/mass/shapes.h>
 #include <rigor/rules/inertia/solid_body.h>
 #include <rigor/rules/inertia/tensor.h>
 

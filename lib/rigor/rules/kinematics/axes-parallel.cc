@@ -6,7 +6,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::axes_parallel {
-namespace {
 
 constexpr double kLeastSine = 1e-3;
 
@@ -31,53 +30,15 @@ void check(const model::Joint& joint, Context& context) {
                   .related = {{first.xyz.span, "the first axis"}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "axes-parallel",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "the two axes of a joint are the same",
-      .why =
-          "A universal joint turns about two axes that cross. With one and the same it is a "
-          "revolute joint with an angle too many: only the sum of the two means anything.",
+      .why = "A universal joint turns about two axes that cross. With one and the same it is a "
+             "revolute joint with an angle too many: only the sum of the two means anything.",
       .what_to_do = "Write the second axis at a right angle to the first.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="universal">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-      <axis2>
-        <xyz>«0 0 -1»</xyz>
-      </axis2>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="universal">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-      <axis2>
-        <xyz>0 1 0</xyz>
-      </axis2>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/rules/xml/xacro.h>
 
 namespace rigor::rules::axis_missing {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   const xml::Element element = context.element(joint.site);
@@ -34,69 +33,14 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "axis-missing",
-      .category = Category::kKinematics,
       .severity = Severity::kInfo,
       .summary = "a joint that moves along an axis has none",
-      .why =
-          "SDF then takes the z axis of the joint's frame, and URDF x, so the robot changes "
-          "when it is converted by hand.",
+      .why = "SDF then takes the z axis of the joint's frame, and URDF x, so the robot changes "
+             "when it is converted by hand.",
       .what_to_do = "Write the axis: <axis><xyz>0 0 1</xyz></axis>, in URDF <axis xyz=\"1 0 0\"/>.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <«joint» name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <«axis»>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <«joint» name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

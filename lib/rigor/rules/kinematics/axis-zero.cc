@@ -8,9 +8,9 @@
 
 #include <rigor/rules/kinematics/motion.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/sdformat_robot.h>
 
 namespace rigor::rules::axis_zero {
-namespace {
 
 /// An axis that is no longer is refused by libsdformat, whose limit is in single precision.
 constexpr double kNoLength = 1e-6F;
@@ -43,69 +43,16 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "axis-zero",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kSays},
       .summary = "a joint axis is the zero vector, or as short as one",
-      .why =
-          "libsdformat refuses the model (error 9) when the axis is no longer than 1e-6, and so do "
-          "Drake and MuJoCo when it is zero. urdfdom takes it, and what then turns about nothing "
-          "depends on the simulator.",
+      .why = "libsdformat refuses the model (error 9) when the axis is no longer than 1e-6, and so "
+             "do Drake and MuJoCo when it is zero. urdfdom takes it, and what then turns about "
+             "nothing depends on the simulator.",
       .what_to_do = "Give the axis a direction, such as 0 0 1.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>«0 0 0»</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="«0 0 0»"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="fixed">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 0 0"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -8,83 +8,30 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::axis2_without_effect {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   if (joint.type == model::JointType::kUnknown || joint.type == model::JointType::kGearbox) return;
   if (degrees_of_freedom(joint.type) == 2) return;
-  const auto axis = context.element(joint.site).child("axis2");
-  if (!axis) return;
-  context.report({.where = axis->name_span(),
+  if (joint.axes.empty()) return;
+  const model::Site& axis = joint.axes.back().site;
+  if (context.bytes(axis.name) != "axis2") return;
+  context.report({.where = axis.name,
                   .message = "a " + std::string(to_string(joint.type)) +
                              " joint has no second axis: this one is ignored",
                   .subject = context.subject(joint),
-                  .fix = fix_of("remove it", Applicability::kUnsafe,
-                                xml::remove_element(context.document(), *axis))});
+                  .fix = fix_of("remove it", Applicability::kUnsafe, removed(context, axis))});
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "axis2-without-effect",
-      .category = Category::kKinematics,
       .severity = Severity::kInfo,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a joint with one axis has a second",
-      .why =
-          "Only universal, revolute2 and gearbox joints have two axes. Of other types "
-          "nobody reads <axis2>, and its limits and damping are not there.",
+      .why = "Only universal, revolute2 and gearbox joints have two axes. Of other types nobody "
+             "reads <axis2>, and its limits and damping are not there.",
       .what_to_do = "Take it out, or give the joint the type that was meant.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-      <«axis2»>
-        <xyz>0 1 0</xyz>
-      </axis2>
-    </joint>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="universal">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-      <axis2>
-        <xyz>0 1 0</xyz>
-      </axis2>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

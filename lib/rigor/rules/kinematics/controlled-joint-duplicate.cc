@@ -2,28 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <string>
-#include <string_view>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::controlled_joint_duplicate {
-namespace {
 
 /// "elbow position", for each interface that moves it.
-std::vector<std::string> commands_of(xml::Element joint, const model::ControlledJoint& controlled) {
+std::vector<std::string> commands_of(const model::ControlledJoint& controlled) {
   const char* kind = controlled.ros2_control ? "command_interface" : "hardwareInterface";
   std::vector<std::string> commands;
-  for (const xml::Element child : joint.children()) {
-    if (child.name() != kind) continue;
-    const auto name = child.attribute("name");
-    std::string command = controlled.joint.value + ' ';
-    command += controlled.ros2_control ? (name ? name->value() : std::string_view())
-                                       : read::trimmed(child.text());
-    commands.push_back(kind + (' ' + command));
+  for (const model::Parameter& given : controlled.parameters) {
+    if (given.name != kind) continue;
+    const auto* name = controlled.ros2_control ? attribute(given, "name") : &given.value;
+    const std::string command = name != nullptr ? name->value : std::string();
+    commands.push_back(kind + (' ' + controlled.joint.value) + ' ' + command);
   }
   return commands;
 }
@@ -33,7 +28,7 @@ void check(const model::Root& root, Context& context) {
   for (const model::ControlledJoint& controlled : root.controlled_joints) {
     if (controlled.joint.value.empty() || !root.own(controlled.site)) continue;
     bool told = false;
-    for (std::string& command : commands_of(context.element(controlled.site), controlled)) {
+    for (std::string& command : commands_of(controlled)) {
       const auto [known, is_new] = first.emplace(std::move(command), controlled.joint.span);
       if (is_new || told || known->second == controlled.joint.span) continue;
       told = true;
@@ -45,67 +40,16 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "controlled-joint-duplicate",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .summary = "a joint is driven twice",
       .why =
-          "A command has one owner. Where two entries offer the same, it is left open which "
-          "motor a controller moves; most often one of them was copied and should name "
-          "another joint.",
+          "A command has one owner. Where two entries offer the same, it is left open which motor "
+          "a controller moves; most often one of them was copied and should name another joint.",
       .what_to_do = "Let one block drive the joint.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <ros2_control name="arm" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-    <joint name="elbow">
-      <command_interface name="position"/>
-    </joint>
-    <joint name="«elbow»">
-      <command_interface name="position"/>
-    </joint>
-  </ros2_control>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <ros2_control name="arm" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-    <joint name="elbow">
-      <command_interface name="position"/>
-    </joint>
-  </ros2_control>
-  <ros2_control name="sensors" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-    <joint name="elbow">
-      <state_interface name="position"/>
-    </joint>
-  </ros2_control>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <string_view>
+#include <string>
 
 #include <fmt/core.h>
 
@@ -9,15 +9,15 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::controlled_joint_fixed {
-namespace {
 
 /// Others, such as those that only name the ends of a chain, move nothing.
-bool moves_a_joint(xml::Element element, const model::ControlledJoint& controlled) {
-  if (controlled.ros2_control) return element.child("command_interface").has_value();
+bool moves_a_joint(const model::ControlledJoint& controlled) {
+  const model::Parameters& given = controlled.parameters;
+  if (controlled.ros2_control) return find(given, "command_interface") != nullptr;
   bool any = false;
-  for (const xml::Element child : element.children()) {
-    if (child.name() != "hardwareInterface") continue;
-    if (child.text().find("JointInterface") != std::string_view::npos) return true;
+  for (const model::Parameter& parameter : given) {
+    if (parameter.name != "hardwareInterface") continue;
+    if (parameter.value.value.find("JointInterface") != std::string::npos) return true;
     any = true;
   }
   return !any;
@@ -28,7 +28,7 @@ void check(const model::Root& root, Context& context) {
     if (root.models.empty() || !root.own(controlled.site)) continue;
     const auto id = joint_named(context.frames(), {0}, controlled.joint.value);
     if (!id || root[id].type != model::JointType::kFixed) continue;
-    if (!moves_a_joint(context.element(controlled.site), controlled)) continue;
+    if (!moves_a_joint(controlled)) continue;
     context.report(
         {.where = controlled.joint.span,
          .message = fmt::format("{} drives the joint '{}', which is fixed",
@@ -38,87 +38,16 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "controlled-joint-fixed",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .summary = "a transmission or ros2_control drives a fixed joint",
-      .why =
-          "Gazebo leaves no trace of the fixed joints of a URDF: gazebo_ros_control then "
-          "ends with \"This robot has a joint named … which is not in the gazebo model\", and "
-          "gz_ros2_control passes over the joint, so its controllers do not start.",
+      .why = "Gazebo leaves no trace of the fixed joints of a URDF: gazebo_ros_control then ends "
+             "with \"This robot has a joint named … which is not in the gazebo model\", and "
+             "gz_ros2_control passes over the joint, so its controllers do not start.",
       .what_to_do = "Make the joint one that moves, or take it out of the block.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="fixed">
-    <parent link="base"/>
-    <child link="tip"/>
-  </joint>
-  <transmission name="drive">
-    <type>transmission_interface/SimpleTransmission</type>
-    <joint name="«elbow»">
-      <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-    </joint>
-    <actuator name="motor"/>
-  </transmission>
-</robot>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="fixed">
-    <parent link="base"/>
-    <child link="tip"/>
-  </joint>
-  <ros2_control name="arm" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-    <joint name="«elbow»">
-      <command_interface name="position"/>
-    </joint>
-  </ros2_control>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <transmission name="drive">
-    <type>transmission_interface/SimpleTransmission</type>
-    <joint name="elbow">
-      <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-    </joint>
-    <actuator name="motor"/>
-  </transmission>
-</robot>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="fixed">
-    <parent link="base"/>
-    <child link="tip"/>
-  </joint>
-  <ros2_control name="arm" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-    <joint name="elbow">
-      <state_interface name="position"/>
-    </joint>
-  </ros2_control>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -8,12 +8,10 @@
 
 #include <fmt/core.h>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/kinematics/leader.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::driven_wheel_limited {
-namespace {
 
 constexpr double kEnough = 1000;  // rad; what turns as far is meant to turn on
 
@@ -56,110 +54,32 @@ std::string obstacle(const model::Joint& joint) {
 void check(const model::Plugin& plugin, Context& context) {
   const Drive* drive = drive_of(plugin);
   if (drive == nullptr || !plugin.model) return;
-  for (const xml::Element child : context.element(plugin.site).children()) {
-    if (std::find(drive->joints.begin(), drive->joints.end(), child.name()) ==
-        drive->joints.end()) {
+  for (const model::Parameter& given : plugin.parameters) {
+    if (std::find(drive->joints.begin(), drive->joints.end(), given.name) == drive->joints.end()) {
       continue;
     }
-    const auto id = joint_named(context.frames(), plugin.model, read::trimmed(child.text()));
+    const auto id = joint_named(context.frames(), plugin.model, given.value.value);
     if (!id) continue;
     const model::Joint& joint = context.root()[id];
     const std::string why = obstacle(joint);
     if (why.empty()) continue;
     context.report(
-        {.where = child.text_span(),
+        {.where = given.value.span,
          .message = "the plugin turns the joint '" + joint.name.value + "', which " + why,
          .subject = context.subject(plugin)});
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "driven-wheel-limited",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .summary = "a plugin turns a joint that cannot turn on",
-      .why =
-          "Wheels, rotors and propellers turn without end. One with limits stops when it "
-          "has reached them, after some metres, and the robot turns on the spot or stands; "
-          "a fixed or sliding one never begins.",
+      .why = "Wheels, rotors and propellers turn without end. One with limits stops when it has "
+             "reached them, after some metres, and the robot turns on the spot or stands; a fixed "
+             "or sliding one never begins.",
       .what_to_do =
           "Take lower and upper out of the limit of an SDF, or make the joint continuous.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-3.14</lower>
-          <upper>3.14</upper>
-        </limit>
-      </axis>
-    </joint>
-    <plugin filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive">
-      <left_joint>«elbow»</left_joint>
-    </plugin>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="fixed">
-      <parent>base</parent>
-      <child>tip</child>
-    </joint>
-    <plugin filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive">
-      <left_joint>«elbow»</left_joint>
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-    </joint>
-    <plugin filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive">
-      <left_joint>elbow</left_joint>
-    </plugin>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1e16</lower>
-          <upper>1e16</upper>
-        </limit>
-      </axis>
-    </joint>
-    <plugin filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive">
-      <left_joint>elbow</left_joint>
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Plugin>(check)},
   };
 }

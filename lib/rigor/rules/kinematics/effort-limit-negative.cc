@@ -11,7 +11,6 @@
 #include <rigor/write/numbers.h>
 
 namespace rigor::rules::effort_limit_negative {
-namespace {
 
 constexpr int kInfiniteSince = 10;
 constexpr double kNoLimit = -1;  // as older versions say it
@@ -41,141 +40,17 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "effort-limit-negative",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the effort or velocity limit of a joint is negative",
-      .why =
-          "Up to SDF 1.9 the default -1 stood for no limit, since 1.10 infinity does. "
-          "libsdformat makes every negative one infinite, so a sign by mistake leaves the "
-          "joint without a limit; other programs take it for a limit that no motion meets.",
+      .why = "Up to SDF 1.9 the default -1 stood for no limit, since 1.10 infinity does. "
+             "libsdformat makes every negative one infinite, so a sign by mistake leaves the joint "
+             "without a limit; other programs take it for a limit that no motion meets.",
       .what_to_do = "Write the greatest effort or speed; for no limit leave it out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-          <effort>«-30»</effort>
-          <velocity>2</velocity>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-          <effort>30</effort>
-          <velocity>2</velocity>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.10">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-          <effort>«-1»</effort>
-          <velocity>2</velocity>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.10">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-          <effort>inf</effort>
-          <velocity>2</velocity>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-          <effort>-1</effort>
-          <velocity>2</velocity>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.10">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-          <effort>30</effort>
-          <velocity>2</velocity>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -7,15 +7,12 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::effort_zero {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   if (!has_axis(joint.type)) return;
-  // Up to SDF 1.3 zero is what stands for "no limit".
-  if (context.is_sdf() && context.root().version <= 3) return;
   for (const model::Axis& axis : joint.axes) {
-    if (axis.mimic || !axis.effort.written || axis.effort.value != 0) continue;
-    const bool still = axis.velocity.written && axis.velocity.value == 0;
+    if (axis.mimic || effort_limit(context.root(), joint, axis) != 0) continue;
+    const bool still = velocity_limit(context.root(), joint, axis) == 0;
     context.report({.where = axis.effort.span,
                     .message = fmt::format(
                         "the effort limit is 0 {}{}: nothing can drive the joint",
@@ -24,78 +21,15 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "effort-zero",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .summary = "a joint may not be driven: its effort limit is zero",
-      .why =
-          "Simulators that heed the limit let no motor, controller or command move the joint; "
-          "MoveIt and ros_control complain or stand still.",
-      .what_to_do =
-          "Write the motor's greatest effort. For no limit, leave it out of an SDF; in "
-          "a URDF write a large one.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-          <effort>«0»</effort>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="«0»" velocity="2"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-          <effort>30</effort>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"}},
+      .why = "Simulators that heed the limit let no motor, controller or command move the joint; "
+             "MoveIt and ros_control complain or stand still.",
+      .what_to_do = "Write the motor's greatest effort. For no limit, leave it out of an SDF; in a "
+                    "URDF write a large one.",
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::fixed_joint_with_axis {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   if (joint.type != model::JointType::kFixed || joint.axes.empty()) return;
@@ -13,61 +12,20 @@ void check(const model::Joint& joint, Context& context) {
   if (axis.site.element == joint.site.element) return;  // only a limit, or the like
   // Exporters of URDF write 0 0 0 there, and mean none; of SDF axis-zero speaks.
   if (axis.xyz.value == model::Vector3{}) return;
-  context.report(
-      {.where = axis.site.name,
-       .message = "a fixed joint has no axis: this one is ignored",
-       .subject = context.subject(joint),
-       .fix = fix_of("remove it", Applicability::kUnsafe,
-                     xml::remove_element(context.document(), context.element(axis.site)))});
+  context.report({.where = axis.site.name,
+                  .message = "a fixed joint has no axis: this one is ignored",
+                  .subject = context.subject(joint),
+                  .fix = fix_of("remove it", Applicability::kUnsafe, removed(context, axis.site))});
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "fixed-joint-with-axis",
-      .category = Category::kKinematics,
       .severity = Severity::kInfo,
       .fix = FixGrade::kUnsafe,
       .summary = "a fixed joint has an axis",
       .why = "Nobody reads it. It is harmless, unless the joint was meant to move.",
       .what_to_do = "Take the axis out, or give the joint the type that was meant.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="fixed">
-      <parent>base</parent>
-      <child>tip</child>
-      <«axis»>
-        <xyz>0 0 1</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="fixed">
-      <parent>base</parent>
-      <child>tip</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="fixed">
-      <parent>base</parent>
-      <child>tip</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -1,12 +1,10 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 #include <rigor/write/numbers.h>
 
 namespace rigor::rules::gear_ratio_zero {
-namespace {
 
 void check_joint(const model::Joint& joint, Context& context) {
   const bool gearbox = joint.type == model::JointType::kGearbox;
@@ -18,144 +16,31 @@ void check_joint(const model::Joint& joint, Context& context) {
                   .subject = context.subject(joint)});
 }
 
-void check_reduction(xml::Element holder, Context& context) {
-  const auto reduction = holder.child("mechanicalReduction");
-  if (!reduction) return;
-  const auto number = write::number_in(read::trimmed(reduction->text()));
-  if (number != 0.0) return;
-  context.report({.where = reduction->text_span(), .message = "the reduction of the gear is 0"});
+void check_reduction(const model::Parameter& holder, Context& context) {
+  const auto* reduction = find(holder.children, "mechanicalReduction");
+  if (reduction == nullptr || write::number_in(reduction->value.value) != 0.0) return;
+  context.report({.where = reduction->value.span, .message = "the reduction of the gear is 0"});
 }
 
-void check_transmissions(const model::Root&, Context& context) {
-  if (!context.is_urdf() || !context.document().root()) return;
-  for (const xml::Element child : context.document().root()->children()) {
-    if (child.name() != "transmission") continue;
-    check_reduction(child, context);
-    for (const xml::Element part : child.children()) {
-      if (part.name() == "joint" || part.name() == "actuator") check_reduction(part, context);
+void check_transmissions(const model::Root& root, Context& context) {
+  for (const model::Parameter& transmission : root.transmissions) {
+    if (!root.own(transmission.site)) continue;
+    check_reduction(transmission, context);
+    for (const model::Parameter& part : transmission.children) {
+      if (part.name == "joint" || part.name == "actuator") check_reduction(part, context);
     }
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "gear-ratio-zero",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .summary = "a gear ratio, reduction or thread pitch is zero",
-      .why =
-          "One side would stand still however the other turns, and to compute the one from "
-          "the other is a division by zero: ros_control and ros2_control throw "
-          "\"Transmission reduction ratio cannot be zero\".",
+      .why = "One side would stand still however the other turns, and to compute the one from the "
+             "other is a division by zero: ros_control and ros2_control throw \"Transmission "
+             "reduction ratio cannot be zero\".",
       .what_to_do = "Write the ratio; 1 where there is no gear.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <transmission name="drive">
-    <type>transmission_interface/SimpleTransmission</type>
-    <joint name="elbow">
-      <hardwareInterface>EffortJointInterface</hardwareInterface>
-    </joint>
-    <actuator name="motor">
-      <mechanicalReduction>«0»</mechanicalReduction>
-    </actuator>
-  </transmission>
-</robot>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="spindle" type="screw">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-      <thread_pitch>«0»</thread_pitch>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="gears" type="gearbox">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-      <axis2>
-        <xyz>0 0 1</xyz>
-      </axis2>
-      <gearbox_ratio>«0»</gearbox_ratio>
-      <gearbox_reference_body>base</gearbox_reference_body>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <transmission name="drive">
-    <type>transmission_interface/SimpleTransmission</type>
-    <joint name="elbow">
-      <hardwareInterface>EffortJointInterface</hardwareInterface>
-    </joint>
-    <actuator name="motor">
-      <mechanicalReduction>50</mechanicalReduction>
-    </actuator>
-  </transmission>
-</robot>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="spindle" type="screw">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-      <thread_pitch>-5</thread_pitch>
-    </joint>
-  </model>
-</sdf>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <transmission name="drive">
-    <type>transmission_interface/SimpleTransmission</type>
-    <joint name="elbow">
-      <hardwareInterface>EffortJointInterface</hardwareInterface>
-    </joint>
-    <actuator name="motor">
-      <mechanicalReduction>-1</mechanicalReduction>
-    </actuator>
-  </transmission>
-</robot>
-)"}},
       .checks = {on<model::Joint>(check_joint), on<model::Root>(check_transmissions)},
   };
 }

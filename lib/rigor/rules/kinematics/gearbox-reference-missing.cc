@@ -6,19 +6,15 @@
 #include <variant>
 
 #include <rigor/model/names.h>
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
-#include <rigor/rules/xml/xacro.h>
+#include <rigor/rules/schema/misspelt.h>
 
 namespace rigor::rules::gearbox_reference_missing {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   if (joint.type != model::JointType::kGearbox || !joint.model) return;
-  const xml::Element element = context.element(joint.site);
-  if (has_xacro_child(element)) return;
-  const auto reference = element.child("gearbox_reference_body");
-  const std::string_view name = reference ? read::trimmed(reference->text()) : std::string_view();
+  if (has_xacro_child(joint.site, context)) return;
+  const std::string_view name = joint.gearbox_reference.value;
   if (name.empty()) {
     context.report(
         {.where = joint.type_name.span,
@@ -32,83 +28,22 @@ void check(const model::Joint& joint, Context& context) {
   if (names.find_link(joint.model, name)) return;
   if (!std::holds_alternative<std::monostate>(names.find({joint.model, {}}, name))) return;
   context.report(
-      {.where = reference->text_span(),
+      {.where = joint.gearbox_reference.span,
        .message = "the gears turn in '" + std::string(name) + "', which this model does not have",
        .subject = context.subject(joint)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "gearbox-reference-missing",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a gearbox joint has no reference body",
-      .why =
-          "The ratio is between the angles of parent and child to a third body. Gazebo "
-          "classic says \"Gearbox joint missing reference body\" and has nothing to measure "
-          "the angles from.",
+      .why = "The ratio is between the angles of parent and child to a third body. Gazebo classic "
+             "says \"Gearbox joint missing reference body\" and has nothing to measure the angles "
+             "from.",
       .what_to_do =
-          "Write <gearbox_reference_body> with the name of the link that both gears turn "
-          "in.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="gears" type="«gearbox»">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-      <axis2>
-        <xyz>0 0 1</xyz>
-      </axis2>
-      <gearbox_ratio>3</gearbox_ratio>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="gears" type="gearbox">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-      <axis2>
-        <xyz>0 0 1</xyz>
-      </axis2>
-      <gearbox_ratio>3</gearbox_ratio>
-      <gearbox_reference_body>«baes»</gearbox_reference_body>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="gears" type="gearbox">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-      <axis2>
-        <xyz>0 0 1</xyz>
-      </axis2>
-      <gearbox_ratio>3</gearbox_ratio>
-      <gearbox_reference_body>base</gearbox_reference_body>
-    </joint>
-  </model>
-</sdf>
-)"}},
+          "Write <gearbox_reference_body> with the name of the link that both gears turn in.",
       .checks = {on<model::Joint>(check)},
   };
 }

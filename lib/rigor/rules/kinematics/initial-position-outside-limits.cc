@@ -7,28 +7,27 @@
 
 #include <fmt/core.h>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/kinematics/leader.h>
 #include <rigor/rules/kinematics/motion.h>
 #include <rigor/rules/rule.h>
 #include <rigor/write/numbers.h>
 
 namespace rigor::rules::initial_position_outside_limits {
-namespace {
 
 constexpr double kTolerance = 1e-6;
 
-void check_value(xml::Element value, model::Id<model::Joint> id, Context& context) {
+void check_value(const model::Field<std::string>& value, model::Id<model::Joint> id,
+                 Context& context) {
   if (!id) return;
   const model::Joint& joint = context.root()[id];
   if (!is_limited(joint.type) || joint.axes.empty()) return;
   const model::Axis& axis = joint.axes.front();
-  const auto position = write::number_in(read::trimmed(value.text()));
+  const auto position = write::number_in(value.value);
   if (!position || axis.lower.value > axis.upper.value) return;
   if (*position >= axis.lower.value - kTolerance && *position <= axis.upper.value + kTolerance) {
     return;
   }
-  context.report({.where = value.text_span(),
+  context.report({.where = value.span,
                   .message = fmt::format("the joint '{}' is to begin at {:.6g} {}, but its limits "
                                          "are {:.6g} and {:.6g}",
                                          joint.name.value, *position, position_unit(joint.type),
@@ -42,18 +41,17 @@ void check_plugin(const model::Plugin& plugin, Context& context) {
   if (!trajectory && plugin.filename.value.find("joint-position-controller") == std::string::npos) {
     return;
   }
-  std::vector<xml::Element> names;
-  std::vector<xml::Element> positions;
-  for (const xml::Element child : context.element(plugin.site).children()) {
-    if (child.name() == "joint_name") names.push_back(child);
-    if (child.name() == "initial_position") positions.push_back(child);
+  std::vector<model::Field<std::string>> names;
+  std::vector<model::Field<std::string>> positions;
+  for (const model::Parameter& given : plugin.parameters) {
+    if (given.name == "joint_name") names.push_back(given.value);
+    if (given.name == "initial_position") positions.push_back(given.value);
   }
   if (positions.empty()) return;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (trajectory && i >= positions.size()) return;
     check_value(trajectory ? positions[i] : positions.front(),
-                joint_named(context.frames(), plugin.model, read::trimmed(names[i].text())),
-                context);
+                joint_named(context.frames(), plugin.model, names[i].value), context);
   }
 }
 
@@ -67,116 +65,28 @@ void check_ros2_control(const model::Root& root, Context& context) {
   for (const model::ControlledJoint& controlled : root.controlled_joints) {
     if (!controlled.ros2_control || root.models.empty() || !root.own(controlled.site)) continue;
     const auto id = joint_named(context.frames(), {0}, controlled.joint.value);
-    for (const xml::Element face : context.element(controlled.site).children()) {
-      const auto of = face.attribute("name");
-      if (face.name() != "state_interface" || !of || of->value() != "position") continue;
-      for (const xml::Element parameter : face.children()) {
-        const auto name = parameter.attribute("name");
-        if (name && name->value() == "initial_value") check_value(parameter, id, context);
+    for (const model::Parameter& face : controlled.parameters) {
+      const auto* of = attribute(face, "name");
+      if (face.name != "state_interface" || of == nullptr || of->value != "position") continue;
+      for (const model::Parameter& parameter : face.children) {
+        const auto* name = attribute(parameter, "name");
+        if (name != nullptr && name->value == "initial_value") {
+          check_value(parameter.value, id, context);
+        }
       }
     }
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "initial-position-outside-limits",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .summary = "a joint is to begin outside its limits",
-      .why =
-          "The controller aims at a place that the joint cannot reach: it pushes against "
-          "the stop for ever. Most often the number is in degrees or millimetres, or the "
-          "limits were changed later.",
+      .why = "The controller aims at a place that the joint cannot reach: it pushes against the "
+             "stop for ever. Most often the number is in degrees or millimetres, or the limits "
+             "were changed later.",
       .what_to_do = "Write a position between the limits, in radians or metres.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <ros2_control name="arm" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-    <joint name="elbow">
-      <command_interface name="position"/>
-      <state_interface name="position">
-        <param name="initial_value">«1.57»</param>
-      </state_interface>
-    </joint>
-  </ros2_control>
-</robot>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-        </limit>
-      </axis>
-    </joint>
-    <plugin filename="gz-sim-joint-position-controller-system" name="gz::sim::systems::JointPositionController">
-      <joint_name>elbow</joint_name>
-      <initial_position>«90»</initial_position>
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <ros2_control name="arm" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-    <joint name="elbow">
-      <command_interface name="position"/>
-      <state_interface name="position">
-        <param name="initial_value">0.5</param>
-      </state_interface>
-    </joint>
-  </ros2_control>
-</robot>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-        </limit>
-      </axis>
-    </joint>
-    <plugin filename="gz-sim-joint-position-controller-system" name="gz::sim::systems::JointPositionController">
-      <joint_name>elbow</joint_name>
-      <initial_position>0.5</initial_position>
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check_plugins), on<model::Root>(check_ros2_control)},
   };
 }

@@ -10,7 +10,6 @@
 #include <rigor/write/numbers.h>
 
 namespace rigor::rules::joint_dynamics_negative {
-namespace {
 
 constexpr double kNegativeInfinity = -std::numeric_limits<double>::infinity();
 
@@ -34,72 +33,17 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "joint-dynamics-negative",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the damping, friction or stiffness of a joint is negative",
-      .why =
-          "Such a joint drives itself: each motion makes the next one faster, until the "
-          "simulation explodes. Drake refuses it: \"Joint damping must be a non-negative "
-          "number\". libsdformat says nothing.",
+      .why = "Such a joint drives itself: each motion makes the next one faster, until the "
+             "simulation explodes. Drake refuses it: \"Joint damping must be a non-negative "
+             "number\". libsdformat says nothing.",
       .what_to_do = "Write a number of at least 0.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <dynamics>
-          <damping>«-0.5»</damping>
-        </dynamics>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <dynamics>
-          <damping>0.5</damping>
-        </dynamics>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <dynamics>
-          <damping>0.5</damping>
-        </dynamics>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

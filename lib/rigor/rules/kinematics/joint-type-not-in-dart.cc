@@ -4,7 +4,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::joint_type_not_in_dart {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   if (joint.type != model::JointType::kRevolute2 && joint.type != model::JointType::kGearbox)
@@ -15,70 +14,19 @@ void check(const model::Joint& joint, Context& context) {
        .subject = context.subject(joint)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "joint-type-not-in-dart",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .formats = Formats::kSdf,
       .targets = {Target::kGzSim},
       .summary = "a joint has a type that gz-sim makes a fixed one of",
-      .why =
-          "gz-sim's usual physics engine is DART, by gz-physics, which has no revolute2 and no "
-          "gearbox joint: it says so in its log and creates a fixed joint instead. The wheel does "
-          "not turn.",
-      .what_to_do =
-          "Write a revolute2 joint as two revolute joints with a small link between them, or as a "
-          "universal joint where both axes meet at right angles; in place of a gearbox let one "
-          "joint <mimic> the other.",
-      .bad = {{R"(<sdf version="1.7">
-  <model name="car">
-    <link name="base">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-    </link>
-    <link name="wheel">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-    </link>
-    <joint name="steer" type="«revolute2»">
-      <parent>base</parent>
-      <child>wheel</child>
-      <axis><xyz>0 0 1</xyz></axis>
-      <axis2><xyz>0 1 0</xyz></axis2>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.7">
-  <model name="car">
-    <link name="base">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-    </link>
-    <link name="wheel">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-    </link>
-    <joint name="steer" type="universal">
-      <parent>base</parent>
-      <child>wheel</child>
-      <axis><xyz>0 0 1</xyz></axis>
-      <axis2><xyz>0 1 0</xyz></axis2>
-    </joint>
-  </model>
-</sdf>
-)"}},
+      .why = "gz-sim's usual physics engine is DART, by gz-physics, which has no revolute2 and no "
+             "gearbox joint: it says so in its log and creates a fixed joint instead. The wheel "
+             "does not turn.",
+      .what_to_do = "Write a revolute2 joint as two revolute joints with a small link between "
+                    "them, or as a universal joint where both axes meet at right angles; in place "
+                    "of a gearbox let one joint <mimic> the other.",
       .checks = {on<model::Joint>(check)},
   };
 }

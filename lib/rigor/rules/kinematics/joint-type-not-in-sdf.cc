@@ -1,12 +1,10 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <string>
-
 #include <rigor/rules/rule.h>
+#include <rigor/rules/sdformat_robot.h>
 
 namespace rigor::rules::joint_type_not_in_sdf {
-namespace {
 
 void check(const model::Model& /*robot*/, Context& context) {
   for (const SdformatRobot::Part& part : context.sdformat_robot().parts) {
@@ -21,60 +19,19 @@ void check(const model::Model& /*robot*/, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "joint-type-not-in-sdf",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .refused = {.urdf = Refusal::kAlways},
       .formats = Formats::kUrdf,
       .targets = {Target::kGazeboClassic, Target::kGzSim},
       .summary = "a joint of a URDF has a type that SDF does not have",
-      .why =
-          "libsdformat, through which Gazebo reads URDF, leaves planar and floating joints out. "
-          "Version 12 "
-          "keeps the pose of the child relative to the joint and so refuses what it made itself "
-          "(error 25).",
-      .what_to_do =
-          "For a planar joint take two prismatic ones and a revolute one. What floats is a model "
-          "of its own.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <link name="puck">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <joint name="slides" type="«planar»">
-    <parent link="base"/>
-    <child link="puck"/>
-    <axis xyz="0 0 1"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <link name="puck"/>
-  <joint name="slides" type="planar">
-    <parent link="base"/>
-    <child link="puck"/>
-    <axis xyz="0 0 1"/>
-  </joint>
-</robot>
-)"}},
+      .why = "libsdformat, through which Gazebo reads URDF, leaves planar and floating joints out. "
+             "Version 12 keeps the pose of the child relative to the joint and so refuses what it "
+             "made itself (error 25).",
+      .what_to_do = "For a planar joint take two prismatic ones and a revolute one. What floats is "
+                    "a model of its own.",
       .checks = {on<model::Model>(check)},
   };
 }

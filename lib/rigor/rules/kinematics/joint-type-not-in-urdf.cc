@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::joint_type_not_in_urdf {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   if (!may_be_for_ros(context.root(), joint.model)) return;
@@ -23,12 +22,9 @@ void check(const model::Joint& joint, Context& context) {
                   .subject = context.subject(joint)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "joint-type-not-in-urdf",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .formats = Formats::kSdf,
       .targets = {Target::kRos},
@@ -37,51 +33,6 @@ Rule rule() {
           "ROS reads SDF by sdformat_urdf, which makes a URDF robot of it. It knows fixed, "
           "continuous, revolute and prismatic joints, and refuses the whole model for any other.",
       .what_to_do = "Write a universal joint as two revolute ones, with a small link between them.",
-      .bad = {{R"(<sdf version="1.7">
-  <model name="car">
-    <link name="base">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-    </link>
-    <link name="wheel">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-    </link>
-    <joint name="steer" type="«universal»">
-      <parent>base</parent>
-      <child>wheel</child>
-      <axis><xyz>0 0 1</xyz></axis>
-      <axis2><xyz>0 1 0</xyz></axis2>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.7">
-  <model name="car">
-    <link name="base">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-    </link>
-    <link name="wheel">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-    </link>
-    <joint name="steer" type="revolute">
-      <parent>base</parent>
-      <child>wheel</child>
-      <axis><xyz>0 0 1</xyz></axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::kinematic_loop {
-namespace {
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
@@ -48,52 +47,16 @@ void check(const model::Model& robot, Context& context) {
                   .refused = !beside_tree(tree)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "kinematic-loop",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .refused = {.urdf = Refusal::kSays},
       .formats = Formats::kUrdf,
       .summary = "the joints of a URDF make a loop",
-      .why =
-          "A URDF is a tree. urdfdom takes the loop, and what walks the tree then never ends: "
-          "check_urdf hangs, libsdformat overflows its stack.",
+      .why = "A URDF is a tree. urdfdom takes the loop, and what walks the tree then never ends: "
+             "check_urdf hangs, libsdformat overflows its stack.",
       .what_to_do = "Take one of the joints out. URDF cannot close a chain; SDF can.",
-      .bad = {{R"(<robot name="arm">
-  <link name="a"/>
-  <link name="b"/>
-  <link name="c"/>
-  <joint name="ab" type="fixed">
-    <parent link="a"/>
-    <child link="b"/>
-  </joint>
-  <joint name="bc" type="fixed">
-    <parent link="b"/>
-    <child link="c"/>
-  </joint>
-  <joint name="cb" type="fixed">
-    <parent link="c"/>
-    <child link="«b»"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="a"/>
-  <link name="b"/>
-  <link name="c"/>
-  <joint name="ab" type="fixed">
-    <parent link="a"/>
-    <child link="b"/>
-  </joint>
-  <joint name="bc" type="fixed">
-    <parent link="b"/>
-    <child link="c"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Model>(check)},
   };
 }

@@ -11,6 +11,7 @@
 
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
+#include <rigor/model/motion.h>
 
 namespace rigor::rules {
 
@@ -23,9 +24,8 @@ inline bool is_limited(model::JointType type) {
 }
 
 /// Whether an effort or velocity of zero holds the joint, as effort-zero and velocity-zero say.
-inline bool is_stuck(const model::Axis& axis) {
-  return (axis.effort.written && axis.effort.value == 0) ||
-         (axis.velocity.written && axis.velocity.value == 0);
+inline bool is_stuck(const model::Root& root, const model::Joint& joint, const model::Axis& axis) {
+  return effort_limit(root, joint, axis) == 0 || velocity_limit(root, joint, axis) == 0;
 }
 
 /// How many numbers say where a joint of this type is; none are known of an unknown type.

@@ -14,14 +14,13 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::limit_equal {
-namespace {
 
 /// Of a joint that stays at zero: a fixed one stands where it stood.
 std::optional<Fix> fixed_instead(const model::Joint& joint, const model::Axis& axis,
                                  const Context& context) {
   std::vector<Edit> edits{{joint.type_name.span, "fixed"}};
   if (axis.site.element != joint.site.element) {
-    const auto without_axis = xml::remove_element(context.document(), context.element(axis.site));
+    const auto without_axis = removed(context, axis.site);
     edits.insert(edits.end(), without_axis.begin(), without_axis.end());
   }
   return fix_of("make it fixed", Applicability::kUnsafe, std::move(edits));
@@ -32,7 +31,8 @@ void check(const model::Joint& joint, Context& context) {
   const model::Axis& axis = joint.axes.front();
   // Files of those versions have no other way to say it.
   if (context.is_sdf() && context.root().version < 6) return;
-  if (!axis.lower.written || !axis.upper.written || axis.mimic || is_stuck(axis)) return;
+  if (!axis.lower.written || !axis.upper.written || axis.mimic) return;
+  if (is_stuck(context.root(), joint, axis)) return;
   if (axis.lower.value != axis.upper.value || !std::isfinite(axis.upper.value)) return;
   context.report(
       {.where = axis.upper.span,
@@ -42,98 +42,16 @@ void check(const model::Joint& joint, Context& context) {
        .fix = fixed_instead(joint, axis, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "limit-equal",
-      .category = Category::kKinematics,
       .severity = Severity::kInfo,
       .fix = FixGrade::kUnsafe,
       .summary = "the limits of a joint leave it one position",
-      .why =
-          "The joint cannot move. Files from before SDF had fixed joints lock a revolute "
-          "one so; an engine then solves for a joint and its two stops, which is slower and "
-          "less stiff than a fixed joint.",
+      .why = "The joint cannot move. Files from before SDF had fixed joints lock a revolute one "
+             "so; an engine then solves for a joint and its two stops, which is slower and less "
+             "stiff than a fixed joint.",
       .what_to_do = "Make the joint fixed, or write the limits that were meant.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>0</lower>
-          <upper>«0»</upper>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="fixed">
-      <parent>base</parent>
-      <child>tip</child>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 0 1"/>
-    <limit lower="0.5" upper="«0.5»" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="fixed">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="0.5" upper="0.5" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>0</lower>
-          <upper>0.1</upper>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::limit_excludes_zero {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   if (!is_limited(joint.type)) return;
@@ -26,78 +25,17 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "limit-excludes-zero",
-      .category = Category::kKinematics,
       .severity = Severity::kInfo,
       .summary = "the zero position of a joint is outside its limits",
-      .why =
-          "Simulators, RViz and the inspectors of models begin with every joint at zero. A "
-          "simulator then begins with a joint beyond its stop and pushes it back; MoveIt "
-          "refuses to plan from there, since the state is out of bounds; "
-          "joint_state_publisher begins in the middle of the limits.",
-      .what_to_do =
-          "Let zero be a position that the joint can take, or tell whatever starts the "
-          "robot where to start it.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>«0.5»</lower>
-          <upper>1</upper>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="«-0.2»" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>0</lower>
-          <upper>1</upper>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="0" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"}},
+      .why = "Simulators, RViz and the inspectors of models begin with every joint at zero. A "
+             "simulator then begins with a joint beyond its stop and pushes it back; MoveIt "
+             "refuses to plan from there, since the state is out of bounds; joint_state_publisher "
+             "begins in the middle of the limits.",
+      .what_to_do = "Let zero be a position that the joint can take, or tell whatever starts the "
+                    "robot where to start it.",
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -10,7 +10,6 @@
 #include <rigor/write/numbers.h>
 
 namespace rigor::rules::limit_looks_like_millimetres {
-namespace {
 
 constexpr double kLeast = 20;   // rails of that length exist, between links as far apart
 constexpr double kMost = 5000;  // larger ones stand for "no limit"
@@ -66,98 +65,15 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "limit-looks-like-millimetres",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a limit of a sliding joint looks like millimetres",
-      .why =
-          "Limits of prismatic joints are in metres. A finger that may go 40 m has no stop: "
-          "it leaves its gripper as soon as something pushes it.",
+      .why = "Limits of prismatic joints are in metres. A finger that may go 40 m has no stop: it "
+             "leaves its gripper as soon as something pushes it.",
       .what_to_do = "Convert the limits to metres: 40 mm are 0.04.",
-      .bad = {{R"(<robot name="arm">
-  <link name="palm">
-    <visual>
-      <geometry>
-        <box size="0.1 0.1 0.1"/>
-      </geometry>
-    </visual>
-  </link>
-  <link name="finger">
-    <visual>
-      <geometry>
-        <box size="0.1 0.1 0.1"/>
-      </geometry>
-    </visual>
-  </link>
-  <joint name="slide" type="prismatic">
-    <parent link="palm"/>
-    <child link="finger"/>
-    <origin xyz="0 0.04 0.1"/>
-    <limit lower="0" upper="«40»" effort="5" velocity="0.1"/>
-  </joint>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="palm">
-    <visual>
-      <geometry>
-        <box size="0.1 0.1 0.1"/>
-      </geometry>
-    </visual>
-  </link>
-  <link name="finger">
-    <visual>
-      <geometry>
-        <box size="0.1 0.1 0.1"/>
-      </geometry>
-    </visual>
-  </link>
-  <joint name="slide" type="prismatic">
-    <parent link="palm"/>
-    <child link="finger"/>
-    <origin xyz="0 0.04 0.1"/>
-    <limit lower="0" upper="0.04" effort="5" velocity="0.1"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="palm">
-    <visual>
-      <geometry>
-        <box size="0.1 0.1 0.1"/>
-      </geometry>
-    </visual>
-  </link>
-  <link name="finger">
-    <visual>
-      <geometry>
-        <box size="0.1 0.1 0.1"/>
-      </geometry>
-    </visual>
-  </link>
-  <joint name="slide" type="prismatic">
-    <parent link="palm"/>
-    <child link="finger"/>
-    <origin xyz="0 0.04 0.1"/>
-    <limit lower="0" upper="0.04" effort="5" velocity="0.1"/>
-  </joint>
-</robot>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="slide" type="prismatic">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-100" upper="100" effort="5" velocity="0.1"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -4,16 +4,15 @@
 #include <string>
 
 #include <rigor/rules/rule.h>
-#include <rigor/rules/xml/xacro.h>
+#include <rigor/rules/schema/misspelt.h>
 
 namespace rigor::rules::limit_missing {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   const bool limited =
       joint.type == model::JointType::kRevolute || joint.type == model::JointType::kPrismatic;
   if (!limited || (!joint.axes.empty() && joint.axes.front().limit_written)) return;
-  if (has_xacro_child(context.element(joint.site))) return;
+  if (has_xacro_child(joint.site, context)) return;
   context.report({.where = joint.site.name,
                   .message = "the " + std::string(to_string(joint.type)) + " joint has no <limit>",
                   .subject = context.subject(joint),
@@ -22,48 +21,16 @@ void check(const model::Joint& joint, Context& context) {
                               : ""});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "limit-missing",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .refused = {.urdf = Refusal::kAlways},
       .formats = Formats::kUrdf,
       .summary = "a revolute or prismatic joint of a URDF has no limits",
       .why = "urdfdom refuses the whole robot: these two types must have limits.",
-      .what_to_do =
-          "Add <limit lower=\"…\" upper=\"…\" effort=\"…\" velocity=\"…\"/>, or make a "
-          "revolute joint continuous.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <«joint» name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-  </joint>
-</robot>
-)"}},
+      .what_to_do = "Add <limit lower=\"…\" upper=\"…\" effort=\"…\" velocity=\"…\"/>, or make a "
+                    "revolute joint continuous.",
       .checks = {on<model::Joint>(check)},
   };
 }

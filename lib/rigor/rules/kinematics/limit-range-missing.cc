@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::limit_range_missing {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   if (joint.type != model::JointType::kRevolute && joint.type != model::JointType::kPrismatic) {
@@ -15,7 +14,7 @@ void check(const model::Joint& joint, Context& context) {
   }
   for (const model::Axis& axis : joint.axes) {
     if (!axis.limit_written || axis.lower.written || axis.upper.written) continue;
-    if (is_stuck(axis)) continue;
+    if (is_stuck(context.root(), joint, axis)) continue;
     context.report({.where = axis.limit_site.name,
                     .message = fmt::format("neither lower nor upper is written: both are 0, and "
                                            "the {} joint cannot move",
@@ -24,61 +23,16 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "limit-range-missing",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .summary = "a <limit> of a URDF says neither lower nor upper",
-      .why =
-          "Both are 0 then, as the format defaults them: a revolute or prismatic joint is "
-          "locked where it is. urdfdom says nothing.",
+      .why = "Both are 0 then, as the format defaults them: a revolute or prismatic joint is "
+             "locked where it is. urdfdom says nothing.",
       .what_to_do =
-          "Write lower and upper; a revolute joint that may turn without end is a "
-          "continuous one.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <«limit» effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit upper="1" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"}},
+          "Write lower and upper; a revolute joint that may turn without end is a continuous one.",
       .checks = {on<model::Joint>(check)},
   };
 }

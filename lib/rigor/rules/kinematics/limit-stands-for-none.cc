@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::limit_stands_for_none {
-namespace {
 
 constexpr double kHuge = 1e6;  // turns of a screw, or metres of a rail, that nobody builds
 constexpr int kInfiniteSince = 10;
@@ -47,116 +46,18 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "limit-stands-for-none",
-      .category = Category::kKinematics,
       .severity = Severity::kInfo,
       .fix = FixGrade::kUnsafe,
       .summary = "a huge limit stands for none",
-      .why =
-          "Before SDF 1.10 ±1e16 was how the format said \"no limit\", and other huge numbers "
-          "are meant so. Since 1.10 infinity says it, and URDF has continuous joints. Who "
-          "does not know the custom takes the number for a limit: a slider or a random "
-          "position is somewhere in a range without end.",
-      .what_to_do =
-          "In SDF 1.10 and later write inf, or leave the limit out. In a URDF make a "
-          "revolute joint continuous.",
-      .bad = {{R"(<sdf version="1.10">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>«-1e16»</lower>
-          <upper>1e16</upper>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.10">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-inf</lower>
-          <upper>inf</upper>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 0 1"/>
-    <limit lower="«-1e+16»" upper="1e+16" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1e16</lower>
-          <upper>1e16</upper>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-inf</lower>
-          <upper>inf</upper>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-100" upper="100" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"}},
+      .why = "Before SDF 1.10 ±1e16 was how the format said \"no limit\", and other huge numbers "
+             "are meant so. Since 1.10 infinity says it, and URDF has continuous joints. Who does "
+             "not know the custom takes the number for a limit: a slider or a random position is "
+             "somewhere in a range without end.",
+      .what_to_do = "In SDF 1.10 and later write inf, or leave the limit out. In a URDF make a "
+                    "revolute joint continuous.",
       .checks = {on<model::Joint>(check)},
   };
 }

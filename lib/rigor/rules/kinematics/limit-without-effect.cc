@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::limit_without_effect {
-namespace {
 
 // Whoever writes a whole turn, or nothing but zeros, means no limit.
 constexpr double kWholeTurn = 6.28;
@@ -37,120 +36,17 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "limit-without-effect",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a joint that has no limits is given some",
       .why =
-          "The type says that the joint goes on for ever, and then nobody reads lower and "
-          "upper: the joint turns past them. URDF lets a continuous joint leave them out "
-          "for that reason.",
+          "The type says that the joint goes on for ever, and then nobody reads lower and upper: "
+          "the joint turns past them. URDF lets a continuous joint leave them out for that reason.",
       .what_to_do =
-          "Make the joint revolute (or prismatic) if the limits are meant; else take them "
-          "out.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 0 1"/>
-    <limit lower="«-1»" upper="1" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 0 1"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="continuous">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>«-1.5»</lower>
-          <upper>1.5</upper>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1.5</lower>
-          <upper>1.5</upper>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 0 1"/>
-    <limit effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 0 1"/>
-    <limit lower="-6.2832" upper="6.2832" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="continuous">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1e16</lower>
-          <upper>1e16</upper>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
+          "Make the joint revolute (or prismatic) if the limits are meant; else take them out.",
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mimic_cycle {
-namespace {
 
 using JointId = model::Id<model::Joint>;
 
@@ -60,54 +59,15 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mimic-cycle",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .summary = "joints mimic each other in a circle",
       .why =
-          "None of their positions follows from one that is given. joint_state_publisher "
-          "ends with \"Found an infinite recursive mimic chain\"; MoveIt ignores every mimic "
-          "of the robot.",
+          "None of their positions follows from one that is given. joint_state_publisher ends with "
+          "\"Found an infinite recursive mimic chain\"; MoveIt ignores every mimic of the robot.",
       .what_to_do = "Let one joint lead, and take its <mimic> out.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="«elbow»"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="knuckle"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="knuckle"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mimic_dof_mismatch {
-namespace {
 
 /// What is wrong between the two; empty when they can go together.
 std::string mismatch(const model::Joint& joint, const model::Joint& leader, std::size_t axis,
@@ -43,118 +42,15 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mimic-dof-mismatch",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .summary = "a joint mimics one that moves otherwise, or not at all",
-      .why =
-          "A joint follows another by one number: the position of both. A fixed joint has "
-          "none, and a planar, floating or ball joint has several. MoveIt leaves such a "
-          "mimic out; elsewhere the joint stands still.",
+      .why = "A joint follows another by one number: the position of both. A fixed joint has none, "
+             "and a planar, floating or ball joint has several. MoveIt leaves such a mimic out; "
+             "elsewhere the joint stands still.",
       .what_to_do = "Name a joint with one axis, or take the mimic out.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="fixed">
-    <parent link="base"/>
-    <child link="finger"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="«knuckle»"/>
-  </joint>
-</robot>
-)"},
-              {R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <link name="finger"/>
-    <joint name="knuckle" type="fixed">
-      <parent>base</parent>
-      <child>finger</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-    </joint>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-        </limit>
-        <mimic joint="«knuckle»">
-          <multiplier>1</multiplier>
-          <offset>0</offset>
-          <reference>0</reference>
-        </mimic>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="prismatic">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="knuckle"/>
-  </joint>
-</robot>
-)"},
-               {R"(<sdf version="1.11">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <link name="finger"/>
-    <joint name="knuckle" type="revolute">
-      <parent>base</parent>
-      <child>finger</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-        </limit>
-      </axis>
-    </joint>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-        </limit>
-        <mimic joint="knuckle">
-          <multiplier>1</multiplier>
-          <offset>0</offset>
-          <reference>0</reference>
-        </mimic>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

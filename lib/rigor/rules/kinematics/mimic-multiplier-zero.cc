@@ -4,7 +4,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mimic_multiplier_zero {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   for (const model::Axis& axis : joint.axes) {
@@ -17,54 +16,15 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mimic-multiplier-zero",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .summary = "a joint mimics another with the multiplier zero",
-      .why =
-          "Its position is the offset, wherever the other joint goes: it never moves, and "
-          "no controller may move it.",
-      .what_to_do =
-          "Write the ratio of the two joints; 1 when they move alike, -1 when they move "
-          "against each other.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="knuckle" multiplier="«0»"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="knuckle" multiplier="-1"/>
-  </joint>
-</robot>
-)"}},
+      .why = "Its position is the offset, wherever the other joint goes: it never moves, and no "
+             "controller may move it.",
+      .what_to_do = "Write the ratio of the two joints; 1 when they move alike, -1 when they move "
+                    "against each other.",
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -4,7 +4,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mimic_not_in_mujoco {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   for (const model::Axis& axis : joint.axes) {
@@ -15,75 +14,18 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mimic-not-in-mujoco",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .targets = {Target::kMujoco},
       .summary = "a joint mimics another, which MuJoCo passes over",
-      .why =
-          "MuJoCo's reader of URDF does not look at <mimic>. The joint is free, and the finger of "
-          "a gripper that should follow hangs loose.",
-      .what_to_do =
-          "Save the robot as MJCF and add <equality><joint joint1=\"follower\" joint2=\"leader\" "
-          "polycoef=\"0 1 0 0 0\"/></equality>: the first number is the offset, the second the "
-          "multiplier.",
-      .bad = {{R"(<robot name="hand">
-  <link name="palm">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <link name="left">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <link name="right">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <joint name="left" type="continuous">
-    <parent link="palm"/>
-    <child link="left"/>
-    <axis xyz="0 0 1"/>
-  </joint>
-  <joint name="right" type="continuous">
-    <parent link="palm"/>
-    <child link="right"/>
-    <axis xyz="0 0 1"/>
-    <«mimic» joint="left" multiplier="-1"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="hand">
-  <link name="palm">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <link name="left">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <joint name="left" type="continuous">
-    <parent link="palm"/>
-    <child link="left"/>
-    <axis xyz="0 0 1"/>
-  </joint>
-</robot>
-)"}},
+      .why = "MuJoCo's reader of URDF does not look at <mimic>. The joint is free, and the finger "
+             "of a gripper that should follow hangs loose.",
+      .what_to_do = "Save the robot as MJCF and add <equality><joint joint1=\"follower\" "
+                    "joint2=\"leader\" polycoef=\"0 1 0 0 0\"/></equality>: the first number is "
+                    "the offset, the second the multiplier.",
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -12,7 +12,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mimic_outside_limits {
-namespace {
 
 // Limits are often written with three digits.
 constexpr double kTolerance = 0.01;
@@ -48,72 +47,16 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mimic-outside-limits",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .summary = "a joint that mimics another is led out of its limits",
-      .why =
-          "Where the leader may go and the follower may not, the two contradict each other: "
-          "whoever moves the leader to its stop takes the follower past its own, or the "
-          "follower holds them both.",
-      .what_to_do =
-          "Make the limits of the follower multiplier · leader + offset, or narrow those of "
-          "the leader.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="0" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="0" upper="1" effort="5" velocity="2"/>
-    <«mimic» joint="knuckle" multiplier="1.5" offset="0.2"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="0" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="0" upper="1.7" effort="5" velocity="2"/>
-    <mimic joint="knuckle" multiplier="1.5" offset="0.2"/>
-  </joint>
-</robot>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="0" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-0.8" upper="0.2" effort="5" velocity="2"/>
-    <mimic joint="knuckle" multiplier="-1" offset="0.2"/>
-  </joint>
-</robot>
-)"}},
+      .why = "Where the leader may go and the follower may not, the two contradict each other: "
+             "whoever moves the leader to its stop takes the follower past its own, or the "
+             "follower holds them both.",
+      .what_to_do = "Make the limits of the follower multiplier · leader + offset, or narrow those "
+                    "of the leader.",
       .checks = {on<model::Joint>(check)},
   };
 }

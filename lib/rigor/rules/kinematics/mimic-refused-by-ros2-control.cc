@@ -9,33 +9,32 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mimic_refused_by_ros2_control {
-namespace {
 
-std::set<std::string_view> joints_of(xml::Element block) {
+std::set<std::string_view> joints_of(const model::Parameter& block) {
   std::set<std::string_view> names;
-  for (const xml::Element child : block.children()) {
-    const auto name = child.attribute("name");
-    if (child.name() == "joint" && name) names.insert(name->value());
+  for (const model::Parameter& child : block.children) {
+    const auto* name = attribute(child, "name");
+    if (child.name == "joint" && name != nullptr) names.insert(name->value);
   }
   return names;
 }
 
-void check_joint(xml::Element element, const model::Joint& joint,
+void check_joint(const model::Parameter& element, const model::Joint& joint,
                  const std::set<std::string_view>& listed, Context& context) {
-  const auto said = element.attribute("mimic");
-  const std::string_view says = said ? said->value() : std::string_view();
+  const auto* said = attribute(element, "mimic");
+  const std::string_view says = said != nullptr ? std::string_view(said->value) : "";
   const model::Mimic* mimic =
       joint.axes.empty() || !joint.axes.front().mimic ? nullptr : &*joint.axes.front().mimic;
   const std::string name = "the joint '" + joint.name.value + "'";
   if (mimic == nullptr) {
     if (says != "true" && says != "True" && says != "1") return;
-    context.report({.where = said->value_span(), .message = name + " mimics no other"});
+    context.report({.where = said->span, .message = name + " mimics no other"});
     return;
   }
   if (says == "false" || says == "False" || says == "0") return;
   const std::string& leader = mimic->joint.value;
-  const Span where = element.attribute("name")->value_span();
-  if (element.child("command_interface")) {
+  const Span where = attribute(element, "name")->span;
+  if (find(element.children, "command_interface") != nullptr) {
     context.report(
         {.where = where,
          .message = name + " mimics '" + leader + "', and so it may have no command interface",
@@ -48,193 +47,31 @@ void check_joint(xml::Element element, const model::Joint& joint,
 }
 
 void check(const model::Root& root, Context& context) {
-  if (!context.document().root() || root.models.empty()) return;
-  for (const xml::Element block : context.document().root()->children()) {
-    if (block.name() != "ros2_control") continue;
+  if (root.models.empty()) return;
+  for (const model::Parameter& block : root.ros2_controls) {
+    if (!root.own(block.site)) continue;
     const std::set<std::string_view> listed = joints_of(block);
-    for (const xml::Element child : block.children()) {
-      const auto name = child.attribute("name");
-      if (child.name() != "joint" || !name) continue;
-      const auto id = joint_named(context.frames(), {0}, name->value());
+    for (const model::Parameter& child : block.children) {
+      const auto* name = attribute(child, "name");
+      if (child.name != "joint" || name == nullptr) continue;
+      const auto id = joint_named(context.frames(), {0}, name->value);
       if (id) check_joint(child, root[id], listed, context);
     }
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mimic-refused-by-ros2-control",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .formats = Formats::kUrdf,
       .summary = "ros2_control refuses what is said of a joint that mimics another",
-      .why =
-          "ros2_control of Jazzy and later reads mimics from the robot itself. A joint that "
-          "follows may have no command interface of its own, its leader has to stand in the "
-          "same block, and mimic=\"true\" needs a <mimic>. Otherwise the controller manager "
-          "ends with an exception.",
-      .what_to_do =
-          "Leave the command interface out, list the leader in the block, or say "
-          "mimic=\"false\" of the joint in the block.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="knuckle"/>
-  </joint>
-  <ros2_control name="arm" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-    <joint name="knuckle">
-      <command_interface name="position"/>
-    </joint>
-    <joint name="«elbow»">
-      <command_interface name="position"/>
-    </joint>
-  </ros2_control>
-</robot>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="knuckle"/>
-  </joint>
-  <ros2_control name="arm" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-    <joint name="«elbow»">
-      <state_interface name="position"/>
-    </joint>
-  </ros2_control>
-</robot>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <ros2_control name="arm" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-    <joint name="elbow" mimic="«true»">
-      <command_interface name="position"/>
-    </joint>
-  </ros2_control>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="knuckle"/>
-  </joint>
-  <ros2_control name="arm" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-    <joint name="knuckle">
-      <command_interface name="position"/>
-    </joint>
-    <joint name="elbow">
-      <state_interface name="position"/>
-    </joint>
-  </ros2_control>
-</robot>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="knuckle"/>
-  </joint>
-  <ros2_control name="arm" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-    <joint name="knuckle">
-      <command_interface name="position"/>
-    </joint>
-    <joint name="elbow" mimic="false">
-      <command_interface name="position"/>
-    </joint>
-  </ros2_control>
-</robot>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <ros2_control name="arm" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-    <joint name="elbow">
-      <command_interface name="position"/>
-    </joint>
-  </ros2_control>
-</robot>
-)"}},
+      .why = "ros2_control of Jazzy and later reads mimics from the robot itself. A joint that "
+             "follows may have no command interface of its own, its leader has to stand in the "
+             "same block, and mimic=\"true\" needs a <mimic>. Otherwise the controller manager "
+             "ends with an exception.",
+      .what_to_do = "Leave the command interface out, list the leader in the block, or say "
+                    "mimic=\"false\" of the joint in the block.",
       .checks = {on<model::Root>(check)},
   };
 }

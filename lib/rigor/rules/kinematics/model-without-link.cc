@@ -6,7 +6,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::model_without_link {
-namespace {
 
 /// What stands in the place of links: nested models, and includes, which bring some when they are found.
 bool has_parts(const model::Model& model, const Context& context) {
@@ -25,42 +24,16 @@ void check(const model::Model& model, Context& context) {
                   .subject = context.subject(model)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "model-without-link",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .summary = "a model that is not static has no link",
-      .why =
-          "libsdformat refuses the file (error 16). Only a static model may be without links, to "
-          "hold "
-          "plugins or frames.",
+      .why = "libsdformat refuses the file (error 16). Only a static model may be without links, "
+             "to hold plugins or frames.",
       .what_to_do = "Give the model a link, or make it static.",
-      .bad = {{R"(<sdf version="1.9">
-  <«model» name="clock">
-    <plugin name="time" filename="libtime.so"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="clock">
-    <static>true</static>
-    <plugin name="time" filename="libtime.so"/>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="clock">
-    <model name="face">
-      <link name="glass"/>
-    </model>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Model>(check)},
   };
 }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <rigor/model/model.h>
+#include <rigor/model/motion.h>
 
 namespace rigor::rules {
 

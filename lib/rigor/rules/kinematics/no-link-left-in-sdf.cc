@@ -3,22 +3,18 @@
 
 #include <algorithm>
 #include <string>
-#include <string_view>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
+#include <rigor/rules/sdformat_robot.h>
 
 namespace rigor::rules::no_link_left_in_sdf {
-namespace {
 
 /// A static model may be without links.
 bool made_static(const Context& context) {
   const auto& blocks = context.root().gazebo_blocks;
   return std::any_of(blocks.begin(), blocks.end(), [&](const model::GazeboBlock& block) {
-    const auto flag = context.element(block.site).child("static");
-    if (!flag || !block.reference.value.empty()) return false;
-    const std::string_view text = read::trimmed(flag->text());
-    return text == "true" || text == "1";
+    const auto* flag = find(block.content, "static");
+    return flag != nullptr && block.reference.value.empty() && is_true(*flag);
   });
 }
 
@@ -39,12 +35,9 @@ void check(const model::Model& robot, Context& context) {
                   .subject = context.subject(robot)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "no-link-left-in-sdf",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .refused = {.urdf = Refusal::kAlways},
       .formats = Formats::kUrdf,
@@ -52,41 +45,10 @@ Rule rule() {
       .summary = "nothing is left of a URDF robot when Gazebo reads it",
       .why =
           "Gazebo reads URDF through libsdformat, which leaves out links without mass and whatever "
-          "hangs on "
-          "them. Only a link at a fixed joint gives its mass to its parent. When the root is left "
-          "out, so is "
-          "the robot, and version 12 refuses a model without links (error 16).",
+          "hangs on them. Only a link at a fixed joint gives its mass to its parent. When the root "
+          "is left out, so is the robot, and version 12 refuses a model without links (error 16).",
       .what_to_do =
           "Give the root an <inertial>, or attach a link that has one to it by a fixed joint.",
-      .bad = {{R"(<«robot» name="arm">
-  <link name="base"/>
-  <link name="tip">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 0 1"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="body">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <joint name="mount" type="fixed">
-    <parent link="base"/>
-    <child link="body"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Model>(check)},
   };
 }

@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::safety_limits_outside {
-namespace {
 
 constexpr double kTolerance = 1e-6;
 
@@ -43,63 +42,15 @@ void check(const model::Joint& joint, Context& context) {
                   .subject = context.subject(joint)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "safety-limits-outside",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .summary = "the soft limits of a joint are not within its hard ones",
-      .why =
-          "Soft limits are there to slow the joint before it reaches its stop. Beyond the "
-          "stop they come too late, and swapped no position is within them.",
+      .why = "Soft limits are there to slow the joint before it reaches its stop. Beyond the stop "
+             "they come too late, and swapped no position is within them.",
       .what_to_do = "Let soft_lower_limit and soft_upper_limit lie between lower and upper.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <«safety_controller» k_velocity="10" soft_lower_limit="-1.5" soft_upper_limit="0.9"/>
-  </joint>
-</robot>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <«safety_controller» k_velocity="10" soft_lower_limit="0.9" soft_upper_limit="-0.9"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <safety_controller k_velocity="10" soft_lower_limit="-0.9" soft_upper_limit="0.9"/>
-  </joint>
-</robot>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <safety_controller k_velocity="10" soft_lower_limit="-1" soft_upper_limit="1"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

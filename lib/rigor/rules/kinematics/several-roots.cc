@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::several_roots {
-namespace {
 
 void check(const model::Model& robot, Context& context) {
   const model::Root& root = context.root();
@@ -35,32 +34,15 @@ void check(const model::Model& robot, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "several-roots",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .refused = {.urdf = Refusal::kAlways},
       .formats = Formats::kUrdf,
       .summary = "a URDF has more than one root link",
       .why = "urdfdom refuses the robot: every link but one must be the child of a joint.",
       .what_to_do = "Connect the link by a joint, fixed if nothing else, or take it out.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <«link» name="tip"/>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="fixed">
-    <parent link="base"/>
-    <child link="tip"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Model>(check)},
   };
 }

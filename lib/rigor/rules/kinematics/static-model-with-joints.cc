@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::static_model_with_joints {
-namespace {
 
 void check(const model::Model& model, Context& context) {
   const model::Root& root = context.root();
@@ -27,64 +26,17 @@ void check(const model::Model& model, Context& context) {
                   .subject = context.subject(model)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "static-model-with-joints",
-      .category = Category::kKinematics,
       .severity = Severity::kInfo,
       .formats = Formats::kSdf,
       .summary = "a static model has joints that move",
-      .why =
-          "The engine moves nothing of a static model: its joints, limits and springs are "
-          "without effect, and plugins that push or turn the joints do nothing. Only a "
-          "plugin that sets positions moves it.",
+      .why = "The engine moves nothing of a static model: its joints, limits and springs are "
+             "without effect, and plugins that push or turn the joints do nothing. Only a plugin "
+             "that sets positions moves it.",
       .what_to_do =
-          "Take <static> out and fix the model to the world by a joint, or take the joints "
-          "out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>«true»</static>
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>false</static>
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="fixed">
-      <parent>base</parent>
-      <child>tip</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
+          "Take <static> out and fix the model to the world by a joint, or take the joints out.",
       .checks = {on<model::Model>(check)},
   };
 }

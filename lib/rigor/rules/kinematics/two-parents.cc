@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::two_parents {
-namespace {
 
 void check(const model::Model& robot, Context& context) {
   const model::Root& root = context.root();
@@ -27,52 +26,16 @@ void check(const model::Model& robot, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "two-parents",
-      .category = Category::kKinematics,
       .severity = Severity::kError,
       .refused = {.urdf = Refusal::kAlways},
       .formats = Formats::kUrdf,
       .summary = "a link of a URDF has two parents",
-      .why =
-          "A URDF is a tree: urdfdom keeps the parent that comes last and shows the link under "
-          "both, MuJoCo and Drake refuse the robot.",
+      .why = "A URDF is a tree: urdfdom keeps the parent that comes last and shows the link under "
+             "both, MuJoCo and Drake refuse the robot.",
       .what_to_do = "Take one of the joints out. URDF cannot close a chain; SDF can.",
-      .bad = {{R"(<robot name="arm">
-  <link name="a"/>
-  <link name="b"/>
-  <link name="c"/>
-  <joint name="ab" type="fixed">
-    <parent link="a"/>
-    <child link="b"/>
-  </joint>
-  <joint name="ac" type="fixed">
-    <parent link="a"/>
-    <child link="c"/>
-  </joint>
-  <joint name="cb" type="fixed">
-    <parent link="c"/>
-    <child link="«b»"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="a"/>
-  <link name="b"/>
-  <link name="c"/>
-  <joint name="ab" type="fixed">
-    <parent link="a"/>
-    <child link="b"/>
-  </joint>
-  <joint name="ac" type="fixed">
-    <parent link="a"/>
-    <child link="c"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Model>(check)},
   };
 }

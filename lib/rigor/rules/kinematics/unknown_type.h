@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <rigor/read/conformance.h>
 #include <rigor/read/values.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
@@ -46,7 +47,8 @@ inline void report_unknown_type(const read::SchemaFact& fact, Context& context) 
 }
 
 /// `type=""` is in no list, and no fact of the schema; consumers refuse it as one that they do not know.
-inline void report_empty_type(xml::Element element, std::string subject, Context& context) {
+inline void report_empty_type(const model::Site& site, std::string subject, Context& context) {
+  const auto element = context.element(site);
   const auto type = element.attribute("type");
   if (!type || !read::trimmed(type->value()).empty()) return;
   context.report({.where = type->span(),

@@ -7,15 +7,12 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::velocity_zero {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   if (!has_axis(joint.type)) return;
-  // Up to SDF 1.3 zero is what stands for "no limit".
-  if (context.is_sdf() && context.root().version <= 3) return;
   for (const model::Axis& axis : joint.axes) {
-    if (axis.mimic || !axis.velocity.written || axis.velocity.value != 0) continue;
-    if (axis.effort.written && axis.effort.value == 0) continue;  // effort-zero says both
+    if (axis.mimic || velocity_limit(context.root(), joint, axis) != 0) continue;
+    if (effort_limit(context.root(), joint, axis) == 0) continue;  // effort-zero says both
     context.report({.where = axis.velocity.span,
                     .message = fmt::format("the velocity limit is 0 {}/s: the joint can never move",
                                            position_unit(joint.type)),
@@ -23,88 +20,15 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "velocity-zero",
-      .category = Category::kKinematics,
       .severity = Severity::kWarning,
       .summary = "a joint may not move: its velocity limit is zero",
-      .why =
-          "DART, the engine of new Gazebo, then holds the joint still; MoveIt cannot time a "
-          "trajectory through it.",
-      .what_to_do =
-          "Write the joint's greatest speed. For no limit, leave it out of an SDF; in a "
-          "URDF write a large one.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-          <velocity>«0»</velocity>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="«0»"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <limit>
-          <lower>-1</lower>
-          <upper>1</upper>
-          <velocity>3</velocity>
-        </limit>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="0" velocity="0"/>
-  </joint>
-</robot>
-)"}},
+      .why = "DART, the engine of new Gazebo, then holds the joint still; MoveIt cannot time a "
+             "trajectory through it.",
+      .what_to_do = "Write the joint's greatest speed. For no limit, leave it out of an SDF; in a "
+                    "URDF write a large one.",
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include <rigor/mass/mesh/facts.h>
 #include <rigor/mesh/fault.h>
 #include <rigor/rules/mesh/gltf.h>
 #include <rigor/rules/rule.h>

@@ -14,7 +14,8 @@
 #include <string_view>
 #include <vector>
 
-#include <rigor/mesh/asset.h>
+#include <rigor/mass/mesh/facts.h>
+#include <rigor/mesh/asset/asset.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules {

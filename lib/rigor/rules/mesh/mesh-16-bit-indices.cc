@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_16_bit_indices {
-namespace {
 
 constexpr std::uint64_t kMost = 65'535;
 
@@ -20,40 +19,15 @@ void check(const MeshFile& file, Context& context) {
       fmt::format("a part of the mesh has {} vertices, over {}", file.facts.largest_part, kMost));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-16-bit-indices",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a part of a mesh has more than 65 535 vertices",
-      .why =
-          "Indices of 16 bits do not reach the others. Older versions of Ogre, rviz and "
-          "Irrlicht draw such a part wrong or not at all.",
-      .what_to_do =
-          "Reduce it, `rigor mesh-check FILE --reduce 20000 -o OUT`, or split it into several "
-          "parts.",
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
+      .why = "Indices of 16 bits do not reach the others. Older versions of Ogre, rviz and "
+             "Irrlicht draw such a part wrong or not at all.",
+      .what_to_do = "Reduce it, `rigor mesh-check FILE --reduce 20000 -o OUT`, or split it into "
+                    "several parts.",
       .checks = {on<MeshFile>(check)},
   };
 }

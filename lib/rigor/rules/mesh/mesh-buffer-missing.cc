@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_buffer_missing {
-namespace {
 
 // Of collisions, too: without its buffers a file has no shape.
 void check(const MeshFile& file, Context& context) {
@@ -24,83 +23,16 @@ void check(const MeshFile& file, Context& context) {
                         " buffers name no file that has their bytes, the first is buffer " + first);
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-buffer-missing",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .summary = "a buffer of a glTF file is not found",
-      .why =
-          "A .gltf holds names and lists; its points and triangles stand in files beside it. "
-          "When one is not there, assimp refuses the whole mesh, and so does whoever reads glTF "
-          "by it, as Gazebo and RViz do.",
-      .what_to_do =
-          "Put the file, mostly a .bin, where the .gltf says it is, or export the mesh as .glb, "
-          "which is one file and holds all.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>«meshes/shell.gltf»</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.gltf
-{
-  "asset": {"version": "2.0"},
-  "scene": 0,
-  "scenes": [{"nodes": [0]}],
-  "nodes": [{"mesh": 0}],
-  "meshes": [{"primitives": [{"attributes": {"POSITION": 1}, "indices": 0}]}],
-  "accessors": [
-    {"bufferView": 0, "componentType": 5123, "count": 12, "type": "SCALAR"},
-    {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3",
-     "min": [0, 0, 0], "max": [1, 1, 1]}
-  ],
-  "bufferViews": [
-    {"buffer": 0, "byteLength": 24},
-    {"buffer": 0, "byteOffset": 24, "byteLength": 48}
-  ],
-  "buffers": [
-    {"byteLength": 72, "uri": "shell.bin"}
-  ]
-}
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.gltf</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.gltf
-{
-  "asset": {"version": "2.0"},
-  "scene": 0,
-  "scenes": [{"nodes": [0]}],
-  "nodes": [{"mesh": 0}],
-  "meshes": [{"primitives": [{"attributes": {"POSITION": 1}, "indices": 0}]}],
-  "accessors": [
-    {"bufferView": 0, "componentType": 5123, "count": 12, "type": "SCALAR"},
-    {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3",
-     "min": [0, 0, 0], "max": [1, 1, 1]}
-  ],
-  "bufferViews": [
-    {"buffer": 0, "byteLength": 24},
-    {"buffer": 0, "byteOffset": 24, "byteLength": 48}
-  ],
-  "buffers": [
-    {"byteLength": 72, "uri": "data:application/octet-stream;base64,AAACAAEAAAABAAMAAAADAAIAAQACAAMAAAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/"}
-  ]
-}
-)"}},
+      .why = "A .gltf holds names and lists; its points and triangles stand in files beside it. "
+             "When one is not there, assimp refuses the whole mesh, and so does whoever reads glTF "
+             "by it, as Gazebo and RViz do.",
+      .what_to_do = "Put the file, mostly a .bin, where the .gltf says it is, or export the mesh "
+                    "as .glb, which is one file and holds all.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_buffer_too_short {
-namespace {
 
 std::string first_overrun(const mesh::GltfOverruns& overruns) {
   using Of = mesh::GltfOverruns::Of;
@@ -38,112 +37,15 @@ void check(const MeshFile& file, Context& context) {
   report_mesh(file, context, first + others);
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-buffer-too-short",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .summary = "a glTF file names more bytes than there are",
-      .why =
-          "Accessors lie in buffer views, and those in buffers. Of one that reaches beyond its "
-          "end assimp reads nothing and refuses the whole mesh: \"out of range\". Mostly the file "
-          "was cut when it was copied, or its buffer is of another export.",
+      .why = "Accessors lie in buffer views, and those in buffers. Of one that reaches beyond its "
+             "end assimp reads nothing and refuses the whole mesh: \"out of range\". Mostly the "
+             "file was cut when it was copied, or its buffer is of another export.",
       .what_to_do = "Copy the mesh and its buffers again, or export it anew.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>«meshes/shell.gltf»</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.gltf
-{
-  "asset": {"version": "2.0"},
-  "scene": 0,
-  "scenes": [{"nodes": [0]}],
-  "nodes": [{"mesh": 0}],
-  "meshes": [{"primitives": [{"attributes": {"POSITION": 1}, "indices": 0}]}],
-  "accessors": [
-    {"bufferView": 0, "componentType": 5123, "count": 12, "type": "SCALAR"},
-    {"bufferView": 1, "componentType": 5126, "count": 40, "type": "VEC3",
-     "min": [0, 0, 0], "max": [1, 1, 1]}
-  ],
-  "bufferViews": [
-    {"buffer": 0, "byteLength": 24},
-    {"buffer": 0, "byteOffset": 24, "byteLength": 48}
-  ],
-  "buffers": [
-    {"byteLength": 72, "uri": "data:application/octet-stream;base64,AAACAAEAAAABAAMAAAADAAIAAQACAAMAAAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/"}
-  ]
-}
-)"},
-              {R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>«meshes/shell.gltf»</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.gltf
-{
-  "asset": {"version": "2.0"},
-  "scene": 0,
-  "scenes": [{"nodes": [0]}],
-  "nodes": [{"mesh": 0}],
-  "meshes": [{"primitives": [{"attributes": {"POSITION": 1}, "indices": 0}]}],
-  "accessors": [
-    {"bufferView": 0, "componentType": 5123, "count": 12, "type": "SCALAR"},
-    {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3",
-     "min": [0, 0, 0], "max": [1, 1, 1]}
-  ],
-  "bufferViews": [
-    {"buffer": 0, "byteLength": 24},
-    {"buffer": 0, "byteOffset": 24, "byteLength": 48}
-  ],
-  "buffers": [
-    {"byteLength": 720, "uri": "data:application/octet-stream;base64,AAACAAEAAAABAAMAAAADAAIAAQACAAMAAAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/"}
-  ]
-}
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.gltf</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.gltf
-{
-  "asset": {"version": "2.0"},
-  "scene": 0,
-  "scenes": [{"nodes": [0]}],
-  "nodes": [{"mesh": 0}],
-  "meshes": [{"primitives": [{"attributes": {"POSITION": 1}, "indices": 0}]}],
-  "accessors": [
-    {"bufferView": 0, "componentType": 5123, "count": 12, "type": "SCALAR"},
-    {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3",
-     "min": [0, 0, 0], "max": [1, 1, 1]}
-  ],
-  "bufferViews": [
-    {"buffer": 0, "byteLength": 24},
-    {"buffer": 0, "byteOffset": 24, "byteLength": 48}
-  ],
-  "buffers": [
-    {"byteLength": 72, "uri": "data:application/octet-stream;base64,AAACAAEAAAABAAMAAAADAAIAAQACAAMAAAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/"}
-  ]
-}
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

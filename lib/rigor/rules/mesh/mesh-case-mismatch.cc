@@ -8,11 +8,11 @@
 #include <string>
 #include <string_view>
 
+#include <rigor/read/resolver.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/uri_fix.h>
 
 namespace rigor::rules::mesh_case_mismatch {
-namespace {
 
 std::string_view folder(std::string_view path) {
   return path.substr(0, path.rfind('/') + 1);  // npos + 1 is 0
@@ -48,82 +48,15 @@ void check(const MeshUse& use, Context& context) {
                   .fix = fix(uri, found, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-case-mismatch",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .fix = FixGrade::kSafe,
       .summary = "a mesh file is written with other upper and lower case",
-      .why =
-          "It opens on Windows and macOS, and is not found on Linux, where the simulators "
-          "mostly run.",
+      .why = "It opens on Windows and macOS, and is not found on Linux, where the simulators "
+             "mostly run.",
       .what_to_do = "Write the name as the file has it.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <visual name="hull">
-        <geometry>
-          <mesh>
-            <uri>«meshes/Hull.obj»</uri>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/hull.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <visual name="hull">
-        <geometry>
-          <mesh>
-            <uri>meshes/hull.obj</uri>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <visual name="hull">
-        <geometry>
-          <mesh>
-            <uri>meshes/hull.obj</uri>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/hull.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshUse>(check)},
   };
 }

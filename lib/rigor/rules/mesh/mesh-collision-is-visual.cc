@@ -12,7 +12,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_collision_is_visual {
-namespace {
 
 constexpr std::uint64_t kMany = 5000;  // fewer cost little; 9 of 10 real collisions have half of it
 
@@ -32,40 +31,15 @@ void check(const MeshFile& file, Context& context) {
                           file.facts.triangles));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-collision-is-visual",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a link collides with the mesh that is seen",
-      .why =
-          "What is drawn has detail that contacts do not need and pay for in every step. A mesh "
-          "of its own, a hull or primitives are faster and touch more evenly.",
-      .what_to_do =
-          "Make a mesh for the collision: `rigor mesh-check FILE --reduce 2000 -o OUT` or "
-          "`--convex-hull`.",
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
+      .why = "What is drawn has detail that contacts do not need and pay for in every step. A mesh "
+             "of its own, a hull or primitives are faster and touch more evenly.",
+      .what_to_do = "Make a mesh for the collision: `rigor mesh-check FILE --reduce 2000 -o OUT` "
+                    "or `--convex-hull`.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -3,56 +3,31 @@
 
 #include <fmt/core.h>
 
+#include <rigor/mesh/triangle_budget.h>
 #include <rigor/rules/mesh/places.h>
-#include <rigor/rules/mesh/triangle_budget.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_collision_triangles {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
-  if (!file.collision() || takes_part(file) || file.facts.triangles <= kMostCollisionTriangles)
+  if (!file.collision() || takes_part(file) ||
+      file.facts.triangles <= mesh::kMostCollisionTriangles)
     return;
   report_mesh(file, context,
               fmt::format("the mesh has {} triangles, over {}: much for collisions",
-                          file.facts.triangles, kMostCollisionTriangles));
+                          file.facts.triangles, mesh::kMostCollisionTriangles));
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "mesh-collision-triangles",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a mesh for collisions has more than 20 000 triangles",
-      .why =
-          "Each contact looks for those that touch, in every step: with so many a simulation "
-          "may become slower than what it simulates. Of real meshes for collisions half have "
-          "fewer than 500, and nine of ten fewer than 2 500.",
-      .what_to_do =
-          "Reduce it, `rigor mesh-check FILE --reduce 2000 -o OUT`, or take a hull, "
-          "`--convex-hull`, or primitives.",
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
+      .why = "Each contact looks for those that touch, in every step: with so many a simulation "
+             "may become slower than what it simulates. Of real meshes for collisions half have "
+             "fewer than 500, and nine of ten fewer than 2 500.",
+      .what_to_do = "Reduce it, `rigor mesh-check FILE --reduce 2000 -o OUT`, or take a hull, "
+                    "`--convex-hull`, or primitives.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_decimal_comma {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mesh::Fault* fault = fault_of(file, mesh::FaultKind::kDecimalComma);
@@ -15,61 +14,16 @@ void check(const MeshFile& file, Context& context) {
                   " written with a decimal comma" + in_line(fault->line));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-decimal-comma",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "numbers in a mesh have a decimal comma",
       .why =
-          "The file was written by a program in a language that writes 1,5 for 1.5. Assimp "
-          "reads it so, admesh and most others refuse the file or drop what stands behind the "
-          "comma.",
-      .what_to_do =
-          "Write the file anew: `rigor mesh-check FILE -o OUT.stl`; better, set the exporter "
-          "to English.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1,0 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
+          "The file was written by a program in a language that writes 1,5 for 1.5. Assimp reads "
+          "it so, admesh and most others refuse the file or drop what stands behind the comma.",
+      .what_to_do = "Write the file anew: `rigor mesh-check FILE -o OUT.stl`; better, set the "
+                    "exporter to English.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_degenerate_face {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mass::MeshShape* shape = shape_of(file);
@@ -28,62 +27,15 @@ void check(const MeshFile& file, Context& context) {
       how_many(count, "triangle has", "triangles have") + " no area," + at_places(places, count));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-degenerate-face",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "triangles of a mesh have no area",
-      .why =
-          "Two of their corners are in one place, or all three on a line. They have no normal, "
-          "so that whoever reads the mesh has to drop them or ends up with numbers that are "
-          "none; Gazebo drops them, glTF-Validator reports them.",
+      .why = "Two of their corners are in one place, or all three on a line. They have no normal, "
+             "so that whoever reads the mesh has to drop them or ends up with numbers that are "
+             "none; Gazebo drops them, glTF-Validator reports them.",
       .what_to_do = "Take them out: `rigor mesh-check FILE --repair -o OUT`.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-# the last triangle has two corners in one place
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-v 0 0 0
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-f 1 5 2
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_doubled_component {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   if (file.visual()) return;
@@ -30,79 +29,16 @@ void check(const MeshFile& file, Context& context) {
                   at_places(places, topology.doubled)));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-doubled-component",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a closed piece of a mesh lies inside another and counts twice",
-      .why =
-          "It faces the same way as the piece around it, so it is not a cavity: what it "
-          "encloses is matter twice. Gazebo's automatic inertia, MuJoCo's exact one and every "
-          "sum over triangles count its volume twice; contacts never reach it.",
-      .what_to_do =
-          "Take the inner piece out; if it is meant as a hollow, turn its triangles inward. "
-          "Where a hull will do: `rigor mesh-check FILE --convex-hull -o OUT`.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-# a tetrahedron in a larger one, both facing outward
-v 0 0 0
-v 9 0 0
-v 0 9 0
-v 0 0 9
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-v 1 1 1
-v 2 1 1
-v 1 2 1
-v 1 1 2
-f 5 7 6
-f 5 6 8
-f 5 8 7
-f 6 7 8
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-# a hollow in a tetrahedron: it faces inward
-v 0 0 0
-v 9 0 0
-v 0 9 0
-v 0 0 9
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-v 1 1 1
-v 2 1 1
-v 1 2 1
-v 1 1 2
-f 5 6 7
-f 5 8 6
-f 5 7 8
-f 6 8 7
-)"}},
+      .why = "It faces the same way as the piece around it, so it is not a cavity: what it "
+             "encloses is matter twice. Gazebo's automatic inertia, MuJoCo's exact one and every "
+             "sum over triangles count its volume twice; contacts never reach it.",
+      .what_to_do = "Take the inner piece out; if it is meant as a hollow, turn its triangles "
+                    "inward. Where a hull will do: `rigor mesh-check FILE --convex-hull -o OUT`.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_duplicate_face {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mass::MeshShape* shape = shape_of(file);
@@ -21,61 +20,15 @@ void check(const MeshFile& file, Context& context) {
                   at_defects(topology, mesh::Defect::kDuplicateFace, count));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-duplicate-face",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "triangles of a mesh are there twice",
-      .why =
-          "Programs such as SketchUp write each face once for its front and once for its back. "
-          "Drawn, the two flicker; in a volume they cancel or count twice; in contacts they "
-          "cost twice.",
+      .why = "Programs such as SketchUp write each face once for its front and once for its back. "
+             "Drawn, the two flicker; in a volume they cancel or count twice; in contacts they "
+             "cost twice.",
       .what_to_do = "Keep one of each: `rigor mesh-check FILE --repair -o OUT`.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-# the last triangle is the one before it again
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-f 2 3 4
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

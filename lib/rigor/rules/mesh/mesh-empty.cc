@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_empty {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   if (fault_of(file, mesh::FaultKind::kEmpty) == nullptr) return;
@@ -13,69 +12,15 @@ void check(const MeshFile& file, Context& context) {
               file.facts.bytes == 0 ? "the mesh file has no bytes" : "the mesh has no triangles");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-empty",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .summary = "a mesh file holds no triangles",
-      .why =
-          "Assimp, and so whoever reads by it, and MuJoCo refuse a mesh without triangles. "
-          "Elsewhere nothing is seen and nothing is touched. It is mostly what an export left "
-          "that failed.",
+      .why = "Assimp, and so whoever reads by it, and MuJoCo refuse a mesh without triangles. "
+             "Elsewhere nothing is seen and nothing is touched. It is mostly what an export left "
+             "that failed.",
       .what_to_do = "Export the mesh again, or take the shape out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>«meshes/shell.stl»</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.stl
-solid shell
-endsolid shell
-)"},
-              {R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-# no faces
-v 0 0 0
-v 1 0 0
-v 0 1 0
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

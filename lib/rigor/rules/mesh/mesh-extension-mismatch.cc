@@ -1,14 +1,11 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <string>
-
 #include <rigor/rules/mesh/file_fault.h>
 #include <rigor/rules/rule.h>
 #include <rigor/text/path.h>
 
 namespace rigor::rules::mesh_extension_mismatch {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mesh::Fault* fault = fault_of(file, mesh::FaultKind::kExtensionMismatch);
@@ -18,60 +15,15 @@ void check(const MeshFile& file, Context& context) {
                   extension(file.facts.path));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-extension-mismatch",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a mesh file has the ending of another format",
-      .why =
-          "Many readers choose by the ending and then fail, or read nonsense; assimp sees "
-          "through some of it.",
-      .what_to_do =
-          "Give the file the ending of its format, here and where it is used; or convert it: "
-          "`rigor mesh-check FILE -o OUT.stl`.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>«meshes/shell.stl»</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.stl
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
+      .why = "Many readers choose by the ending and then fail, or read nonsense; assimp sees "
+             "through some of it.",
+      .what_to_do = "Give the file the ending of its format, here and where it is used; or convert "
+                    "it: `rigor mesh-check FILE -o OUT.stl`.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -6,7 +6,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_extension_unread {
-namespace {
 
 // Of collisions, too: it is the shape that is not understood.
 void check(const MeshFile& file, Context& context) {
@@ -15,88 +14,18 @@ void check(const MeshFile& file, Context& context) {
                     "extensions of glTF that simulators do not know are needed");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-extension-unread",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .summary = "a glTF file needs an extension for its shape that simulators do not know",
-      .why =
-          "Gazebo and RViz read glTF by assimp, which does not look at what a file requires. Of "
-          "points in whole numbers (KHR_mesh_quantization) assimp 5.2.5 takes the bytes for "
-          "floating-point numbers: the shape is rubbish, and nothing is said. Points that "
-          "meshoptimizer packed (EXT_meshopt_compression) it refuses, and of instances "
-          "(EXT_mesh_gpu_instancing) it shows one. What rigor says of such a shape means "
-          "nothing either.",
+      .why = "Gazebo and RViz read glTF by assimp, which does not look at what a file requires. Of "
+             "points in whole numbers (KHR_mesh_quantization) assimp 5.2.5 takes the bytes for "
+             "floating-point numbers: the shape is rubbish, and nothing is said. Points that "
+             "meshoptimizer packed (EXT_meshopt_compression) it refuses, and of instances "
+             "(EXT_mesh_gpu_instancing) it shows one. What rigor says of such a shape means "
+             "nothing either.",
       .what_to_do = "Export the mesh without it; gltfpack leaves it out with -noq and without -c.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>«meshes/shell.gltf»</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.gltf
-{
-  "asset": {"version": "2.0"},
-  "extensionsUsed": ["KHR_mesh_quantization"],
-  "extensionsRequired": ["KHR_mesh_quantization"],
-  "scene": 0,
-  "scenes": [{"nodes": [0]}],
-  "nodes": [{"mesh": 0}],
-  "meshes": [{"primitives": [{"attributes": {"POSITION": 1}, "indices": 0}]}],
-  "accessors": [
-    {"bufferView": 0, "componentType": 5123, "count": 12, "type": "SCALAR"},
-    {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3",
-     "min": [0, 0, 0], "max": [1, 1, 1]}
-  ],
-  "bufferViews": [
-    {"buffer": 0, "byteLength": 24},
-    {"buffer": 0, "byteOffset": 24, "byteLength": 48}
-  ],
-  "buffers": [
-    {"byteLength": 72, "uri": "data:application/octet-stream;base64,AAACAAEAAAABAAMAAAADAAIAAQACAAMAAAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/"}
-  ]
-}
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.gltf</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.gltf
-{
-  "asset": {"version": "2.0"},
-  "extensionsUsed": ["KHR_materials_unlit"],
-  "extensionsRequired": ["KHR_materials_unlit"],
-  "scene": 0,
-  "scenes": [{"nodes": [0]}],
-  "nodes": [{"mesh": 0}],
-  "meshes": [{"primitives": [{"attributes": {"POSITION": 1}, "indices": 0}]}],
-  "accessors": [
-    {"bufferView": 0, "componentType": 5123, "count": 12, "type": "SCALAR"},
-    {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3",
-     "min": [0, 0, 0], "max": [1, 1, 1]}
-  ],
-  "bufferViews": [
-    {"buffer": 0, "byteLength": 24},
-    {"buffer": 0, "byteOffset": 24, "byteLength": 48}
-  ],
-  "buffers": [
-    {"byteLength": 72, "uri": "data:application/octet-stream;base64,AAACAAEAAAABAAMAAAADAAIAAQACAAMAAAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/"}
-  ]
-}
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_facet_colors {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const auto& stl = file.facts.asset.stl;
@@ -20,39 +19,15 @@ void check(const MeshFile& file, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-facet-colors",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "an STL has colours that get lost",
       .why =
-          "Some programs put colours into two spare bytes of each facet or into the header. "
-          "RViz and, but for the first kind, assimp pass over them: the part is drawn in one "
-          "colour.",
+          "Some programs put colours into two spare bytes of each facet or into the header. RViz "
+          "and, but for the first kind, assimp pass over them: the part is drawn in one colour.",
       .what_to_do = "Export the part in a format with colours: DAE, GLB or OBJ.",
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_far_from_origin {
-namespace {
 
 // Times the mesh's diagonal. Of 1,400 real meshes none is farther away; a quarter is more than half.
 constexpr double kFar = 10;
@@ -23,61 +22,16 @@ void check(const MeshFile& file, Context& context) {
                           length_in(file, size), length_in(file, distance), place(center)));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-far-from-origin",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a mesh is far from its own origin",
-      .why =
-          "It was exported where it stood in an assembly or on a map. A pose turns it round a "
-          "point that is nowhere near it, and numbers of 32 bits, as files and graphics cards "
-          "have them, lose digits with the distance.",
-      .what_to_do =
-          "Move it to its origin and put the distance into the pose: `rigor mesh-check FILE "
-          "--center bounds -o OUT`.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 50 0 0
-v 51 0 0
-v 50 1 0
-v 50 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
+      .why = "It was exported where it stood in an assembly or on a map. A pose turns it round a "
+             "point that is nowhere near it, and numbers of 32 bits, as files and graphics cards "
+             "have them, lose digits with the distance.",
+      .what_to_do = "Move it to its origin and put the distance into the pose: `rigor mesh-check "
+                    "FILE --center bounds -o OUT`.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_file_large {
-namespace {
 
 // Of some thousand meshes of robots a handful is larger.
 constexpr std::uint64_t kLarge = 20'000'000;  // bytes
@@ -22,41 +21,16 @@ void check(const MeshFile& file, Context& context) {
                           static_cast<double>(facts.bytes) / 1e6, facts.triangles));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-file-large",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a mesh file is larger than 20 MB",
-      .why =
-          "Each start of a simulator or viewer reads it whole, and each clone of the "
-          "repository carries it. Robots do with less: 99 of 100 meshes have fewer than 60 000 "
-          "triangles, 3 MB as a binary STL.",
-      .what_to_do =
-          "Reduce it: `rigor mesh-check FILE --reduce 50000 -o OUT`. A text format becomes "
-          "much smaller as binary STL or GLB.",
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
+      .why = "Each start of a simulator or viewer reads it whole, and each clone of the repository "
+             "carries it. Robots do with less: 99 of 100 meshes have fewer than 60 000 triangles, "
+             "3 MB as a binary STL.",
+      .what_to_do = "Reduce it: `rigor mesh-check FILE --reduce 50000 -o OUT`. A text format "
+                    "becomes much smaller as binary STL or GLB.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_flat {
-namespace {
 
 // Of the diagonal: what single precision leaves of zero after some arithmetic.
 constexpr double kFlat = 1e-6;
@@ -26,59 +25,14 @@ void check(const MeshFile& file, Context& context) {
               fmt::format("the mesh has no thickness along {}, so that it encloses nothing", axis));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-flat",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a mesh for collisions has no thickness",
-      .why =
-          "It encloses nothing: no mass or inertia can be taken from it, and MuJoCo rejects a "
-          "mesh without volume, unless it is told to take it for a shell. Drawn, it is fine.",
+      .why = "It encloses nothing: no mass or inertia can be taken from it, and MuJoCo rejects a "
+             "mesh without volume, unless it is told to take it for a shell. Drawn, it is fine.",
       .what_to_do = "Use a box, a plane, or give the mesh a thickness.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-# a square, in front and behind
-v 0 0 0
-v 1 0 0
-v 1 1 0
-v 0 1 0
-f 1 2 3
-f 1 3 4
-f 1 3 2
-f 1 4 3
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -7,7 +7,6 @@
 #include <rigor/text/path.h>
 
 namespace rigor::rules::mesh_format_not_in_isaac {
-namespace {
 
 void check(const MeshUse& use, Context& context) {
   const std::string ending = extension(use.mesh.uri.value);
@@ -19,67 +18,16 @@ void check(const MeshUse& use, Context& context) {
        .subject = use.subject});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-format-not-in-isaac",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .targets = {Target::kIsaac},
       .summary = "a mesh has a format that Isaac Sim's importer of URDF does not read",
-      .why =
-          "The importer is built on urdf-usd-converter, which reads OBJ, DAE and STL: any other "
-          "mesh is left out.",
+      .why = "The importer is built on urdf-usd-converter, which reads OBJ, DAE and STL: any other "
+             "mesh is left out.",
       .what_to_do = "Convert the mesh: `rigor mesh-check FILE -o FILE.obj`.",
-      .bad = {{R"(<robot name="lift">
-  <link name="car">
-    <collision>
-      <geometry>
-        <mesh filename="«car.ply»"/>
-      </geometry>
-    </collision>
-  </link>
-</robot>
-=== car.ply
-ply
-format ascii 1.0
-element vertex 4
-property float x
-property float y
-property float z
-element face 4
-property list uchar int vertex_indices
-end_header
-0 0 0
-1 0 0
-0 1 0
-0 0 1
-3 0 2 1
-3 0 1 3
-3 0 3 2
-3 1 2 3
-)"}},
-      .good = {{R"(<robot name="lift">
-  <link name="car">
-    <collision>
-      <geometry>
-        <mesh filename="car.obj"/>
-      </geometry>
-    </collision>
-  </link>
-</robot>
-=== car.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshUse>(check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/text/path.h>
 
 namespace rigor::rules::mesh_format_not_in_mujoco {
-namespace {
 
 /// What no simulator reads is told whoever the file is for.
 bool is_of_others(std::string_view ending) {
@@ -18,7 +17,7 @@ bool is_of_others(std::string_view ending) {
 }
 
 void check(const model::Root& /*root*/, Context& context) {
-  const MujocoCompiler settings = mujoco_compiler(context.document());
+  const MujocoCompiler settings = mujoco_compiler(context.root());
   for (const MujocoMesh& one : mujoco_meshes(settings, context)) {
     const std::string& uri = one.mesh->uri.value;
     if (!is_of_others(extension(uri))) continue;
@@ -29,105 +28,18 @@ void check(const model::Root& /*root*/, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-format-not-in-mujoco",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .formats = Formats::kUrdf,
       .targets = {Target::kMujoco},
       .summary = "a mesh has a format that MuJoCo does not read",
-      .why =
-          "MuJoCo refuses the whole robot: unknown mesh file type. It reads STL, OBJ and its own "
-          "MSH, and decides by the ending of the name. Of a URDF it reads the meshes of "
-          "collisions; those of visuals only when <mujoco><compiler discardvisual=\"false\"/> "
-          "asks for them.",
+      .why = "MuJoCo refuses the whole robot: unknown mesh file type. It reads STL, OBJ and its "
+             "own MSH, and decides by the ending of the name. Of a URDF it reads the meshes of "
+             "collisions; those of visuals only when <mujoco><compiler discardvisual=\"false\"/> "
+             "asks for them.",
       .what_to_do = "Convert the mesh: `rigor mesh-check FILE -o FILE.obj`.",
-      .bad = {{R"(<robot name="lift">
-  <link name="car">
-    <collision>
-      <geometry>
-        <mesh filename="«car.ply»"/>
-      </geometry>
-    </collision>
-  </link>
-</robot>
-=== car.ply
-ply
-format ascii 1.0
-element vertex 4
-property float x
-property float y
-property float z
-element face 4
-property list uchar int vertex_indices
-end_header
-0 0 0
-1 0 0
-0 1 0
-0 0 1
-3 0 2 1
-3 0 1 3
-3 0 3 2
-3 1 2 3
-)"},
-              {R"(<robot name="lift">
-  <mujoco>
-    <compiler discardvisual="false"/>
-  </mujoco>
-  <link name="car">
-    <visual>
-      <geometry>
-        <mesh filename="«car.ply»"/>
-      </geometry>
-    </visual>
-  </link>
-</robot>
-=== car.ply
-ply
-format ascii 1.0
-element vertex 4
-property float x
-property float y
-property float z
-element face 4
-property list uchar int vertex_indices
-end_header
-0 0 0
-1 0 0
-0 1 0
-0 0 1
-3 0 2 1
-3 0 1 3
-3 0 3 2
-3 1 2 3
-)"}},
-      .good = {{R"(<robot name="lift">
-  <link name="car">
-    <visual>
-      <geometry>
-        <mesh filename="car.obj"/>
-      </geometry>
-    </visual>
-    <collision>
-      <geometry>
-        <mesh filename="car.obj"/>
-      </geometry>
-    </collision>
-  </link>
-</robot>
-=== car.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -12,7 +12,6 @@
 #include <rigor/text/path.h>
 
 namespace rigor::rules::mesh_format_unsupported {
-namespace {
 
 constexpr std::string_view kFormats[] = {".stl", ".dae", ".obj", ".glb", ".gltf", ".ply", ".fbx"};
 
@@ -42,60 +41,15 @@ void check_file(const MeshFile& file, Context& context) {
   report_mesh(file, context, "the format is none that simulators are known to read");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-format-unsupported",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a mesh has a format that simulators do not read",
-      .why =
-          "Gazebo reads STL, DAE, OBJ, glTF and, by assimp, a few more; RViz much the same. "
-          "Formats of CAD programs (STEP, IGES, SLDPRT) and of renderers (blend, vtk) are read "
-          "by none, Ogre's own (.mesh) by RViz alone.",
+      .why = "Gazebo reads STL, DAE, OBJ, glTF and, by assimp, a few more; RViz much the same. "
+             "Formats of CAD programs (STEP, IGES, SLDPRT) and of renderers (blend, vtk) are read "
+             "by none, Ogre's own (.mesh) by RViz alone.",
       .what_to_do = "Export the mesh as STL, OBJ, DAE or glTF.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <visual name="hull">
-        <geometry>
-          <mesh>
-            <uri>«meshes/hull.step»</uri>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/hull.step
-ISO-10303-21;
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <visual name="hull">
-        <geometry>
-          <mesh>
-            <uri>meshes/hull.OBJ</uri>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/hull.OBJ
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshUse>(check), on<MeshFile>(check_file)},
   };
 }

@@ -5,45 +5,24 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_importer_missing {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
-  if (fault_of(file, mesh::FaultKind::kImporterMissing) == nullptr) return;
-  report_mesh(file, context, "the mesh is not looked at: assimp is not installed");
+  if (fault_of(file, mesh::FaultKind::kImporterMissing) != nullptr) {
+    report_mesh(file, context, "the mesh is not looked at: assimp is not installed");
+  }
+  if (const mesh::Fault* fault = fault_of(file, mesh::FaultKind::kWorkerMissing)) {
+    report_mesh(file, context, "the mesh is not looked at: the importer " + fault->detail);
+  }
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "mesh-importer-missing",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a mesh is not looked at, for want of assimp",
-      .why =
-          "Collada, glTF, PLY and other scenes are read by assimp, which rigor looks for when "
-          "it runs. Without it nothing is known of the mesh, neither good nor bad.",
+      .why = "Collada, glTF, PLY and other scenes are read by assimp, which rigor looks for when "
+             "it runs. Without it nothing is known of the mesh, neither good nor bad.",
       .what_to_do = "Install assimp 5 (Debian and Ubuntu: libassimp5).",
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

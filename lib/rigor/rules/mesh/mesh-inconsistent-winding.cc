@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_inconsistent_winding {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mass::MeshShape* shape = shape_of(file);
@@ -20,63 +19,17 @@ void check(const MeshFile& file, Context& context) {
                   at_defects(topology, mesh::Defect::kInconsistentEdge, count));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-inconsistent-winding",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "neighbouring triangles of a mesh face opposite ways",
-      .why =
-          "The order of a triangle's corners says where outside is. Where neighbours disagree, "
-          "one of them is drawn from the inside or not at all, pushes contacts the wrong way in "
-          "engines that go by it, and is taken away from volume and inertia instead of added. "
-          "Newer MuJoCo refuses to take an exact inertia from such a mesh.",
-      .what_to_do =
-          "Turn the triangles the same way: `rigor mesh-check FILE --repair -o OUT`, or "
-          "\"recalculate normals outside\" in the tool that made it.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-# the last triangle is turned
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 4 3
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
+      .why = "The order of a triangle's corners says where outside is. Where neighbours disagree, "
+             "one of them is drawn from the inside or not at all, pushes contacts the wrong way in "
+             "engines that go by it, and is taken away from volume and inertia instead of added. "
+             "Newer MuJoCo refuses to take an exact inertia from such a mesh.",
+      .what_to_do = "Turn the triangles the same way: `rigor mesh-check FILE --repair -o OUT`, or "
+                    "\"recalculate normals outside\" in the tool that made it.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_malformed {
-namespace {
 
 /// The importer ends its sentences as it likes.
 std::string reason(const mesh::Fault& fault) {
@@ -31,69 +30,15 @@ void check(const MeshFile& file, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-malformed",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .summary = "a mesh file cannot be read",
-      .why =
-          "The file is damaged, or is something else than a mesh. Simulators leave the shape "
-          "out: a visual cannot be seen, a collision is passed through. Some readers crash on "
-          "such files: of 764 damaged ones, assimp 5.2.5 crashed or ran away on 17.",
+      .why = "The file is damaged, or is something else than a mesh. Simulators leave the shape "
+             "out: a visual cannot be seen, a collision is passed through. Some readers crash on "
+             "such files: of 764 damaged ones, assimp 5.2.5 crashed or ran away on 17.",
       .what_to_do = "Export the mesh again. The message says what could not be understood.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 zero
-v 0 1 0
-f 1 2 3
-)"},
-              {R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>«meshes/shell.stl»</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.stl
-<!DOCTYPE html>
-<html><body>404: not found</body></html>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

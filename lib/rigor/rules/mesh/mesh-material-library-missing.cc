@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_material_library_missing {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   using State = mesh::FileReference::State;
@@ -20,74 +19,14 @@ void check(const MeshFile& file, Context& context) {
                     "libraries of materials are not found");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-material-library-missing",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "the library of materials of an OBJ is not found",
-      .why =
-          "The .mtl file that mtllib names holds the colours and textures. Without it the part "
-          "is drawn in one colour.",
+      .why = "The .mtl file that mtllib names holds the colours and textures. Without it the part "
+             "is drawn in one colour.",
       .what_to_do = "Put the .mtl file beside the .obj, under the name that mtllib says.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-mtllib shell.mtl
-usemtl skin
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-vn 0 0 -1
-vn 0 -1 0
-vn -1 0 0
-vn 0.577 0.577 0.577
-f 1//1 3//1 2//1
-f 1//2 2//2 4//2
-f 1//3 4//3 3//3
-f 2//4 3//4 4//4
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-mtllib shell.mtl
-usemtl skin
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-vn 0 0 -1
-vn 0 -1 0
-vn -1 0 0
-vn 0.577 0.577 0.577
-f 1//1 3//1 2//1
-f 1//2 2//2 4//2
-f 1//3 4//3 3//3
-f 2//4 3//4 4//4
-=== meshes/shell.mtl
-newmtl skin
-map_Kd skin.png
-=== meshes/skin.png
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

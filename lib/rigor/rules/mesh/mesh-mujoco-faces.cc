@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_mujoco_faces {
-namespace {
 
 constexpr std::uint64_t kMost = 200'000;
 
@@ -22,36 +21,13 @@ void check(const MeshFile& file, Context& context) {
                           file.facts.triangles, kMost));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-mujoco-faces",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "an STL has more triangles than MuJoCo reads",
       .why = "MuJoCo refuses an STL with more than 200 000 facets.",
       .what_to_do = "Reduce it: `rigor mesh-check FILE --reduce 50000 -o OUT`.",
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -5,12 +5,12 @@
 #include <string>
 #include <string_view>
 
+#include <rigor/read/resolver.h>
 #include <rigor/rules/mesh/mujoco_compiler.h>
 #include <rigor/rules/rule.h>
 #include <rigor/text/path.h>
 
 namespace rigor::rules::mesh_name_not_unique {
-namespace {
 
 struct Known {
   const model::Mesh* mesh;
@@ -27,7 +27,7 @@ bool same_scale(const model::Mesh& a, const model::Mesh& b) {
 }
 
 void check(const model::Root& /*root*/, Context& context) {
-  const MujocoCompiler settings = mujoco_compiler(context.document());
+  const MujocoCompiler settings = mujoco_compiler(context.root());
   std::map<std::string, Known> by_name;
   for (const MujocoMesh& one : mujoco_meshes(settings, context)) {
     const std::string& uri = one.mesh->uri.value;
@@ -47,93 +47,17 @@ void check(const model::Root& /*root*/, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-name-not-unique",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .formats = Formats::kUrdf,
       .targets = {Target::kMujoco},
       .summary = "two meshes of a robot differ by folder or ending only",
-      .why =
-          "MuJoCo calls the meshes of a URDF by their file names without folder and ending, and "
-          "reads one file for each name: the second shape gets the mesh of the first, and nothing "
-          "is said.",
+      .why = "MuJoCo calls the meshes of a URDF by their file names without folder and ending, and "
+             "reads one file for each name: the second shape gets the mesh of the first, and "
+             "nothing is said.",
       .what_to_do = "Give the files different names, such as car_collision.stl.",
-      .bad = {{R"(<robot name="lift">
-  <mujoco>
-    <compiler strippath="false"/>
-  </mujoco>
-  <link name="car">
-    <collision>
-      <geometry>
-        <mesh filename="front/part.obj"/>
-      </geometry>
-    </collision>
-    <collision>
-      <geometry>
-        <mesh filename="«back/part.obj»"/>
-      </geometry>
-    </collision>
-  </link>
-</robot>
-=== front/part.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-=== back/part.obj
-v 0 0 0
-v 2 0 0
-v 0 2 0
-v 0 0 2
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
-      .good = {{R"(<robot name="lift">
-  <mujoco>
-    <compiler strippath="false"/>
-  </mujoco>
-  <link name="car">
-    <visual>
-      <geometry>
-        <mesh filename="back/part.obj"/>
-      </geometry>
-    </visual>
-    <collision>
-      <geometry>
-        <mesh filename="front/part.obj"/>
-      </geometry>
-    </collision>
-  </link>
-</robot>
-=== front/part.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-=== back/part.obj
-v 0 0 0
-v 2 0 0
-v 0 2 0
-v 0 0 2
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_nonmanifold_vertex {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mass::MeshShape* shape = shape_of(file);
@@ -20,66 +19,14 @@ void check(const MeshFile& file, Context& context) {
                   at_defects(topology, mesh::Defect::kNonmanifoldVertex, count));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-nonmanifold-vertex",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "parts of a mesh touch in a vertex only",
-      .why =
-          "The surface is pinched to a point. Tools that walk round a vertex see one of its "
-          "parts only; some mesh libraries leave such triangles out.",
+      .why = "The surface is pinched to a point. Tools that walk round a vertex see one of its "
+             "parts only; some mesh libraries leave such triangles out.",
       .what_to_do = "Give each part a vertex of its own and move them apart, or join the parts.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-# two tetrahedra that share the corner 1
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-v -1 0 0
-v 0 -1 0
-v 0 0 -1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-f 1 5 6
-f 1 7 5
-f 1 6 7
-f 5 7 6
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

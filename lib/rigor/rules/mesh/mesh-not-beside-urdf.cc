@@ -5,15 +5,15 @@
 #include <string>
 #include <utility>
 
+#include <rigor/read/resolver.h>
 #include <rigor/rules/mesh/mujoco_compiler.h>
 #include <rigor/rules/rule.h>
 #include <rigor/text/path.h>
 
 namespace rigor::rules::mesh_not_beside_urdf {
-namespace {
 
 void check(const model::Root& /*root*/, Context& context) {
-  const MujocoCompiler settings = mujoco_compiler(context.document());
+  const MujocoCompiler settings = mujoco_compiler(context.root());
   const std::string folder = join_path(context.folder(), settings.mesh_folder);
   const MujocoMesh* first = nullptr;
   std::string place;
@@ -39,87 +39,19 @@ void check(const model::Root& /*root*/, Context& context) {
        .subject = first->subject});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-not-beside-urdf",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .formats = Formats::kUrdf,
       .targets = {Target::kMujoco},
       .summary = "a mesh is not where MuJoCo looks for it",
-      .why =
-          "Of the meshes in a URDF, MuJoCo takes the bare file name, without folders and "
-          "package://, and opens it beside the URDF, or in the folder that <compiler "
-          "meshdir=\"…\"/> names. When it is not there, it refuses the whole robot.",
-      .what_to_do =
-          "Add <mujoco><compiler meshdir=\"../meshes\"/></mujoco> to the <robot>, or with "
-          "relative file names <compiler strippath=\"false\"/>. Others pass over the <mujoco> "
-          "element. It is told once in a file.",
-      .bad = {{R"(<robot name="lift">
-  <link name="car">
-    <collision>
-      <geometry>
-        <mesh filename="«meshes/car.obj»"/>
-      </geometry>
-    </collision>
-  </link>
-</robot>
-=== meshes/car.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
-      .good = {{R"(<robot name="lift">
-  <mujoco>
-    <compiler meshdir="meshes"/>
-  </mujoco>
-  <link name="car">
-    <collision>
-      <geometry>
-        <mesh filename="meshes/car.obj"/>
-      </geometry>
-    </collision>
-  </link>
-</robot>
-=== meshes/car.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"},
-               {R"(<robot name="lift">
-  <mujoco>
-    <compiler strippath="false"/>
-  </mujoco>
-  <link name="car">
-    <collision>
-      <geometry>
-        <mesh filename="meshes/car.obj"/>
-      </geometry>
-    </collision>
-  </link>
-</robot>
-=== meshes/car.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
+      .why = "Of the meshes in a URDF, MuJoCo takes the bare file name, without folders and "
+             "package://, and opens it beside the URDF, or in the folder that <compiler "
+             "meshdir=\"…\"/> names. When it is not there, it refuses the whole robot.",
+      .what_to_do = "Add <mujoco><compiler meshdir=\"../meshes\"/></mujoco> to the <robot>, or "
+                    "with relative file names <compiler strippath=\"false\"/>. Others pass over "
+                    "the <mujoco> element. It is told once in a file.",
       .checks = {on<model::Root>(check)},
   };
 }

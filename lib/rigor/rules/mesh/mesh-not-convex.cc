@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_not_convex {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   if (file.use || !file.facts.shape) return;
@@ -14,41 +13,16 @@ void check(const MeshFile& file, Context& context) {
   report_mesh(file, context, "the mesh is not convex: engines that take its hull fill its hollows");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-not-convex",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a mesh is not convex",
-      .why =
-          "Most meshes are not. MuJoCo collides with the hull of a mesh, so that hollows are "
-          "filled: a cup holds nothing. So do engines elsewhere when they are told to be fast.",
+      .why = "Most meshes are not. MuJoCo collides with the hull of a mesh, so that hollows are "
+             "filled: a cup holds nothing. So do engines elsewhere when they are told to be fast.",
       .what_to_do =
-          "Where hollows matter, split the mesh into convex pieces, each a collision of its "
-          "own; where they do not, `rigor mesh-check FILE --convex-hull -o OUT` shows what is "
-          "touched.",
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
+          "Where hollows matter, split the mesh into convex pieces, each a collision of its own; "
+          "where they do not, `rigor mesh-check FILE --convex-hull -o OUT` shows what is touched.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -1,13 +1,10 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <string>
-
 #include <rigor/rules/mesh/file_fault.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_not_finite {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mesh::Fault* fault = fault_of(file, mesh::FaultKind::kNotFinite);
@@ -18,59 +15,15 @@ void check(const MeshFile& file, Context& context) {
                   (fault->detail.empty() ? in_line(fault->line) : ", first in " + fault->detail));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-not-finite",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .summary = "a mesh has coordinates that are no finite numbers",
-      .why =
-          "MuJoCo refuses the mesh. Assimp passes NaN on, and then nobody can tell what "
-          "happens: bounding boxes, inertia and contacts become NaN with it.",
+      .why = "MuJoCo refuses the mesh. Assimp passes NaN on, and then nobody can tell what "
+             "happens: bounding boxes, inertia and contacts become NaN with it.",
       .what_to_do =
           "Export the mesh again; a modifier or a scale of zero there is the usual cause.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v nan 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

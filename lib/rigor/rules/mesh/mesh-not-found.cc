@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_not_found {
-namespace {
 
 std::vector<std::string> places_of(const read::Resolution& found) {
   std::vector<std::string> places;
@@ -36,69 +35,16 @@ void check(const MeshUse& use, Context& context) {
                               : "the package lies in '" + package + "', and has no such file"});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-not-found",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .summary = "a mesh file is not found",
-      .why =
-          "The simulator leaves the shape out: a visual cannot be seen, a collision is passed "
-          "through. Neither ign sdf -k nor check_urdf looks.",
+      .why = "The simulator leaves the shape out: a visual cannot be seen, a collision is passed "
+             "through. Neither ign sdf -k nor check_urdf looks.",
       .what_to_do =
-          "Mend the path, or say where the files are: --model-path and --package, "
-          "rigor.toml, GZ_SIM_RESOURCE_PATH, ROS_PACKAGE_PATH. rigor resolve URI prints "
-          "the search.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <visual name="hull">
-        <geometry>
-          <mesh>
-            <uri>«meshes/hul.obj»</uri>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/hull.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <visual name="hull">
-        <geometry>
-          <mesh>
-            <uri>meshes/hull.obj</uri>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/hull.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
+          "Mend the path, or say where the files are: --model-path and --package, rigor.toml, "
+          "GZ_SIM_RESOURCE_PATH, ROS_PACKAGE_PATH. rigor resolve URI prints the search.",
       .checks = {on<MeshUse>(check)},
   };
 }

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_not_triangles {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   if (file.visual()) return;  // drawings often have edges drawn over them
@@ -17,60 +16,15 @@ void check(const MeshFile& file, Context& context) {
                   ", which nothing can touch");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-not-triangles",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a collision mesh holds lines or points",
       .why =
-          "Only faces can be touched: engines drop lines and points, or stumble over faces "
-          "with less than three corners. About one Collada file in ten has some, mostly from "
-          "SketchUp.",
+          "Only faces can be touched: engines drop lines and points, or stumble over faces with "
+          "less than three corners. About one Collada file in ten has some, mostly from SketchUp.",
       .what_to_do = "Write the mesh anew, which drops them: `rigor mesh-check FILE -o OUT.stl`.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-l 1 2
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

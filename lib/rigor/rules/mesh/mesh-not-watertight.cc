@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_not_watertight {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mass::MeshShape* shape = shape_of(file);
@@ -29,62 +28,17 @@ void check(const MeshFile& file, Context& context) {
   report_mesh(file, context, std::move(message));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-not-watertight",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a mesh is open: it has edges with one triangle only",
-      .why =
-          "What an open surface encloses is not defined: a volume, mass or inertia from it "
-          "depends on where the holes are. MuJoCo's exact inertia and Gazebo's automatic one "
-          "take such a mesh without a word. Contacts with a hull do not mind.",
+      .why = "What an open surface encloses is not defined: a volume, mass or inertia from it "
+             "depends on where the holes are. MuJoCo's exact inertia and Gazebo's automatic one "
+             "take such a mesh without a word. Contacts with a hull do not mind.",
       .what_to_do =
-          "Close the holes in the tool that made it, or `rigor mesh-check FILE --repair -o "
-          "OUT`. For a collision a hull often does: `rigor mesh-check FILE --convex-hull -o "
-          "OUT`.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-# the side x + y + z = 1 is missing
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
+          "Close the holes in the tool that made it, or `rigor mesh-check FILE --repair -o OUT`. "
+          "For a collision a hull often does: `rigor mesh-check FILE --convex-hull -o OUT`.",
       .checks = {on<MeshFile>(check)},
   };
 }

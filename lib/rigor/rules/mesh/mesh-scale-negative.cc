@@ -4,7 +4,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_scale_negative {
-namespace {
 
 void check(const MeshUse& use, Context& context) {
   const auto& scale = use.mesh.scale;
@@ -17,73 +16,17 @@ void check(const MeshUse& use, Context& context) {
                   .subject = use.subject});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-scale-negative",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a mesh is scaled by a negative factor",
-      .why =
-          "Many robots make their left side of the meshes of the right one so, and consumers "
-          "differ: MuJoCo turns the triangles back; new Gazebo draws such a visual with its inside "
-          "outside and reports an error for such a collision (gazebosim/gz-sim#2656); Webots and "
-          "O3DE refuse the factor; some take the absolute value.",
-      .what_to_do =
-          "Mirror the mesh file itself, with its triangles turned the right way round, and take "
-          "the "
-          "minus signs out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <visual name="hull">
-        <geometry>
-          <mesh>
-            <uri>meshes/hull.obj</uri>
-            <scale>«1 -1 1»</scale>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/hull.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <visual name="hull">
-        <geometry>
-          <mesh>
-            <uri>meshes/hull.obj</uri>
-            <scale>1 1 1</scale>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/hull.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
+      .why = "Many robots make their left side of the meshes of the right one so, and consumers "
+             "differ: MuJoCo turns the triangles back; new Gazebo draws such a visual with its "
+             "inside outside and reports an error for such a collision (gazebosim/gz-sim#2656); "
+             "Webots and O3DE refuse the factor; some take the absolute value.",
+      .what_to_do = "Mirror the mesh file itself, with its triangles turned the right way round, "
+                    "and take the minus signs out.",
       .checks = {on<MeshUse>(check)},
   };
 }

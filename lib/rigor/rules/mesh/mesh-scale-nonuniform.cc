@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_scale_nonuniform {
-namespace {
 
 // Factors of 0.0254 and 0.02540 are the same.
 constexpr double kRounded = 1.001;
@@ -28,69 +27,15 @@ void check(const MeshUse& use, Context& context) {
                   .subject = use.subject});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-scale-nonuniform",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a mesh is scaled by different factors along its axes",
-      .why =
-          "Normals have to be turned with it, and not every viewer does: the light looks wrong. "
-          "A sphere becomes an ellipsoid, and an inertia of the mesh cannot be scaled by one "
-          "number. A slip of one digit in one factor looks just like it.",
+      .why = "Normals have to be turned with it, and not every viewer does: the light looks wrong. "
+             "A sphere becomes an ellipsoid, and an inertia of the mesh cannot be scaled by one "
+             "number. A slip of one digit in one factor looks just like it.",
       .what_to_do = "Apply the scale to the file and write `1 1 1`.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry>
-          <mesh>
-            <uri>meshes/shell.obj</uri>
-            <scale>«1 1 2»</scale>
-          </mesh>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry>
-          <mesh>
-            <uri>meshes/shell.obj</uri>
-            <scale>2 2 2</scale>
-          </mesh>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshUse>(check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_self_intersection {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mass::MeshShape* shape = shape_of(file);
@@ -24,70 +23,16 @@ void check(const MeshFile& file, Context& context) {
                   how_many(found.pairs, "pair"), at_places(places, found.pairs)));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-self-intersection",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a mesh goes through itself",
       .why =
-          "Where parts overlap, a volume or inertia from the triangles counts the overlap "
-          "twice. Contacts and pictures do not mind. Assemblies exported as one mesh look like "
-          "this.",
-      .what_to_do =
-          "For mass properties unite the parts in the tool that made them, or take a hull: "
-          "`rigor mesh-check FILE --convex-hull -o OUT`.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-# two tetrahedra, one stuck in the other
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-v 0.1 0.1 0.1
-v 1.1 0.1 0.1
-v 0.1 1.1 0.1
-v 0.1 0.1 1.1
-f 5 7 6
-f 5 6 8
-f 5 8 7
-f 6 7 8
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
+          "Where parts overlap, a volume or inertia from the triangles counts the overlap twice. "
+          "Contacts and pictures do not mind. Assemblies exported as one mesh look like this.",
+      .what_to_do = "For mass properties unite the parts in the tool that made them, or take a "
+                    "hull: `rigor mesh-check FILE --convex-hull -o OUT`.",
       .checks = {on<MeshFile>(check)},
   };
 }

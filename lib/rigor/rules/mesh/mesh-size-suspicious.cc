@@ -12,11 +12,11 @@
 
 #include <fmt/core.h>
 
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/rules/mesh/places.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_size_suspicious {
-namespace {
 
 // Diagonals, in metres. In 2,000 real model files no mesh that may move is beyond them; what stands fast
 // may be a building or terrain.
@@ -136,230 +136,18 @@ void check(const MeshFile& file, Context& context) {
                           large ? "much" : "little", large ? too_large(size) : too_small(size)));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-size-suspicious",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a mesh is as large as a building or as small as a grain",
-      .why =
-          "STL and OBJ do not say what a unit is. A part drawn in millimetres and read in "
-          "metres is a thousand times too large, one scaled twice as much too small; drawn with "
-          "a thousandth of its size a robot is just not to be seen. Contacts, inertia and "
-          "camera ranges go wrong with it. A mesh that is thirty times larger or smaller than "
-          "all others of its model is told of, too.",
-      .what_to_do =
-          "Give the mesh's unit in the model's scale (0.001 for millimetres), or put it into "
-          "the file: `rigor mesh-check FILE --unit mm -o OUT`.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-      <collision name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 200 0 0
-v 0 200 0
-v 0 0 200
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"},
-              {R"(<sdf version="1.9">
-  <model name="part">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-      <visual name="shell">
-        <geometry>
-          <mesh>
-            <uri>meshes/shell.obj</uri>
-            <scale>0.2 0.2 0.2</scale>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-    <link name="arm">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-      <visual name="shell">
-        <geometry>
-          <mesh>
-            <uri>meshes/shell.obj</uri>
-            <scale>0.1 0.1 0.1</scale>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-    <link name="hand">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-      <visual name="shell">
-        <geometry>
-          <mesh>
-            <uri>«meshes/shell.obj»</uri>
-            <scale>20 20 20</scale>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-    <joint name="to_arm" type="fixed">
-      <parent>body</parent>
-      <child>arm</child>
-    </joint>
-    <joint name="to_hand" type="fixed">
-      <parent>body</parent>
-      <child>hand</child>
-    </joint>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-vn 0 0 -1
-vn 0 -1 0
-vn -1 0 0
-vn 0.577 0.577 0.577
-f 1//1 3//1 2//1
-f 1//2 2//2 4//2
-f 1//3 4//3 3//3
-f 2//4 3//4 4//4
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-      <collision name="shell">
-        <geometry>
-          <mesh>
-            <uri>meshes/shell.obj</uri>
-            <scale>0.001 0.001 0.001</scale>
-          </mesh>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 200 0 0
-v 0 200 0
-v 0 0 200
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"},
-               {R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 200 0 0
-v 0 200 0
-v 0 0 200
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"},
-               {R"(<sdf version="1.9">
-  <model name="part">
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-      <visual name="shell">
-        <geometry>
-          <mesh>
-            <uri>meshes/shell.obj</uri>
-            <scale>0.2 0.2 0.2</scale>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-    <link name="arm">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-      <visual name="shell">
-        <geometry>
-          <mesh>
-            <uri>meshes/shell.obj</uri>
-            <scale>0.1 0.1 0.1</scale>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-    <link name="hand">
-      <inertial>
-        <mass>1</mass>
-        <inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia>
-      </inertial>
-      <visual name="shell">
-        <geometry>
-          <mesh>
-            <uri>meshes/shell.obj</uri>
-            <scale>5 5 5</scale>
-          </mesh>
-        </geometry>
-      </visual>
-    </link>
-    <joint name="to_arm" type="fixed">
-      <parent>body</parent>
-      <child>arm</child>
-    </joint>
-    <joint name="to_hand" type="fixed">
-      <parent>body</parent>
-      <child>hand</child>
-    </joint>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-vn 0 0 -1
-vn 0 -1 0
-vn -1 0 0
-vn 0.577 0.577 0.577
-f 1//1 3//1 2//1
-f 1//2 2//2 4//2
-f 1//3 4//3 3//3
-f 2//4 3//4 4//4
-)"}},
+      .why = "STL and OBJ do not say what a unit is. A part drawn in millimetres and read in "
+             "metres is a thousand times too large, one scaled twice as much too small; drawn with "
+             "a thousandth of its size a robot is just not to be seen. Contacts, inertia and "
+             "camera ranges go wrong with it. A mesh that is thirty times larger or smaller than "
+             "all others of its model is told of, too.",
+      .what_to_do = "Give the mesh's unit in the model's scale (0.001 for millimetres), or put it "
+                    "into the file: `rigor mesh-check FILE --unit mm -o OUT`.",
       .checks = {on<MeshFile>(check)},
   };
 }

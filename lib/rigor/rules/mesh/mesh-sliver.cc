@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_sliver {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   if (file.use) return;  // half of all real meshes have some
@@ -22,39 +21,15 @@ void check(const MeshFile& file, Context& context) {
                   at_defects(topology, mesh::Defect::kSliver, count));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-sliver",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "triangles of a mesh are very thin",
-      .why =
-          "They are a thousand times longer than high. Nothing breaks, but their normals are as "
-          "good as their last digits, and reducing or cutting the mesh goes wrong there first. "
-          "CAD programs make them along round edges.",
+      .why = "They are a thousand times longer than high. Nothing breaks, but their normals are as "
+             "good as their last digits, and reducing or cutting the mesh goes wrong there first. "
+             "CAD programs make them along round edges.",
       .what_to_do = "Export with another tolerance, or mesh the part anew, where it matters.",
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -5,46 +5,21 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_solid_header {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   if (fault_of(file, mesh::FaultKind::kSolidHeader) == nullptr) return;
   report_mesh(file, context, "the binary STL begins with the word solid, as those in text do");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-solid-header",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a binary STL begins like one in text",
-      .why =
-          "Readers that go by the first word take the file for text. RViz warns at each start "
-          "that the file is malformed. One in eight binary STL files is like that: SolidWorks "
-          "writes them.",
+      .why = "Readers that go by the first word take the file for text. RViz warns at each start "
+             "that the file is malformed. One in eight binary STL files is like that: SolidWorks "
+             "writes them.",
       .what_to_do = "Write the file anew: `rigor mesh-check FILE -o OUT.stl`.",
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

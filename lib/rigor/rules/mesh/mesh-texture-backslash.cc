@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_texture_backslash {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   if (!is_drawn(file)) return;
@@ -15,78 +14,14 @@ void check(const MeshFile& file, Context& context) {
                     "textures' paths are written with backslashes");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-texture-backslash",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a texture's path is written with backslashes",
-      .why =
-          "Only Windows takes \\ for what parts folders. On Linux it is a letter of the name, "
-          "and no file is found.",
+      .why = "Only Windows takes \\ for what parts folders. On Linux it is a letter of the name, "
+             "and no file is found.",
       .what_to_do = "Write / in place of \\ in the mesh file, which Windows understands, too.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-mtllib shell.mtl
-usemtl skin
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-vn 0 0 -1
-vn 0 -1 0
-vn -1 0 0
-vn 0.577 0.577 0.577
-f 1//1 3//1 2//1
-f 1//2 2//2 4//2
-f 1//3 4//3 3//3
-f 2//4 3//4 4//4
-=== meshes/shell.mtl
-newmtl skin
-map_Kd maps\skin.png
-=== meshes/maps/skin.png
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-mtllib shell.mtl
-usemtl skin
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-vn 0 0 -1
-vn 0 -1 0
-vn -1 0 0
-vn 0.577 0.577 0.577
-f 1//1 3//1 2//1
-f 1//2 2//2 4//2
-f 1//3 4//3 3//3
-f 2//4 3//4 4//4
-=== meshes/shell.mtl
-newmtl skin
-map_Kd skin.png
-=== meshes/skin.png
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_texture_too_large {
-namespace {
 
 // What GPUs have been able to hold for fifteen years; more also takes 85 MB and up.
 constexpr std::uint32_t kLargest = 4096;  // pixels
@@ -29,48 +28,14 @@ void check(const MeshFile& file, Context& context) {
                     "textures have more than 4096 pixels in a row");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-texture-too-large",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a texture has more than 4096 pixels in a row",
-      .why =
-          "It takes 85 MB and more of a graphics card's memory once it is unpacked, also in "
-          "each simulated camera; older cards and drivers refuse it or draw white.",
+      .why = "It takes 85 MB and more of a graphics card's memory once it is unpacked, also in "
+             "each simulated camera; older cards and drivers refuse it or draw white.",
       .what_to_do = "Scale the picture down: `convert big.png -resize 2048x2048 small.png`.",
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-mtllib shell.mtl
-usemtl skin
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-vn 0 0 -1
-vn 0 -1 0
-vn -1 0 0
-vn 0.577 0.577 0.577
-f 1//1 3//1 2//1
-f 1//2 2//2 4//2
-f 1//3 4//3 3//3
-f 2//4 3//4 4//4
-=== meshes/shell.mtl
-newmtl skin
-map_Kd skin.png
-=== meshes/skin.png
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

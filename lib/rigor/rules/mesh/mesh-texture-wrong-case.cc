@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_texture_wrong_case {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   if (!is_drawn(file)) return;
@@ -15,78 +14,14 @@ void check(const MeshFile& file, Context& context) {
                     "textures are written with other upper and lower case");
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-texture-wrong-case",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a texture is written with other upper and lower case",
-      .why =
-          "It opens on Windows and macOS, and is not found on Linux, where the simulators "
-          "mostly run.",
+      .why = "It opens on Windows and macOS, and is not found on Linux, where the simulators "
+             "mostly run.",
       .what_to_do = "Rename the picture, or write its name in the mesh as the file has it.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-mtllib shell.mtl
-usemtl skin
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-vn 0 0 -1
-vn 0 -1 0
-vn -1 0 0
-vn 0.577 0.577 0.577
-f 1//1 3//1 2//1
-f 1//2 2//2 4//2
-f 1//3 4//3 3//3
-f 2//4 3//4 4//4
-=== meshes/shell.mtl
-newmtl skin
-map_Kd Skin.PNG
-=== meshes/skin.png
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-mtllib shell.mtl
-usemtl skin
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-vn 0 0 -1
-vn 0 -1 0
-vn -1 0 0
-vn 0.577 0.577 0.577
-f 1//1 3//1 2//1
-f 1//2 2//2 4//2
-f 1//3 4//3 3//3
-f 2//4 3//4 4//4
-=== meshes/shell.mtl
-newmtl skin
-map_Kd skin.png
-=== meshes/skin.png
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_tiny_component {
-namespace {
 
 // The smallest screw of a part is some hundredth of it.
 constexpr double kTiny = 1e-3;
@@ -33,67 +32,14 @@ void check(const MeshFile& file, Context& context) {
                           at_places(places, places.size())));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-tiny-component",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a mesh has crumbs: pieces a thousand times smaller than it",
-      .why =
-          "They are left over from cutting and exporting. Contacts catch on them, and a body's "
-          "bounds or hull may hang on one.",
+      .why = "They are left over from cutting and exporting. Contacts catch on them, and a body's "
+             "bounds or hull may hang on one.",
       .what_to_do = "Delete them in the tool that made the mesh.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-# a crumb beside a tetrahedron
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-v 2 0 0
-v 2.0001 0 0
-v 2 0.0001 0
-v 2 0 0.0001
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-f 5 7 6
-f 5 6 8
-f 5 8 7
-f 6 7 8
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

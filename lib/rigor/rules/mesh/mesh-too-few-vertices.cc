@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_too_few_vertices {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mass::MeshShape* shape = shape_of(file);
@@ -18,54 +17,14 @@ void check(const MeshFile& file, Context& context) {
                           how_many(shape->topology.vertices, "vertex", "vertices")));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-too-few-vertices",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a mesh has fewer than four vertices",
-      .why =
-          "A body has four at least: this one is a triangle. MuJoCo rejects it; what has no "
-          "thickness has no inside to collide with.",
+      .why = "A body has four at least: this one is a triangle. MuJoCo rejects it; what has no "
+             "thickness has no inside to collide with.",
       .what_to_do = "Export the whole part, or use a primitive.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>«meshes/shell.obj»</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-f 1 2 3
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -1,13 +1,10 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <string>
-
 #include <rigor/rules/mesh/file_fault.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_too_large {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   const mesh::Fault* fault = fault_of(file, mesh::FaultKind::kTooLarge);
@@ -17,40 +14,16 @@ void check(const MeshFile& file, Context& context) {
                   (fault->detail.empty() ? "over 50 million triangles" : fault->detail));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-too-large",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .summary = "a mesh file is too large to be read",
       .why =
           "Files over 2 GiB and meshes of more than 50 million triangles are not opened. The "
-          "largest among some thousand meshes of robots has 30 MB; simulators would take "
-          "minutes and gigabytes for such a one, and MuJoCo refuses more than 200 000 "
-          "triangles.",
+          "largest among some thousand meshes of robots has 30 MB; simulators would take minutes "
+          "and gigabytes for such a one, and MuJoCo refuses more than 200 000 triangles.",
       .what_to_do = "Reduce the mesh where it comes from, by a coarser export.",
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include <fmt/core.h>
@@ -13,7 +12,6 @@
 #include <rigor/text/letter_case.h>
 
 namespace rigor::rules::mesh_unit_contradicts_name {
-namespace {
 
 struct Unit {
   std::string_view name;
@@ -48,152 +46,15 @@ void check(const MeshFile& file, Context& context) {
                           collada->unit_name, *named, written, in_line(collada->unit_line)));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-unit-contradicts-name",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "a unit's name and size contradict each other",
-      .why =
-          "Who reads the name gets another size than who reads the number. Simulators read the "
-          "number; which of the two was meant, only the size of the part can tell.",
-      .what_to_do =
-          "Say what a unit is: `rigor mesh-check FILE --unit cm -o OUT.dae` writes metres and "
-          "says so.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>«meshes/shell.dae»</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.dae
-<COLLADA version="1.4.1">
-  <asset><unit name="centimeter" meter="1"/><up_axis>Z_UP</up_axis></asset>
-  <library_geometries>
-    <geometry id="g">
-      <mesh>
-        <source id="p">
-          <float_array id="a" count="12">0 0 0 1 0 0 0 1 0 0 0 1</float_array>
-          <technique_common>
-            <accessor source="#a" count="4" stride="3">
-              <param name="X" type="float"/>
-              <param name="Y" type="float"/>
-              <param name="Z" type="float"/>
-            </accessor>
-          </technique_common>
-        </source>
-        <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
-        <triangles count="4">
-          <input semantic="VERTEX" source="#v" offset="0"/>
-          <p>0 2 1 0 1 3 0 3 2 1 2 3</p>
-        </triangles>
-      </mesh>
-    </geometry>
-  </library_geometries>
-  <library_visual_scenes>
-    <visual_scene id="s">
-      <node id="n">
-        <instance_geometry url="#g"/>
-      </node>
-    </visual_scene>
-  </library_visual_scenes>
-  <scene><instance_visual_scene url="#s"/></scene>
-</COLLADA>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.dae</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.dae
-<COLLADA version="1.4.1">
-  <asset><unit name="meter" meter="1"/><up_axis>Z_UP</up_axis></asset>
-  <library_geometries>
-    <geometry id="g">
-      <mesh>
-        <source id="p">
-          <float_array id="a" count="12">0 0 0 1 0 0 0 1 0 0 0 1</float_array>
-          <technique_common>
-            <accessor source="#a" count="4" stride="3">
-              <param name="X" type="float"/>
-              <param name="Y" type="float"/>
-              <param name="Z" type="float"/>
-            </accessor>
-          </technique_common>
-        </source>
-        <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
-        <triangles count="4">
-          <input semantic="VERTEX" source="#v" offset="0"/>
-          <p>0 2 1 0 1 3 0 3 2 1 2 3</p>
-        </triangles>
-      </mesh>
-    </geometry>
-  </library_geometries>
-  <library_visual_scenes>
-    <visual_scene id="s">
-      <node id="n">
-        <instance_geometry url="#g"/>
-      </node>
-    </visual_scene>
-  </library_visual_scenes>
-  <scene><instance_visual_scene url="#s"/></scene>
-</COLLADA>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.dae</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.dae
-<COLLADA version="1.4.1">
-  <asset><unit name="inch" meter="0.02539999969303608"/><up_axis>Z_UP</up_axis></asset>
-  <library_geometries>
-    <geometry id="g">
-      <mesh>
-        <source id="p">
-          <float_array id="a" count="12">0 0 0 1 0 0 0 1 0 0 0 1</float_array>
-          <technique_common>
-            <accessor source="#a" count="4" stride="3">
-              <param name="X" type="float"/>
-              <param name="Y" type="float"/>
-              <param name="Z" type="float"/>
-            </accessor>
-          </technique_common>
-        </source>
-        <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
-        <triangles count="4">
-          <input semantic="VERTEX" source="#v" offset="0"/>
-          <p>0 2 1 0 1 3 0 3 2 1 2 3</p>
-        </triangles>
-      </mesh>
-    </geometry>
-  </library_geometries>
-  <library_visual_scenes>
-    <visual_scene id="s">
-      <node id="n">
-        <instance_geometry url="#g"/>
-      </node>
-    </visual_scene>
-  </library_visual_scenes>
-  <scene><instance_visual_scene url="#s"/></scene>
-</COLLADA>
-)"}},
+      .why = "Who reads the name gets another size than who reads the number. Simulators read the "
+             "number; which of the two was meant, only the size of the part can tell.",
+      .what_to_do = "Say what a unit is: `rigor mesh-check FILE --unit cm -o OUT.dae` writes "
+                    "metres and says so.",
       .checks = {on<MeshFile>(check)},
   };
 }

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_unreferenced_vertex {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
   if (file.use) return;  // no contact comes from them
@@ -21,38 +20,14 @@ void check(const MeshFile& file, Context& context) {
                   at_defects(topology, mesh::Defect::kUnreferencedVertex, count));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-unreferenced-vertex",
-      .category = Category::kMesh,
       .severity = Severity::kInfo,
       .summary = "vertices of a mesh are used by no triangle",
-      .why =
-          "They make the file larger, and programs that take bounds or a hull from all vertices "
-          "get other ones than are seen.",
+      .why = "They make the file larger, and programs that take bounds or a hull from all vertices "
+             "get other ones than are seen.",
       .what_to_do = "Write the mesh anew, which leaves them out: `rigor mesh-check FILE -o OUT`.",
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <collision name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

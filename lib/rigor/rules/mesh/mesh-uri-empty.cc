@@ -4,7 +4,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_uri_empty {
-namespace {
 
 void check(const MeshUse& use, Context& context) {
   const auto& uri = use.mesh.uri;
@@ -14,50 +13,15 @@ void check(const MeshUse& use, Context& context) {
                   .subject = use.subject});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-uri-empty",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "a mesh names no file",
-      .why =
-          "The simulator looks for a file without a name, finds none, and leaves the shape out: "
-          "a visual cannot be seen, a collision is passed through.",
+      .why = "The simulator looks for a file without a name, finds none, and leaves the shape out: "
+             "a visual cannot be seen, a collision is passed through.",
       .what_to_do = "Name the mesh file, or take the visual or collision out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><«mesh»><uri></uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshUse>(check)},
   };
 }

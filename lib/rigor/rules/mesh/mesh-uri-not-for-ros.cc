@@ -12,7 +12,6 @@
 #include <rigor/xml/edit.h>
 
 namespace rigor::rules::mesh_uri_not_for_ros {
-namespace {
 
 bool is_url(std::string_view uri) {
   for (const std::string_view scheme : {"package://", "file://", "http://", "https://"}) {
@@ -61,79 +60,19 @@ void check(const model::Root& root, Context& context) {
   check_shapes(root.collisions, context);
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-uri-not-for-ros",
-      .category = Category::kMesh,
       .severity = Severity::kError,
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .targets = {Target::kRos},
       .summary = "a mesh is named by a path that ROS does not find",
-      .why =
-          "A robot description is a text on a topic, and no longer knows which file it came from. "
-          "So RViz and MoveIt load meshes by resource_retriever, which takes package://, file:// "
-          "and http:// URLs: a relative path or model:// leads nowhere. It loads by curl, and "
-          "curl from 7.78 refuses a space.",
+      .why = "A robot description is a text on a topic, and no longer knows which file it came "
+             "from. So RViz and MoveIt load meshes by resource_retriever, which takes package://, "
+             "file:// and http:// URLs: a relative path or model:// leads nowhere. It loads by "
+             "curl, and curl from 7.78 refuses a space.",
       .what_to_do = "Write package://NAME/PATH, with the name from the package.xml.",
-      .bad = {{R"(<robot name="lift">
-  <link name="car">
-    <collision>
-      <geometry>
-        <mesh filename="«../meshes/car.obj»"/>
-      </geometry>
-    </collision>
-  </link>
-</robot>
-=== ../meshes/car.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-=== ../package.xml
-<package format="3">
-  <name>lift_description</name>
-</package>
-)",
-               R"(<robot name="lift">
-  <link name="car">
-    <collision>
-      <geometry>
-        <mesh filename="package://lift_description/meshes/car.obj"/>
-      </geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<robot name="lift">
-  <link name="car">
-    <collision>
-      <geometry>
-        <mesh filename="package://lift_description/meshes/car.obj"/>
-      </geometry>
-    </collision>
-  </link>
-</robot>
-=== ../meshes/car.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-=== ../package.xml
-<package format="3">
-  <name>lift_description</name>
-</package>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -3,53 +3,29 @@
 
 #include <fmt/core.h>
 
+#include <rigor/mesh/triangle_budget.h>
 #include <rigor/rules/mesh/places.h>
-#include <rigor/rules/mesh/triangle_budget.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mesh_visual_triangles {
-namespace {
 
 void check(const MeshFile& file, Context& context) {
-  if (!file.visual() || takes_part(file) || file.facts.triangles <= kMostVisualTriangles) return;
+  if (!file.visual() || takes_part(file) || file.facts.triangles <= mesh::kMostVisualTriangles)
+    return;
   report_mesh(file, context,
               fmt::format("the mesh has {} triangles, over {}", file.facts.triangles,
-                          kMostVisualTriangles));
+                          mesh::kMostVisualTriangles));
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "mesh-visual-triangles",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .summary = "a mesh to be seen has more than 100 000 triangles",
-      .why =
-          "Viewers and simulated cameras draw each of them in every frame, and each start reads "
-          "them. The largest of a thousand meshes of real robots has 75 000; nine of ten have "
-          "fewer than 22 000.",
+      .why = "Viewers and simulated cameras draw each of them in every frame, and each start reads "
+             "them. The largest of a thousand meshes of real robots has 75 000; nine of ten have "
+             "fewer than 22 000.",
       .what_to_do = "Reduce it: `rigor mesh-check FILE --reduce 50000 -o OUT`.",
-      .good = {{R"(<sdf version="1.9">
-  <model name="part">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri>meshes/shell.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/shell.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshFile>(check)},
   };
 }

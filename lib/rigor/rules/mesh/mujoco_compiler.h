@@ -14,7 +14,6 @@
 #include <rigor/model/model.h>
 #include <rigor/rules/context.h>
 #include <rigor/text/path.h>
-#include <rigor/xml/document.h>
 
 namespace rigor::rules {
 
@@ -25,20 +24,18 @@ struct MujocoCompiler {
   std::string mesh_folder;     ///< beside the URDF
 };
 
-inline MujocoCompiler mujoco_compiler(const xml::Document& document) {
+inline MujocoCompiler mujoco_compiler(const model::Root& root) {
   MujocoCompiler settings;
-  const auto robot = document.root();
-  const auto section = robot ? robot->child("mujoco") : std::nullopt;
-  const auto compiler = section ? section->child("compiler") : std::nullopt;
-  if (!compiler) return settings;
-  const auto is = [&compiler](std::string_view name, std::string_view value) {
-    const auto attribute = compiler->attribute(name);
-    return attribute && attribute->value() == value;
+  const auto* compiler = find(root.mujoco, "compiler");
+  if (compiler == nullptr) return settings;
+  const auto is = [compiler](std::string_view name, std::string_view value) {
+    const auto* given = attribute(*compiler, name);
+    return given != nullptr && given->value == value;
   };
   settings.strip_path = !is("strippath", "false");
   settings.discard_visual = !is("discardvisual", "false");
   for (const std::string_view name : {"assetdir", "meshdir"}) {
-    if (const auto folder = compiler->attribute(name)) settings.mesh_folder = folder->value();
+    if (const auto* folder = attribute(*compiler, name)) settings.mesh_folder = folder->value;
   }
   return settings;
 }

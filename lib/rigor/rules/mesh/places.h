@@ -17,7 +17,8 @@
 
 #include <fmt/core.h>
 
-#include <rigor/mesh/topology.h>
+#include <rigor/mass/mesh/facts.h>
+#include <rigor/mesh/topology/topology.h>
 #include <rigor/rules/mesh/file_fault.h>
 #include <rigor/rules/rule.h>
 

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <string>
 
-#include <rigor/mass/mesh_survey.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::submesh_not_in_file {
-namespace {
 
 void check(const MeshUse& use, Context& context) {
   const auto& submesh = use.mesh.submesh;
@@ -26,75 +25,15 @@ void check(const MeshUse& use, Context& context) {
        .subject = use.subject});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "submesh-not-in-file",
-      .category = Category::kMesh,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a shape takes a part of a mesh file that the file does not have",
-      .why =
-          "The simulator finds no such submesh and leaves the shape out: nothing is seen, or "
-          "collided with. ign sdf -k opens no meshes.",
+      .why = "The simulator finds no such submesh and leaves the shape out: nothing is seen, or "
+             "collided with. ign sdf -k opens no meshes.",
       .what_to_do = "Write the name that the part has in the file: in OBJ behind o or g.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <collision name="hull">
-        <geometry>
-          <mesh>
-            <uri>meshes/arm.obj</uri>
-            <submesh>
-              <name>«forearm»</name>
-            </submesh>
-          </mesh>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/arm.obj
-o upper_arm
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="body">
-      <collision name="hull">
-        <geometry>
-          <mesh>
-            <uri>meshes/arm.obj</uri>
-            <submesh>
-              <name>upper_arm</name>
-            </submesh>
-          </mesh>
-        </geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-=== meshes/arm.obj
-o upper_arm
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<MeshUse>(check)},
   };
 }

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include <rigor/mesh/asset.h>
+#include <rigor/mesh/asset/asset.h>
 #include <rigor/rules/mesh/file_fault.h>
 #include <rigor/text/path.h>
 

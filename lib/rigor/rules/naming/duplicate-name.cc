@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::duplicate_name {
-namespace {
 
 /// URDF tells links, joints and materials by name, and nothing below them.
 bool counts(const NameScope& scope, const Named& named, const Context& context) {
@@ -29,76 +28,15 @@ void check(const model::Root& /*root*/, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "duplicate-name",
-      .category = Category::kNaming,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "two things of one kind have the same name",
-      .why =
-          "libsdformat and urdfdom refuse the file. Where they do not, one of the two cannot be "
-          "referred to.",
+      .why = "libsdformat and urdfdom refuse the file. Where they do not, one of the two cannot be "
+             "referred to.",
       .what_to_do = "Rename one of them. Of two includes of one model, one takes a <name>.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <link name="«body»"/>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>box</uri>
-    </include>
-    <«include»>
-      <uri>box</uri>
-    </include>
-  </world>
-</sdf>
-=== box/model.config
-<model><name>box</name><sdf version="1.9">model.sdf</sdf></model>
-=== box/model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <link name="lid"/>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>box</uri>
-    </include>
-    <include>
-      <uri>box</uri>
-      <name>second_box</name>
-    </include>
-  </world>
-</sdf>
-=== box/model.config
-<model><name>box</name><sdf version="1.9">model.sdf</sdf></model>
-=== box/model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

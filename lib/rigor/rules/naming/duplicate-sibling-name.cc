@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::duplicate_sibling_name {
-namespace {
 
 void check(const model::Root& /*root*/, Context& context) {
   for (const NameScope& scope : context.repeated_names()) {
@@ -23,49 +22,19 @@ void check(const model::Root& /*root*/, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "duplicate-sibling-name",
-      .category = Category::kNaming,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .summary = "things of different kinds in one scope have the same name",
-      .why =
-          "A pose may refer to any link, joint, frame or model of a scope by name, so they share "
-          "one set of names: from SDF 1.7 on libsdformat refuses the file; of an older one it "
-          "renames the later kind while it reads, so that nobody finds it by the name that is "
-          "written. Its check (ign sdf -k) refuses both, and a visual with the name of its "
-          "collision too, which simulators load all the same.",
+      .why = "A pose may refer to any link, joint, frame or model of a scope by name, so they "
+             "share one set of names: from SDF 1.7 on libsdformat refuses the file; of an older "
+             "one it renames the later kind while it reads, so that nobody finds it by the name "
+             "that is written. Its check (ign sdf -k) refuses both, and a visual with the name of "
+             "its collision too, which simulators load all the same.",
       .what_to_do = "Rename one of them, as to elbow_joint.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <frame name="«body»"/>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.6">
-  <model name="arm">
-    <link name="elbow"/>
-    <joint name="«elbow»" type="fixed">
-      <parent>world</parent>
-      <child>elbow</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <frame name="lid"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

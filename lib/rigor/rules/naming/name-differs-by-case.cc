@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <string>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -14,7 +13,6 @@
 #include <rigor/text/letter_case.h>
 
 namespace rigor::rules::name_differs_by_case {
-namespace {
 
 template <class Entity>
 void check_kind(const std::vector<model::Id<Entity>>& ids, const char* kind, Context& context) {
@@ -46,35 +44,15 @@ void check(const model::Model& model, Context& context) {
   check_kind(model.frames, "frame", context);
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "name-differs-by-case",
-      .category = Category::kNaming,
       .severity = Severity::kWarning,
       .summary = "two names differ only by upper and lower case",
-      .why =
-          "SDF and URDF tell them apart, but people do not, and neither does whatever makes "
-          "files of names where case does not count.",
-      .what_to_do =
-          "Give them names that are told apart at a glance, or the same name where one "
-          "thing is meant.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="wheel"/>
-    <link name="base"/>
-    <link name="«Wheel»"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="wheel"/>
-    <link name="base"/>
-  </model>
-</sdf>
-)"}},
+      .why = "SDF and URDF tell them apart, but people do not, and neither does whatever makes "
+             "files of names where case does not count.",
+      .what_to_do = "Give them names that are told apart at a glance, or the same name where one "
+                    "thing is meant.",
       .checks = {on<model::Model>(check)},
   };
 }

@@ -6,12 +6,12 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::name_empty {
-namespace {
 
 /// Of a URDF libsdformat keeps no fixed joints: their links are one.
-bool in_model(xml::Element element) {
-  const auto type = element.attribute("type");
-  return element.name() != "joint" || !type || type->value() != "fixed";
+bool in_model(const model::Joint& joint) { return joint.type_name.value != "fixed"; }
+template <class Other>
+bool in_model(const Other&) {
+  return true;
 }
 
 template <class Entity>
@@ -23,41 +23,18 @@ void check(const Entity& entity, Context& context) {
   context.report({.where = entity.site.tag,
                   .message = "the name of this " + kind + " is empty",
                   .subject = context.subject(entity),
-                  .refused = in_model(context.element(entity.site))});
+                  .refused = in_model(entity)});
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "name-empty",
-      .category = Category::kNaming,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kSays},
       .summary = "a name is empty",
       .why =
-          "libsdformat refuses the file. urdfdom takes it, and then nothing can refer to the "
-          "part.",
+          "libsdformat refuses the file. urdfdom takes it, and then nothing can refer to the part.",
       .what_to_do = "Give it a name.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    «<link name="">»
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="box">
-  «<link name=""/>»
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::World>(check), on<model::Model>(check), on<model::Link>(check),
                  on<model::Joint>(check), on<model::Frame>(check), on<model::Collision>(check),
                  on<model::Visual>(check), on<model::Sensor>(check), on<model::Light>(check),

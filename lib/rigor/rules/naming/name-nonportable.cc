@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::name_nonportable {
-namespace {
 
 /// What breaks more than one program; '.', '-' and '+' are left alone.
 bool is_trouble(char c) {
@@ -27,37 +26,15 @@ void check(const Entity& entity, Context& context) {
                   .subject = context.subject(entity)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "name-nonportable",
-      .category = Category::kNaming,
       .severity = Severity::kInfo,
       .summary = "a name has characters that other programs cannot take",
-      .why =
-          "SDF and URDF take any name. ROS takes no space in the name of a frame or topic made "
-          "from it, and '/' and ':' separate names there; USD takes letters, digits and "
-          "underscores only.",
+      .why = "SDF and URDF take any name. ROS takes no space in the name of a frame or topic made "
+             "from it, and '/' and ':' separate names there; USD takes letters, digits and "
+             "underscores only.",
       .what_to_do = "Write letters, digits and underscores.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="«the lid»"/>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="box">
-  <link name="«box/body»"/>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="the_lid"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Link>(check), on<model::Joint>(check), on<model::Frame>(check),
                  on<model::Sensor>(check)},
   };

@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include <rigor/rules/rule.h>
+#include <rigor/rules/sdformat_robot.h>
 
 namespace rigor::rules::name_not_in_sdf {
-namespace {
 
 bool reserved(std::string_view name) {
   return name == "world" || (name.size() >= 4 && name.starts_with("__") && name.ends_with("__"));
@@ -46,64 +46,19 @@ void check(const model::Model& robot, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "name-not-in-sdf",
-      .category = Category::kNaming,
       .severity = Severity::kError,
       .refused = {.urdf = Refusal::kAlways},
       .formats = Formats::kUrdf,
       .targets = {Target::kGazeboClassic, Target::kGzSim},
       .summary = "a name of a URDF cannot stand in SDF",
-      .why =
-          "Gazebo reads URDF through libsdformat. In SDF a link and a joint of one model cannot "
-          "share a name, "
-          "and 'world' and names between double underscores are reserved: libsdformat refuses what "
-          "it made "
-          "of the robot (errors 2 and 3). Names of what it leaves out or lumps together do not "
-          "count.",
+      .why = "Gazebo reads URDF through libsdformat. In SDF a link and a joint of one model cannot "
+             "share a name, and 'world' and names between double underscores are reserved: "
+             "libsdformat refuses what it made of the robot (errors 2 and 3). Names of what it "
+             "leaves out or lumps together do not count.",
       .what_to_do = "Rename the joint, as in elbow_joint.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <link name="gripper">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <joint name="«gripper»" type="continuous">
-    <parent link="base"/>
-    <child link="gripper"/>
-    <axis xyz="0 0 1"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <link name="gripper">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-  </link>
-  <joint name="gripper" type="fixed">
-    <parent link="base"/>
-    <child link="gripper"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Model>(check)},
   };
 }

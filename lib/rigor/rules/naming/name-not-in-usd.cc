@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::name_not_in_usd {
-namespace {
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -60,39 +59,19 @@ void check(const model::Root& root, Context& context) {
   check_names(root.joints, context);
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "name-not-in-usd",
-      .category = Category::kNaming,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .targets = {Target::kIsaac},
       .summary = "a name of a link or joint is none that USD takes",
       .why =
           "A prim of USD is named by letters, digits and underscores, and begins with no digit. "
-          "Isaac Sim's importer replaces the other characters by underscores, so programs that "
-          "ask for the joint by its name in the URDF do not find it, and two names may become one.",
+          "Isaac Sim's importer replaces the other characters by underscores, so programs that ask "
+          "for the joint by its name in the URDF do not find it, and two names may become one.",
       .what_to_do =
           "Write letters, digits and underscores; its documentation advises to do so in the URDF.",
-      .bad = {{R"(<robot name="box">
-  <link name="«left-body»"/>
-</robot>
-)"},
-              {R"(<robot name="box">
-  <link name="body_1"/>
-  <link name="«body.1»"/>
-  <joint name="weld" type="fixed">
-    <parent link="body_1"/>
-    <child link="body.1"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="box">
-  <link name="left_body"/>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::name_reserved {
-namespace {
 
 constexpr int kFirstVersionWithNesting = 8;
 
@@ -36,57 +35,17 @@ void check_model(const model::Model& model, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "name-reserved",
-      .category = Category::kNaming,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .summary = "a name is reserved by the format",
-      .why =
-          "libsdformat refuses the file. 'world', and names that begin and end with two "
-          "underscores, stand for frames that are always there; '::' separates the names of "
-          "nested models, from SDF 1.8 on.",
+      .why = "libsdformat refuses the file. 'world', and names that begin and end with two "
+             "underscores, stand for frames that are always there; '::' separates the names of "
+             "nested models, from SDF 1.8 on.",
       .what_to_do = "Choose another name.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="«world»"/>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <frame name="«__lid__»"/>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="«box::body»"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.6">
-  <model name="box">
-    <static>true</static>
-    <link name="box::body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::World>(check), on<model::Model>(check_model), on<model::Link>(check),
                  on<model::Joint>(check), on<model::Frame>(check), on<model::Collision>(check),
                  on<model::Visual>(check), on<model::Sensor>(check), on<model::Light>(check)},

@@ -5,7 +5,6 @@
 
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -13,22 +12,6 @@
 #include <rigor/rules/names.h>
 
 namespace rigor::rules {
-
-/// "arm/link palm/collision pad": the names on the way in from the root.
-inline std::string subject_of(const Named& named) {
-  std::string subject;
-  for (std::optional<xml::Element> at = named.element; at; at = at->parent()) {
-    const auto name = at->attribute("name");
-    const bool itself = *at == named.element;
-    if (!name && !itself) continue;
-    const std::string_view called = itself ? named.name : name->value();
-    const bool model = at->name() == "model" || at->name() == "robot" || at->name() == "include";
-    std::string part = model ? "" : std::string(at->name()) + " ";
-    part += called;
-    subject = subject.empty() ? part : part + "/" + subject;
-  }
-  return subject;
-}
 
 enum class Kinds { kSame, kDifferent };
 

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include <rigor/read/resolver.h>
 #include <rigor/read/values.h>
 #include <rigor/rules/package/assets.h>
 #include <rigor/rules/rule.h>
@@ -18,7 +19,6 @@
 #include <rigor/text/path.h>
 
 namespace rigor::rules::asset_not_found {
-namespace {
 
 /// What Gazebo brings along: file://media/materials/scripts/gazebo.material; for actors and projectors
 /// a bare name, as walk.dae.
@@ -101,93 +101,17 @@ void check(const model::Root& /*root*/, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "asset-not-found",
-      .category = Category::kPackage,
       .severity = Severity::kWarning,
       .fix = FixGrade::kSafe,
       .summary = "a texture, height map, material script or skin is not found",
-      .why =
-          "The part is drawn without it, in one colour; of a height map or an actor nothing is "
-          "left. The simulator says so in one line of its log. ign sdf -k does not look.",
+      .why = "The part is drawn without it, in one colour; of a height map or an actor nothing is "
+             "left. The simulator says so in one line of its log. ign sdf -k does not look.",
       .what_to_do =
           "Mend the path, or say where the files are: --model-path and --package, rigor.toml, "
           "GZ_SIM_RESOURCE_PATH. What Gazebo brings itself (file://media/…) is not looked for.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <pbr>
-            <metal>
-              <albedo_map>«textures/wodd.png»</albedo_map>
-            </metal>
-          </pbr>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== textures/wood.png
-PNG
-)"},
-              {R"(<robot name="box">
-  <link name="body">
-    <visual>
-      <geometry>
-        <sphere radius="1"/>
-      </geometry>
-      <material name="wood">
-        <texture filename="«textures/Wood.png»"/>
-      </material>
-    </visual>
-  </link>
-</robot>
-=== textures/wood.png
-PNG
-)",
-               R"(<robot name="box">
-  <link name="body">
-    <visual>
-      <geometry>
-        <sphere radius="1"/>
-      </geometry>
-      <material name="wood">
-        <texture filename="textures/wood.png"/>
-      </material>
-    </visual>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <script>
-            <uri>file://media/materials/scripts/gazebo.material</uri>
-            <name>Gazebo/Wood</name>
-          </script>
-          <pbr>
-            <metal>
-              <albedo_map>textures/wood.png</albedo_map>
-            </metal>
-          </pbr>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== textures/wood.png
-PNG
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -3,10 +3,10 @@
 
 #include <string>
 
+#include <rigor/read/fact.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::include_cycle {
-namespace {
 
 void check(const read::Fact& fact, Context& context) {
   std::string circle;
@@ -14,41 +14,14 @@ void check(const read::Fact& fact, Context& context) {
   context.report({.where = fact.where, .message = "the includes go in a circle: " + circle});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "include-cycle",
-      .category = Category::kPackage,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "a model includes itself",
       .why = "libsdformat follows the circle until the memory is used up, and the simulator dies.",
       .what_to_do = "Take one of the includes out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <link name="body"/>
-    <include>
-      <uri>«model.sdf»</uri>
-    </include>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <link name="body"/>
-    <include>
-      <uri>lid.sdf</uri>
-    </include>
-  </model>
-</sdf>
-=== lid.sdf
-<sdf version="1.9">
-  <model name="lid">
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_read({read::FactKind::kIncludeCycle}, check)},
   };
 }

@@ -1,10 +1,10 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <rigor/read/fact.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::include_has_errors {
-namespace {
 
 void check(const read::Fact& fact, Context& context) {
   const bool one = fact.count == 1;
@@ -18,75 +18,17 @@ void check(const read::Fact& fact, Context& context) {
                   .help = "check that file: rigor validate " + fact.name});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "include-has-errors",
-      .category = Category::kPackage,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "an included file has errors of its own",
-      .why =
-          "A simulator that refuses or misreads the included file refuses or misreads this one "
-          "with it: libsdformat reports the inner error and drops what was included.",
+      .why = "A simulator that refuses or misreads the included file refuses or misreads this one "
+             "with it: libsdformat reports the inner error and drops what was included.",
       .what_to_do =
-          "Check the included file by itself and put it right there. What is wrong inside "
-          "it is told only then, so that one fault is not told by every world that uses it.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>«model://cart»</uri>
-    </include>
-  </world>
-</sdf>
-=== model.config
-<model>
-  <name>lab</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== ../cart/model.config
-<model>
-  <name>cart</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== ../cart/model.sdf
-<sdf version="1.9">
-  <model name="cart">
-    <static>true</static>
-    <link name="body">
-      <visual name="shell">
-        <geometry><mesh><uri></uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>model://cart</uri>
-    </include>
-  </world>
-</sdf>
-=== model.config
-<model>
-  <name>lab</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== ../cart/model.config
-<model>
-  <name>cart</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== ../cart/model.sdf
-<sdf version="1.9">
-  <model name="cart">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
+          "Check the included file by itself and put it right there. What is wrong inside it is "
+          "told only then, so that one fault is not told by every world that uses it.",
       .checks = {on_read({read::FactKind::kIncludeHasErrors}, check)},
   };
 }

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cstddef>
 
+#include <rigor/read/fact.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::include_not_followed {
-namespace {
 
 constexpr std::size_t kSearched = 300;  // of a file's first includes; real worlds have a hundred
 
@@ -28,57 +28,16 @@ void check(const read::Fact& fact, Context& context) {
        .message = "'" + fact.name + "' is not in the Fuel cache, and was not looked at"});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "include-not-followed",
-      .category = Category::kPackage,
       .severity = Severity::kInfo,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "an included model lies in the network and was not looked at",
-      .why =
-          "Nothing is ever downloaded here: a model of an https:// URI is only read when it is in "
-          "the Fuel cache. What refers to its parts cannot be checked.",
+      .why = "Nothing is ever downloaded here: a model of an https:// URI is only read when it is "
+             "in the Fuel cache. What refers to its parts cannot be checked.",
       .what_to_do =
           "Download it once, as with gz fuel download -u URI, and it will be found in the cache.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>«https://fuel.gazebosim.org/1.0/OpenRobotics/models/Crate»</uri>
-    </include>
-  </world>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>«https://fuel.gazebosim.org/1.0/OpenRobotics/models/Crate»</uri>
-    </include>
-    <include>
-      <name>second</name>
-      <uri>https://fuel.gazebosim.org/1.0/OpenRobotics/models/Crate</uri>
-    </include>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>box</uri>
-    </include>
-  </world>
-</sdf>
-=== box/model.config
-<model><name>box</name><sdf version="1.9">model.sdf</sdf></model>
-=== box/model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_read({read::FactKind::kUnfollowedInclude}, check)},
   };
 }

@@ -3,11 +3,12 @@
 
 #include <string>
 
+#include <rigor/read/fact.h>
+#include <rigor/read/resolver.h>
 #include <rigor/rules/package/tried.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::include_not_found {
-namespace {
 
 void check(const read::Fact& fact, Context& context) {
   const std::string other = context.resolve(fact.name).other_case;
@@ -18,12 +19,9 @@ void check(const read::Fact& fact, Context& context) {
                               : "there is '" + other + "': letters are told apart by case"});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "include-not-found",
-      .category = Category::kPackage,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "an included model is not found",
@@ -31,31 +29,6 @@ Rule rule() {
       .what_to_do =
           "Correct the URI, or say where the model is: --model-path, the paths in rigor.toml, "
           "GZ_SIM_RESOURCE_PATH, or for package:// --package and ROS_PACKAGE_PATH.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>«model://crate»</uri>
-    </include>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>box</uri>
-    </include>
-  </world>
-</sdf>
-=== box/model.config
-<model><name>box</name><sdf version="1.9">model.sdf</sdf></model>
-=== box/model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_read({read::FactKind::kIncludeNotFound}, check)},
   };
 }

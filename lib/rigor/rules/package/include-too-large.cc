@@ -1,10 +1,10 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <rigor/read/fact.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::include_too_large {
-namespace {
 
 void check(const read::Fact& fact, Context& context) {
   const bool deep = fact.kind == read::FactKind::kIncludeTooDeep;
@@ -14,35 +14,14 @@ void check(const read::Fact& fact, Context& context) {
                                     "it is not read to its end"});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "include-too-large",
-      .category = Category::kPackage,
       .severity = Severity::kError,
       .summary = "the includes are nested too deep, or bring more than rigor holds",
-      .why =
-          "No robot needs 32 levels of includes or 200,000 parts; a simulator will run out of "
-          "memory or time. What lies beyond is not checked.",
+      .why = "No robot needs 32 levels of includes or 200,000 parts; a simulator will run out of "
+             "memory or time. What lies beyond is not checked.",
       .what_to_do = "Look for an include that multiplies itself.",
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>box</uri>
-    </include>
-  </world>
-</sdf>
-=== box/model.config
-<model><name>box</name><sdf version="1.9">model.sdf</sdf></model>
-=== box/model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_read({read::FactKind::kTooMuchIncluded, read::FactKind::kIncludeTooDeep},
                          check)},
   };

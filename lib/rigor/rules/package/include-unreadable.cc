@@ -1,56 +1,24 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <rigor/read/fact.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::include_unreadable {
-namespace {
 
 void check(const read::Fact& fact, Context& context) {
   context.report(
       {.where = fact.where, .message = "the included file cannot be read: " + fact.name});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "include-unreadable",
-      .category = Category::kPackage,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "an included file cannot be read",
       .why = "libsdformat refuses the whole file; Gazebo leaves the model out.",
       .what_to_do = "Put the included file right: checking it tells more.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>«box»</uri>
-    </include>
-  </world>
-</sdf>
-=== box/model.config
-<model><name>box</name><sdf version="1.9">model.sdf</sdf></model>
-=== box/model.sdf
-<sdf version="1.9">
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>box</uri>
-    </include>
-  </world>
-</sdf>
-=== box/model.config
-<model><name>box</name><sdf version="1.9">model.sdf</sdf></model>
-=== box/model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_read({read::FactKind::kIncludeUnreadable}, check)},
   };
 }

@@ -4,50 +4,21 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::include_uri_missing {
-namespace {
 
 void check(const model::Include& include, Context& context) {
   if (!include.uri.value.empty()) return;
   context.report({.where = include.site.name, .message = "this <include> names no model"});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "include-uri-missing",
-      .category = Category::kPackage,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .summary = "an include names no model",
       .why = "libsdformat refuses the whole file, and Gazebo with it.",
       .what_to_do = "Write the <uri> of the model, as in <uri>model://box</uri>.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <«include»>
-      <name>box</name>
-    </include>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>box</uri>
-    </include>
-  </world>
-</sdf>
-=== box/model.config
-<model><name>box</name><sdf version="1.9">model.sdf</sdf></model>
-=== box/model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Include>(check)},
   };
 }

@@ -7,73 +7,28 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::material_pbr_not_in_classic {
-namespace {
 
 void check(const model::Visual& visual, Context& context) {
-  const auto material = context.element(visual.site).child("material");
-  const auto pbr = material ? material->child("pbr") : std::nullopt;
-  if (!pbr) return;
-  for (const std::string_view shown : {"script", "ambient", "diffuse", "emissive"}) {
-    if (material->child(shown)) return;
-  }
+  const model::Material& material = visual.material;
+  const bool scripted = !material.script.span.nowhere();
+  if (material.pbr.span.nowhere() || scripted || material.has_color) return;
   context.report(
-      {.where = pbr->name_span(),
+      {.where = material.pbr.name,
        .message = "Gazebo classic passes over <pbr>, and nothing else says how this looks",
        .subject = context.subject(visual)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "material-pbr-not-in-classic",
-      .category = Category::kPackage,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .targets = {Target::kGazeboClassic},
       .summary = "a visual gets its look from <pbr> alone",
       .why =
           "Gazebo classic has no physically based rendering. It draws the part without a texture.",
-      .what_to_do =
-          "Add <ambient> and <diffuse>, or a material <script>: gz-sim goes on using the <pbr> "
-          "beside them.",
-      .bad = {{R"(<sdf version="1.7">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <«pbr»>
-            <metal>
-              <roughness>0.4</roughness>
-            </metal>
-          </pbr>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.7">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <diffuse>0.5 0.3 0.1 1</diffuse>
-          <pbr>
-            <metal>
-              <roughness>0.4</roughness>
-            </metal>
-          </pbr>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .what_to_do = "Add <ambient> and <diffuse>, or a material <script>: gz-sim goes on using the "
+                    "<pbr> beside them.",
       .checks = {on<model::Visual>(check)},
   };
 }

@@ -4,85 +4,39 @@
 #include <cstdint>
 #include <string_view>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::material_script_incomplete {
-namespace {
 
 /// Whether the script has a value under this name. In SDF 1.0 these were attributes. `__default__` is
 /// libsdformat's own sign for "nothing was written", which old Gazebo wrote into files.
-bool has(xml::Element script, std::string_view name) {
-  const auto text = read::child_text(script, name);
-  if (!text) return false;
-  const std::string_view value = read::trimmed(text->text);
-  return !value.empty() && value != "__default__";
+bool is_given(const model::Field<std::string>& field) {
+  return !field.value.empty() && field.value != "__default__";
 }
 
-void check(const model::Root& root, Context& context) {
+void check(const model::Visual& visual, Context& context) {
   constexpr int kFirstVersionWithUri = 2;
-  if (root.version < kFirstVersionWithUri) return;
-  for (const xml::Element script : context.elements_about_files()) {
-    const auto parent = script.parent();
-    if (script.name() != "script" || !parent || parent->name() != "material") continue;
-    const bool uri = has(script, "uri");
-    if (uri && has(script, "name")) continue;
-    context.report({.where = script.name_span(),
-                    .message = uri ? "this material <script> has no <name>"
-                                   : "this material <script> has no <uri>"});
-  }
+  const model::Material& material = visual.material;
+  if (context.root().version < kFirstVersionWithUri || material.script.span.nowhere()) return;
+  const bool uri = is_given(material.script_uri);
+  if (uri && is_given(material.name)) return;
+  context.report({.where = material.script.name,
+                  .message = uri ? "this material <script> has no <name>"
+                                 : "this material <script> has no <uri>"});
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "material-script-incomplete",
-      .category = Category::kPackage,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .summary = "a material script lacks its uri or its name",
-      .why =
-          "libsdformat refuses the file: of a <script> it needs the file and the name of the "
-          "material in it.",
+      .why = "libsdformat refuses the file: of a <script> it needs the file and the name of the "
+             "material in it.",
       .what_to_do =
-          "Write <uri> and <name>, or colours in place of the script: new Gazebo reads no "
-          "scripts.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <«script»>
-            <name>Box/Red</name>
-          </script>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <script>
-            <uri>file://media/materials/scripts/gazebo.material</uri>
-            <name>Box/Red</name>
-          </script>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .checks = {on<model::Root>(check)},
+          "Write <uri> and <name>, or colours in place of the script: new Gazebo reads no scripts.",
+      .checks = {on<model::Visual>(check)},
   };
 }
 

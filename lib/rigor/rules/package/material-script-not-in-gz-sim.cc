@@ -5,81 +5,34 @@
 #include <string>
 #include <string_view>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::material_script_not_in_gz_sim {
-namespace {
 
 void check(const model::Visual& visual, Context& context) {
-  const auto material = context.element(visual.site).child("material");
-  const auto script = material ? material->child("script") : std::nullopt;
-  if (!script) return;
-  for (const std::string_view shown : {"pbr", "ambient", "diffuse", "emissive"}) {
-    if (material->child(shown)) return;
-  }
-  const auto name = read::child_text(*script, "name");
-  const std::string_view text = name ? read::trimmed(name->text) : std::string_view();
+  const model::Material& material = visual.material;
+  if (!material.pbr.span.nowhere() || material.has_color) return;
+  const std::string_view text = material.name.value;
   // The colours of Gazebo's own materials gz-sim knows by heart, from version 8.
   if (text.empty() || text.starts_with("Gazebo/") || text == "__default__") return;
-  context.report({.where = name->span,
+  context.report({.where = material.name.span,
                   .message = "gz-sim reads no material scripts: nothing is seen of '" +
                              std::string(text) + "'",
                   .subject = context.subject(visual)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "material-script-not-in-gz-sim",
-      .category = Category::kPackage,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .targets = {Target::kGzSim},
       .summary = "a visual gets its look from a material script alone",
-      .why =
-          "Material scripts are Ogre 1's. gz-sim warns that it does not support them, and draws "
-          "the part plain. Only of the names Gazebo/… it knows the colours, from version 8 "
-          "(Harmonic).",
-      .what_to_do =
-          "Add <ambient> and <diffuse> for a colour, or <pbr><metal><albedo_map> for a texture. "
-          "Gazebo classic goes on reading the <script> beside them.",
-      .bad = {{R"(<sdf version="1.6">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <script>
-            <uri>file://media/materials/scripts/box.material</uri>
-            <name>«Box/Wood»</name>
-          </script>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.6">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <script>
-            <uri>file://media/materials/scripts/box.material</uri>
-            <name>Box/Wood</name>
-          </script>
-          <diffuse>0.5 0.3 0.1 1</diffuse>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .why = "Material scripts are Ogre 1's. gz-sim warns that it does not support them, and draws "
+             "the part plain. Only of the names Gazebo/… it knows the colours, from version 8 "
+             "(Harmonic).",
+      .what_to_do = "Add <ambient> and <diffuse> for a colour, or <pbr><metal><albedo_map> for a "
+                    "texture. Gazebo classic goes on reading the <script> beside them.",
       .checks = {on<model::Visual>(check)},
   };
 }

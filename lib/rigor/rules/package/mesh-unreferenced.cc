@@ -11,11 +11,11 @@
 #include <vector>
 
 #include <rigor/rules/rule.h>
+#include <rigor/text/disk.h>
 #include <rigor/text/letter_case.h>
 #include <rigor/text/path.h>
 
 namespace rigor::rules::mesh_unreferenced {
-namespace {
 
 // A model's folder has a dozen files and folders; whoever has more than these is not looked at.
 constexpr std::size_t kMostEntries = 1000;
@@ -111,75 +111,16 @@ void check(const model::Root& root, Context& context) {
                                : count + " meshes are named by no file of the model: " + names)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mesh-unreferenced",
-      .category = Category::kPackage,
       .severity = Severity::kInfo,
       .formats = Formats::kModelConfig,
       .summary = "a mesh lies in the folder of a model that does not use it",
-      .why =
-          "It is copied and downloaded with the model for nothing, or the model should use it and "
-          "has its name wrong.",
-      .what_to_do =
-          "Take the file away, unless another model names it. A file counts as used when its name "
-          "stands in any text of the folder: an .sdf, a xacro file, a script.",
-      .bad = {{R"(<«model»>
-  <name>box</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><mesh><uri>meshes/box.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/box.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-=== meshes/box_old.obj
-v 0 0 0
-)"}},
-      .good = {{R"(<model>
-  <name>box</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><mesh><uri>meshes/box.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== meshes/box.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-=== thumbnails/1.png
-PNG
-)"}},
+      .why = "It is copied and downloaded with the model for nothing, or the model should use it "
+             "and has its name wrong.",
+      .what_to_do = "Take the file away, unless another model names it. A file counts as used when "
+                    "its name stands in any text of the folder: an .sdf, a xacro file, a script.",
       .checks = {on<model::Root>(check)},
   };
 }

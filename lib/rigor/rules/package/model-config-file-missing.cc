@@ -3,10 +3,10 @@
 
 #include <utility>
 
+#include <rigor/read/model_config.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::model_config_file_missing {
-namespace {
 
 void check(const read::ConfigFact& fact, Context& context) {
   Finding finding{.where = fact.where, .message = "'" + fact.name + "' does not exist"};
@@ -17,42 +17,14 @@ void check(const read::ConfigFact& fact, Context& context) {
   context.report(std::move(finding));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "model-config-file-missing",
-      .category = Category::kPackage,
       .severity = Severity::kError,
       .formats = Formats::kModelConfig,
       .summary = "a file in model.config does not exist",
       .why = "Whoever includes the folder gets an error: the file cannot be loaded.",
       .what_to_do = "Correct the name; it is relative to the folder of model.config.",
-      .bad = {{R"(<model>
-  <name>box</name>
-  <sdf version="1.9">«Model.sdf»</sdf>
-</model>
-=== model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<?xml version="1.0"?>
-<model>
-  <name>box</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_config({read::ConfigFactKind::kFileMissing}, check)},
   };
 }

@@ -1,50 +1,23 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <rigor/read/model_config.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::model_config_name_missing {
-namespace {
 
 void check(const read::ConfigFact& fact, Context& context) {
   context.report({.where = fact.where, .message = "the model has no <name>"});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "model-config-name-missing",
-      .category = Category::kPackage,
       .severity = Severity::kWarning,
       .formats = Formats::kModelConfig,
       .summary = "a model.config has no name",
       .why = "Gazebo shows the model under no name, and a Fuel server does not take it.",
       .what_to_do = "Write <name>, as a person would call the model.",
-      .bad = {{R"(«<model>»
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<?xml version="1.0"?>
-<model>
-  <name>box</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_config({read::ConfigFactKind::kNameMissing}, check)},
   };
 }

@@ -4,10 +4,12 @@
 #include <string>
 #include <string_view>
 
+#include <rigor/read/fact.h>
+#include <rigor/read/model_config.h>
 #include <rigor/rules/rule.h>
+#include <rigor/text/disk.h>
 
 namespace rigor::rules::model_config_no_sdf {
-namespace {
 
 /// A folder of meshes that other models use has a model.config so that model:// leads there, and
 /// nobody includes it.
@@ -31,61 +33,16 @@ void check_included(const read::Fact& fact, Context& context) {
                              " is missing, or names no SDF file"});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "model-config-no-sdf",
-      .category = Category::kPackage,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "a model.config names no SDF file",
-      .why =
-          "Whoever includes the folder gets an error: there is nothing to load. Of a folder "
-          "without "
-          "a model, as one of meshes that others use, that is told only where it is included.",
+      .why = "Whoever includes the folder gets an error: there is nothing to load. Of a folder "
+             "without a model, as one of meshes that others use, that is told only where it is "
+             "included.",
       .what_to_do = "Write the file to load, as in <sdf version=\"1.9\">model.sdf</sdf>.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>«box»</uri>
-    </include>
-  </world>
-</sdf>
-=== box/readme.txt
-a box
-)"},
-              {R"(<sdf version="1.9">
-  <world name="lab">
-    <include>
-      <uri>«box»</uri>
-    </include>
-  </world>
-</sdf>
-=== box/model.config
-<model><name>box</name></model>
-)"}},
-      .good = {{R"(<?xml version="1.0"?>
-<model>
-  <name>box</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-               {R"(<?xml version="1.0"?>
-<model>
-  <name>meshes of all robots</name>
-</model>
-=== meshes/wheel.stl
-solid wheel
-endsolid wheel
-)"}},
       .checks = {on_config({read::ConfigFactKind::kNoSdf}, check),
                  on_read({read::FactKind::kConfigWithoutSdf}, check_included)},
   };

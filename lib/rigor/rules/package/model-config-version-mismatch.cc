@@ -3,11 +3,11 @@
 
 #include <cstddef>
 
+#include <rigor/read/model_config.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::model_config_version_mismatch {
-namespace {
 
 /// Of several files, the one that is said to have the highest version is the model.
 Applicability fix_of_version(const Context& context) {
@@ -25,50 +25,16 @@ void check(const read::ConfigFact& fact, Context& context) {
        .fix = Fix{"write " + fact.found, fix_of_version(context), {{fact.where, fact.found}}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "model-config-version-mismatch",
-      .category = Category::kPackage,
       .severity = Severity::kWarning,
       .formats = Formats::kModelConfig,
       .fix = FixGrade::kSafe,
       .summary = "a file in model.config has another version than is said",
-      .why =
-          "libsdformat chooses among several files by what model.config says, and reads the file "
-          "by what the file says.",
+      .why = "libsdformat chooses among several files by what model.config says, and reads the "
+             "file by what the file says.",
       .what_to_do = "Write the version that the file has.",
-      .bad = {{R"(<model>
-  <name>box</name>
-  <sdf version="«1.6»">model.sdf</sdf>
-</model>
-=== model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<model>
-  <name>box</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-)"}},
-      .good = {{R"(<?xml version="1.0"?>
-<model>
-  <name>box</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_config({read::ConfigFactKind::kVersionMismatch}, check)},
   };
 }

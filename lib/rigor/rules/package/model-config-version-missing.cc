@@ -1,53 +1,25 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <rigor/read/model_config.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::model_config_version_missing {
-namespace {
 
 void check(const read::ConfigFact& fact, Context& context) {
   context.report(
       {.where = fact.where, .message = "'" + fact.name + "' is named without its version"});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "model-config-version-missing",
-      .category = Category::kPackage,
       .severity = Severity::kWarning,
       .formats = Formats::kModelConfig,
       .summary = "a file in model.config has no SDF version",
       .why = "libsdformat chooses the file by it, and warns.",
       .what_to_do =
           "Write the version that the file has, as in <sdf version=\"1.9\">model.sdf</sdf>.",
-      .bad = {{R"(<model>
-  <name>box</name>
-  «<sdf>»model.sdf</sdf>
-</model>
-=== model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<?xml version="1.0"?>
-<model>
-  <name>box</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== model.sdf
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_config({read::ConfigFactKind::kVersionMissing}, check)},
   };
 }

@@ -11,7 +11,6 @@
 #include <rigor/rules/uris.h>
 
 namespace rigor::rules::package_name_mismatch {
-namespace {
 
 constexpr std::string_view kScheme = "package://";
 
@@ -37,64 +36,14 @@ void check(const model::Root& /*root*/, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "package-name-mismatch",
-      .category = Category::kPackage,
       .severity = Severity::kWarning,
       .summary = "a package:// URI names the folder, and not the package in it",
-      .why =
-          "rigor, and simulators that look through folders, find the file by the name of its "
-          "folder. ROS goes by the <name> in the package.xml: RViz and MoveIt do not find it.",
+      .why = "rigor, and simulators that look through folders, find the file by the name of its "
+             "folder. ROS goes by the <name> in the package.xml: RViz and MoveIt do not find it.",
       .what_to_do = "Write the name of the package. It is told once for each folder.",
-      .bad = {{R"(<robot name="lift">
-  <link name="car">
-    <collision>
-      <geometry>
-        <mesh filename="«package://lift/meshes/car.obj»"/>
-      </geometry>
-    </collision>
-  </link>
-</robot>
-=== ../lift/package.xml
-<package format="3">
-  <name>lift_description</name>
-</package>
-=== ../lift/meshes/car.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
-      .good = {{R"(<robot name="lift">
-  <link name="car">
-    <collision>
-      <geometry>
-        <mesh filename="package://lift/meshes/car.obj"/>
-      </geometry>
-    </collision>
-  </link>
-</robot>
-=== ../lift/package.xml
-<package format="3">
-  <name>lift</name>
-</package>
-=== ../lift/meshes/car.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -4,7 +4,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sdf_not_imported {
-namespace {
 
 void check(const model::Root& root, Context& context) {
   if (root.models.empty()) return;
@@ -13,33 +12,17 @@ void check(const model::Root& root, Context& context) {
                   .help = "rigor sdf2urdf writes a URDF of a model"});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sdf-not-imported",
-      .category = Category::kPackage,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .targets = {Target::kMujoco, Target::kIsaac},
       .summary = "a model in SDF is for a simulator that reads none",
-      .why =
-          "MuJoCo takes MJCF and URDF, by the root element. Isaac Sim imports URDF and MJCF into "
-          "USD.",
-      .what_to_do =
-          "Convert it: `rigor sdf2urdf model.sdf -o robot.urdf`. What URDF cannot say is told "
-          "then.",
-      .bad = {{R"(<«sdf» version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<robot name="box">
-  <link name="body"/>
-</robot>
-)"}},
+      .why = "MuJoCo takes MJCF and URDF, by the root element. Isaac Sim imports URDF and MJCF "
+             "into USD.",
+      .what_to_do = "Convert it: `rigor sdf2urdf model.sdf -o robot.urdf`. What URDF cannot say is "
+                    "told then.",
       .checks = {on<model::Root>(check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/text/path.h>
 
 namespace rigor::rules::uri_absolute_path {
-namespace {
 
 bool is_drive(std::string_view path) {
   const char letter = path.empty() ? '\0' : path.front();
@@ -42,106 +41,15 @@ void check_plugin(const model::Plugin& plugin, Context& context) {
                   .help = "a plugin is found by the bare name of its library"});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "uri-absolute-path",
-      .category = Category::kPackage,
       .severity = Severity::kWarning,
       .summary = "a URI is a path of one machine",
       .why = "On any other machine the file is not found.",
       .what_to_do =
           "Write it relative to the model, or as model:// or package://; of a plugin the name of "
-          "the "
-          "library, with its folder in GZ_SIM_SYSTEM_PLUGIN_PATH or GAZEBO_PLUGIN_PATH.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <script>
-            <uri>«file:///home/ann/box.material»</uri>
-            <name>Box/Red</name>
-          </script>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <script>
-            <uri>«C:\boxes\box.material»</uri>
-            <name>Box/Red</name>
-          </script>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <pbr>
-            <metal>
-              <albedo_map>«/home/ann/wood.png»</albedo_map>
-            </metal>
-          </pbr>
-        </material>
-      </visual>
-    </link>
-    <plugin name="push" filename="«/opt/ros/jazzy/lib/libpush.so»"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <script>
-            <uri>model://box/box.material</uri>
-            <name>Box/Red</name>
-          </script>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <script>
-            <uri>file://media/materials/scripts/gazebo.material</uri>
-            <name>Box/Red</name>
-          </script>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
+          "the library, with its folder in GZ_SIM_SYSTEM_PLUGIN_PATH or GAZEBO_PLUGIN_PATH.",
       .checks = {on<model::Root>(check), on<model::Plugin>(check_plugin)},
   };
 }

@@ -11,7 +11,6 @@
 #include <rigor/rules/uris.h>
 
 namespace rigor::rules::uri_backslash {
-namespace {
 
 void check(const model::Root& /*root*/, Context& context) {
   for (const Uri& uri : context.uris()) {
@@ -27,70 +26,15 @@ void check(const model::Root& /*root*/, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "uri-backslash",
-      .category = Category::kPackage,
       .severity = Severity::kWarning,
       .fix = FixGrade::kSafe,
       .summary = "a URI has backslashes",
       .why = "Only Windows takes them for slashes; elsewhere the file is not found.",
-      .what_to_do =
-          "Write slashes instead. The fix is an unsafe one where links or their mass come with the "
-          "file: in an include.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <script>
-            <uri>«materials\box.material»</uri>
-            <name>Box/Red</name>
-          </script>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <script>
-            <uri>materials/box.material</uri>
-            <name>Box/Red</name>
-          </script>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <script>
-            <uri>materials/box.material</uri>
-            <name>Box/Red</name>
-          </script>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .what_to_do = "Write slashes instead. The fix is an unsafe one where links or their mass "
+                    "come with the file: in an include.",
       .checks = {on<model::Root>(check)},
   };
 }

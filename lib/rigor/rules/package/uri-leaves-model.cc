@@ -6,10 +6,10 @@
 
 #include <rigor/rules/rule.h>
 #include <rigor/rules/uris.h>
+#include <rigor/text/disk.h>
 #include <rigor/text/path.h>
 
 namespace rigor::rules::uri_leaves_model {
-namespace {
 
 /// Whether the path climbs out of the folder it begins in.
 bool climbs_out(std::string_view path) { return normalize_path(path).starts_with("../"); }
@@ -33,69 +33,15 @@ void check(const model::Root& /*root*/, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "uri-leaves-model",
-      .category = Category::kPackage,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a model names a file outside its own folder",
-      .why =
-          "A folder with a model.config is what is copied, put on Fuel and found by model://. "
-          "Elsewhere it has other neighbours, and the file is not found.",
+      .why = "A folder with a model.config is what is copied, put on Fuel and found by model://. "
+             "Elsewhere it has other neighbours, and the file is not found.",
       .what_to_do = "Name the other model, as in model://wheel/meshes/rim.dae, or copy the file.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="cart">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><mesh><uri>«../wheel/meshes/rim.obj»</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== model.config
-<model>
-  <name>cart</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== ../wheel/meshes/rim.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="cart">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><mesh><uri>model://wheel/meshes/rim.obj</uri></mesh></geometry>
-      </visual>
-    </link>
-  </model>
-</sdf>
-=== model.config
-<model>
-  <name>cart</name>
-  <sdf version="1.9">model.sdf</sdf>
-</model>
-=== ../wheel/meshes/rim.obj
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

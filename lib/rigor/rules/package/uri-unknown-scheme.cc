@@ -14,7 +14,6 @@
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::uri_unknown_scheme {
-namespace {
 
 constexpr std::array<std::string_view, 6> kSchemes = {"model", "package", "file",
                                                       "http",  "https",   "fuel"};
@@ -55,104 +54,15 @@ void check(const model::Root& /*root*/, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "uri-unknown-scheme",
-      .category = Category::kPackage,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a URI has a scheme that nobody knows",
-      .why =
-          "Gazebo and ROS find files by model://, package://, file:// and https://. Anything else "
-          "is taken for a path, and not found.",
+      .why = "Gazebo and ROS find files by model://, package://, file:// and https://. Anything "
+             "else is taken for a path, and not found.",
       .what_to_do = "Write one of these schemes, with two slashes.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <script>
-            <uri>«models://box/box.material»</uri>
-            <name>Box/Red</name>
-          </script>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <script>
-            <uri>model://box/box.material</uri>
-            <name>Box/Red</name>
-          </script>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <script>
-            <uri>«model:/box/box.material»</uri>
-            <name>Box/Red</name>
-          </script>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <script>
-            <uri>model://box/box.material</uri>
-            <name>Box/Red</name>
-          </script>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material>
-          <script>
-            <uri>model://box/box.material</uri>
-            <name>Box/Red</name>
-          </script>
-        </material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

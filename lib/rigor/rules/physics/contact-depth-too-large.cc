@@ -7,11 +7,9 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/physics/contact_settings.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::contact_depth_too_large {
-namespace {
 
 // Of the thinnest side: the body is seen to stand in the ground.
 constexpr double kMost = 0.25;
@@ -36,9 +34,7 @@ std::optional<double> thickness(const model::Shape& shape) {
 void check(const model::Collision& collision, Context& context) {
   const auto thick = thickness(collision.geometry.shape);
   if (!thick || !(*thick > 0)) return;
-  const auto settings = contact_settings(collision, context);
-  if (!settings) return;
-  const auto depth = contact_setting(*settings, "min_depth");
+  const auto& depth = collision.surface.min_depth;
   if (!depth.written || depth.value <= std::max(kUsual, kMost * *thick)) return;
   context.report(
       {.where = depth.span,
@@ -48,49 +44,15 @@ void check(const model::Collision& collision, Context& context) {
        .subject = context.subject(collision)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "contact-depth-too-large",
-      .category = Category::kPhysics,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "the depth that contacts leave uncorrected is a large part of the shape",
-      .why =
-          "Gazebo classic corrects a penetration only beyond min_depth (metres). The body sinks in "
-          "by that much, and a wheel rolls with a smaller radius than it has.",
+      .why = "Gazebo classic corrects a penetration only beyond min_depth (metres). The body sinks "
+             "in by that much, and a wheel rolls with a smaller radius than it has.",
       .what_to_do = "Write a millimetre or less, in metres.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="crate">
-    <link name="body">
-      <inertial>
-        <mass>0.1</mass>
-        <inertia><ixx>1e-5</ixx><iyy>1e-5</iyy><izz>1e-5</izz></inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.03 0.03 0.03</size></box></geometry>
-        <surface><contact><ode><min_depth>«0.01»</min_depth></ode></contact></surface>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="crate">
-    <link name="body">
-      <inertial>
-        <mass>0.1</mass>
-        <inertia><ixx>1e-5</ixx><iyy>1e-5</iyy><izz>1e-5</izz></inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>0.03 0.03 0.03</size></box></geometry>
-        <surface><contact><ode><min_depth>0.001</min_depth></ode></contact></surface>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Collision>(check)},
   };
 }

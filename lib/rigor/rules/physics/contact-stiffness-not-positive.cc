@@ -3,16 +3,12 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/physics/contact_settings.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::contact_stiffness_not_positive {
-namespace {
 
 void check(const model::Collision& collision, Context& context) {
-  const auto settings = contact_settings(collision, context);
-  if (!settings) return;
-  if (const auto kp = contact_setting(*settings, "kp"); kp.written && kp.value <= 0) {
+  if (const auto& kp = collision.surface.kp; kp.written && kp.value <= 0) {
     context.report(
         {.where = kp.span,
          .message = fmt::format("the contact's stiffness kp is {} N/m: nothing pushes the "
@@ -20,7 +16,7 @@ void check(const model::Collision& collision, Context& context) {
                                 kp.value),
          .subject = context.subject(collision)});
   }
-  if (const auto kd = contact_setting(*settings, "kd"); kd.written && kd.value < 0) {
+  if (const auto& kd = collision.surface.kd; kd.written && kd.value < 0) {
     context.report(
         {.where = kd.span,
          .message = fmt::format("the contact's damping kd is {} N·s/m: it adds energy to "
@@ -30,50 +26,16 @@ void check(const model::Collision& collision, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "contact-stiffness-not-positive",
-      .category = Category::kPhysics,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a contact has no stiffness, or a negative damping",
-      .why =
-          "Gazebo classic makes ODE's error correction of both, h kp / (h kp + kd): with kp 0 "
-          "nothing is corrected and the body sinks, and negative ones leave the range that ODE "
-          "can solve. No checker looks at them.",
+      .why = "Gazebo classic makes ODE's error correction of both, h kp / (h kp + kd): with kp 0 "
+             "nothing is corrected and the body sinks, and negative ones leave the range that ODE "
+             "can solve. No checker looks at them.",
       .what_to_do = "Leave them out (1e12 and 1), or write the stiffness of the material in N/m.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="crate">
-    <link name="body">
-      <inertial>
-        <mass>60</mass>
-        <inertia><ixx>10</ixx><iyy>10</iyy><izz>10</izz></inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>1 1 1</size></box></geometry>
-        <surface><contact><ode><kp>«0»</kp><kd>10</kd></ode></contact></surface>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="crate">
-    <link name="body">
-      <inertial>
-        <mass>60</mass>
-        <inertia><ixx>10</ixx><iyy>10</iyy><izz>10</izz></inertia>
-      </inertial>
-      <collision name="hull">
-        <geometry><box><size>1 1 1</size></box></geometry>
-        <surface><contact><ode><kp>1e6</kp><kd>0</kd></ode></contact></surface>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Collision>(check)},
   };
 }

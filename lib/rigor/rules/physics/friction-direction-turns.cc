@@ -10,11 +10,9 @@
 
 #include <fmt/core.h>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::friction_direction_turns {
-namespace {
 
 constexpr double kAligned = 0.9;  // cosine of 26°: a mecanum wheel's rollers stand at 45°
 constexpr double kCentred = 0.1;  // of the radius
@@ -40,30 +38,11 @@ bool is_wheel(const model::Shape& shape, const model::Pose& X_WC, const model::V
   return off < kCentred * radius;
 }
 
-struct Direction {
-  model::Field<model::Vector3> along;  ///< in the collision's frame
-  double mu = 1;
-  double mu2 = 1;
-};
-
-/// Nothing when none is written, when it stands in a frame of its own, or when both directions are alike.
-std::optional<Direction> direction_of(const model::Collision& collision, const Context& context) {
-  std::optional<xml::Element> element = context.element(collision.site);
-  for (const char* name : {"surface", "friction", "ode"}) {
-    if (element) element = element->child(name);
-  }
-  if (!element) return std::nullopt;
-  const auto fdir1 = element->child("fdir1");
-  if (fdir1 && !fdir1->attributes().empty()) return std::nullopt;  // expressed in another frame
-  Direction result;
-  result.along = read::vector_field(read::child_text(*element, "fdir1"), {});
-  if (!result.along.written || !(model::length(result.along.value) > 0)) return std::nullopt;
-  result.mu = read::number_field(read::child_text(*element, "mu"), 1).value;
-  result.mu2 = read::number_field(read::child_text(*element, "mu2"), 1).value;
-  const double slip1 = read::number_field(read::child_text(*element, "slip1"), 0).value;
-  const double slip2 = read::number_field(read::child_text(*element, "slip2"), 0).value;
-  if (result.mu == result.mu2 && slip1 == slip2) return std::nullopt;
-  return result;
+/// Not when none is written, when it stands in a frame of its own, or when both directions are alike.
+bool has_direction(const model::Surface& surface) {
+  if (!surface.fdir1.written || surface.fdir1_in_frame) return false;
+  if (!(model::length(surface.fdir1.value) > 0)) return false;
+  return surface.mu.value != surface.mu2.value || surface.slip1.value != surface.slip2.value;
 }
 
 void check(const model::Joint& joint, Context& context) {
@@ -79,16 +58,15 @@ void check(const model::Joint& joint, Context& context) {
     const model::Collision& collision = root[collision_id];
     const auto X_WC = context.frames().pose(collision_id);
     if (!X_WC || !is_wheel(collision.geometry.shape, *X_WC, *axis_W, X_WJ->translation)) continue;
-    const auto direction = direction_of(collision, context);
-    if (!direction) continue;
-    const model::Vector3 along_W = model::rotate(X_WC->rotation, direction->along.value);
-    const double aligned =
-        std::abs(model::dot(along_W, *axis_W)) / model::length(direction->along.value);
+    if (!has_direction(collision.surface)) continue;
+    const auto& along = collision.surface.fdir1;
+    const model::Vector3 along_W = model::rotate(X_WC->rotation, along.value);
+    const double aligned = std::abs(model::dot(along_W, *axis_W)) / model::length(along.value);
     if (aligned > kAligned) continue;
     const model::Vector3 axle =
         model::rotate(model::conjugate(X_WC->rotation), *axis_W);  // in the collision's frame
     context.report(
-        {.where = direction->along.span,
+        {.where = along.span,
          .message = fmt::format(
              "the friction direction is {:.0f}° off the axle of '{}': it turns with "
              "the wheel, and points into the ground twice a turn",
@@ -100,74 +78,19 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "friction-direction-turns",
-      .category = Category::kPhysics,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary =
           "the friction direction of a wheel is not its axle, so that it turns with the wheel",
-      .why =
-          "fdir1 is fixed to the collision, which turns with its link: only a direction along the "
-          "axle stays where it is. With another one mu and mu2 change places as the wheel turns, "
-          "and the robot pulls to a side or hops.",
-      .what_to_do =
-          "Let fdir1 be the axle in the collision's frame, 0 0 1 for a cylinder; mu is then the "
-          "friction sideways, mu2 the one that drives. gz:expressed_in names a frame that does not "
-          "turn.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="cart">
-    <link name="chassis">
-      <inertial><mass>8</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia></inertial>
-    </link>
-    <link name="wheel">
-      <inertial><mass>1</mass><inertia><ixx>0.003</ixx><iyy>0.005</iyy><izz>0.003</izz></inertia></inertial>
-      <collision name="tyre">
-        <pose>0 0 0 1.5707963 0 0</pose>
-        <geometry><cylinder><radius>0.1</radius><length>0.05</length></cylinder></geometry>
-        <surface>
-          <friction>
-            <ode><mu>0.5</mu><mu2>1</mu2><fdir1>«1 0 0»</fdir1></ode>
-          </friction>
-        </surface>
-      </collision>
-    </link>
-    <joint name="axle" type="revolute">
-      <parent>chassis</parent>
-      <child>wheel</child>
-      <axis><xyz>0 1 0</xyz></axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="cart">
-    <link name="chassis">
-      <inertial><mass>8</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia></inertial>
-    </link>
-    <link name="wheel">
-      <inertial><mass>1</mass><inertia><ixx>0.003</ixx><iyy>0.005</iyy><izz>0.003</izz></inertia></inertial>
-      <collision name="tyre">
-        <pose>0 0 0 1.5707963 0 0</pose>
-        <geometry><cylinder><radius>0.1</radius><length>0.05</length></cylinder></geometry>
-        <surface>
-          <friction>
-            <ode><mu>0.5</mu><mu2>1</mu2><fdir1>0 0 1</fdir1></ode>
-          </friction>
-        </surface>
-      </collision>
-    </link>
-    <joint name="axle" type="revolute">
-      <parent>chassis</parent>
-      <child>wheel</child>
-      <axis><xyz>0 1 0</xyz></axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
+      .why = "fdir1 is fixed to the collision, which turns with its link: only a direction along "
+             "the axle stays where it is. With another one mu and mu2 change places as the wheel "
+             "turns, and the robot pulls to a side or hops.",
+      .what_to_do = "Let fdir1 be the axle in the collision's frame, 0 0 1 for a cylinder; mu is "
+                    "then the friction sideways, mu2 the one that drives. gz:expressed_in names a "
+                    "frame that does not turn.",
       .checks = {on<model::Joint>(check)},
   };
 }

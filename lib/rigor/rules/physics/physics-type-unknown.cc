@@ -11,7 +11,6 @@
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::physics_type_unknown {
-namespace {
 
 // The engines of both Gazebos, and what worlds write where the engine is chosen elsewhere.
 constexpr std::array<std::string_view, 9> kTypes = {
@@ -29,58 +28,17 @@ void check(const model::Physics& physics, Context& context) {
                   .fix = nearest_instead(type.value, {kTypes.begin(), kTypes.end()}, type.span)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "physics-type-unknown",
-      .category = Category::kPhysics,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a world names a physics engine that does not exist",
-      .why =
-          "Gazebo classic refuses to load the world; new Gazebo does not look at the name and "
-          "uses its own engine.",
-      .what_to_do =
-          "Write ode, bullet, simbody or dart; new Gazebo chooses the engine by its "
-          "physics plugin or on its command line.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="«bulet»">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="bullet">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="bullet">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="ignored">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)"}},
+      .why = "Gazebo classic refuses to load the world; new Gazebo does not look at the name and "
+             "uses its own engine.",
+      .what_to_do = "Write ode, bullet, simbody or dart; new Gazebo chooses the engine by its "
+                    "physics plugin or on its command line.",
       .checks = {on<model::Physics>(check)},
   };
 }

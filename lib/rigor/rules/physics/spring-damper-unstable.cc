@@ -1,22 +1,17 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <unordered_map>
 #include <vector>
 
 #include <fmt/core.h>
 
 #include <rigor/mass/resolve.h>
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::spring_damper_unstable {
-namespace {
 
 // Explicit steps h diverge when a damper takes more than twice the speed in one (d h / I), and symplectic
 // ones when a spring turns it round more than twice (k h² / I).
@@ -35,20 +30,6 @@ double step_of(const model::Root& root) {
     }
   }
   return kUsualStep;
-}
-
-/// The element says that the joint's spring and damper are to be solved with the constraints.
-bool is_implicit(const model::Joint& joint, const Context& context) {
-  std::optional<xml::Element> element = context.element(joint.site);
-  for (const char* name : {"physics", "ode"}) {
-    if (element) element = element->child(name);
-  }
-  if (!element) return false;
-  for (const char* name : {"implicit_spring_damper", "cfm_damping"}) {
-    const auto text = read::child_text(*element, name);
-    if (text && read::bool_field(text, false).value) return true;
-  }
-  return false;
 }
 
 class Bodies {
@@ -105,7 +86,7 @@ void check(const model::Root& root, Context& context) {
     }
     const auto child = context.frames().ends({i}).child;
     const auto axis_W = context.frames().axis({i}, 0);
-    if (!child || !axis_W || is_implicit(joint, context)) continue;
+    if (!child || !axis_W || joint.implicit_spring_damper) continue;
     if (!bodies) bodies.emplace(context);
     const auto inertia = bodies->moved({i}, child, *axis_W);
     if (!inertia || !(*inertia > 0)) continue;
@@ -134,61 +115,18 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "spring-damper-unstable",
-      .category = Category::kPhysics,
       .severity = Severity::kWarning,
       .targets = {Target::kGazeboClassic},
       .summary = "a joint's damping or spring is too strong for the step and the mass it moves",
-      .why =
-          "Gazebo classic applies both as forces of the step before. When they turn the motion "
-          "round "
-          "by more than it was, each step is faster than the last, and the joint explodes. Engines "
-          "that solve them with the constraints do not mind.",
+      .why = "Gazebo classic applies both as forces of the step before. When they turn the motion "
+             "round by more than it was, each step is faster than the last, and the joint "
+             "explodes. Engines that solve them with the constraints do not mind.",
       .what_to_do =
           "Take less damping or a smaller step, give the link a real tensor, or write "
           "<implicit_spring_damper>true</implicit_spring_damper> in the joint's <physics><ode>.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="cart">
-    <link name="chassis">
-      <inertial><mass>8</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia></inertial>
-    </link>
-    <link name="lever">
-      <inertial><mass>0.01</mass><inertia><ixx>1e-6</ixx><iyy>1e-6</iyy><izz>1e-6</izz></inertia></inertial>
-    </link>
-    <joint name="pivot" type="revolute">
-      <parent>chassis</parent>
-      <child>lever</child>
-      <axis>
-        <xyz>0 1 0</xyz>
-        <dynamics><damping>«0.1»</damping></dynamics>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="cart">
-    <link name="chassis">
-      <inertial><mass>8</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia></inertial>
-    </link>
-    <link name="lever">
-      <inertial><mass>0.01</mass><inertia><ixx>1e-6</ixx><iyy>1e-6</iyy><izz>1e-6</izz></inertia></inertial>
-    </link>
-    <joint name="pivot" type="revolute">
-      <parent>chassis</parent>
-      <child>lever</child>
-      <axis>
-        <xyz>0 1 0</xyz>
-        <dynamics><damping>0.001</damping></dynamics>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -6,7 +6,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::step_size_not_positive {
-namespace {
 
 void check(const model::Physics& physics, Context& context) {
   const auto& step = physics.max_step_size;
@@ -16,37 +15,15 @@ void check(const model::Physics& physics, Context& context) {
        .message = fmt::format("the step size is {} s: it must be above zero", step.value)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "step-size-not-positive",
-      .category = Category::kPhysics,
       .severity = Severity::kError,
       .formats = Formats::kSdf,
       .summary = "the step size of the physics is zero or negative",
-      .why =
-          "ign sdf -k calls it valid. Simulated time then stands still, or the simulator "
-          "refuses to start.",
+      .why = "ign sdf -k calls it valid. Simulated time then stands still, or the simulator "
+             "refuses to start.",
       .what_to_do = "Write a time in seconds; 0.001 is what most worlds use.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="ode">
-      <max_step_size>«0»</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="ode">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Physics>(check)},
   };
 }

@@ -6,140 +6,50 @@
 #include <string_view>
 #include <vector>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::control_interface_misspelt {
-namespace {
 
 /// Those that controllers and simulators ask for; any other name is an author's own.
 constexpr std::array<std::string_view, 4> kStandardNames = {"position", "velocity", "effort",
                                                             "acceleration"};
 
-void look_at(xml::Element interface, Context& context) {
-  const std::string_view kind = interface.name();
-  if (kind != "command_interface" && kind != "state_interface") return;
-  const auto attribute = interface.attribute("name");
-  if (!attribute) return;
-  const std::string_view name = read::trimmed(attribute->value());
+void look_at(const model::Parameter& interface, Context& context) {
+  if (interface.name != "command_interface" && interface.name != "state_interface") return;
+  const auto* attribute = model::attribute(interface, "name");
+  if (attribute == nullptr) return;
+  const std::string_view name = attribute->value;
   for (const std::string_view standard : kStandardNames) {
     if (name.find(standard) != name.npos) return;  // position_x
   }
   const std::vector<std::string_view> names(kStandardNames.begin(), kStandardNames.end());
   const auto near = schema::near(name, names);
   if (near.size() != 1) return;
-  const Span where = attribute->value_span();
+  const Span where = attribute->span;
   context.report({.where = where,
                   .message = "no controller asks for the interface '" + std::string(name) + "'",
                   .help = "did you mean '" + std::string(near.front()) + "'?",
                   .fix = nearest_instead(name, names, where)});
 }
 
-void check(const model::Root& /*root*/, Context& context) {
-  const auto robot = context.document().root();
-  if (!robot) return;
-  for (const xml::Element control : robot->children()) {
-    if (control.name() != "ros2_control") continue;
-    for (const xml::Element component : control.children()) {
-      if (component.name() != "joint") continue;
-      for (const xml::Element interface : component.children()) look_at(interface, context);
-    }
-  }
+void check(const model::ControlledJoint& controlled, Context& context) {
+  if (!controlled.ros2_control) return;
+  for (const model::Parameter& interface : controlled.parameters) look_at(interface, context);
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "control-interface-misspelt",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the name of an interface of ros2_control is nearly a standard one",
-      .why =
-          "ros2_control takes any name. A controller that asks for 'position' does not find "
-          "'positon' and does not start, and Gazebo gives the joint no such interface.",
+      .why = "ros2_control takes any name. A controller that asks for 'position' does not find "
+             "'positon' and does not start, and Gazebo gives the joint no such interface.",
       .what_to_do = "Write position, velocity, effort or acceleration.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 0 1"/>
-  </joint>
-  <ros2_control name="arm" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-    <joint name="elbow">
-      <command_interface name="«positon»"/>
-      <state_interface name="velocity"/>
-    </joint>
-  </ros2_control>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 0 1"/>
-  </joint>
-  <ros2_control name="arm" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-    <joint name="elbow">
-      <command_interface name="position"/>
-      <state_interface name="velocity"/>
-    </joint>
-  </ros2_control>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 0 1"/>
-  </joint>
-  <ros2_control name="arm" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-    <joint name="elbow">
-      <command_interface name="position"/>
-      <state_interface name="velocity"/>
-    </joint>
-  </ros2_control>
-</robot>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 0 1"/>
-  </joint>
-  <ros2_control name="arm" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-    <joint name="elbow">
-      <command_interface name="position_x"/>
-      <state_interface name="velocity"/>
-    </joint>
-  </ros2_control>
-</robot>
-)"}},
-      .checks = {on<model::Root>(check)},
+      .checks = {on<model::ControlledJoint>(check)},
   };
 }
 

@@ -12,17 +12,14 @@ namespace rigor::rules {
 
 /// Whether the sensor's block refers to a part of the robot. What stands in a block that speaks of the
 /// whole robot comes into the model beside its links, where no consumer looks at it.
-inline bool is_in_part(const model::Sensor& sensor, const Context& context) {
-  if (sensor.link || sensor.joint) return true;
-  const auto block = context.element(sensor.site).parent();
-  const auto reference = block ? block->attribute("reference") : std::nullopt;
-  return reference && !reference->value().empty();
+inline bool is_in_part(const model::Sensor& sensor) {
+  return sensor.link || sensor.joint || !sensor.gazebo_reference.empty();
 }
 
 /// Whether libsdformat reads the plugin of a URDF, and so refuses what is wrong with it. One that is told
 /// of a link itself it passes on unread.
 inline bool is_read_from_block(const model::Plugin& plugin, const Context& context) {
-  if (plugin.sensor) return is_in_part(context.root()[plugin.sensor], context);
+  if (plugin.sensor) return is_in_part(context.root()[plugin.sensor]);
   return plugin.gazebo_reference.empty();
 }
 

@@ -1,28 +1,20 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <optional>
-
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/xml/xacro.h>
 
 namespace rigor::rules::hardware_plugin_missing {
-namespace {
 
-void check(const model::Root& /*root*/, Context& context) {
-  const auto robot = context.document().root();
-  if (!robot) return;
-  for (const xml::Element control : robot->children()) {
-    if (control.name() != "ros2_control" || has_xacro_child(control)) continue;
-    const auto hardware = control.child("hardware");
-    if (hardware && has_xacro_child(*hardware)) continue;
-    const auto plugin = hardware ? hardware->child("plugin") : std::nullopt;
-    if (plugin && !read::trimmed(plugin->text()).empty()) continue;
-    const Span where = plugin     ? plugin->name_span()
-                       : hardware ? hardware->name_span()
-                                  : control.name_span();
-    context.report({.where = where,
+void check(const model::Root& root, Context& context) {
+  for (const model::Parameter& control : root.ros2_controls) {
+    if (!root.own(control.site) || has_xacro_child(control)) continue;
+    const auto* hardware = find(control.children, "hardware");
+    if (hardware != nullptr && has_xacro_child(*hardware)) continue;
+    const auto* plugin = hardware != nullptr ? find(hardware->children, "plugin") : nullptr;
+    if (plugin != nullptr && !plugin->value.value.empty()) continue;
+    const auto& lacking = plugin != nullptr ? *plugin : hardware != nullptr ? *hardware : control;
+    context.report({.where = lacking.site.name,
                     .message = plugin ? "this <plugin> names no hardware interface"
                                : hardware
                                    ? "this <hardware> has no <plugin>"
@@ -30,12 +22,9 @@ void check(const model::Root& /*root*/, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "hardware-plugin-missing",
-      .category = Category::kPlugin,
       .severity = Severity::kError,
       .formats = Formats::kUrdf,
       .summary = "a ros2_control block does not say what drives the hardware",
@@ -45,24 +34,6 @@ Rule rule() {
       .what_to_do =
           "Name the class: <hardware><plugin>mock_components/GenericSystem</plugin></hardware> "
           "without hardware, gz_ros2_control/GazeboSimSystem in gz-sim.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <ros2_control name="arm" type="system">
-    <«hardware»>
-      <param name="port">0</param>
-    </hardware>
-  </ros2_control>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <ros2_control name="arm" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-  </ros2_control>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -3,16 +3,13 @@
 
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <string>
 #include <tuple>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/plugin/systems.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::motor_number_duplicate {
-namespace {
 
 void check(const model::Root& root, Context& context) {
   struct Motor {
@@ -26,73 +23,34 @@ void check(const model::Root& root, Context& context) {
     if (!root.own(plugin.site)) continue;
     const GazeboSystem* const system = gazebo_system(plugin.filename.value);
     if (system == nullptr || system->library != "multicopter-motor-model") continue;
-    const xml::Element element = context.element(plugin.site);
-    auto number = element.child("actuator_number");
-    if (!number) number = element.child("motorNumber");
-    if (!number) continue;
-    const auto text = [&element](const char* name) {
-      const auto child = element.child(name);
-      return child ? std::string(read::trimmed(child->text())) : std::string();
+    const auto* number = find(plugin.parameters, "actuator_number");
+    if (number == nullptr) number = find(plugin.parameters, "motorNumber");
+    if (number == nullptr) continue;
+    const auto text = [&plugin](const char* name) {
+      const auto* parameter = find(plugin.parameters, name);
+      return parameter != nullptr ? parameter->value.value : std::string();
     };
     const std::string joint = text("jointName");
     const Place place{plugin.model.value, text("robotNamespace"), text("commandSubTopic"),
-                      std::string(read::trimmed(number->text()))};
-    const auto [entry, first] = seen.try_emplace(place, Motor{number->text_span(), joint});
+                      number->value.value};
+    const auto [entry, first] = seen.try_emplace(place, Motor{number->value.span, joint});
     if (first || entry->second.joint == joint) continue;
-    context.report({.where = number->text_span(),
+    context.report({.where = number->value.span,
                     .message = "two motors have the number " + std::get<3>(place),
                     .subject = context.subject(plugin),
                     .related = {{entry->second.where, "the other one"}}});
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "motor-number-duplicate",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .summary = "two motors of a multicopter have the same number",
-      .why =
-          "The number of a MulticopterMotorModel is an index into the speeds that are "
-          "commanded. Two motors with one number turn alike, and the speed meant for one of "
-          "them goes nowhere: the vehicle tips over when it takes off.",
+      .why = "The number of a MulticopterMotorModel is an index into the speeds that are "
+             "commanded. Two motors with one number turn alike, and the speed meant for one of "
+             "them goes nowhere: the vehicle tips over when it takes off.",
       .what_to_do = "Number the motors from 0, each with its own number.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::MulticopterMotorModel" filename="gz-sim-multicopter-motor-model-system">
-      <jointName>rotor_0</jointName>
-      <linkName>base</linkName>
-      <motorNumber>0</motorNumber>
-    </plugin>
-    <plugin name="gz::sim::systems::MulticopterMotorModel" filename="gz-sim-multicopter-motor-model-system">
-      <jointName>rotor_1</jointName>
-      <linkName>base</linkName>
-      <motorNumber>«0»</motorNumber>
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::MulticopterMotorModel" filename="gz-sim-multicopter-motor-model-system">
-      <jointName>rotor_0</jointName>
-      <linkName>base</linkName>
-      <motorNumber>0</motorNumber>
-    </plugin>
-    <plugin name="gz::sim::systems::MulticopterMotorModel" filename="gz-sim-multicopter-motor-model-system">
-      <jointName>rotor_1</jointName>
-      <linkName>base</linkName>
-      <motorNumber>1</motorNumber>
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -9,12 +9,10 @@
 #include <string_view>
 #include <utility>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/plugin/systems.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::odometry_published_twice {
-namespace {
 
 constexpr std::string_view kPublishers[] = {"ackermann-steering", "diff-drive", "mecanum-drive",
                                             "odometry-publisher"};
@@ -26,16 +24,16 @@ bool publishes_odometry(const model::Plugin& plugin) {
 }
 
 /// Without a topic all of them take the one that is named after the model.
-std::string topic_of(xml::Element plugin) {
-  const auto topic = plugin.child("odom_topic");
-  return topic ? std::string(read::trimmed(topic->text())) : std::string();
+std::string topic_of(const model::Plugin& plugin) {
+  const auto* topic = find(plugin.parameters, "odom_topic");
+  return topic != nullptr ? topic->value.value : std::string();
 }
 
 void check(const model::Root& root, Context& context) {
   std::map<std::pair<std::uint32_t, std::string>, const model::Plugin*> seen;
   for (const model::Plugin& plugin : root.plugins) {
     if (!plugin.model || !root.own(plugin.site) || !publishes_odometry(plugin)) continue;
-    const std::string topic = topic_of(context.element(plugin.site));
+    const std::string topic = topic_of(plugin);
     const auto [entry, first] = seen.try_emplace({plugin.model.value, topic}, &plugin);
     if (first) continue;
     const model::Plugin& other = *entry->second;
@@ -49,47 +47,16 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "odometry-published-twice",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .summary = "two plugins publish the odometry of a model on one topic",
-      .why =
-          "The drives of new Gazebo publish odometry themselves, on /model/NAME/odometry unless "
-          "they are given an odom_topic, and OdometryPublisher does on the same topic. The one "
-          "counts the turns of wheels, the other looks where the model is: who listens gets "
-          "both, mixed.",
+      .why = "The drives of new Gazebo publish odometry themselves, on /model/NAME/odometry unless "
+             "they are given an odom_topic, and OdometryPublisher does on the same topic. The one "
+             "counts the turns of wheels, the other looks where the model is: who listens gets "
+             "both, mixed.",
       .what_to_do = "Give one of them an odom_topic of its own, or take it out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">
-      <left_joint>left_axle</left_joint>
-      <right_joint>right_axle</right_joint>
-    </plugin>
-    <«plugin» name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">
-      <left_joint>left_axle</left_joint>
-      <right_joint>right_axle</right_joint>
-    </plugin>
-    <plugin name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
-      <odom_topic>truth</odom_topic>
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_class_unknown {
-namespace {
 
 constexpr std::string_view kNew = "gz::sim::systems::";
 constexpr std::string_view kOld = "ignition::gazebo::systems::";
@@ -56,49 +55,17 @@ void check(const model::Plugin& plugin, Context& context) {
                   .fix = std::move(fix)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-class-unknown",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "the name of a plugin is no class of its library",
-      .why =
-          "For Gazebo classic the name of a plugin was free. New Gazebo makes the class of that "
-          "name; when the library has none, it writes \"could not instantiate from library\" "
-          "to its log and runs without the system.",
+      .why = "For Gazebo classic the name of a plugin was free. New Gazebo makes the class of that "
+             "name; when the library has none, it writes \"could not instantiate from library\" to "
+             "its log and runs without the system.",
       .what_to_do =
-          "Write the class, such as gz::sim::systems::DiffDrive for "
-          "gz-sim-diff-drive-system.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="«poses»" filename="gz-sim-pose-publisher-system">
-    </plugin>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::PosePublisher" filename="gz-sim-pose-publisher-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::PosePublisher" filename="gz-sim-pose-publisher-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
+          "Write the class, such as gz::sim::systems::DiffDrive for gz-sim-diff-drive-system.",
       .checks = {on<model::Plugin>(check)},
   };
 }

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_classic {
-namespace {
 
 // Gazebo classic ends with SDF 1.7, so a file of a later version is not for it.
 constexpr int kFirstWithoutClassic = 8;
@@ -23,37 +22,16 @@ void check(const model::Plugin& plugin, Context& context) {
                   .subject = context.subject(plugin)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-classic",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a plugin of Gazebo classic in a file that is not for it",
-      .why =
-          "New Gazebo cannot load it: it says so at the start and goes on without it. Gazebo "
-          "classic reads SDF up to 1.7.",
-      .what_to_do =
-          "Use the system of new Gazebo that does the same, such as "
-          "gz-sim-diff-drive-system for libgazebo_ros_diff_drive.so.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <plugin name="drive" filename="«libgazebo_ros_diff_drive.so»">
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <plugin name="drive" filename="gz-sim-diff-drive-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
+      .why = "New Gazebo cannot load it: it says so at the start and goes on without it. Gazebo "
+             "classic reads SDF up to 1.7.",
+      .what_to_do = "Use the system of new Gazebo that does the same, such as "
+                    "gz-sim-diff-drive-system for libgazebo_ros_diff_drive.so.",
       .checks = {on<model::Plugin>(check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_duplicate {
-namespace {
 
 void check(const model::Root& root, Context& context) {
   const auto place = [&context](const model::Plugin& plugin) {
@@ -22,55 +21,24 @@ void check(const model::Root& root, Context& context) {
     if (!root.own(plugin.site) || plugin.filename.value.empty()) continue;
     const auto [entry, first] = seen.emplace(place(plugin), &plugin);
     if (first) continue;
-    context.report(
-        {.where = plugin.site.name,
-         .message = "the same plugin stands here twice: " + plugin.filename.value,
-         .subject = context.subject(plugin),
-         .related = {{entry->second->site.name, "the first one"}},
-         .fix = fix_of("remove the second", Applicability::kUnsafe,
-                       xml::remove_element(context.document(), context.element(plugin.site)))});
+    context.report({.where = plugin.site.name,
+                    .message = "the same plugin stands here twice: " + plugin.filename.value,
+                    .subject = context.subject(plugin),
+                    .related = {{entry->second->site.name, "the first one"}},
+                    .fix = fix_of("remove the second", Applicability::kUnsafe,
+                                  removed(context, plugin.site))});
   }
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "plugin-duplicate",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "the same plugin is loaded twice",
-      .why =
-          "Both run: commands are carried out twice, topics are published twice, or the second "
-          "one fails to advertise them.",
+      .why = "Both run: commands are carried out twice, topics are published twice, or the second "
+             "one fails to advertise them.",
       .what_to_do = "Take one of them out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <plugin name="drive" filename="gz-sim-pose-publisher-system">
-    </plugin>
-    <«plugin» name="drive" filename="gz-sim-pose-publisher-system">
-    </plugin>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <plugin name="drive" filename="gz-sim-pose-publisher-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <plugin name="drive" filename="gz-sim-pose-publisher-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

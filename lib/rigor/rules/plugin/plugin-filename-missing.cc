@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_filename_missing {
-namespace {
 
 void check(const model::Plugin& plugin, Context& context) {
   const auto& file = plugin.filename;
@@ -17,43 +16,15 @@ void check(const model::Plugin& plugin, Context& context) {
                   .refused = is_read_from_block(plugin, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-filename-missing",
-      .category = Category::kPlugin,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kSays},
       .summary = "a plugin names no library",
-      .why =
-          "libsdformat refuses the file, also one that it makes of a URDF: the filename is "
-          "required, and "
-          "must not be empty.",
+      .why = "libsdformat refuses the file, also one that it makes of a URDF: the filename is "
+             "required, and must not be empty.",
       .what_to_do = "Name the library, such as gz-sim-diff-drive-system, or take the plugin out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <«plugin» name="drive" filename="">
-    </plugin>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo>
-    <«plugin» name="drive"/>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <plugin name="drive" filename="gz-sim-diff-drive-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Plugin>(check)},
   };
 }

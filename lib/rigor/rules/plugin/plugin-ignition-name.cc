@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_ignition_name {
-namespace {
 
 constexpr std::pair<std::string_view, std::string_view> kRenamed[] = {
     {"ignition-gazebo", "gz-sim"},
@@ -48,49 +47,18 @@ void check(const model::Plugin& plugin, Context& context) {
                   .fix = fix_of("write the new names", Applicability::kUnsafe, std::move(edits))});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-ignition-name",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .targets = {Target::kGzSim},
       .summary = "a plugin has the name it had when Gazebo was called Ignition",
-      .why =
-          "Since Garden the libraries are called gz-sim-… and the classes gz::sim::…. Gazebo "
-          "still turns the old name of a library into the new one, with a warning; the old "
-          "names of classes are aliases that are to be taken out. Fortress and older know "
-          "only the old names.",
+      .why = "Since Garden the libraries are called gz-sim-… and the classes gz::sim::…. Gazebo "
+             "still turns the old name of a library into the new one, with a warning; the old "
+             "names of classes are aliases that are to be taken out. Fortress and older know only "
+             "the old names.",
       .what_to_do = "Write the new names, if the file is not for Fortress.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="ignition::gazebo::systems::PosePublisher" filename="«ignition-gazebo-pose-publisher-system»">
-    </plugin>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::PosePublisher" filename="gz-sim-pose-publisher-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::PosePublisher" filename="gz-sim-pose-publisher-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Plugin>(check)},
   };
 }

@@ -11,13 +11,11 @@
 #include <fmt/core.h>
 
 #include <rigor/model/names.h>
-#include <rigor/read/values.h>
 #include <rigor/rules/plugin/parameters.h>
 #include <rigor/rules/reference/nearest.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_joint_missing {
-namespace {
 
 std::string library(std::string_view file) {
   if (file.starts_with("lib")) file.remove_prefix(3);
@@ -53,13 +51,12 @@ void check(const model::Root& root, Context& context) {
   for (const model::Plugin& plugin : root.plugins) {
     if (!plugin.model || !root.own(plugin.site)) continue;
     const std::string name = library(plugin.filename.value);
-    for (const xml::Element child : context.element(plugin.site).children()) {
+    for (const model::Parameter& child : plugin.parameters) {
       const auto parameter = std::find_if(
-          std::begin(kPluginParameters), std::end(kPluginParameters), [&](const auto& known) {
-            return known.library == name && known.element == child.name();
-          });
+          std::begin(kPluginParameters), std::end(kPluginParameters),
+          [&](const auto& known) { return known.library == name && known.element == child.name; });
       if (parameter == std::end(kPluginParameters)) continue;
-      const std::string value(read::trimmed(child.text()));
+      const std::string& value = child.value.value;
       const std::string_view inner = within(root[plugin.model], value);
       // Some plugins of ROS 1 take a list.
       if (value.empty() || value.find_first_of(", ") != std::string::npos) continue;
@@ -67,82 +64,26 @@ void check(const model::Root& root, Context& context) {
       if (exists(names, plugin.model, parameter->what, inner)) continue;
       const auto all = [&] { return names.in({plugin.model, {}}); };
       const char* kind = parameter->what == ParameterOf::kJoint ? "joint" : "link";
-      const Suggestion near = suggest_of(value, all, child.text_span(), context);
-      context.report({.where = child.text_span(),
-                      .message = fmt::format("the plugin needs the {} '{}', which the model does "
-                                             "not have",
-                                             kind, value),
-                      .subject = context.subject(plugin),
-                      .help = near.help,
-                      .fix = near.fix});
+      context.report(
+          with_nearest({.where = child.value.span,
+                        .message = fmt::format("the plugin needs the {} '{}', which the model does "
+                                               "not have",
+                                               kind, value),
+                        .subject = context.subject(plugin)},
+                       value, all, context));
     }
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-joint-missing",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a plugin names a joint or link that the model does not have",
-      .why =
-          "The plugin finds nothing to drive: it says so in a line of the simulator's log, if "
-          "at all, and does nothing.",
+      .why = "The plugin finds nothing to drive: it says so in a line of the simulator's log, if "
+             "at all, and does nothing.",
       .what_to_do = "Name a joint or link of the model that the plugin stands in.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="left_wheel" type="continuous">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-    </joint>
-    <plugin name="drive" filename="gz-sim-diff-drive-system">
-      <left_joint>«left_whel»</left_joint>
-    </plugin>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="left_wheel" type="continuous">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-    </joint>
-    <plugin name="drive" filename="gz-sim-diff-drive-system">
-      <left_joint>left_wheel</left_joint>
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="left_wheel" type="continuous">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-      </axis>
-    </joint>
-    <plugin name="drive" filename="gz-sim-diff-drive-system">
-      <left_joint>left_wheel</left_joint>
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

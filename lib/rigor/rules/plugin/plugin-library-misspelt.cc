@@ -13,7 +13,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_library_misspelt {
-namespace {
 
 /// What stands before the name that differs, the name, what stands behind it, and what it can be.
 struct Misspelt {
@@ -82,61 +81,16 @@ void check(const model::Plugin& plugin, Context& context) {
                   .fix = std::move(fix)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-library-misspelt",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a plugin names a library that is nearly one of Gazebo's",
-      .why =
-          "Gazebo finds no such library, writes a line to its log and runs without the plugin. "
-          "Names that are not near to those of gz-sim or gazebo_ros_pkgs are somebody's own, "
-          "and nothing is said of them.",
+      .why = "Gazebo finds no such library, writes a line to its log and runs without the plugin. "
+             "Names that are not near to those of gz-sim or gazebo_ros_pkgs are somebody's own, "
+             "and nothing is said of them.",
       .what_to_do = "Write the name of the library.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::PosePublisher" filename="«gz-sim-pose-publiser-system»">
-    </plugin>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::PosePublisher" filename="gz-sim-pose-publisher-system">
-    </plugin>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo>
-    <plugin name="states" filename="«libgazebo_ros_join_state_publisher.so»"/>
-  </gazebo>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo>
-    <plugin name="states" filename="libgazebo_ros_joint_state_publisher.so"/>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="ours::Sorter" filename="gz-sim-parcel-sorter-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Plugin>(check)},
   };
 }

@@ -5,7 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_name_missing {
-namespace {
 
 void check(const model::Plugin& plugin, Context& context) {
   // In SDF the schema's rules say what is missing.
@@ -17,36 +16,17 @@ void check(const model::Plugin& plugin, Context& context) {
                   .refused = is_read_from_block(plugin, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-name-missing",
-      .category = Category::kPlugin,
       .severity = Severity::kError,
       .refused = {.urdf = Refusal::kSays},
       .formats = Formats::kUrdf,
       .summary = "a plugin in the <gazebo> of a URDF has no name",
-      .why =
-          "libsdformat refuses the whole robot: the name is required (error 4), and must not be "
-          "empty. For new Gazebo it is the class that is made.",
-      .what_to_do =
-          "Give it a name: for new Gazebo the class, such as gz::sim::systems::DiffDrive; for "
-          "Gazebo classic any.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo>
-    <«plugin» filename="gz-sim-pose-publisher-system"/>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo>
-    <plugin filename="gz-sim-pose-publisher-system" name="gz::sim::systems::PosePublisher"/>
-  </gazebo>
-</robot>
-)"}},
+      .why = "libsdformat refuses the whole robot: the name is required (error 4), and must not be "
+             "empty. For new Gazebo it is the class that is made.",
+      .what_to_do = "Give it a name: for new Gazebo the class, such as "
+                    "gz::sim::systems::DiffDrive; for Gazebo classic any.",
       .checks = {on<model::Plugin>(check)},
   };
 }

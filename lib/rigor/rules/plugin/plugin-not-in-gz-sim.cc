@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_not_in_gz_sim {
-namespace {
 
 // From SDF 1.8, which Gazebo classic does not read, plugin-classic tells it whoever the file is for.
 constexpr int kFirstWithoutClassic = 8;
@@ -22,58 +21,17 @@ void check(const model::Plugin& plugin, Context& context) {
        .subject = context.subject(plugin)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-not-in-gz-sim",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .targets = {Target::kGzSim},
       .summary = "a plugin of Gazebo classic in a model for gz-sim",
-      .why =
-          "gz-sim loads libraries of its own kind only. It says at the start that it cannot load "
-          "this one, and goes on without what it would do.",
-      .what_to_do =
-          "Use the system of gz-sim that does the same, with its class as name: "
-          "filename=\"gz-sim-diff-drive-system\" name=\"gz::sim::systems::DiffDrive\" for "
-          "libgazebo_ros_diff_drive.so. Its parameters have other names.",
-      .bad = {{R"(<sdf version="1.6">
-  <model name="arm">
-    <link name="base">
-      <collision name="c">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-      </collision>
-    </link>
-    <plugin name="drive" filename="«libDiffDrivePlugin.so»">
-    </plugin>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.4" ixy="0" ixz="0" iyy="0.4" iyz="0" izz="0.4"/>
-    </inertial>
-  </link>
-  <gazebo>
-    <plugin name="control" filename="«libgazebo_ros_control.so»"/>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.6">
-  <model name="arm">
-    <link name="base">
-      <collision name="c">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-      </collision>
-    </link>
-    <plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
+      .why = "gz-sim loads libraries of its own kind only. It says at the start that it cannot "
+             "load this one, and goes on without what it would do.",
+      .what_to_do = "Use the system of gz-sim that does the same, with its class as name: "
+                    "filename=\"gz-sim-diff-drive-system\" name=\"gz::sim::systems::DiffDrive\" "
+                    "for libgazebo_ros_diff_drive.so. Its parameters have other names.",
       .checks = {on<model::Plugin>(check)},
   };
 }

@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_outside_model {
-namespace {
 
 /// Systems that look for the model that they stand in, and give up without one.
 constexpr std::string_view kOfModels[] = {"ackermann-steering",
@@ -49,50 +48,16 @@ void check(const model::Plugin& plugin, Context& context) {
                   .subject = context.subject(plugin)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-outside-model",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a system for a model stands in the world",
-      .why =
-          "Drives, controllers and publishers of new Gazebo act on the model that holds them. "
-          "In a world they write \"should be attached to a model entity. Failed to initialize.\" "
-          "to the log, and do nothing.",
+      .why = "Drives, controllers and publishers of new Gazebo act on the model that holds them. "
+             "In a world they write \"should be attached to a model entity. Failed to "
+             "initialize.\" to the log, and do nothing.",
       .what_to_do = "Move the plugin into the model that it is to drive.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="hall">
-    <physics name="default" type="ode">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-    <«plugin» filename="gz-sim-pose-publisher-system" name="gz::sim::systems::PosePublisher">
-    </plugin>
-    <model name="arm">
-      <static>true</static>
-      <link name="base"/>
-    </model>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="hall">
-    <physics name="default" type="ode">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-    <model name="arm">
-      <static>true</static>
-      <link name="base"/>
-      <plugin filename="gz-sim-pose-publisher-system" name="gz::sim::systems::PosePublisher">
-      </plugin>
-    </model>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Plugin>(check)},
   };
 }

@@ -9,13 +9,13 @@
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::plugin_parameter_missing {
-namespace {
 
 /// A parameter whose name is misspelt is not missing: plugin-parameter-unknown speaks of it.
-bool is_misspelt_in(xml::Element plugin, std::string_view parameter, std::string_view parameters) {
-  for (const xml::Element child : plugin.children()) {
-    if (has_word(parameters, child.name())) continue;
-    if (!schema::near(child.name(), {parameter}).empty()) return true;
+bool is_misspelt_in(const model::Plugin& plugin, std::string_view parameter,
+                    std::string_view parameters) {
+  for (const model::Parameter& given : plugin.parameters) {
+    if (has_word(parameters, given.name)) continue;
+    if (!schema::near(given.name, {parameter}).empty()) return true;
   }
   return false;
 }
@@ -23,10 +23,10 @@ bool is_misspelt_in(xml::Element plugin, std::string_view parameter, std::string
 void check(const model::Plugin& plugin, Context& context) {
   const GazeboSystem* const system = gazebo_system(plugin.filename.value);
   if (system == nullptr || system->required.empty()) return;
-  const xml::Element element = context.element(plugin.site);
   std::string missing;
   some_word(system->required, [&](std::string_view parameter) {
-    if (!element.child(parameter) && !is_misspelt_in(element, parameter, system->parameters)) {
+    const bool given = find(plugin.parameters, parameter) != nullptr;
+    if (!given && !is_misspelt_in(plugin, parameter, system->parameters)) {
       missing += (missing.empty() ? "<" : ", <") + std::string(parameter) + ">";
     }
     return false;
@@ -37,38 +37,15 @@ void check(const model::Plugin& plugin, Context& context) {
                   .subject = context.subject(plugin)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-parameter-missing",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .summary = "a plugin is not given a parameter without which it does nothing",
-      .why =
-          "The systems of Gazebo that drive a joint or push a link need its name. Without it "
-          "they write a line to the log, if at all, and do nothing: commands that are sent to "
-          "them have no effect.",
+      .why = "The systems of Gazebo that drive a joint or push a link need its name. Without it "
+             "they write a line to the log, if at all, and do nothing: commands that are sent to "
+             "them have no effect.",
       .what_to_do = "Name the joint or link, or take the plugin out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <«plugin» name="gz::sim::systems::JointController" filename="gz-sim-joint-controller-system">
-      <initial_velocity>1</initial_velocity>
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::JointStatePublisher" filename="gz-sim-joint-state-publisher-system">
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Plugin>(check)},
   };
 }

@@ -1,18 +1,15 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
 #include <iterator>
 #include <string>
 #include <string_view>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/plugin/systems.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/xml/xacro.h>
 
 namespace rigor::rules::plugin_parameter_not_allowed {
-namespace {
 
 struct Choice {
   std::string_view library;
@@ -31,16 +28,16 @@ void check(const model::Plugin& plugin, Context& context) {
   if (system == nullptr) return;
   for (const Choice& choice : kChoices) {
     if (choice.library != system->library) continue;
-    const auto child = context.element(plugin.site).child(choice.parameter);
-    if (!child) continue;
-    const std::string_view value = read::trimmed(child->text());
+    const auto* given = find(plugin.parameters, choice.parameter);
+    if (given == nullptr) continue;
+    const std::string_view value = given->value.value;
     if (has_word(choice.values, value) || has_xacro(value)) continue;
     std::string list;
     some_word(choice.values, [&list](std::string_view word) {
       list += (list.empty() ? "" : ", ") + std::string(word);
       return false;
     });
-    context.report({.where = value.empty() ? child->name_span() : child->text_span(),
+    context.report({.where = value.empty() ? given->site.name : given->value.span,
                     .message = "'" + std::string(value) + "' is no value of <" +
                                std::string(choice.parameter) + ">",
                     .subject = context.subject(plugin),
@@ -48,45 +45,15 @@ void check(const model::Plugin& plugin, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-parameter-not-allowed",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .summary = "a parameter of a plugin has a value that the plugin does not know",
-      .why =
-          "A few parameters are choices: turningDirection of MulticopterMotorModel is cw or "
-          "ccw, dimensions of OdometryPublisher is 2 or 3. Other values are an error in the "
-          "log, and the default is used: a rotor that was to turn the other way does not.",
+      .why = "A few parameters are choices: turningDirection of MulticopterMotorModel is cw or "
+             "ccw, dimensions of OdometryPublisher is 2 or 3. Other values are an error in the "
+             "log, and the default is used: a rotor that was to turn the other way does not.",
       .what_to_do = "Write one of the values.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::MulticopterMotorModel" filename="gz-sim-multicopter-motor-model-system">
-      <jointName>rotor_0</jointName>
-      <linkName>base</linkName>
-      <motorNumber>0</motorNumber>
-      <turningDirection>«clockwise»</turningDirection>
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::MulticopterMotorModel" filename="gz-sim-multicopter-motor-model-system">
-      <jointName>rotor_0</jointName>
-      <linkName>base</linkName>
-      <motorNumber>0</motorNumber>
-      <turningDirection>cw</turningDirection>
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Plugin>(check)},
   };
 }

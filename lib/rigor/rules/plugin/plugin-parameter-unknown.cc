@@ -16,7 +16,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_parameter_unknown {
-namespace {
 
 /// What the plugin reads, and what its ancestor in gazebo_ros read.
 struct Known {
@@ -41,30 +40,31 @@ std::optional<Known> known_by(std::string_view file) {
   return std::nullopt;
 }
 
-std::vector<std::string_view> missing_from(xml::Element plugin, std::string_view parameters) {
+std::vector<std::string_view> missing_from(const model::Plugin& plugin,
+                                           std::string_view parameters) {
   std::vector<std::string_view> names;
   some_word(parameters, [&](std::string_view word) {
-    if (!plugin.child(word)) names.push_back(word);
+    if (find(plugin.parameters, word) == nullptr) names.push_back(word);
     return false;
   });
   return names;
 }
 
 /// All that is left of the ancestor's is one fault: somebody changed the name of the library only.
-void report_former(const std::vector<xml::Element>& former, const model::Plugin& plugin,
+void report_former(const std::vector<const model::Parameter*>& former, const model::Plugin& plugin,
                    Context& context) {
   constexpr std::size_t kMostNamed = 4;  // a longer list is read by nobody
   std::vector<std::string_view> names;
-  for (const xml::Element element : former) {
-    if (std::find(names.begin(), names.end(), element.name()) != names.end()) continue;
-    names.push_back(element.name());
+  for (const model::Parameter* parameter : former) {
+    if (std::find(names.begin(), names.end(), parameter->name) != names.end()) continue;
+    names.emplace_back(parameter->name);
   }
   std::string list;
   for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i) {
     list += (i == 0 ? "<" : ", <") + std::string(names[i]) + ">";
   }
   if (names.size() > kMostNamed) list += fmt::format(" and {} more", names.size() - kMostNamed);
-  context.report({.where = former.front().name_span(),
+  context.report({.where = former.front()->site.name,
                   .message = "the plugin does not read " + list +
                              ", which the plugin of gazebo_ros that did the same read",
                   .subject = context.subject(plugin)});
@@ -73,19 +73,18 @@ void report_former(const std::vector<xml::Element>& former, const model::Plugin&
 void check(const model::Plugin& plugin, Context& context) {
   const auto known = known_by(plugin.filename.value);
   if (!known) return;
-  const xml::Element element = context.element(plugin.site);
-  std::vector<xml::Element> former;
+  std::vector<const model::Parameter*> former;
   std::optional<std::vector<std::string_view>> candidates;
-  for (const xml::Element child : element.children()) {
-    const std::string_view name = child.name();
+  for (const model::Parameter& given : plugin.parameters) {
+    const std::string_view name = given.name;
     if (has_word(known->parameters, name) || name.find(':') != std::string_view::npos) continue;
     if (has_word(known->former, name)) {
-      former.push_back(child);
+      former.push_back(&given);
       continue;
     }
     if (!context.may_suggest()) return;
     // What stands there already was not meant.
-    if (!candidates) candidates = missing_from(element, known->parameters);
+    if (!candidates) candidates = missing_from(plugin, known->parameters);
     context.compared(candidates->size());
     const auto near = schema::near(name, *candidates);
     if (near.empty()) continue;  // perhaps a later version reads it
@@ -93,9 +92,9 @@ void check(const model::Plugin& plugin, Context& context) {
     std::optional<Fix> fix;
     if (near.size() == 1) {
       fix = fix_of("call it '" + meant + "'", Applicability::kUnsafe,
-                   xml::rename_element(context.document(), child, meant));
+                   renamed(context, given.site, meant));
     }
-    context.report({.where = child.name_span(),
+    context.report({.where = given.site.name,
                     .message = "the plugin does not read <" + std::string(name) + ">",
                     .subject = context.subject(plugin),
                     .help = "did you mean '" + meant + "'?",
@@ -104,63 +103,17 @@ void check(const model::Plugin& plugin, Context& context) {
   if (!former.empty()) report_former(former, plugin, context);
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-parameter-unknown",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a plugin is given a parameter that it does not read",
-      .why =
-          "Plugins look for the names they know and pass over all others without a word: the "
-          "value written has no effect, and a default stands in its place. rigor knows the "
-          "parameters of the commonest systems of Gazebo, and speaks only where the name is "
-          "nearly one of them, or one of the plugin of gazebo_ros that did the same.",
+      .why = "Plugins look for the names they know and pass over all others without a word: the "
+             "value written has no effect, and a default stands in its place. rigor knows the "
+             "parameters of the commonest systems of Gazebo, and speaks only where the name is "
+             "nearly one of them, or one of the plugin of gazebo_ros that did the same.",
       .what_to_do = "Write the name as the documentation of the plugin has it.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
-      <«odom_publisher_frequency»>20</odom_publisher_frequency>
-    </plugin>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
-      <odom_publish_frequency>20</odom_publish_frequency>
-    </plugin>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
-      <«body_name»>base</body_name>
-      <update_rate>20</update_rate>
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
-      <odom_publish_frequency>20</odom_publish_frequency>
-      <later_parameter>1</later_parameter>
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Plugin>(check)},
   };
 }

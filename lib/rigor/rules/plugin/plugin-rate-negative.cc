@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <string>
 #include <string_view>
 
 #include <fmt/core.h>
@@ -13,7 +12,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::plugin_rate_negative {
-namespace {
 
 /// Parameters that mean a rate in Hz wherever they are used. The update_frequency of PosePublisher is
 /// not among them: there a negative one stands for as often as possible.
@@ -21,9 +19,9 @@ constexpr std::string_view kRates[] = {"updateRate", "update_rate", "odom_publis
                                        "publish_rate", "publishRate"};
 
 void check(const model::Plugin& plugin, Context& context) {
-  for (const xml::Element child : context.element(plugin.site).children()) {
-    if (std::find(std::begin(kRates), std::end(kRates), child.name()) == std::end(kRates)) continue;
-    const auto rate = read::number_field(read::Text{child.text(), child.text_span()}, 0);
+  for (const model::Parameter& given : plugin.parameters) {
+    if (std::find(std::begin(kRates), std::end(kRates), given.name) == std::end(kRates)) continue;
+    const auto rate = read::number_field(given);
     if (!rate.written || !(rate.value < 0)) continue;
     context.report(
         {.where = rate.span,
@@ -33,49 +31,15 @@ void check(const model::Plugin& plugin, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "plugin-rate-negative",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a plugin is to run a negative number of times in a second",
-      .why =
-          "Plugins that look whether the rate is above 0 run at every step, as for 0; nothing says "
-          "that others do, and nobody measures a negative number of times.",
+      .why = "Plugins that look whether the rate is above 0 run at every step, as for 0; nothing "
+             "says that others do, and nobody measures a negative number of times.",
       .what_to_do = "Write the rate in Hz; 0 is every step for most plugins.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
-      <odom_publish_frequency>«-1»</odom_publish_frequency>
-    </plugin>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
-      <odom_publish_frequency>0</odom_publish_frequency>
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
-      <odom_publish_frequency>20</odom_publish_frequency>
-    </plugin>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Plugin>(check)},
   };
 }

@@ -14,7 +14,6 @@
 #include <rigor/rules/xml/xacro.h>
 
 namespace rigor::rules::topic_invalid {
-namespace {
 
 /// Parameters of plugins that are topics wherever they are used. Those of gazebo_ros may begin with `~`.
 constexpr std::string_view kTopics[] = {"topic",        "odom_topic",   "tf_topic",
@@ -42,13 +41,12 @@ std::string valid(std::string_view topic) {
   return text;
 }
 
-void look_at(std::string_view written, Span where, std::string subject, Context& context) {
-  const std::string_view topic = read::trimmed(written);
+void look_at(std::string_view topic, Span where, std::string subject, Context& context) {
   const std::string_view forbidden = forbidden_in(topic);
   if (forbidden.empty() || has_xacro(topic)) return;
   const std::string good = valid(topic);
   std::optional<Fix> fix;
-  if (!good.empty() && context.bytes(where) == written) {
+  if (!good.empty() && read::trimmed(context.bytes(where)) == topic) {
     fix = Fix{"write '" + good + "'", Applicability::kUnsafe, {{where, good}}};
   }
   const std::string what = forbidden == " " ? "a space" : "'" + std::string(forbidden) + "'";
@@ -64,82 +62,24 @@ void check_sensor(const model::Sensor& sensor, Context& context) {
 }
 
 void check_plugin(const model::Plugin& plugin, Context& context) {
-  for (const xml::Element child : context.element(plugin.site).children()) {
-    if (std::find(std::begin(kTopics), std::end(kTopics), child.name()) == std::end(kTopics)) {
+  for (const model::Parameter& given : plugin.parameters) {
+    if (std::find(std::begin(kTopics), std::end(kTopics), given.name) == std::end(kTopics)) {
       continue;
     }
-    look_at(child.text(), child.text_span(), context.subject(plugin), context);
+    look_at(given.value.value, given.value.span, context.subject(plugin), context);
   }
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "topic-invalid",
-      .category = Category::kPlugin,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "the name of a topic holds what no topic may",
-      .why =
-          "Gazebo allows no space, no '//', no '@' and no ':=' in a topic; ROS neither. Where "
-          "Gazebo "
-          "makes a valid name of it (a space becomes '_', the others vanish), the topic is not the "
-          "one that others listen on; where it does not, nothing is published.",
+      .why = "Gazebo allows no space, no '//', no '@' and no ':=' in a topic; ROS neither. Where "
+             "Gazebo makes a valid name of it (a space becomes '_', the others vanish), the topic "
+             "is not the one that others listen on; where it does not, nothing is published.",
       .what_to_do = "Use letters, digits, '_' and single '/'.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base">
-      <sensor name="level" type="imu">
-        <topic>«arm imu»</topic>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base">
-      <sensor name="level" type="imu">
-        <topic>arm_imu</topic>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
-      <odom_topic>«/arm//odom»</odom_topic>
-    </plugin>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base"/>
-    <plugin name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">
-      <odom_topic>/arm/odom</odom_topic>
-    </plugin>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base">
-      <sensor name="level" type="imu">
-        <topic>~/arm/imu</topic>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Sensor>(check_sensor), on<model::Plugin>(check_plugin)},
   };
 }

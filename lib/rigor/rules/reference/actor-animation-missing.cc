@@ -6,36 +6,25 @@
 #include <unordered_set>
 #include <vector>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/reference/nearest.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::actor_animation_missing {
-namespace {
 
 void look_at(const model::Actor& actor, Context& context) {
-  const xml::Element element = context.element(actor.site);
-  const auto script = element.child("script");
-  if (!script) return;
   std::vector<std::string> animations;
-  for (const xml::Element child : element.children()) {
-    if (child.name() != "animation") continue;
-    if (const auto name = child.attribute("name")) animations.emplace_back(name->value());
-  }
+  for (const auto& name : actor.animations) animations.push_back(name.value);
   const std::unordered_set<std::string_view> names(animations.begin(), animations.end());
   // One that only stands in for what moves along a path has none.
   if (animations.empty()) return;
-  for (const xml::Element trajectory : script->children()) {
-    if (trajectory.name() != "trajectory") continue;
-    const auto type = trajectory.attribute("type");
-    if (!type || type->value().empty() || names.count(type->value()) != 0) continue;
-    const Suggestion near = suggest_of(
-        type->value(), [&animations] { return animations; }, type->value_span(), context);
-    context.report({.where = type->value_span(),
-                    .message = "the trajectory plays '" + std::string(type->value()) +
-                               "', which is no animation of the actor '" + actor.name.value + "'",
-                    .help = near.help,
-                    .fix = near.fix});
+  for (const model::Trajectory& trajectory : actor.trajectories) {
+    const auto& type = trajectory.type;
+    if (type.value.empty() || names.count(type.value) != 0) continue;
+    context.report(with_nearest(
+        {.where = type.span,
+         .message = "the trajectory plays '" + type.value + "', which is no animation of the actor '" +
+                    actor.name.value + "'"},
+        type.value, [&animations] { return animations; }, context));
   }
 }
 
@@ -45,84 +34,17 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "actor-animation-missing",
-      .category = Category::kReference,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a trajectory of an actor plays an animation that the actor does not have",
-      .why =
-          "The type of a trajectory is the name of the animation that is played along it. When "
-          "the actor has none of that name, it glides along the path without moving its legs, "
-          "or stays where it is.",
+      .why = "The type of a trajectory is the name of the animation that is played along it. When "
+             "the actor has none of that name, it glides along the path without moving its legs, "
+             "or stays where it is.",
       .what_to_do = "Name one of the actor's animations.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="street">
-    <actor name="walker">
-      <skin>
-        <filename>walk.dae</filename>
-      </skin>
-      <animation name="walking">
-        <filename>walk.dae</filename>
-      </animation>
-      <script>
-        <trajectory id="0" type="«walkin»">
-          <waypoint>
-            <time>0</time>
-            <pose>0 0 1 0 0 0</pose>
-          </waypoint>
-        </trajectory>
-      </script>
-    </actor>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="street">
-    <actor name="walker">
-      <skin>
-        <filename>walk.dae</filename>
-      </skin>
-      <animation name="walking">
-        <filename>walk.dae</filename>
-      </animation>
-      <script>
-        <trajectory id="0" type="walking">
-          <waypoint>
-            <time>0</time>
-            <pose>0 0 1 0 0 0</pose>
-          </waypoint>
-        </trajectory>
-      </script>
-    </actor>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="street">
-    <actor name="walker">
-      <skin>
-        <filename>walk.dae</filename>
-      </skin>
-      <animation name="walking">
-        <filename>walk.dae</filename>
-      </animation>
-      <script>
-        <trajectory id="0" type="walking">
-          <waypoint>
-            <time>0</time>
-            <pose>0 0 1 0 0 0</pose>
-          </waypoint>
-        </trajectory>
-      </script>
-    </actor>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -5,49 +5,22 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::canonical_link_missing {
-namespace {
 
 void check(const model::FrameProblem& problem, Context& context) {
-  const Suggestion near = suggest(problem.name, problem.candidates, problem.where, context);
-  context.report({.where = problem.where,
-                  .message = "the canonical link '" + problem.name + "' is no link of this model",
-                  .subject = problem.subject,
-                  .help = near.help,
-                  .fix = near.fix});
+  context.report(unresolved(
+      problem, "the canonical link '" + problem.name + "' is no link of this model", context));
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "canonical-link-missing",
-      .category = Category::kReference,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .fix = FixGrade::kUnsafe,
       .summary = "a model names a canonical link that does not exist",
       .why = "libsdformat refuses the model: its frame would be attached to nothing.",
       .what_to_do =
-          "Name a link of the model, or leave the attribute out: the first link is "
-          "taken then.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm" canonical_link="«bas»">
-    <link name="base"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm" canonical_link="base">
-    <link name="base"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm" canonical_link="base">
-    <link name="base"/>
-  </model>
-</sdf>
-)"}},
+          "Name a link of the model, or leave the attribute out: the first link is taken then.",
       .checks = {on_frames({model::FrameProblemKind::kCanonicalLinkMissing}, check)},
   };
 }

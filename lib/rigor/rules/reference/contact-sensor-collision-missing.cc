@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::contact_sensor_collision_missing {
-namespace {
 
 void check(const model::Sensor& sensor, Context& context) {
   if (!sensor.link || sensor.contact_collisions.empty()) return;
@@ -27,76 +26,25 @@ void check(const model::Sensor& sensor, Context& context) {
     // A scoped name leads to another link, which the simulators understand in ways of their own.
     if (name.empty() || name.find("::") != std::string::npos) continue;
     if (names.contains(name)) continue;
-    const Suggestion near = suggest_of(name, all, collision.span, context);
-    context.report({.where = collision.span,
-                    .message = "the contact sensor watches the collision '" + name +
-                               "', which its link '" + root[sensor.link].name.value +
-                               "' does not have",
-                    .subject = context.subject(sensor),
-                    .help = near.help,
-                    .fix = near.fix});
+    context.report(with_nearest(
+        {.where = collision.span,
+         .message = "the contact sensor watches the collision '" + name + "', which its link '" +
+                    root[sensor.link].name.value + "' does not have",
+         .subject = context.subject(sensor)},
+        name, all, context));
   }
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "contact-sensor-collision-missing",
-      .category = Category::kReference,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a contact sensor watches a collision that its link does not have",
-      .why =
-          "Gazebo looks for the name among the collisions of the sensor's own link, finds "
-          "none, and the sensor never reports a contact.",
+      .why = "Gazebo looks for the name among the collisions of the sensor's own link, finds none, "
+             "and the sensor never reports a contact.",
       .what_to_do = "Name a collision of the same link.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="foot">
-      <collision name="sole">
-        <geometry><sphere><radius>0.1</radius></sphere></geometry>
-      </collision>
-      <sensor name="touch" type="contact">
-        <contact>
-          <collision>«soles»</collision>
-        </contact>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="foot">
-      <collision name="sole">
-        <geometry><sphere><radius>0.1</radius></sphere></geometry>
-      </collision>
-      <sensor name="touch" type="contact">
-        <contact>
-          <collision>sole</collision>
-        </contact>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="foot">
-      <collision name="sole">
-        <geometry><sphere><radius>0.1</radius></sphere></geometry>
-      </collision>
-      <sensor name="touch" type="contact">
-        <contact>
-          <collision>sole</collision>
-        </contact>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Sensor>(check)},
   };
 }

@@ -4,89 +4,42 @@
 #include <string>
 #include <string_view>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::control_interface_name_missing {
-namespace {
 
-void look_at(xml::Element component, Context& context) {
-  for (const xml::Element interface : component.children()) {
-    const std::string_view kind = interface.name();
+void look_at(const model::Parameter& component, Context& context) {
+  for (const model::Parameter& interface : component.children) {
+    const std::string& kind = interface.name;
     if (kind != "command_interface" && kind != "state_interface") continue;
-    const auto name = interface.attribute("name");
-    if (name && !read::trimmed(name->value()).empty()) continue;
-    context.report({.where = name && name->value_span().size() > 0 ? name->value_span()
-                                                                   : interface.name_span(),
-                    .message = "this <" + std::string(kind) + "> has no name"});
+    const auto* name = attribute(interface, "name");
+    if (name != nullptr && !name->value.empty()) continue;
+    const bool blank = name != nullptr && name->span.size() > 0;
+    context.report({.where = blank ? name->span : interface.site.name,
+                    .message = "this <" + kind + "> has no name"});
   }
 }
 
 void check(const model::Root& root, Context& context) {
-  const auto robot = context.document().root();
-  if (!robot || root.format != model::Format::kUrdf) return;
-  for (const xml::Element control : robot->children()) {
-    if (control.name() != "ros2_control") continue;
-    for (const xml::Element component : control.children()) {
-      const std::string_view kind = component.name();
+  for (const model::Parameter& control : root.ros2_controls) {
+    if (!root.own(control.site)) continue;
+    for (const model::Parameter& component : control.children) {
+      const std::string& kind = component.name;
       if (kind == "joint" || kind == "sensor" || kind == "gpio") look_at(component, context);
     }
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "control-interface-name-missing",
-      .category = Category::kReference,
       .severity = Severity::kError,
       .formats = Formats::kUrdf,
       .summary = "an interface of ros2_control has no name",
-      .why =
-          "ros2_control refuses the whole description when an interface lacks its name: no "
-          "attribute 'name' in the tag, it says, and no controller starts.",
+      .why = "ros2_control refuses the whole description when an interface lacks its name: no "
+             "attribute 'name' in the tag, it says, and no controller starts.",
       .what_to_do =
-          "Name what is commanded or measured: position, velocity, effort, or a name of your "
-          "own.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <ros2_control name="drives" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-    <joint name="elbow">
-      <«command_interface»/>
-      <state_interface name="position"/>
-    </joint>
-  </ros2_control>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <ros2_control name="drives" type="system">
-    <hardware>
-      <plugin>mock_components/GenericSystem</plugin>
-    </hardware>
-    <joint name="elbow">
-      <command_interface name="position"/>
-      <state_interface name="position"/>
-    </joint>
-  </ros2_control>
-</robot>
-)"}},
+          "Name what is commanded or measured: position, velocity, effort, or a name of your own.",
       .checks = {on<model::Root>(check)},
   };
 }

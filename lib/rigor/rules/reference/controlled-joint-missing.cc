@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::controlled_joint_missing {
-namespace {
 
 void check(const model::Root& root, Context& context) {
   const auto joints = name_set(root.joints);
@@ -15,81 +14,23 @@ void check(const model::Root& root, Context& context) {
     const std::string& name = controlled.joint.value;
     if (name.empty() || joints.count(name) != 0) continue;
     const std::string who = controlled.ros2_control ? "ros2_control" : "a transmission";
-    const Suggestion near = suggest_of(
-        name, [&] { return names_of(root.joints); }, controlled.joint.span, context);
-    context.report(
+    context.report(with_nearest(
         {.where = controlled.joint.span,
-         .message = who + " drives the joint '" + name + "', which this robot does not have",
-         .help = near.help,
-         .fix = near.fix});
+         .message = who + " drives the joint '" + name + "', which this robot does not have"},
+        name, [&] { return names_of(root.joints); }, context));
   }
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "controlled-joint-missing",
-      .category = Category::kReference,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a transmission or ros2_control names a joint that does not exist",
-      .why =
-          "The controller manager finds no such joint when it starts: it drops the interface, "
-          "or does not start at all.",
+      .why = "The controller manager finds no such joint when it starts: it drops the interface, "
+             "or does not start at all.",
       .what_to_do = "Name a joint of the robot.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <transmission name="drive">
-    <type>transmission_interface/SimpleTransmission</type>
-    <joint name="«elbo»">
-      <hardwareInterface>EffortJointInterface</hardwareInterface>
-    </joint>
-    <actuator name="motor"/>
-  </transmission>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <transmission name="drive">
-    <type>transmission_interface/SimpleTransmission</type>
-    <joint name="elbow">
-      <hardwareInterface>EffortJointInterface</hardwareInterface>
-    </joint>
-    <actuator name="motor"/>
-  </transmission>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <transmission name="drive">
-    <type>transmission_interface/SimpleTransmission</type>
-    <joint name="elbow">
-      <hardwareInterface>EffortJointInterface</hardwareInterface>
-    </joint>
-    <actuator name="motor"/>
-  </transmission>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

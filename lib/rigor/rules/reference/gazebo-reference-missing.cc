@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::gazebo_reference_missing {
-namespace {
 
 void check(const model::Root& root, Context& context) {
   const auto links = name_set(root.links);
@@ -22,50 +21,23 @@ void check(const model::Root& root, Context& context) {
       for (std::string& joint : names_of(root.joints)) names.push_back(std::move(joint));
       return names;
     };
-    const Suggestion near = suggest_of(name, all, block.reference.span, context);
-    context.report(
+    context.report(with_nearest(
         {.where = block.reference.span,
-         .message = "refers to '" + name + "', which is no link and no joint of this robot",
-         .help = near.help,
-         .fix = near.fix});
+         .message = "refers to '" + name + "', which is no link and no joint of this robot"},
+        name, all, context));
   }
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "gazebo-reference-missing",
-      .category = Category::kReference,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a <gazebo> block is for a link or joint that does not exist",
-      .why =
-          "Gazebo drops the block without a word: its material, friction, sensors and plugins "
-          "are not there.",
+      .why = "Gazebo drops the block without a word: its material, friction, sensors and plugins "
+             "are not there.",
       .what_to_do = "Name a link or a joint of the robot, or take the block out.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="«bas»">
-    <mu1>0.2</mu1>
-  </gazebo>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="base">
-    <mu1>0.2</mu1>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="base">
-    <mu1>0.2</mu1>
-  </gazebo>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -4,7 +4,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::joint_child_world {
-namespace {
 
 void check(const model::FrameProblem& problem, Context& context) {
   context.report({.where = problem.where,
@@ -12,40 +11,16 @@ void check(const model::FrameProblem& problem, Context& context) {
                   .subject = problem.subject});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "joint-child-world",
-      .category = Category::kReference,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .summary = "a joint has the world as its child",
-      .why =
-          "libsdformat refuses the model: the child is what the joint moves, and the world "
-          "does not move.",
+      .why = "libsdformat refuses the model: the child is what the joint moves, and the world does "
+             "not move.",
       .what_to_do = "Swap the two: the world as parent, the link as child.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <joint name="elbow" type="fixed">
-      <parent>base</parent>
-      <child>«world»</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <joint name="elbow" type="fixed">
-      <parent>world</parent>
-      <child>base</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on_frames({model::FrameProblemKind::kChildIsWorld}, check)},
   };
 }

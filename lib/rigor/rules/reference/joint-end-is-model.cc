@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::joint_end_is_model {
-namespace {
 
 using ModelNames = std::unordered_set<std::string_view>;
 
@@ -49,12 +48,9 @@ void check(const model::Model& around, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "joint-end-is-model",
-      .category = Category::kReference,
       .severity = Severity::kWarning,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
@@ -65,44 +61,6 @@ Rule rule() {
           "the model's frame, which moves with its canonical link; in nested models all do.",
       .what_to_do =
           "Name the link itself, as base or arm::base, or a frame that is attached to the model.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="fixed">
-      <parent>«__model__»</parent>
-      <child>tip</child>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <model name="hand">
-      <link name="palm"/>
-    </model>
-    <joint name="wrist" type="fixed">
-      <parent>«hand»</parent>
-      <child>base</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <model name="hand">
-      <link name="palm"/>
-    </model>
-    <frame name="mount" attached_to="hand"/>
-    <joint name="wrist" type="fixed">
-      <parent>base</parent>
-      <child>mount</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Model>(check)},
   };
 }

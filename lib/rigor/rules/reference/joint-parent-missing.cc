@@ -1,105 +1,31 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <utility>
+
 #include <rigor/rules/reference/nearest.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::joint_parent_missing {
-namespace {
 
 void check(const model::FrameProblem& problem, Context& context) {
-  const Suggestion near = suggest(problem.name, problem.candidates, problem.where, context);
-  context.report({.where = problem.where,
-                  .message = "the parent '" + problem.name + "' is nothing in this model",
-                  .subject = problem.subject,
-                  .help = near.help,
-                  .fix = near.fix,
-                  // Joints of a world came with SDF 1.10; libsdformat 12 reads none.
-                  .refused = static_cast<bool>(problem.model)});
+  Finding finding =
+      unresolved(problem, "the parent '" + problem.name + "' is nothing in this model", context);
+  // Joints of a world came with SDF 1.10; libsdformat 12 reads none.
+  finding.refused = static_cast<bool>(problem.model);
+  context.report(std::move(finding));
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "joint-parent-missing",
-      .category = Category::kReference,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kAlways},
       .fix = FixGrade::kUnsafe,
       .summary = "a joint names a parent that does not exist",
-      .why =
-          "libsdformat and urdfdom refuse the whole model: a joint has to hold on to "
-          "something.",
+      .why = "libsdformat and urdfdom refuse the whole model: a joint has to hold on to something.",
       .what_to_do =
-          "Name a link, joint, frame or nested model of the same model, or world (in "
-          "SDF).",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="fixed">
-      <parent>«bse»</parent>
-      <child>tip</child>
-    </joint>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="fixed">
-      <parent>base</parent>
-      <child>tip</child>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="fixed">
-    <parent link="«bse»"/>
-    <child link="tip"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="fixed">
-      <parent>base</parent>
-      <child>tip</child>
-    </joint>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="fixed">
-      <parent>world</parent>
-      <child>tip</child>
-    </joint>
-    <joint name="wrist" type="fixed">
-      <parent>base</parent>
-      <child>tip</child>
-    </joint>
-  </model>
-</sdf>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="fixed">
-    <parent link="base"/>
-    <child link="tip"/>
-  </joint>
-</robot>
-)"}},
+          "Name a link, joint, frame or nested model of the same model, or world (in SDF).",
       .checks = {on_frames({model::FrameProblemKind::kParentMissing}, check)},
   };
 }

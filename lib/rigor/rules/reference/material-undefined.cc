@@ -7,18 +7,11 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::material_undefined {
-namespace {
-
-bool has_looks(xml::Element material) {
-  const auto color = material.child("color");
-  const auto texture = material.child("texture");
-  return (color && color->attribute("rgba")) || (texture && texture->attribute("filename"));
-}
 
 void check(const model::Root& root, Context& context) {
   std::unordered_set<std::string_view> defined;
   for (const model::RobotMaterial& material : root.materials) {
-    if (has_looks(context.element(material.site))) defined.insert(material.name.value);
+    if (material.defines_color) defined.insert(material.name.value);
   }
   for (const model::Visual& visual : root.visuals) {
     if (visual.material.defines_color) defined.insert(visual.material.name.value);
@@ -27,81 +20,27 @@ void check(const model::Root& root, Context& context) {
     const model::Material& material = visual.material;
     const std::string& name = material.name.value;
     if (!material.written || name.empty() || defined.count(name) != 0) continue;
-    const Suggestion near = suggest_of(
-        name, [&] { return names_of(root.materials); }, material.name.span, context);
     const bool colorless = name_set(root.materials).count(name) != 0;
-    context.report({.where = material.name.span,
-                    .message = "the material '" + name + "' is defined " +
-                               (colorless ? "without a colour" : "nowhere in this robot"),
-                    .subject = context.subject(visual),
-                    .help = near.help,
-                    .fix = near.fix});
+    context.report(with_nearest(
+        {.where = material.name.span,
+         .message = "the material '" + name + "' is defined " +
+                    (colorless ? "without a colour" : "nowhere in this robot"),
+         .subject = context.subject(visual)},
+        name, [&] { return names_of(root.materials); }, context));
   }
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "material-undefined",
-      .category = Category::kReference,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a visual names a material that is defined nowhere",
       .why =
-          "urdfdom warns and gives the visual no material; it is then drawn in whatever colour "
-          "the viewer likes. Gazebo's own material names (Gazebo/Orange) belong into a "
-          "<gazebo> block.",
+          "urdfdom warns and gives the visual no material; it is then drawn in whatever colour the "
+          "viewer likes. Gazebo's own material names (Gazebo/Orange) belong into a <gazebo> block.",
       .what_to_do = "Define the material with a colour, in the visual or once under <robot>.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base">
-    <visual>
-      <geometry><box size="1 1 1"/></geometry>
-      <material name="«blu»"/>
-    </visual>
-  </link>
-  <material name="blue">
-    <color rgba="0 0 1 1"/>
-  </material>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="base">
-    <visual>
-      <geometry><box size="1 1 1"/></geometry>
-      <material name="blue"/>
-    </visual>
-  </link>
-  <material name="blue">
-    <color rgba="0 0 1 1"/>
-  </material>
-</robot>
-)"},
-              {R"(<robot name="arm">
-  <material name="grey">
-    <color/>
-  </material>
-  <link name="base">
-    <visual>
-      <geometry><box size="1 1 1"/></geometry>
-      <material name="«grey»"/>
-    </visual>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base">
-    <visual>
-      <geometry><box size="1 1 1"/></geometry>
-      <material name="blue"/>
-    </visual>
-  </link>
-  <material name="blue">
-    <color rgba="0 0 1 1"/>
-  </material>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mimic_joint_missing {
-namespace {
 
 bool exists(const model::Names& names, model::Id<model::Model> scope, const std::string& joint) {
   const model::Named named = names.find({scope, {}}, joint);  // also of a nested model
@@ -30,82 +29,25 @@ void check(const model::Root& root, Context& context) {
         for (const auto id : root[joint.model].joints) all.push_back(root[id].name.value);
         return all;
       };
-      const Suggestion near = suggest_of(leader, others, axis.mimic->joint.span, context);
-      context.report(
+      context.report(with_nearest(
           {.where = axis.mimic->joint.span,
            .message = "mimics the joint '" + leader + "', which this model does not have",
-           .subject = context.subject(joint),
-           .help = near.help,
-           .fix = near.fix});
+           .subject = context.subject(joint)},
+          leader, others, context));
     }
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mimic-joint-missing",
-      .category = Category::kReference,
       .severity = Severity::kError,
       .fix = FixGrade::kUnsafe,
       .summary = "a joint mimics one that does not exist",
-      .why =
-          "urdfdom takes the model as it is, and what follows differs: MoveIt and "
-          "robot_state_publisher leave the joint where it is, Drake and newer libsdformat "
-          "refuse the model.",
+      .why = "urdfdom takes the model as it is, and what follows differs: MoveIt and "
+             "robot_state_publisher leave the joint where it is, Drake and newer libsdformat "
+             "refuse the model.",
       .what_to_do = "Name a joint of the same model.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="«knukle»"/>
-  </joint>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="knuckle"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="knuckle"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

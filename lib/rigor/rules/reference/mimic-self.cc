@@ -4,7 +4,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::mimic_self {
-namespace {
 
 void check(const model::Joint& joint, Context& context) {
   for (const model::Axis& axis : joint.axes) {
@@ -18,46 +17,14 @@ void check(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "mimic-self",
-      .category = Category::kReference,
       .severity = Severity::kError,
       .summary = "a joint mimics itself",
-      .why =
-          "A position that is computed from itself has no value: newer libsdformat and Drake "
-          "refuse it, others leave the joint unmoved or follow the reference for ever.",
+      .why = "A position that is computed from itself has no value: newer libsdformat and Drake "
+             "refuse it, others leave the joint unmoved or follow the reference for ever.",
       .what_to_do = "Name the joint that leads, or take the mimic out.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="«elbow»"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <link name="finger"/>
-  <joint name="knuckle" type="revolute">
-    <parent link="base"/>
-    <child link="finger"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="1" effort="5" velocity="2"/>
-    <mimic joint="knuckle"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on<model::Joint>(check)},
   };
 }

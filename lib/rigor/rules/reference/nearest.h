@@ -5,48 +5,52 @@
 
 #pragma once
 
-#include <optional>
+#include <concepts>
 #include <string>
 #include <string_view>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
+#include <rigor/model/frames.h>
 #include <rigor/rules/context.h>
 #include <rigor/schema/suggest.h>
 #include <rigor/text/edit.h>
 
 namespace rigor::rules {
 
-/// What a name was probably meant to be; empty when nothing is near.
-struct Suggestion {
-  std::string help;  ///< "did you mean 'tip'?"
-  std::optional<Fix>
-      fix;  ///< only where one candidate is near, and the name stands there as it is read
-};
-
-/// The nearest of the candidates for the name that stands at `where`. What refers to another thing is
-/// another robot: whoever wrote the name has to agree.
-inline Suggestion suggest(std::string_view name, const std::vector<std::string>& candidates,
-                          Span where, const Context& context) {
+/// The finding with what the name that is at its place was probably meant to be: "did you mean 'tip'?".
+/// There is a fix only where one candidate is near, and the name is written there as it is read. What
+/// refers to another thing is another robot: whoever wrote the name has to agree.
+inline Finding with_nearest(Finding finding, std::string_view name,
+                            const std::vector<std::string>& candidates, const Context& context) {
   const auto near = schema::near(name, {candidates.begin(), candidates.end()});
-  if (near.empty()) return {};
+  if (near.empty()) return finding;
   const std::string meant(near.front());
-  Suggestion suggestion{"did you mean '" + meant + "'?", {}};
+  finding.help = "did you mean '" + meant + "'?";
   const bool plain = meant.find_first_of("<>&\"'") == std::string::npos;
-  if (near.size() == 1 && plain && context.bytes(where) == name) {
-    suggestion.fix = Fix{"name '" + meant + "'", Applicability::kUnsafe, {{where, meant}}};
+  if (near.size() == 1 && plain && context.bytes(finding.where) == name) {
+    finding.fix = Fix{"name '" + meant + "'", Applicability::kUnsafe, {{finding.where, meant}}};
   }
-  return suggestion;
+  return finding;
 }
 
 /// The same of what `candidates()` gives, as long as the file is worth the effort.
-template <class Candidates>
-Suggestion suggest_of(std::string_view name, const Candidates& candidates, Span where,
-                      Context& context) {
-  if (!context.may_suggest()) return {};
+template <std::invocable Candidates>
+Finding with_nearest(Finding finding, std::string_view name, const Candidates& candidates,
+                     Context& context) {
+  if (!context.may_suggest()) return finding;
   const std::vector<std::string> names = candidates();
   context.compared(names.size());
-  return suggest(name, names, where, context);
+  return with_nearest(std::move(finding), name, names, context);
+}
+
+/// Of a name that leads nowhere.
+inline Finding unresolved(const model::FrameProblem& problem, std::string message,
+                          const Context& context) {
+  return with_nearest(
+      {.where = problem.where, .message = std::move(message), .subject = problem.subject},
+      problem.name, problem.candidates, context);
 }
 
 /// The names of links, joints or whatever else has one.

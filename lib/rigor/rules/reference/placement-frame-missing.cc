@@ -5,55 +5,22 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::placement_frame_missing {
-namespace {
 
 void check(const model::FrameProblem& problem, Context& context) {
-  const Suggestion near = suggest(problem.name, problem.candidates, problem.where, context);
-  context.report({.where = problem.where,
-                  .message = "the placement frame '" + problem.name + "' is nothing in this model",
-                  .subject = problem.subject,
-                  .help = near.help,
-                  .fix = near.fix});
+  context.report(unresolved(
+      problem, "the placement frame '" + problem.name + "' is nothing in this model", context));
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "placement-frame-missing",
-      .category = Category::kReference,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .fix = FixGrade::kUnsafe,
       .summary = "a model is placed by a frame that does not exist",
       .why =
-          "libsdformat refuses the model: its pose is that of the placement frame, which has "
-          "none.",
+          "libsdformat refuses the model: its pose is that of the placement frame, which has none.",
       .what_to_do = "Name a frame, link or joint of the model.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm" placement_frame="«toool»">
-    <pose>1 0 0 0 0 0</pose>
-    <link name="base"/>
-    <frame name="tool"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm" placement_frame="tool">
-    <pose>1 0 0 0 0 0</pose>
-    <link name="base"/>
-    <frame name="tool"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm" placement_frame="tool">
-    <pose>1 0 0 0 0 0</pose>
-    <link name="base"/>
-    <frame name="tool"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_frames({model::FrameProblemKind::kPlacementFrameMissing}, check)},
   };
 }

@@ -8,13 +8,11 @@
 #include <string_view>
 #include <unordered_set>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/reference/nearest.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/xml/xacro.h>
 
 namespace rigor::rules::sensor_frame_missing {
-namespace {
 
 constexpr std::string_view kFrames[] = {"gz_frame_id", "ignition_frame_id", "frameName",
                                         "frame_name"};
@@ -28,23 +26,20 @@ bool is_among(const std::string_view (&list)[count], std::string_view name) {
 
 using Links = std::unordered_set<std::string_view>;
 
-void look_at(xml::Element frame_element, const model::Sensor& sensor, const Links& links,
-             Context& context) {
-  if (!is_among(kFrames, frame_element.name())) return;
-  const std::string_view name = read::trimmed(frame_element.text());
+void look_at(const model::Field<std::string>& field, const model::Sensor& sensor,
+             const Links& links, Context& context) {
+  const std::string_view name = field.value;
   // A namespace may stand in front.
   const std::string_view frame = name.substr(name.rfind('/') + 1);
   if (frame.empty() || links.count(frame) != 0 || is_among(kOutside, frame)) return;
   if (has_xacro(name)) return;
-  const Span where = frame_element.text_span();
-  const Suggestion near = suggest_of(
-      name, [&context] { return names_of(context.root().links); }, where, context);
-  context.report({.where = where,
-                  .message = "the sensor measures in the frame '" + std::string(name) +
-                             "', which is no link of this robot",
-                  .subject = context.subject(sensor),
-                  .help = near.help,
-                  .fix = near.fix});
+  const Span where = field.span;
+  context.report(with_nearest(
+      {.where = where,
+       .message = "the sensor measures in the frame '" + std::string(name) +
+                  "', which is no link of this robot",
+       .subject = context.subject(sensor)},
+      name, [&context] { return names_of(context.root().links); }, context));
 }
 
 void check(const model::Root& root, Context& context) {
@@ -52,74 +47,28 @@ void check(const model::Root& root, Context& context) {
   const Links links = name_set(root.links);
   for (const model::Sensor& sensor : root.sensors) {
     if (!root.own(sensor.site)) continue;
-    for (const xml::Element child : context.element(sensor.site).children()) {
-      look_at(child, sensor, links, context);
-      if (child.name() != "plugin") continue;
-      for (const xml::Element part : child.children()) look_at(part, sensor, links, context);
+    for (const auto& frame : sensor.frames) look_at(frame, sensor, links, context);
+  }
+  for (const model::Plugin& plugin : root.plugins) {
+    if (!plugin.sensor || !root.own(plugin.site)) continue;
+    for (const model::Parameter& given : plugin.parameters) {
+      if (!is_among(kFrames, given.name)) continue;
+      look_at(given.value, root[plugin.sensor], links, context);
     }
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sensor-frame-missing",
-      .category = Category::kReference,
       .severity = Severity::kInfo,
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a sensor measures in a frame that is no link of the robot",
-      .why =
-          "In ROS the frame in the header of a measurement is looked up in tf, where "
-          "robot_state_publisher publishes the links of the URDF. What comes in an unknown "
-          "frame, RViz drops, and navigation waits for, unless something else publishes it.",
+      .why = "In ROS the frame in the header of a measurement is looked up in tf, where "
+             "robot_state_publisher publishes the links of the URDF. What comes in an unknown "
+             "frame, RViz drops, and navigation waits for, unless something else publishes it.",
       .what_to_do = "Name a link of the robot: mostly the one that carries the sensor.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="camera_link"/>
-  <joint name="mount" type="fixed">
-    <parent link="base"/>
-    <child link="camera_link"/>
-  </joint>
-  <gazebo reference="camera_link">
-    <sensor name="level" type="imu">
-      <update_rate>100</update_rate>
-      <gz_frame_id>«camera_lnk»</gz_frame_id>
-    </sensor>
-  </gazebo>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="base"/>
-  <link name="camera_link"/>
-  <joint name="mount" type="fixed">
-    <parent link="base"/>
-    <child link="camera_link"/>
-  </joint>
-  <gazebo reference="camera_link">
-    <sensor name="level" type="imu">
-      <update_rate>100</update_rate>
-      <gz_frame_id>camera_link</gz_frame_id>
-    </sensor>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="camera_link"/>
-  <joint name="mount" type="fixed">
-    <parent link="base"/>
-    <child link="camera_link"/>
-  </joint>
-  <gazebo reference="camera_link">
-    <sensor name="level" type="imu">
-      <update_rate>100</update_rate>
-      <gz_frame_id>camera_link</gz_frame_id>
-    </sensor>
-  </gazebo>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

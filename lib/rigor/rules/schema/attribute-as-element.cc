@@ -3,15 +3,15 @@
 
 #include <string>
 
+#include <rigor/read/values.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/place.h>
 
 namespace rigor::rules::attribute_as_element {
-namespace {
 
 std::optional<Fix> as_attribute(const read::SchemaFact& fact, const Context& context) {
-  const xml::Element element = fact.element;
+  const auto& element = fact.element;
   const auto parent = element.parent();
   const std::string_view value = read::trimmed(element.text());
   const bool plain = element.attributes().empty() && element.children().empty();
@@ -33,46 +33,15 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .fix = as_attribute(fact, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "attribute-as-element",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "an attribute is written as an element",
-      .why =
-          "libsdformat, urdfdom and Gazebo look for it in the start tag and pass over the element "
-          "without a word: what it says has no effect.",
+      .why = "libsdformat, urdfdom and Gazebo look for it in the start tag and pass over the "
+             "element without a word: what it says has no effect.",
       .what_to_do = "Write it into the start tag.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <frame name="lid">
-      <«attached_to»>body</attached_to>
-    </frame>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <frame name="lid" attached_to="body">
-    </frame>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <frame name="lid" attached_to="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kAttributeAsElement}, check)},
   };
 }

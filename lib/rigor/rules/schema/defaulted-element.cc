@@ -13,7 +13,6 @@
 #include <rigor/rules/schema/place.h>
 
 namespace rigor::rules::defaulted_element {
-namespace {
 
 /// Where a silent default surprises: shapes and sensors. What a world, its scene, engine, lights
 /// and materials leave out is nearly always left out on purpose.
@@ -35,41 +34,15 @@ void check(const read::SchemaFact& fact, Context& context) {
       {.where = fact.where, .message = std::move(message), .subject = subject_of(fact.element)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "defaulted-element",
-      .category = Category::kSchema,
       .severity = Severity::kInfo,
       .formats = Formats::kSdf,
       .summary = "a required element is missing, and its default counts",
-      .why =
-          "The format asks for the element; libsdformat puts in its default without a word. For a "
-          "shape's size or a sensor's picture that is rarely what was meant.",
+      .why = "The format asks for the element; libsdformat puts in its default without a word. For "
+             "a shape's size or a sensor's picture that is rarely what was meant.",
       .what_to_do = "Write the element, if only to say that the default is meant.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry>«<sphere/>»</geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kMissingElement}, check)},
   };
 }

@@ -8,15 +8,12 @@
 #include <rigor/rules/schema/place.h>
 
 namespace rigor::rules::deprecated_element {
-namespace {
 
 /// What to do about it: the concise report has the message alone.
-std::string instead_of(const schema::Node& node, xml::Element element) {
-  const auto parent = element.parent();
-  const auto above = parent ? parent->parent() : std::nullopt;
-  if (node.instead() == node.name() && above) {
-    return ": write it in <" + std::string(above->name()) + ">";
-  }
+std::string instead_of(const read::SchemaFact& fact) {
+  const schema::Node& node = *fact.node;
+  const std::string above(fact.ancestor(2));
+  if (node.instead() == node.name() && !above.empty()) return ": write it in <" + above + ">";
   if (!node.instead().empty()) return ": write '" + std::string(node.instead()) + "'";
   return node.doc().starts_with("Without effect") ? ": it has no effect" : "";
 }
@@ -26,42 +23,17 @@ void check(const read::SchemaFact& fact, Context& context) {
   std::string message = "'" + std::string(fact.node->name()) + "' is deprecated";
   if (context.is_sdf() && since) message += " since SDF " + schema::to_string(*since);
   context.report({.where = fact.where,
-                  .message = message + instead_of(*fact.node, fact.element),
+                  .message = message + instead_of(fact),
                   .subject = subject_of(fact.element)});
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "deprecated-element",
-      .category = Category::kSchema,
       .severity = Severity::kInfo,
       .summary = "an element or attribute is deprecated in this version",
       .why = "It still has its effect, and will lose it in a later version of the format.",
       .what_to_do = "Write what the message names in its place.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 0 1"/>
-    <«joint_properties» damping="0.1"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 0 1"/>
-    <dynamics damping="0.1"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kDeprecated}, check)},
   };
 }

@@ -13,7 +13,6 @@
 #include <rigor/rules/schema/place.h>
 
 namespace rigor::rules::element_as_attribute {
-namespace {
 
 /// Those of an element that are children of it, of which the first speaks for all.
 std::vector<xml::Attribute> children_of(xml::Element element, const schema::Node& node) {
@@ -67,85 +66,16 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .fix = as_elements(attributes, fact.element, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "element-as-attribute",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "an element is written as an attribute",
-      .why =
-          "libsdformat, urdfdom and Gazebo look for an element of that name and pass over the "
-          "attribute: what it says has no effect, and the default counts. SDF has most values as "
-          "elements, URDF as attributes.",
+      .why = "libsdformat, urdfdom and Gazebo look for an element of that name and pass over the "
+             "attribute: what it says has no effect, and the default counts. SDF has most values "
+             "as elements, URDF as attributes.",
       .what_to_do = "Write it as a child element.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere «radius»="0.2"/></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>0.2</radius></sphere></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <link name="body">
-      <inertial>
-        <mass>2</mass>
-        <inertia «ixx»="0.1" iyy="0.2" izz="0.2"/>
-      </inertial>
-      <collision name="shape">
-        <geometry><box><size>1 0.2 0.2</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <link name="body">
-      <inertial>
-        <mass>2</mass>
-        <inertia>
-          <ixx>0.1</ixx>
-          <iyy>0.2</iyy>
-          <izz>0.2</izz>
-        </inertia>
-      </inertial>
-      <collision name="shape">
-        <geometry><box><size>1 0.2 0.2</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>0.2</radius></sphere></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema(
           {read::SchemaFactKind::kElementAsAttribute, read::SchemaFactKind::kRemovedInVersion},
           check)},

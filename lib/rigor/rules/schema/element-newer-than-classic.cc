@@ -12,7 +12,6 @@
 #include <rigor/schema/schema.h>
 
 namespace rigor::rules::element_newer_than_classic {
-namespace {
 
 constexpr schema::Version kNewestOfClassic{7};
 
@@ -72,45 +71,18 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "element-newer-than-classic",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .targets = {Target::kGazeboClassic},
       .summary = "an element or attribute is newer than what Gazebo classic reads",
-      .why =
-          "Gazebo classic reads SDF up to 1.7. What came later it passes over: a capsule is no "
-          "shape, an include with merge nests its model, degrees are taken for radians.",
+      .why = "Gazebo classic reads SDF up to 1.7. What came later it passes over: a capsule is no "
+             "shape, an include with merge nests its model, degrees are taken for radians.",
       .what_to_do =
           "Write it as SDF 1.7 has it: a cylinder for a capsule, radians for degrees, the parts "
           "themselves for an include that merges. Each name is told once in a file.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <pose «degrees»="true">0 0 0 0 0 90</pose>
-      <collision name="shape">
-        <geometry><«capsule»><radius>1</radius><length>1</length></capsule></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.7">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><cylinder><radius>1</radius><length>1</length></cylinder></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

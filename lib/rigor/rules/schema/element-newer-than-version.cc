@@ -7,16 +7,14 @@
 #include <rigor/rules/schema/place.h>
 
 namespace rigor::rules::element_newer_than_version {
-namespace {
 
 /// Every version of libsdformat reads an <include> by itself, whatever the version of the file.
-bool of_include(xml::Element element) {
-  const auto parent = element.parent();
-  return element.name() == "include" || (parent && parent->name() == "include");
+bool of_include(const read::SchemaFact& fact) {
+  return fact.element.name() == "include" || fact.ancestor(1) == "include";
 }
 
 void check(const read::SchemaFact& fact, Context& context) {
-  if (context.is_sdf() && of_include(fact.element)) return;
+  if (context.is_sdf() && of_include(fact)) return;
   if (context.is_urdf() && fact.element.name() == "capsule") return;  // shape-newer-than-urdf
   const std::string format = context.is_urdf() ? "URDF " : "SDF ";
   const std::string since = schema::to_string(fact.node->since());
@@ -27,68 +25,14 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .subject = subject_of(fact.element)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "element-newer-than-version",
-      .category = Category::kSchema,
       .severity = Severity::kInfo,
       .summary = "an element or attribute is newer than the version of the file",
-      .why =
-          "A reader that goes by the version of the file passes over it; libsdformat goes by the "
-          "newest version that it knows, so the effect depends on who reads.",
+      .why = "A reader that goes by the version of the file passes over it; libsdformat goes by "
+             "the newest version that it knows, so the effect depends on who reads.",
       .what_to_do = "Raise the version of the file, or write what the older version has.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <inertial «auto»="true">
-        <mass>1</mass>
-        <inertia>
-          <ixx>1</ixx>
-          <iyy>1</iyy>
-          <izz>1</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>1</ixx>
-          <iyy>1</iyy>
-          <izz>1</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.4">
-  <world name="lab">
-    <include>
-      <uri>box</uri>
-      <pose>0 0 9 0 0 0</pose>
-    </include>
-  </world>
-</sdf>
-=== box/model.config
-<model><name>box</name><sdf version="1.4">model.sdf</sdf></model>
-=== box/model.sdf
-<sdf version="1.4">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kNewerThanVersion}, check)},
   };
 }

@@ -10,7 +10,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::element_not_in_gz_sim {
-namespace {
 
 struct Ignored {
   std::string_view name;
@@ -42,41 +41,17 @@ void check(const model::Root& /*root*/, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "element-not-in-gz-sim",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .targets = {Target::kGzSim},
       .summary = "an element that only Gazebo classic acts on",
-      .why =
-          "libsdformat accepts populations, roads, grippers, sound and saved states, and gives "
-          "none of them to the simulator: gz-sim makes nothing of them, and says nothing.",
-      .what_to_do =
-          "Write out the models of a <population>, and the poses of a <state> into the models. A "
-          "road can be a mesh; what grips is a DetachableJoint system.",
-      .bad = {{R"(<sdf version="1.7">
-  <world name="lab">
-    <«road» name="street">
-      <width>3</width>
-      <point>0 0 0</point>
-      <point>9 0 0</point>
-    </road>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.7">
-  <world name="lab">
-    <model name="street">
-      <static>true</static>
-      <link name="body"/>
-    </model>
-  </world>
-</sdf>
-)"}},
+      .why = "libsdformat accepts populations, roads, grippers, sound and saved states, and gives "
+             "none of them to the simulator: gz-sim makes nothing of them, and says nothing.",
+      .what_to_do = "Write out the models of a <population>, and the poses of a <state> into the "
+                    "models. A road can be a mesh; what grips is a DetachableJoint system.",
       .checks = {on<model::Root>(check)},
   };
 }

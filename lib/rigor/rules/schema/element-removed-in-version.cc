@@ -10,19 +10,17 @@
 #include <rigor/rules/schema/value_in_attribute.h>
 
 namespace rigor::rules::element_removed_in_version {
-namespace {
 
-bool is_end_of_joint(xml::Element element) {
-  const auto above = element.parent();
-  return above && above->name() == "joint" &&
-         (element.name() == "parent" || element.name() == "child");
+bool is_end_of_joint(const read::SchemaFact& fact) {
+  const std::string_view name = fact.element.name();
+  return fact.ancestor(1) == "joint" && (name == "parent" || name == "child");
 }
 
 void check(const read::SchemaFact& fact, Context& context) {
   if (written_as_attribute(fact)) return;
   std::optional<Fix> fix;
   if (fact.attribute && holds_value(*fact.attribute, fact.element, *fact.parent)) {
-    if (is_end_of_joint(fact.element)) return;  // missing-element
+    if (is_end_of_joint(fact)) return;  // missing-element
     fix = value_as_text(*fact.attribute, fact.element, context);
   }
   const std::string format = context.is_urdf() ? "URDF " : "SDF ";
@@ -37,55 +35,15 @@ void check(const read::SchemaFact& fact, Context& context) {
        .fix = std::move(fix)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "element-removed-in-version",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "an element or attribute is no longer in the version of the file",
-      .why =
-          "libsdformat passes over it without a word: what it says has no effect. Often the "
-          "version was raised and the rest of the file was not.",
+      .why = "libsdformat passes over it without a word: what it says has no effect. Often the "
+             "version was raised and the rest of the file was not.",
       .what_to_do = "Write what the version has in its place, or lower the version of the file.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <link name="lid">
-      <pose «frame»="body">0 0 1 0 0 0</pose>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <world name="lab">
-    <light name="lamp" type="point">
-      <diffuse «rgba»="1 0 0 1"/>
-    </light>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <light name="lamp" type="point">
-      <diffuse>1 0 0 1</diffuse>
-    </light>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <link name="lid">
-      <pose relative_to="body">0 0 1 0 0 0</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kRemovedInVersion}, check)},
   };
 }

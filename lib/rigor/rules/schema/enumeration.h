@@ -12,6 +12,9 @@
 
 #include <rigor/read/conformance.h>
 #include <rigor/read/values.h>
+#include <rigor/rules/context.h>
+#include <rigor/rules/edits.h>
+#include <rigor/rules/schema/value_text.h>
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules {
@@ -23,16 +26,13 @@ enum class ListKeeper {
   kNobody,   ///< nobody looks, and the simulator does as it likes
 };
 
-inline bool of_force_torque_frame(xml::Element element) {
-  const auto parent = element.parent();
-  return element.name() == "frame" && parent && parent->name() == "force_torque";
+inline bool of_force_torque_frame(const read::SchemaFact& fact) {
+  return fact.element.name() == "frame" && fact.ancestor(1) == "force_torque";
 }
 
-inline bool of_camera_noise(xml::Element element) {
-  const auto noise = element.parent();
-  const auto camera = noise ? noise->parent() : std::nullopt;
-  return element.name() == "type" && noise->name() == "noise" && camera &&
-         camera->name() == "camera";
+inline bool of_camera_noise(const read::SchemaFact& fact) {
+  return fact.element.name() == "type" && fact.ancestor(1) == "noise" &&
+         fact.ancestor(2) == "camera";
 }
 
 inline ListKeeper keeper_of(const read::SchemaFact& fact) {
@@ -47,7 +47,7 @@ inline ListKeeper keeper_of(const read::SchemaFact& fact) {
       element == "format" || (element == "particle_emitter" && attribute == "type") ||
       (element == "atmosphere" && attribute == "type") || element == "surface_model" ||
       element == "world_frame_orientation" || attribute == "rotation_format" ||
-      of_force_torque_frame(fact.element) || of_camera_noise(fact.element);
+      of_force_torque_frame(fact) || of_camera_noise(fact);
   return refused ? ListKeeper::kRefuses : ListKeeper::kNobody;
 }
 
@@ -72,6 +72,15 @@ inline std::string values_of(const read::SchemaFact& fact) {
     text += (text.empty() ? "it is one of " : ", ") + std::string(value);
   }
   return text;
+}
+
+/// Reports it as one that is in no list.
+inline void report_unlisted(const read::SchemaFact& fact, Context& context) {
+  context.report({.where = fact.where,
+                  .message = quoted_fault(fact) + " is none of the values of " + owner_of(fact),
+                  .subject = subject_of(fact.element),
+                  .help = values_of(fact),
+                  .fix = nearest_instead(fact.text, listed_values(fact), fact.where)});
 }
 
 }  // namespace rigor::rules

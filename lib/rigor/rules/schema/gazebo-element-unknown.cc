@@ -16,15 +16,6 @@
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::gazebo_element_unknown {
-namespace {
-
-/// Of these other rules speak.
-constexpr std::string_view kToldElsewhere[] = {"plugin", "sensor"};
-
-bool told_elsewhere(std::string_view name) {
-  return std::find(std::begin(kToldElsewhere), std::end(kToldElsewhere), name) !=
-         std::end(kToldElsewhere);
-}
 
 bool knows(const schema::Node& parent, std::string_view name) {
   return parent.child(name) || parent.child_in_other_version(name);
@@ -56,16 +47,15 @@ bool is_nearest(const std::vector<std::string_view>& near, std::string_view name
 void check(const model::GazeboBlock& block, Context& context) {
   const auto parents = parents_of_copied(block, context);
   if (parents.empty()) return;
-  const xml::Element element = context.element(block.site);
-  for (const xml::Element child : element.children()) {
-    const std::string_view name = child.name();
+  for (const model::Parameter& child : block.content) {
+    const std::string_view name = child.name;
     const bool foreign = name.find(':') != std::string_view::npos;
-    if (foreign || gazebo_key(name) || told_elsewhere(name)) continue;
+    if (foreign || gazebo_key(name)) continue;
     if (std::any_of(parents.begin(), parents.end(),
                     [name](const schema::Node& parent) { return knows(parent, name); })) {
       continue;
     }
-    Finding finding{.where = child.name_span(),
+    Finding finding{.where = child.site.name,
                     .message = "<" + std::string(name) + "> in a <gazebo> block of a " +
                                std::string(parents.front().name()) + " has no effect"};
     const auto near = meant(name, parents);
@@ -74,73 +64,26 @@ void check(const model::GazeboBlock& block, Context& context) {
           (finding.help.empty() ? "did you mean <" : " or <") + std::string(other) + ">";
     }
     if (!near.empty()) finding.help += "?";
-    if (is_nearest(near, name) && !element.child(near.front())) {
+    if (is_nearest(near, name) && find(block.content, near.front()) == nullptr) {
       finding.fix = fix_of("write <" + std::string(near.front()) + ">", Applicability::kUnsafe,
-                           xml::rename_element(context.document(), child, near.front()));
+                           renamed(context, child.site, near.front()));
     }
     context.report(std::move(finding));
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "gazebo-element-unknown",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "an element of a <gazebo> block that neither the converter nor SDF knows",
       .why =
           "libsdformat turns a list of names into SDF (mu1, kp, selfCollide, turnGravityOff, …) "
-          "and "
-          "copies every other element as it is into the link, the joint or the model. Gazebo "
+          "and copies every other element as it is into the link, the joint or the model. Gazebo "
           "passes over what SDF does not know there, so a slip in a name is lost without a word.",
       .what_to_do = "Write the name that was meant; letter case counts.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="base">
-    <«selfCollid»>true</selfCollid>
-    <«turngravityoff»>true</turngravityoff>
-  </gazebo>
-  <gazebo>
-    <«statc»>true</statc>
-  </gazebo>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="base">
-    <selfCollide>true</selfCollide>
-    <turnGravityOff>true</turnGravityOff>
-  </gazebo>
-  <gazebo>
-    <static>true</static>
-  </gazebo>
-</robot>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="base">
-    <«mu»>0.3</mu>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="base">
-    <selfCollide>true</selfCollide>
-    <mu1>0.3</mu1>
-    <enable_wind>true</enable_wind>
-    <ours:note>weighed in May</ours:note>
-  </gazebo>
-  <gazebo>
-    <static>true</static>
-    <self_collide>true</self_collide>
-  </gazebo>
-</robot>
-)"}},
       .checks = {on<model::GazeboBlock>(check)},
   };
 }

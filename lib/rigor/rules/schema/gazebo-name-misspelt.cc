@@ -3,8 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
@@ -13,7 +11,6 @@
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::gazebo_name_misspelt {
-namespace {
 
 using Kind = read::SchemaFactKind;
 
@@ -56,64 +53,18 @@ void check(const model::GazeboBlock& block, Context& context) {
   });
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "gazebo-name-misspelt",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a name inside a sensor of a <gazebo> block is nearly one of SDF",
-      .why =
-          "libsdformat copies sensors, and all else that a <gazebo> block has of SDF, into the "
-          "link "
-          "or the joint, and Gazebo passes over the names that it does not know there: the default "
-          "counts instead of what is written, and nobody says so. Names that are near to none of "
-          "SDF are left alone; a plugin may read them.",
+      .why = "libsdformat copies sensors, and all else that a <gazebo> block has of SDF, into the "
+             "link or the joint, and Gazebo passes over the names that it does not know there: the "
+             "default counts instead of what is written, and nobody says so. Names that are near "
+             "to none of SDF are left alone; a plugin may read them.",
       .what_to_do = "Write the name that was meant; letter case counts.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="base">
-    <sensor name="eye" type="camera">
-      <«alway_on»>true</alway_on>
-      <camera>
-        <«horizontal_fv»>1.2</horizontal_fv>
-        <image><width>64</width><«heigth»>48</heigth></image>
-      </camera>
-    </sensor>
-  </gazebo>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="base">
-    <sensor name="eye" type="camera">
-      <always_on>true</always_on>
-      <camera>
-        <horizontal_fov>1.2</horizontal_fov>
-        <image><width>64</width><height>48</height></image>
-      </camera>
-    </sensor>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="base">
-    <sensor name="eye" type="camera">
-      <camera>
-        <horizontal_fov>1.2</horizontal_fov>
-        <image><width>64</width><height>48</height></image>
-      </camera>
-      <gz_frame_id>eye</gz_frame_id>
-      <shutter_speed>0.01</shutter_speed>
-      <plugin name="eye" filename="libeye.so"><heigth>48</heigth></plugin>
-    </sensor>
-  </gazebo>
-</robot>
-)"}},
       .checks = {on<model::GazeboBlock>(check)},
   };
 }

@@ -14,10 +14,10 @@
 #include <rigor/rules/schema/gazebo_content.h>
 #include <rigor/rules/schema/refused_value.h>
 #include <rigor/rules/schema/value_text.h>
+#include <rigor/rules/sdformat_robot.h>
 #include <rigor/text/letter_case.h>
 
 namespace rigor::rules::gazebo_value_malformed {
-namespace {
 
 using FaultKind = schema::ValueFault::Kind;
 
@@ -198,119 +198,20 @@ void check(const model::GazeboBlock& block, Context& context) {
   check_sdf(block, context);
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "gazebo-value-malformed",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.urdf = Refusal::kSays},
       .formats = Formats::kUrdf,
       .summary = "a value in a <gazebo> block is not what its place takes",
-      .why =
-          "libsdformat reads the numbers of mu1, kp and their like up to what is no part of them: "
-          "<mu1>0,8</mu1> is no friction at all. Where there is no number, its process aborts, and "
-          "Gazebo with it. A truth that it does not know counts as false, of turnGravityOff as "
-          "true. What it copies into the SDF, a sensor, it reads as SDF: it refuses the file for "
-          "a word instead of a number, and shortens 0,1 to 0.",
-      .what_to_do =
-          "Write a value of the kind that the message names, with a point in numbers. No comment "
-          "may stand before it.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="base">
-    <mu1>«0,8»</mu1>
-    <turnGravityOff>«maybe»</turnGravityOff>
-    <maxContacts>«3.5»</maxContacts>
-  </gazebo>
-</robot>
-)"},
-              {R"(<robot name="arm">
-  <link name="base">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>
-    </inertial>
-  </link>
-  <gazebo reference="base">
-    <kp>«stiff»</kp>
-  </gazebo>
-</robot>
-)"},
-              {R"(<robot name="arm">
-  <link name="base">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>
-    </inertial>
-  </link>
-  <gazebo reference="base">
-    <mu1><!-- of rubber -->«0.8»</mu1>
-  </gazebo>
-</robot>
-)"},
-              {R"(<robot name="arm">
-  <link name="base">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>
-    </inertial>
-  </link>
-  <gazebo reference="base">
-    <sensor name="eye" type="camera">
-      <camera>
-        <horizontal_fov>«wide»</horizontal_fov>
-        <image><«width»></width><height>48</height></image>
-        <clip><near>«0,1»</near><far>10</far></clip>
-      </camera>
-    </sensor>
-  </gazebo>
-</robot>
-)"},
-              {R"(<robot name="arm">
-  <link name="base">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>
-    </inertial>
-  </link>
-  <gazebo reference="base">
-    <sensor name="eye" type="camera">
-      <camera>
-        <image><width>«32x»</width><height>48</height></image>
-      </camera>
-    </sensor>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>
-    </inertial>
-  </link>
-  <gazebo reference="base">
-    <material>Gazebo/Orange</material>
-    <mu1 value="0.8"/>
-    <kp>1e6</kp>
-    <fdir1>1 0 0</fdir1>
-    <maxContacts>10.0</maxContacts>
-    <turnGravityOff>No</turnGravityOff>
-    <gravity>true</gravity>
-    <sensor name="eye" type="camera">
-      <update_rate>30</update_rate>
-      <camera>
-        <horizontal_fov>1.2</horizontal_fov>
-        <image><width>64</width><height>48</height></image>
-        <clip><near>0.1</near><far>10</far></clip>
-      </camera>
-      <plugin name="eye" filename="libeye.so"><near>0,1</near></plugin>
-    </sensor>
-  </gazebo>
-</robot>
-)"}},
+      .why = "libsdformat reads the numbers of mu1, kp and their like up to what is no part of "
+             "them: <mu1>0,8</mu1> is no friction at all. Where there is no number, its process "
+             "aborts, and Gazebo with it. A truth that it does not know counts as false, of "
+             "turnGravityOff as true. What it copies into the SDF, a sensor, it reads as SDF: it "
+             "refuses the file for a word instead of a number, and shortens 0,1 to 0.",
+      .what_to_do = "Write a value of the kind that the message names, with a point in numbers. No "
+                    "comment may stand before it.",
       .checks = {on<model::GazeboBlock>(check)},
   };
 }

@@ -10,7 +10,6 @@
 #include <rigor/rules/schema/place.h>
 
 namespace rigor::rules::misplaced_element {
-namespace {
 
 constexpr std::size_t kMostPlaces = 3;  // a longer list is read by nobody
 
@@ -22,71 +21,29 @@ std::string list(const std::vector<std::string>& places) {
   return places.size() > kMostPlaces ? text + " and others" : text;
 }
 
-/// The models, links and lights of a world's <state> have the names of others, and hold less.
-bool in_state(xml::Element element) {
-  for (auto at = element.parent(); at; at = at->parent()) {
-    if (at->name() == "state") return true;
-  }
-  return false;
-}
-
 void check(const read::SchemaFact& fact, Context& context) {
   const schema::Version version = fact.parent->version();
   const std::string name(fact.element.name());
   const auto places = context.schema()->parents_of(name, version);
   if (places.empty()) return;  // unknown-element
+  // The models, links and lights of a world's <state> have the names of others, and hold less.
   context.report({.where = fact.where,
                   .message = "<" + name + "> has no effect in <" +
                              std::string(fact.parent->name()) +
-                             (in_state(fact.element) ? "> of a <state>" : ">"),
+                             (fact.is_inside("state") ? "> of a <state>" : ">"),
                   .subject = subject_of(fact.element),
                   .help = "it belongs in " + list(places)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "misplaced-element",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .summary = "an element stands where the format does not look for it",
       .why =
-          "libsdformat, urdfdom and Gazebo look for it somewhere else and pass over it here, "
-          "newer libsdformat with a warning, the others without a word: what it says has no "
-          "effect.",
+          "libsdformat, urdfdom and Gazebo look for it somewhere else and pass over it here, newer "
+          "libsdformat with a warning, the others without a word: what it says has no effect.",
       .what_to_do = "Move it to the element that the message names.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <«mass»>3</mass>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="box">
-  <link name="body">
-    <«mass» value="3"/>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <inertial>
-        <mass>3</mass>
-        <inertia>
-          <ixx>1</ixx>
-          <iyy>1</iyy>
-          <izz>1</izz>
-        </inertia>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kUnknownElement}, check)},
   };
 }

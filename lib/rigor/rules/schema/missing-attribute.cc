@@ -10,7 +10,6 @@
 #include <rigor/rules/schema/refused_value.h>
 
 namespace rigor::rules::missing_attribute {
-namespace {
 
 /// What stands there in its place: another spelling, or a child element.
 std::string instead(const read::SchemaFact& fact, std::string_view name) {
@@ -19,7 +18,7 @@ std::string instead(const read::SchemaFact& fact, std::string_view name) {
     if (schema::near(attribute.name(), {name}).empty()) continue;
     return "did you mean '" + std::string(name) + "' by '" + std::string(attribute.name()) + "'?";
   }
-  if (!fact.element.child(name)) return {};
+  if (!fact.has_child(name)) return {};
   return "<" + std::string(name) + "> is written as a child: it is an attribute";
 }
 
@@ -34,19 +33,19 @@ std::optional<Fix> respelt(const read::SchemaFact& fact, std::string_view name) 
   return std::nullopt;
 }
 
-bool looks_at_axis(xml::Element joint) {
-  const auto type = joint.attribute("type");
+bool looks_at_axis(const read::SchemaFact& fact) {
+  const auto type = fact.element.parent()->attribute("type");
   return !type || (type->value() != "fixed" && type->value() != "floating");
 }
 
 /// urdfdom takes the default where there is one (but of an axis), passes over a colour or texture without
 /// a value, and reads no sensors.
-bool needed(xml::Element element, const schema::Node& attribute, const Context& context) {
-  const std::string_view name = element.name();
+bool needed(const read::SchemaFact& fact, const schema::Node& attribute, const Context& context) {
+  const std::string_view name = fact.element.name();
   if (name == "sdf" || name == "gazebo")
     return attribute.name() != "version";  // sdf-version-missing
   if (!context.is_urdf()) return true;
-  if (name == "axis") return attribute.name() == "xyz" && looks_at_axis(*element.parent());
+  if (name == "axis") return attribute.name() == "xyz" && looks_at_axis(fact);
   return !attribute.default_value() && name != "color" && name != "texture" && name != "sensor";
 }
 
@@ -55,7 +54,7 @@ std::string missing(const read::SchemaFact& fact, const Context& context) {
   std::string names;
   for (const schema::Node attribute : fact.parent->required_attributes()) {
     if (fact.element.attribute(attribute.name())) continue;
-    if (!needed(fact.element, attribute, context)) continue;
+    if (!needed(fact, attribute, context)) continue;
     names += (names.empty() ? "'" : ", '") + std::string(attribute.name()) + "'";
   }
   return names;
@@ -69,7 +68,7 @@ bool urdf_refused(const read::SchemaFact& fact) {
 
 void check(const read::SchemaFact& fact, Context& context) {
   const std::string_view name = fact.node->name();
-  if (!needed(fact.element, *fact.node, context)) return;
+  if (!needed(fact, *fact.node, context)) return;
   const std::string names = missing(fact, context);
   if (!names.starts_with("'" + std::string(name) + "'")) return;  // told at the first of them
   context.report({.where = fact.where,
@@ -80,89 +79,17 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .refused = urdf_refused(fact)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "missing-attribute",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "a required attribute is missing",
-      .why =
-          "libsdformat refuses the file at this element. urdfdom refuses the robot, or stops "
-          "reading the link: this part and all that follow are not there. The joint of an <axis> "
-          "without xyz has the axis 0 0 0.",
+      .why = "libsdformat refuses the file at this element. urdfdom refuses the robot, or stops "
+             "reading the link: this part and all that follow are not there. The joint of an "
+             "<axis> without xyz has the axis 0 0 0.",
       .what_to_do = "Add the attribute.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    «<link nmae="body">»
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="box">
-  <link name="body">
-    <collision>
-      <geometry>«<sphere/>»</geometry>
-    </collision>
-  </link>
-</robot>
-)"},
-              {R"(<robot name="box">
-  <link name="body">
-    <inertial>
-      <mass value="1"/>
-      «<inertia/>»
-    </inertial>
-  </link>
-</robot>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="hinge" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    «<axis xyx="0 1 0"/>»
-  </joint>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="hinge" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 1 0"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-               {R"(<robot name="box">
-  <link name="body">
-    <collision>
-      <geometry><sphere radius="1"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kMissingAttribute}, check)},
   };
 }

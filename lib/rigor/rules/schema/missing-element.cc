@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
@@ -14,7 +13,6 @@
 #include <rigor/rules/xml/xacro.h>
 
 namespace rigor::rules::missing_element {
-namespace {
 
 void check(const read::SchemaFact& fact, Context& context) {
   const std::string name(fact.node->name());
@@ -57,99 +55,18 @@ void check_ends(const model::Joint& joint, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "missing-element",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "a required element is missing",
-      .why =
-          "libsdformat refuses a joint that lacks its parent or child, and gives a mesh without "
-          "<uri> a name that no file has. urdfdom refuses the robot, or stops reading the link: "
-          "this part and all that follow are not there, first the visuals, then the collisions. "
-          "Other required elements of SDF have a default: see defaulted-element.",
+      .why = "libsdformat refuses a joint that lacks its parent or child, and gives a mesh without "
+             "<uri> a name that no file has. urdfdom refuses the robot, or stops reading the link: "
+             "this part and all that follow are not there, first the visuals, then the collisions. "
+             "Other required elements of SDF have a default: see defaulted-element.",
       .what_to_do = "Add the element.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    «<joint name="hinge" type="fixed">»
-      <child>body</child>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <joint name="hinge" type="fixed">
-      <parent>world</parent>
-      «<child link="body"/>»
-    </joint>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <joint name="hinge" type="fixed">
-      <parent>world</parent>
-      <child>body</child>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="box">
-  <link name="body"/>
-  <link name="lid"/>
-  «<joint name="hinge" type="fixed">»
-    <paent link="body"/>
-    <child link="lid"/>
-  </joint>
-</robot>
-)",
-               R"(<robot name="box">
-  <link name="body"/>
-  <link name="lid"/>
-  <joint name="hinge" type="fixed">
-    <parent link="body"/>
-    <child link="lid"/>
-  </joint>
-</robot>
-)"},
-              {R"(<robot name="box">
-  <link name="body">
-    «<inertial>»
-      <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
-    </inertial>
-  </link>
-</robot>
-)"},
-              {R"(<robot name="arm">
-  <link name="base">
-    «<visual>»
-      <origin xyz="0 0 1"/>
-    </visual>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <joint name="hinge" type="fixed">
-      <parent>world</parent>
-      <child>body</child>
-    </joint>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kMissingElement}, check),
                  on<model::Joint>(check_ends)},
   };

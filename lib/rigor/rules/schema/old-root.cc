@@ -1,11 +1,11 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <rigor/read/fact.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::old_root {
-namespace {
 
 void check(const read::Fact& fact, Context& context) {
   context.report(
@@ -15,12 +15,9 @@ void check(const read::Fact& fact, Context& context) {
                      xml::rename_element(context.document(), *context.document().root(), "sdf"))});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "old-root",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
@@ -28,27 +25,6 @@ Rule rule() {
       .summary = "the root element is <gazebo>, as before SDF 1.3",
       .why = "libsdformat refuses the file today: it looks for <sdf>.",
       .what_to_do = "Upgrade the file to a current version.",
-      .bad = {{R"(<«gazebo» version="1.2">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</gazebo>
-)",
-               R"(<sdf version="1.2">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_read({read::FactKind::kOldRoot}, check)},
   };
 }

@@ -44,15 +44,20 @@ inline bool is_truth(std::string_view text) {
          schema::edit_distance(word, "false", 0) == 0;
 }
 
+/// What the element is in another version of the format; nothing when that does not have it.
+inline std::optional<schema::Node> node_in(schema::Version version, xml::Element element,
+                                           const schema::Schema& schema) {
+  const auto parent = element.parent();
+  if (!parent) return schema.root(element.name(), version);
+  const auto around = node_in(version, *parent, schema);
+  return around ? around->child(element.name()) : std::nullopt;
+}
+
 /// Whether SDF 1.9, the latest that libsdformat 12 knows, has the element: else it does not look at it.
 inline bool known_to_sdformat(xml::Element element, const Context& context) {
   constexpr int kLatest = 9;
   if (context.root().version <= kLatest) return true;
-  std::vector<xml::Element> path{element};
-  while (const auto parent = path.back().parent()) path.push_back(*parent);
-  auto node = context.schema()->root(path.back().name(), {kLatest});
-  for (std::size_t i = path.size() - 1; node && i-- > 0;) node = node->child(path[i].name());
-  return node.has_value();
+  return node_in({kLatest}, element, *context.schema()).has_value();
 }
 
 /// Whether libsdformat refuses a value of SDF for a fault. Numbers are read up to what is no part of

@@ -16,7 +16,6 @@
 #include <rigor/schema/value.h>
 
 namespace rigor::rules::repeated_element {
-namespace {
 
 /// Readers take all of these, whatever the format says: of a multicamera the cameras, of a contact
 /// sensor the collisions, of a script its folders, of a polyline its holes.
@@ -129,54 +128,16 @@ void check(const read::SchemaFact& fact, Context& context) {
                                 without_others(fact, context))});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "repeated-element",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "an element stands twice where one can be read",
-      .why =
-          "libsdformat, urdfdom and Gazebo read the first and pass over the others without a "
-          "word: half of what the file says has no effect. Where all say the same, nothing is lost "
-          "and nothing is said.",
+      .why = "libsdformat, urdfdom and Gazebo read the first and pass over the others without a "
+             "word: half of what the file says has no effect. Where all say the same, nothing is "
+             "lost and nothing is said.",
       .what_to_do = "Keep one of them.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <pose>0 0 1 0 0 0</pose>
-    <«pose»>0 0 2 0 0 0</pose>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <pose>0 0 1 0 0 0</pose>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <pose>0 0 1 0 0 0</pose>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <pose>0 0 1 0 0 0</pose>
-    <pose>0 0 1.0 0 -0 0</pose>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kRepeatedElement}, check)},
   };
 }

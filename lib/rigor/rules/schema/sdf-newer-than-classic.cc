@@ -1,12 +1,9 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <string>
-
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sdf_newer_than_classic {
-namespace {
 
 constexpr int kNewestOfClassic = 7;
 
@@ -17,38 +14,19 @@ void check(const model::Root& root, Context& context) {
                              root.version_text.value});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sdf-newer-than-classic",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .targets = {Target::kGazeboClassic},
       .summary = "a file is newer than what Gazebo classic reads",
-      .why =
-          "Gazebo 11, the last Gazebo classic, reads by libsdformat 9, which knows SDF up to 1.7. "
-          "It says that it is unable to convert the version, and what came later has no effect, "
-          "if the model is loaded at all.",
-      .what_to_do =
-          "Write version=\"1.7\" when the file uses nothing newer (element-newer-than-classic "
-          "names what is), or keep a file for each simulator and name both in model.config: each "
-          "takes the newest that it can read.",
-      .bad = {{R"(<sdf version="«1.9»">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.7">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
+      .why = "Gazebo 11, the last Gazebo classic, reads by libsdformat 9, which knows SDF up to "
+             "1.7. It says that it is unable to convert the version, and what came later has no "
+             "effect, if the model is loaded at all.",
+      .what_to_do = "Write version=\"1.7\" when the file uses nothing newer "
+                    "(element-newer-than-classic names what is), or keep a file for each simulator "
+                    "and name both in model.config: each takes the newest that it can read.",
       .checks = {on<model::Root>(check)},
   };
 }

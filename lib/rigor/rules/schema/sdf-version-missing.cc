@@ -5,11 +5,11 @@
 #include <string>
 
 #include <rigor/read/conformance.h>
+#include <rigor/read/fact.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sdf_version_missing {
-namespace {
 
 /// Whether each element and attribute that some version knows is known to this one.
 bool knows_all(const schema::Node& root, const xml::Document& document) {
@@ -42,12 +42,9 @@ void check(const read::Fact& fact, Context& context) {
                   .fix = declare_version(context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sdf-version-missing",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
@@ -55,58 +52,6 @@ Rule rule() {
       .summary = "the root element has no version",
       .why = "libsdformat and Gazebo refuse the file: what it means depends on the version.",
       .what_to_do = "Write the version that the file was made for, as in <sdf version=\"1.9\">.",
-      .bad = {{R"(«<sdf>»
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.12">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-              // The last version that has the element is 1.6.
-              {R"(«<sdf>»
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <use_parent_model_frame>true</use_parent_model_frame>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.6">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>
-        <xyz>0 0 1</xyz>
-        <use_parent_model_frame>true</use_parent_model_frame>
-      </axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_read({read::FactKind::kVersionMissing}, check)},
   };
 }

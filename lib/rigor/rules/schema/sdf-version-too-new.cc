@@ -3,10 +3,11 @@
 
 #include <string>
 
+#include <rigor/read/fact.h>
 #include <rigor/rules/rule.h>
+#include <rigor/schema/version.h>
 
 namespace rigor::rules::sdf_version_too_new {
-namespace {
 
 void check(const read::Fact& fact, Context& context) {
   const std::string known = schema::to_string(schema::Version{context.root().version});
@@ -15,33 +16,15 @@ void check(const read::Fact& fact, Context& context) {
                              ", the newest that is known here: it is checked as " + known});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sdf-version-too-new",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "the file is newer than what rigor knows",
-      .why =
-          "What the version added is not known here, so findings about unknown elements may be "
-          "wrong.",
+      .why = "What the version added is not known here, so findings about unknown elements may be "
+             "wrong.",
       .what_to_do = "Use a newer rigor; or, if the number is a mistake, correct it.",
-      .bad = {{R"(<sdf version="«1.99»">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_read({read::FactKind::kVersionTooNew}, check)},
   };
 }

@@ -3,10 +3,11 @@
 
 #include <string_view>
 
+#include <rigor/read/fact.h>
 #include <rigor/rules/rule.h>
+#include <rigor/schema/version.h>
 
 namespace rigor::rules::sdf_version_unknown {
-namespace {
 
 /// libsdformat takes any number, and comes to an end over what is none.
 bool no_number(std::string_view version) {
@@ -21,34 +22,16 @@ void check(const read::Fact& fact, Context& context) {
                   .refused = no_number(fact.name)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sdf-version-unknown",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays},
       .formats = Formats::kSdf,
       .summary = "no such version of SDF exists",
-      .why =
-          "libsdformat cannot convert the file and reads it as if it were the newest version; "
-          "some words make it crash.",
+      .why = "libsdformat cannot convert the file and reads it as if it were the newest version; "
+             "some words make it crash.",
       .what_to_do = "Write a version that exists: 1.0, and 1.2 to 1.12.",
-      .bad = {{R"(<sdf version="«1.1»">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_read({read::FactKind::kVersionUnknown}, check)},
   };
 }

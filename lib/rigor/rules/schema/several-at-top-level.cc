@@ -1,10 +1,10 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <rigor/read/fact.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::several_at_top_level {
-namespace {
 
 void check(const read::Fact& fact, Context& context) {
   context.report({.where = fact.where,
@@ -13,36 +13,15 @@ void check(const read::Fact& fact, Context& context) {
                              "actor or light"});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "several-at-top-level",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .formats = Formats::kSdf,
       .summary = "a file has more than one model, actor or light at its top",
       .why = "libsdformat takes the first and reports an error for the rest.",
       .what_to_do = "Put the others into files of their own, or all of them into a <world>.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-  <«model» name="lid">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_read({read::FactKind::kMoreAtTopLevel}, check)},
   };
 }

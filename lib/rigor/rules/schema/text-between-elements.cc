@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <rigor/read/values.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/place.h>
@@ -17,7 +18,6 @@
 #include <rigor/schema/value.h>
 
 namespace rigor::rules::text_between_elements {
-namespace {
 
 /// `<mass>3</mass>` in URDF: missing-attribute says what is wrong.
 bool meant_as_attribute(const read::SchemaFact& fact, const Context& context) {
@@ -49,7 +49,7 @@ std::optional<schema::Node> meant_child(const read::SchemaFact& fact, std::strin
   for (const schema::Node child : fact.node->children()) {
     const bool one = child.type() == schema::Type::kDouble || child.type() == schema::Type::kFloat;
     if (!one && !has_several_numbers(child.type())) continue;
-    if (fact.element.child(child.name()) || schema::check(child.type(), numbers)) continue;
+    if (fact.has_child(child.name()) || schema::check(child.type(), numbers)) continue;
     if (!one) several.push_back(child);
     if (child.cardinality() == schema::Cardinality::kOne) required.push_back(child);
   }
@@ -86,78 +86,17 @@ void check(const read::SchemaFact& fact, Context& context) {
   context.report(std::move(finding));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "text-between-elements",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "characters stand where nobody reads them",
-      .why =
-          "libsdformat, urdfdom and Gazebo take the first run of text of an element that has a "
-          "value, and no text of one that has none: the rest has no effect. A comment inside a "
-          "number splits it, and the first part counts.",
-      .what_to_do =
-          "Remove the characters, or make them a comment. Numbers go into the element that is "
-          "meant.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">«the box itself»</link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"></link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>5<!-- or -->«6»</radius></sphere></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis>«0 1 0»</axis>
-    </joint>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <link name="base"/>
-    <link name="tip"/>
-    <joint name="elbow" type="revolute">
-      <parent>base</parent>
-      <child>tip</child>
-      <axis><xyz>0 1 0</xyz></axis>
-    </joint>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"><!-- the box itself --></link>
-  </model>
-</sdf>
-)"}},
+      .why = "libsdformat, urdfdom and Gazebo take the first run of text of an element that has a "
+             "value, and no text of one that has none: the rest has no effect. A comment inside a "
+             "number splits it, and the first part counts.",
+      .what_to_do = "Remove the characters, or make them a comment. Numbers go into the element "
+                    "that is meant.",
       .checks = {on_schema({read::SchemaFactKind::kLostText}, check)},
   };
 }

@@ -13,7 +13,6 @@
 #include <rigor/rules/schema/value_in_attribute.h>
 
 namespace rigor::rules::unknown_attribute {
-namespace {
 
 constexpr std::uint32_t kNearby = 100;  // elements: the next joint is some 20 further on
 
@@ -53,85 +52,16 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .fix = std::move(fix)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "unknown-attribute",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "an attribute that the format does not have",
       .why = "libsdformat warns, urdfdom and Gazebo say nothing; what it says has no effect.",
-      .what_to_do =
-          "Write the name that was meant. Attributes of your own take a prefix, as "
-          "mine:note=\"…\", and are left alone; so are those that several joints or links of a "
-          "URDF "
-          "have alike.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <frame name="lid" «atached_to»="body"/>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <frame name="lid" attached_to="body"/>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <link name="body">
-      <inertial>
-        <mass «value»="2"/>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <link name="body">
-      <inertial>
-        <mass>2</mass>
-      </inertial>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="box">
-  <link name="body" «colour»="red"/>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <frame name="lid" attached_to="body"/>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-               {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="upper"/>
-  <link name="lower"/>
-  <joint name="shoulder" type="continuous">
-    <parent link="base"/>
-    <child link="upper"/>
-    <dynamics damping="1" mu_viscous="16"/>
-  </joint>
-  <joint name="elbow" type="continuous">
-    <parent link="upper"/>
-    <child link="lower"/>
-    <dynamics damping="1" mu_viscous="12"/>
-  </joint>
-</robot>
-)"}},
+      .what_to_do = "Write the name that was meant. Attributes of your own take a prefix, as "
+                    "mine:note=\"…\", and are left alone; so are those that several joints or "
+                    "links of a URDF have alike.",
       .checks = {on_schema({read::SchemaFactKind::kUnknownAttribute}, check)},
   };
 }

@@ -10,23 +10,19 @@
 #include <rigor/rules/schema/place.h>
 
 namespace rigor::rules::unknown_element {
-namespace {
 
 /// What no version of SDF has and gz-sensors reads all the same: libsdformat copies it.
-bool read_by_gazebo(xml::Element element) {
-  const std::string_view name = element.name();
-  const auto parent = element.parent();
-  return (name == "gz_frame_id" || name == "ignition_frame_id") && parent &&
-         parent->name() == "sensor";
+bool read_by_gazebo(const read::SchemaFact& fact) {
+  const std::string_view name = fact.element.name();
+  return (name == "gz_frame_id" || name == "ignition_frame_id") && fact.ancestor(1) == "sensor";
 }
 
 /// What `missing-element` and `geometry-empty` tell.
 bool is_told_as_missing(const read::SchemaFact& fact, const Context& context) {
   const std::string_view parent = fact.parent->name();
   if (context.is_urdf() && parent == "geometry") return true;
-  const xml::Element element = *fact.element.parent();
   for (const schema::Node required : fact.parent->required_children()) {
-    if (element.child(required.name()) || !is_needed(parent, required.name(), context)) continue;
+    if (fact.has_sibling(required.name()) || !is_needed(parent, required.name(), context)) continue;
     if (!schema::near(fact.element.name(), {required.name()}).empty()) return true;
   }
   return false;
@@ -36,10 +32,10 @@ void check(const read::SchemaFact& fact, Context& context) {
   const schema::Version version = fact.parent->version();
   const std::string_view name = fact.element.name();
   if (!context.schema()->parents_of(name, version).empty()) return;  // misplaced-element
-  if (read_by_gazebo(fact.element) || is_told_as_missing(fact, context)) return;
+  if (read_by_gazebo(fact) || is_told_as_missing(fact, context)) return;
   const auto near = schema::near(name, node_names(fact.parent->children()));
   std::optional<Fix> fix;
-  if (near.size() == 1 && !fact.element.parent()->child(near.front())) {
+  if (near.size() == 1 && !fact.has_sibling(near.front())) {
     const std::string meant(near.front());
     fix = fix_of("write <" + meant + ">", Applicability::kUnsafe,
                  xml::rename_element(context.document(), fact.element, meant));
@@ -52,71 +48,17 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .fix = std::move(fix)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "unknown-element",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "an element that the format does not have",
       .why =
           "libsdformat, urdfdom and Gazebo pass over it and all it holds, newer libsdformat with a "
           "warning, the others without a word: what it says has no effect. Most are misspelt.",
-      .what_to_do =
-          "Write the name that was meant. Elements of your own take a prefix, as <mine:note>, and "
-          "are left alone.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <«visul» name="shape"/>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape"/>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="box">
-  <link name="body">
-    <«colission»/>
-  </link>
-</robot>
-)",
-               R"(<robot name="box">
-  <link name="body">
-    <collision/>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <mine:note xmlns:mine="urn:mine">ours</mine:note>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <sensor name="eye" type="imu">
-        <gz_frame_id>eye</gz_frame_id>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .what_to_do = "Write the name that was meant. Elements of your own take a prefix, as "
+                    "<mine:note>, and are left alone.",
       .checks = {on_schema({read::SchemaFactKind::kUnknownElement}, check)},
   };
 }

@@ -4,11 +4,11 @@
 #include <string>
 #include <utility>
 
+#include <rigor/read/fact.h>
 #include <rigor/rules/rule.h>
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::unknown_root {
-namespace {
 
 void check(const read::Fact& fact, Context& context) {
   const auto near = schema::near(fact.name, {"sdf", "robot"});
@@ -20,25 +20,15 @@ void check(const read::Fact& fact, Context& context) {
                   .help = std::move(help)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "unknown-root",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "the root element is of no model format",
       .why = "libsdformat looks for <sdf>, urdfdom for <robot>; both refuse anything else.",
-      .what_to_do =
-          "Wrap the content in the root element of its format. A <world> or <model> goes into "
-          "<sdf version=\"1.9\">.",
-      .bad = {{R"(<«world» name="lab"/>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab"/>
-</sdf>
-)"}},
+      .what_to_do = "Wrap the content in the root element of its format. A <world> or <model> goes "
+                    "into <sdf version=\"1.9\">.",
       .checks = {on_read({read::FactKind::kUnknownRoot}, check)},
   };
 }

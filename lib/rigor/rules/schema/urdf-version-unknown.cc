@@ -1,11 +1,11 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <rigor/read/fact.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::urdf_version_unknown {
-namespace {
 
 void check(const read::Fact& fact, Context& context) {
   context.report({.where = fact.where,
@@ -13,12 +13,9 @@ void check(const read::Fact& fact, Context& context) {
                   .fix = Fix{"write 1.0", Applicability::kUnsafe, {{fact.where, "1.0"}}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "urdf-version-unknown",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.urdf = Refusal::kAlways},
       .formats = Formats::kUrdf,
@@ -26,18 +23,6 @@ Rule rule() {
       .summary = "no such version of URDF exists",
       .why = "urdfdom refuses the robot: it knows 1.0 and, in its newest release, 1.2.",
       .what_to_do = "Write version=\"1.0\", or leave the attribute out.",
-      .bad = {{R"(<robot name="box" version="«2.0»">
-  <link name="body"/>
-</robot>
-)",
-               R"(<robot name="box" version="1.0">
-  <link name="body"/>
-</robot>
-)"}},
-      .good = {{R"(<robot name="box" version="1.0">
-  <link name="body"/>
-</robot>
-)"}},
       .checks = {on_read({read::FactKind::kVersionUnknown}, check)},
   };
 }

@@ -5,7 +5,6 @@
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_bad_color {
-namespace {
 
 using FaultKind = schema::ValueFault::Kind;
 
@@ -17,43 +16,15 @@ void check(const read::SchemaFact& fact, Context& context) {
        .subject = subject_of(fact.element)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "value-bad-color",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "a colour has a part below 0 or above 1",
-      .why =
-          "libsdformat refuses the file; urdfdom drops the material. Parts from 0 to 255 are "
-          "written so in other formats.",
+      .why = "libsdformat refuses the file; urdfdom drops the material. Parts from 0 to 255 are "
+             "written so in other formats.",
       .what_to_do = "Divide the parts by 255.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material><diffuse>«255» 0 0 1</diffuse></material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <visual name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <material><diffuse>1 0 0 1</diffuse></material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
   };
 }

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include <rigor/rules/rule.h>
@@ -12,7 +11,6 @@
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_decimal_comma {
-namespace {
 
 using FaultKind = schema::ValueFault::Kind;
 
@@ -43,62 +41,15 @@ void check(const read::SchemaFact& fact, Context& context) {
        .refused = refuses_value(fact, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "value-decimal-comma",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "a number has a comma where a point is due",
       .why = "libsdformat reads the part before the comma: 1,5 is 1. urdfdom refuses the value.",
       .what_to_do = "Write a point; between the numbers of a vector write spaces.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>«1,5»</radius></sphere></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>1.5</radius></sphere></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><box><size>«1,2,3»</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>1.5</radius></sphere></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
   };
 }

@@ -10,7 +10,6 @@
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_empty {
-namespace {
 
 using FaultKind = schema::ValueFault::Kind;
 
@@ -21,9 +20,8 @@ bool holds_its_value(const read::SchemaFact& fact) {
   return false;
 }
 
-bool is_mass_of_link(xml::Element element) {
-  const auto parent = element.parent();
-  return element.name() == "mass" && parent && parent->name() == "inertial";
+bool is_mass_of_link(const read::SchemaFact& fact) {
+  return fact.element.name() == "mass" && fact.ancestor(1) == "inertial";
 }
 
 void check(const read::SchemaFact& fact, Context& context) {
@@ -32,7 +30,7 @@ void check(const read::SchemaFact& fact, Context& context) {
   if (fact.node->type() == schema::Type::kPose)
     return;  // <pose relative_to="a"/> is how it is done
   if (!fact.attribute && holds_its_value(fact)) return;  // unknown-attribute
-  if (is_mass_of_link(fact.element)) return;             // mass-not-written
+  if (is_mass_of_link(fact)) return;                     // mass-not-written
   const auto value = fact.node->default_value();
   std::string message = owner_of(fact) + " is empty";
   if (value && !value->empty()) message += ": it is " + std::string(*value);
@@ -48,44 +46,15 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .fix = std::move(fix)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "value-empty",
-      .category = Category::kSchema,
       .severity = Severity::kInfo,
       .formats = Formats::kSdf,
       .fix = FixGrade::kSafe,
       .summary = "a value is empty, and its default counts",
       .why = "libsdformat takes the default, as if the element were not there.",
       .what_to_do = "Write the value, or remove the element.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <«self_collide»></self_collide>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <self_collide>true</self_collide>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
   };
 }

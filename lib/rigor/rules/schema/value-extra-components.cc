@@ -8,7 +8,6 @@
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_extra_components {
-namespace {
 
 using FaultKind = schema::ValueFault::Kind;
 
@@ -25,51 +24,15 @@ void check(const read::SchemaFact& fact, Context& context) {
                              {without_part(context, fact.where)}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "value-extra-components",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a vector has more numbers than it takes",
       .why = "libsdformat reads the first ones and passes over the rest without a word.",
       .what_to_do = "Remove what is too much, or look whether another element was meant.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><box><size>1 1 1 «99»</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><box><size>1 1 1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><box><size>1 1 1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
   };
 }

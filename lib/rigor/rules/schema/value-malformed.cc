@@ -9,7 +9,6 @@
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_malformed {
-namespace {
 
 using FaultKind = schema::ValueFault::Kind;
 
@@ -44,58 +43,15 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .refused = refuses_value(fact, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "value-malformed",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .summary = "a value is not what its place takes",
-      .why =
-          "libsdformat refuses the file. urdfdom refuses the robot, or leaves the link without "
-          "the part.",
+      .why = "libsdformat refuses the file. urdfdom refuses the robot, or leaves the link without "
+             "the part.",
       .what_to_do = "Write a value of the kind that the message names.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>«wide»</radius></sphere></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <pose>0 0 0 0 0 0 «1»</pose>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <self_collide>«yes»</self_collide>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
   };
 }

@@ -8,7 +8,6 @@
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_missing_components {
-namespace {
 
 using FaultKind = schema::ValueFault::Kind;
 
@@ -21,50 +20,16 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .refused = refuses_value(fact, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "value-missing-components",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .summary = "a vector, pose or colour has too few numbers",
-      .why =
-          "libsdformat refuses the file. urdfdom refuses the robot, or stops reading the link: "
-          "this part and all that follow are not there. A colour of less than four numbers it "
-          "takes for black.",
+      .why = "libsdformat refuses the file. urdfdom refuses the robot, or stops reading the link: "
+             "this part and all that follow are not there. A colour of less than four numbers it "
+             "takes for black.",
       .what_to_do = "Write all the numbers, with spaces between them.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><box><size>«1 1»</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="box">
-  <link name="body">
-    <collision>
-      <geometry><box size="«1 1»"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><box><size>1 1 1</size></box></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
   };
 }

@@ -8,7 +8,6 @@
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_negative {
-namespace {
 
 void check(const read::SchemaFact& fact, Context& context) {
   const std::string_view element = fact.element.name();
@@ -23,41 +22,15 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .subject = subject_of(fact.element)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "value-negative",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .summary = "a number of a URDF joint is negative that cannot be",
-      .why =
-          "urdfdom takes it. A simulator reads a negative effort or velocity limit as none, as "
-          "zero, or refuses it; negative damping pushes the joint ever faster.",
+      .why = "urdfdom takes it. A simulator reads a negative effort or velocity limit as none, as "
+             "zero, or refuses it; negative damping pushes the joint ever faster.",
       .what_to_do = "Write a number of at least 0.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 0 1"/>
-    <dynamics damping="«-0.1»"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="tip"/>
-    <axis xyz="0 0 1"/>
-    <dynamics damping="0.1"/>
-  </joint>
-</robot>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kOutOfRange}, check)},
   };
 }

@@ -8,7 +8,6 @@
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_newer_than_version {
-namespace {
 
 /// The latest version that libsdformat 12 knows: it refuses values that came later.
 constexpr schema::Version kLatestOfSdformat12{9};
@@ -26,53 +25,16 @@ void check(const read::SchemaFact& fact, Context& context) {
                              keeper_of(fact) != ListKeeper::kNobody});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "value-newer-than-version",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays},
       .summary = "a value came with a later version than the file has",
-      .why =
-          "libsdformat goes by the newest version that it knows: one from before that version "
-          "refuses the file, a later one takes the value.",
-      .what_to_do =
-          "Raise the version of the file, so that it says what it needs; where an older reader has "
-          "to take it, write what the older version has.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="plane">
-    <static>true</static>
-    <link name="wing">
-      <sensor name="pitot" type="«air_speed»">
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <world name="moon">
-    <spherical_coordinates>
-      <surface_model>«MOON_SCS»</surface_model>
-      <latitude_deg>0</latitude_deg>
-      <longitude_deg>0</longitude_deg>
-      <elevation>0</elevation>
-      <heading_deg>0</heading_deg>
-    </spherical_coordinates>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.10">
-  <model name="plane">
-    <static>true</static>
-    <link name="wing">
-      <sensor name="pitot" type="air_speed">
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .why = "libsdformat goes by the newest version that it knows: one from before that version "
+             "refuses the file, a later one takes the value.",
+      .what_to_do = "Raise the version of the file, so that it says what it needs; where an older "
+                    "reader has to take it, write what the older version has.",
       .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check)},
   };
 }

@@ -1,29 +1,20 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/enumeration.h>
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_not_allowed {
-namespace {
 
 void check(const read::SchemaFact& fact, Context& context) {
   if (keeper_of(fact) != ListKeeper::kRefuses || left_for_xacro(fact) || listed_since(fact)) return;
-  context.report({.where = fact.where,
-                  .message = quoted_fault(fact) + " is none of the values of " + owner_of(fact),
-                  .subject = subject_of(fact.element),
-                  .help = values_of(fact),
-                  .fix = nearest_instead(fact.text, listed_values(fact), fact.where)});
+  report_unlisted(fact, context);
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "value-not-allowed",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .fix = FixGrade::kUnsafe,
@@ -31,43 +22,6 @@ Rule rule() {
       .why =
           "libsdformat refuses the file. Here the case of letters counts too: Point is not point.",
       .what_to_do = "Write one of the values that the message names.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <light name="lamp" type="«Point»"/>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <light name="lamp" type="point"/>
-    </link>
-  </model>
-</sdf>
-)"},
-              // libsdformat looks with its newest schema, in a file of 1.8 too.
-              {R"(<sdf version="1.8">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <pose rotation_format="«quat»">0 0 0 0 0 0</pose>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <light name="lamp" type="point"/>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check)},
   };
 }

@@ -6,7 +6,6 @@
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_not_finite {
-namespace {
 
 using FaultKind = schema::ValueFault::Kind;
 
@@ -25,47 +24,16 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .refused = refuses_value(fact, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "value-not-finite",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .summary = "a number is not finite",
-      .why =
-          "libsdformat refuses infinity and nan where it reads several numbers; a single nan it "
-          "takes, "
-          "and every comparison with it fails from then on. urdfdom refuses both, and numbers in "
-          "hexadecimal, and with them the joint, the link or the robot.",
+      .why = "libsdformat refuses infinity and nan where it reads several numbers; a single nan it "
+             "takes, and every comparison with it fails from then on. urdfdom refuses both, and "
+             "numbers in hexadecimal, and with them the joint, the link or the robot.",
       .what_to_do = "Write a finite number.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <pose>«inf» 0 0 0 0 0</pose>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <link name="tip"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="tip"/>
-    <limit lower="-1" upper="«nan»" effort="5" velocity="2"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <pose>1000 0 0 0 0 0</pose>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
   };
 }

@@ -1,13 +1,11 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/enumeration.h>
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_not_in_list {
-namespace {
 
 /// Gazebo Classic leaves noise of this type to a plugin.
 bool custom_noise(const read::SchemaFact& fact) {
@@ -20,88 +18,18 @@ bool custom_noise(const read::SchemaFact& fact) {
 void check(const read::SchemaFact& fact, Context& context) {
   if (keeper_of(fact) != ListKeeper::kNobody || left_for_xacro(fact) || custom_noise(fact)) return;
   if (listed_since(fact)) return;
-  context.report({.where = fact.where,
-                  .message = quoted_fault(fact) + " is none of the values of " + owner_of(fact),
-                  .subject = subject_of(fact.element),
-                  .help = values_of(fact),
-                  .fix = nearest_instead(fact.text, listed_values(fact), fact.where)});
+  report_unlisted(fact, context);
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "value-not-in-list",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a value is none of those that the format lists",
-      .why =
-          "libsdformat passes it on as it is; the simulator does not know it and takes its "
-          "default, or leaves the feature out.",
+      .why = "libsdformat passes it on as it is; the simulator does not know it and takes its "
+             "default, or leaves the feature out.",
       .what_to_do = "Write one of the values that the message names.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="ode">
-      <ode>
-        <solver>
-          <type>«quik»</type>
-        </solver>
-      </ode>
-    </physics>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="ode">
-      <ode>
-        <solver>
-          <type>quick</type>
-        </solver>
-      </ode>
-    </physics>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="ode">
-      <ode>
-        <solver>
-          <type>quick</type>
-        </solver>
-      </ode>
-    </physics>
-  </world>
-</sdf>
-)"},
-               {R"(<sdf version="1.5">
-  <model name="scanner">
-    <static>true</static>
-    <link name="head">
-      <sensor name="laser" type="ray">
-        <ray>
-          <scan>
-            <horizontal>
-              <samples>640</samples>
-              <min_angle>-1</min_angle>
-              <max_angle>1</max_angle>
-            </horizontal>
-          </scan>
-          <range>
-            <min>0.1</min>
-            <max>10</max>
-          </range>
-          <noise>
-            <type>custom</type>
-          </noise>
-        </ray>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check)},
   };
 }

@@ -11,17 +11,8 @@
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_out_of_range {
-namespace {
 
 using FaultKind = schema::ValueFault::Kind;
-
-/// The element as the newest version has it: libsdformat holds every file to that one's bounds.
-std::optional<schema::Node> newest(xml::Element element, const schema::Schema& schema) {
-  const auto parent = element.parent();
-  if (!parent) return schema.root(element.name(), schema.latest());
-  const auto around = newest(*parent, schema);
-  return around ? around->child(element.name()) : std::nullopt;
-}
 
 bool is_outside(std::string_view value, const schema::Node& node) {
   const auto number = [](std::string_view text) {
@@ -55,7 +46,8 @@ void check(const read::SchemaFact& fact, Context& context) {
   if (bad ? !ours : context.is_urdf()) return;  // urdfdom has no bounds: value-negative
   std::optional<schema::Node> node = fact.node;
   if (!bad) {
-    node = newest(fact.element, *context.schema());
+    // libsdformat holds every file to the bounds of the newest version.
+    node = node_in(context.schema()->latest(), fact.element, *context.schema());
     if (!node || fact.attribute || !is_outside(fact.text, *node)) return;
   }
   context.report({.where = fact.where,
@@ -64,74 +56,16 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .refused = refuses_value(fact, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "value-out-of-range",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .summary = "a number is outside what its place takes",
-      .why =
-          "libsdformat refuses numbers outside the format's bounds, too large for their type, or "
-          "so small that they cannot be told from zero. A negative number where none can be wraps "
-          "round: a width of -1 is 4294967295.",
+      .why = "libsdformat refuses numbers outside the format's bounds, too large for their type, "
+             "or so small that they cannot be told from zero. A negative number where none can be "
+             "wraps round: a width of -1 is 4294967295.",
       .what_to_do = "Write a number within the bounds that the message names.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>1</radius></sphere></geometry>
-        <surface>
-          <contact><collide_bitmask>«-1»</collide_bitmask></contact>
-        </surface>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>«90»</horizontal_fov>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>«1e-400»</radius></sphere></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <sensor name="eye" type="camera">
-        <camera>
-          <image>
-            <width>640</width>
-            <height>480</height>
-          </image>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kBadValue, read::SchemaFactKind::kOutOfRange},
                            check)},
   };

@@ -14,7 +14,6 @@
 #include <rigor/rules/schema/value_text.h>
 
 namespace rigor::rules::value_trailing_text {
-namespace {
 
 using FaultKind = schema::ValueFault::Kind;
 
@@ -67,70 +66,17 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .refused = refuses_value(fact, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "value-trailing-text",
-      .category = Category::kSchema,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "text follows a number",
-      .why =
-          "libsdformat reads the number, or the part of it that it understands, and passes over "
-          "the rest: 1.5kg is 1.5, 1e is 1. urdfdom refuses the value. Numbers carry no unit: "
-          "lengths are metres, angles radians, masses kilograms.",
+      .why = "libsdformat reads the number, or the part of it that it understands, and passes over "
+             "the rest: 1.5kg is 1.5, 1e is 1. urdfdom refuses the value. Numbers carry no unit: "
+             "lengths are metres, angles radians, masses kilograms.",
       .what_to_do = "Write the number alone, in the unit that the format has.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>1.5«m»</radius></sphere></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>1.5</radius></sphere></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <pose>1«,» 2, 3, 0, 0, 0</pose>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <pose>1 2 3 0 0 0</pose>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <collision name="shape">
-        <geometry><sphere><radius>1.5</radius></sphere></geometry>
-      </collision>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
   };
 }

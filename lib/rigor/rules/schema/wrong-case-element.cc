@@ -11,7 +11,6 @@
 #include <rigor/xml/edit.h>
 
 namespace rigor::rules::wrong_case_element {
-namespace {
 
 /// In the end tag, too. Nothing in a file that ends to be XML somewhere.
 std::optional<Fix> rename(const read::SchemaFact& fact, const Context& context) {
@@ -40,66 +39,16 @@ void check(const read::SchemaFact& fact, Context& context) {
   context.report(std::move(finding));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "wrong-case-element",
-      .category = Category::kSchema,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a name is written with the wrong upper- and lower-case letters",
-      .why =
-          "The names of elements and attributes are told apart by case: <Visual> is passed over "
-          "without a word, like any unknown element.",
-      .what_to_do =
-          "Write the name as the message has it. The fix makes effective what had no effect "
-          "before, so it is an unsafe one.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <«Light» name="lamp" type="point">
-      </Light >
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <light name="lamp" type="point">
-      </light >
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <frame name="lid" «Attached_To»="body"/>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <frame name="lid" attached_to="body"/>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <light name="lamp" type="point"/>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .why = "The names of elements and attributes are told apart by case: <Visual> is passed over "
+             "without a word, like any unknown element.",
+      .what_to_do = "Write the name as the message has it. The fix makes effective what had no "
+                    "effect before, so it is an unsafe one.",
       .checks = {on_schema({read::SchemaFactKind::kWrongCase}, check)},
   };
 }

@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::camera_clip_inverted {
-namespace {
 
 // What the schema of SDF allows. Its rules speak of less in SDF, and of a URDF's <gazebo> nobody does.
 constexpr double kLeastFarInSdf = 0.1;
@@ -29,87 +28,21 @@ void check(const model::Sensor& sensor, Context& context) {
                                            camera.near_clip.value, camera.far_clip.value),
                     .subject = context.subject(sensor),
                     .fix = std::move(fix),
-                    .refused = context.is_urdf() && is_in_part(sensor, context) &&
+                    .refused = context.is_urdf() && is_in_part(sensor) &&
                                (camera.near_clip.value < kLeastNearInSdf ||
                                 camera.far_clip.value < kLeastFarInSdf)});
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "camera-clip-inverted",
-      .category = Category::kSensor,
       .severity = Severity::kError,
       .refused = {.urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "the near clip distance of a camera is not before the far one",
       .why = "ign sdf -k calls it valid; the renderer then shows an empty picture or stops.",
       .what_to_do = "Write a near distance below the far one, in metres.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>1</horizontal_fov>
-          <image>
-            <width>640</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>«10»</near>
-            <far>1</far>
-          </clip>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>1</horizontal_fov>
-          <image>
-            <width>640</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>1</near>
-            <far>10</far>
-          </clip>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>1</horizontal_fov>
-          <image>
-            <width>640</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>0.1</near>
-            <far>100</far>
-          </clip>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Sensor>(check)},
   };
 }

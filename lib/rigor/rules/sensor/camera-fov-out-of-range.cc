@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <numbers>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -13,7 +12,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::camera_fov_out_of_range {
-namespace {
 
 // Of a flat picture the edges go to infinity at half a turn; 3.14 is meant to be that, too.
 constexpr double kWidest = 3.135;
@@ -34,7 +32,7 @@ void check(const model::Sensor& sensor, Context& context) {
                                "can show",
                                fov.value),
         .subject = context.subject(sensor),
-        .refused = context.is_urdf() && is_in_part(sensor, context) &&
+        .refused = context.is_urdf() && is_in_part(sensor) &&
                    !(fov.value >= kLeastInSdf && fov.value <= kMostInSdf)};
     if (!(fov.value > 0)) {
       finding.message = fmt::format("the camera sees {} rad across, which is nothing", fov.value);
@@ -47,126 +45,20 @@ void check(const model::Sensor& sensor, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "camera-fov-out-of-range",
-      .category = Category::kSensor,
       .severity = Severity::kWarning,
       .refused = {.urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "the field of view of a camera is not between 0 and half a turn",
-      .why =
-          "A flat picture shows less than half a turn: its width is twice the tangent of half "
-          "the angle, which has no bound at 3.14 rad, and is negative beyond. What the camera "
-          "of a simulator shows then is stretched to a line, or nothing. Only wide angle "
-          "cameras see more. In SDF the schema's rules speak of what is out of its range; in "
-          "the <gazebo> of a URDF nobody else does.",
-      .what_to_do =
-          "Write the angle in radians: 1.047 is 60 degrees. For more than about 2 take a sensor "
-          "of type wideanglecamera.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>«3.5»</horizontal_fov>
-          <image>
-            <width>640</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>0.1</near>
-            <far>100</far>
-          </clip>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="head"/>
-  <gazebo reference="head">
-    <sensor name="eye" type="camera">
-      <camera>
-        <horizontal_fov>«60»</horizontal_fov>
-        <image>
-          <width>640</width>
-          <height>480</height>
-        </image>
-        <clip>
-          <near>0.1</near>
-          <far>100</far>
-        </clip>
-      </camera>
-    </sensor>
-  </gazebo>
-</robot>
-)",
-               R"(<robot name="arm">
-  <link name="head"/>
-  <gazebo reference="head">
-    <sensor name="eye" type="camera">
-      <camera>
-        <horizontal_fov>1.0472</horizontal_fov>
-        <image>
-          <width>640</width>
-          <height>480</height>
-        </image>
-        <clip>
-          <near>0.1</near>
-          <far>100</far>
-        </clip>
-      </camera>
-    </sensor>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>1.05</horizontal_fov>
-          <image>
-            <width>640</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>0.1</near>
-            <far>100</far>
-          </clip>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="wideanglecamera">
-        <camera>
-          <horizontal_fov>3.5</horizontal_fov>
-          <image>
-            <width>640</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>0.1</near>
-            <far>100</far>
-          </clip>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .why = "A flat picture shows less than half a turn: its width is twice the tangent of half "
+             "the angle, which has no bound at 3.14 rad, and is negative beyond. What the camera "
+             "of a simulator shows then is stretched to a line, or nothing. Only wide angle "
+             "cameras see more. In SDF the schema's rules speak of what is out of its range; in "
+             "the <gazebo> of a URDF nobody else does.",
+      .what_to_do = "Write the angle in radians: 1.047 is 60 degrees. For more than about 2 take a "
+                    "sensor of type wideanglecamera.",
       .checks = {on<model::Sensor>(check)},
   };
 }

@@ -1,80 +1,24 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <fmt/core.h>
-
 #include <rigor/rules/rule.h>
+#include <rigor/rules/sensor/picture.h>
 
 namespace rigor::rules::camera_image_empty {
-namespace {
 
 void check(const model::Sensor& sensor, Context& context) {
-  for (const model::Camera& camera : sensor.cameras) {
-    for (const auto* size : {&camera.width, &camera.height}) {
-      if (!size->written || size->value >= 1) continue;
-      context.report({.where = size->span,
-                      .message = fmt::format("the picture is {} by {} pixels", camera.width.value,
-                                             camera.height.value),
-                      .subject = context.subject(sensor)});
-      break;
-    }
-  }
+  report_pictures(
+      sensor, [](double pixels) { return !(pixels >= 1); }, context);
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "camera-image-empty",
-      .category = Category::kSensor,
       .severity = Severity::kError,
       .summary = "a camera takes pictures without a pixel",
-      .why =
-          "ign sdf -k calls it valid (and takes -1 for four thousand million); the renderer "
-          "then fails to make the picture, and Gazebo may stop.",
+      .why = "ign sdf -k calls it valid (and takes -1 for four thousand million); the renderer "
+             "then fails to make the picture, and Gazebo may stop.",
       .what_to_do = "Write the width and height in pixels, 1 and more.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>1</horizontal_fov>
-          <image>
-            <width>«0»</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>0.1</near>
-            <far>100</far>
-          </clip>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>1</horizontal_fov>
-          <image>
-            <width>640</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>0.1</near>
-            <far>100</far>
-          </clip>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Sensor>(check)},
   };
 }

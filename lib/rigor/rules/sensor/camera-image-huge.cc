@@ -1,86 +1,29 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <fmt/core.h>
-
 #include <rigor/rules/rule.h>
+#include <rigor/rules/sensor/picture.h>
 
 namespace rigor::rules::camera_image_huge {
-namespace {
 
 // Graphics cards of today draw pictures of at most so many pixels a side.
 constexpr double kMostPixels = 16384;
 
 void check(const model::Sensor& sensor, Context& context) {
-  for (const model::Camera& camera : sensor.cameras) {
-    for (const auto* size : {&camera.width, &camera.height}) {
-      if (!size->written || !(size->value > kMostPixels)) continue;
-      context.report({.where = size->span,
-                      .message = fmt::format("the picture is {} by {} pixels", camera.width.value,
-                                             camera.height.value),
-                      .subject = context.subject(sensor)});
-      break;
-    }
-  }
+  report_pictures(
+      sensor, [](double pixels) { return pixels > kMostPixels; }, context);
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "camera-image-huge",
-      .category = Category::kSensor,
       .severity = Severity::kWarning,
       .summary = "a camera takes pictures larger than graphics cards can draw",
-      .why =
-          "Graphics cards draw pictures of up to 16384 pixels a side. The renderer fails to "
-          "make a larger one; and a picture of that size, without depth, is 800 MB that go over "
-          "the network each time.",
-      .what_to_do =
-          "Write the width and height in pixels, as the camera that is meant has them: 640 and "
-          "480, or 1920 and 1080.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>1.05</horizontal_fov>
-          <image>
-            <width>«64000»</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>0.1</near>
-            <far>100</far>
-          </clip>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>1.05</horizontal_fov>
-          <image>
-            <width>1920</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>0.1</near>
-            <far>100</far>
-          </clip>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .why = "Graphics cards draw pictures of up to 16384 pixels a side. The renderer fails to "
+             "make a larger one; and a picture of that size, without depth, is 800 MB that go over "
+             "the network each time.",
+      .what_to_do = "Write the width and height in pixels, as the camera that is meant has them: "
+                    "640 and 480, or 1920 and 1080.",
       .checks = {on<model::Sensor>(check)},
   };
 }

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::camera_near_clip_zero {
-namespace {
 
 void check(const model::Sensor& sensor, Context& context) {
   for (const model::Camera& camera : sensor.cameras) {
@@ -23,84 +22,16 @@ void check(const model::Sensor& sensor, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "camera-near-clip-zero",
-      .category = Category::kSensor,
       .severity = Severity::kError,
       .fix = FixGrade::kUnsafe,
       .summary = "the near clip distance of a camera is 0",
-      .why =
-          "What a camera sees is divided by its distance. OGRE, which draws for Gazebo, throws "
-          "\"Near clip distance must be greater than zero\"; libsdformat takes the file.",
-      .what_to_do =
-          "Write a small distance, such as 0.01 m; the smaller it is, the coarser are the "
-          "depths far away.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>1</horizontal_fov>
-          <image>
-            <width>640</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>«0»</near>
-            <far>100</far>
-          </clip>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>1</horizontal_fov>
-          <image>
-            <width>640</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>0.01</near>
-            <far>100</far>
-          </clip>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>1</horizontal_fov>
-          <image>
-            <width>640</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>0.01</near>
-            <far>100</far>
-          </clip>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .why = "What a camera sees is divided by its distance. OGRE, which draws for Gazebo, throws "
+             "\"Near clip distance must be greater than zero\"; libsdformat takes the file.",
+      .what_to_do = "Write a small distance, such as 0.01 m; the smaller it is, the coarser are "
+                    "the depths far away.",
       .checks = {on<model::Sensor>(check)},
   };
 }

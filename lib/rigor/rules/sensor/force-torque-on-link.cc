@@ -1,12 +1,9 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <string>
-
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::force_torque_on_link {
-namespace {
 
 void check(const model::Sensor& sensor, Context& context) {
   if (sensor.type.value != "force_torque" || !sensor.link) return;
@@ -17,62 +14,16 @@ void check(const model::Sensor& sensor, Context& context) {
                   .subject = context.subject(sensor)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "force-torque-on-link",
-      .category = Category::kSensor,
       .severity = Severity::kWarning,
       .summary = "a force and torque sensor stands in a link",
       .why =
-          "It measures what a joint transmits between two links. libsdformat takes it in a "
-          "link; Gazebo then says that the parent of the sensor must be a joint, and does not "
-          "make it.",
-      .what_to_do =
-          "Move it into the joint whose load it is to measure; in a URDF, into the <gazebo> "
-          "whose reference is the joint.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base">
-      <sensor name="load" type="«force_torque»">
-        <update_rate>100</update_rate>
-      </sensor>
-    </link>
-    <link name="tip"/>
-    <joint name="wrist" type="fixed">
-      <parent>base</parent>
-      <child>tip</child>
-    </joint>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="base">
-    <sensor name="load" type="«force_torque»">
-      <update_rate>100</update_rate>
-    </sensor>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="base">
-    </link>
-    <link name="tip"/>
-    <joint name="wrist" type="fixed">
-      <parent>base</parent>
-      <child>tip</child>
-      <sensor name="load" type="force_torque">
-        <update_rate>100</update_rate>
-      </sensor>
-    </joint>
-  </model>
-</sdf>
-)"}},
+          "It measures what a joint transmits between two links. libsdformat takes it in a link; "
+          "Gazebo then says that the parent of the sensor must be a joint, and does not make it.",
+      .what_to_do = "Move it into the joint whose load it is to measure; in a URDF, into the "
+                    "<gazebo> whose reference is the joint.",
       .checks = {on<model::Sensor>(check)},
   };
 }

@@ -1,20 +1,16 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <string>
-
 #include <fmt/core.h>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::lidar_angle_inverted {
-namespace {
 
-void look_at(xml::Element scan, const model::Sensor& sensor, Context& context) {
-  const auto least = read::number_field(read::child_text(scan, "min_angle"), 0);
-  const auto most = read::number_field(read::child_text(scan, "max_angle"), 0);
+void look_at(const model::LidarScan& scan, const model::Sensor& sensor, Context& context) {
+  const auto& least = scan.min_angle;
+  const auto& most = scan.max_angle;
   if (!least.written || !most.written || !(least.value > most.value)) return;
   context.report(
       {.where = least.span,
@@ -27,96 +23,20 @@ void look_at(xml::Element scan, const model::Sensor& sensor, Context& context) {
 
 void check(const model::Sensor& sensor, Context& context) {
   if (!sensor.lidar) return;
-  const auto scan = context.element(sensor.lidar->site).child("scan");
-  if (!scan) return;
-  for (const char* direction : {"horizontal", "vertical"}) {
-    if (const auto element = scan->child(direction)) look_at(*element, sensor, context);
-  }
+  look_at(sensor.lidar->horizontal, sensor, context);
+  look_at(sensor.lidar->vertical, sensor, context);
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "lidar-angle-inverted",
-      .category = Category::kSensor,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "the least angle of a lidar is above the greatest",
-      .why =
-          "libsdformat takes it. The step from one ray to the next is then negative, and the "
-          "field of view as well: a scan is drawn mirrored, or nothing is, and what sums up the "
-          "steps of a scan message walks the wrong way.",
+      .why = "libsdformat takes it. The step from one ray to the next is then negative, and the "
+             "field of view as well: a scan is drawn mirrored, or nothing is, and what sums up the "
+             "steps of a scan message walks the wrong way.",
       .what_to_do = "Write the smaller angle, in radians, as min_angle.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="scanner" type="gpu_lidar">
-        <lidar>
-          <scan>
-            <horizontal>
-              <samples>360</samples>
-              <min_angle>«1.5»</min_angle>
-              <max_angle>-1.5</max_angle>
-            </horizontal>
-          </scan>
-          <range>
-            <min>0.1</min>
-            <max>30</max>
-          </range>
-        </lidar>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="scanner" type="gpu_lidar">
-        <lidar>
-          <scan>
-            <horizontal>
-              <samples>360</samples>
-              <min_angle>-1.5</min_angle>
-              <max_angle>1.5</max_angle>
-            </horizontal>
-          </scan>
-          <range>
-            <min>0.1</min>
-            <max>30</max>
-          </range>
-        </lidar>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="scanner" type="gpu_lidar">
-        <lidar>
-          <scan>
-            <horizontal>
-              <samples>360</samples>
-              <min_angle>-1.5</min_angle>
-              <max_angle>1.5</max_angle>
-            </horizontal>
-          </scan>
-          <range>
-            <min>0.1</min>
-            <max>30</max>
-          </range>
-        </lidar>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Sensor>(check)},
   };
 }

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::lidar_range_inverted {
-namespace {
 
 void check(const model::Sensor& sensor, Context& context) {
   if (!sensor.lidar) return;
@@ -24,88 +23,15 @@ void check(const model::Sensor& sensor, Context& context) {
                              : std::nullopt});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "lidar-range-inverted",
-      .category = Category::kSensor,
       .severity = Severity::kError,
       .fix = FixGrade::kUnsafe,
       .summary = "the least distance of a lidar is not below the greatest",
       .why =
-          "ign sdf -k calls it valid; every ray then returns nothing, or the sensor is not "
-          "made.",
+          "ign sdf -k calls it valid; every ray then returns nothing, or the sensor is not made.",
       .what_to_do = "Write a least distance below the greatest, in metres.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="gpu_lidar">
-        <lidar>
-          <scan>
-            <horizontal>
-              <samples>360</samples>
-              <min_angle>-1.5</min_angle>
-              <max_angle>1.5</max_angle>
-            </horizontal>
-          </scan>
-          <range>
-            <min>«30»</min>
-            <max>0.1</max>
-          </range>
-        </lidar>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="gpu_lidar">
-        <lidar>
-          <scan>
-            <horizontal>
-              <samples>360</samples>
-              <min_angle>-1.5</min_angle>
-              <max_angle>1.5</max_angle>
-            </horizontal>
-          </scan>
-          <range>
-            <min>0.1</min>
-            <max>30</max>
-          </range>
-        </lidar>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="gpu_lidar">
-        <lidar>
-          <scan>
-            <horizontal>
-              <samples>360</samples>
-              <min_angle>-1.5</min_angle>
-              <max_angle>1.5</max_angle>
-            </horizontal>
-          </scan>
-          <range>
-            <min>0.1</min>
-            <max>30</max>
-          </range>
-        </lidar>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Sensor>(check)},
   };
 }

@@ -3,19 +3,14 @@
 
 #include <fmt/core.h>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::lidar_resolution_not_positive {
-namespace {
 
 void check(const model::Sensor& sensor, Context& context) {
   if (!sensor.lidar) return;
-  const auto scan = context.element(sensor.lidar->site).child("scan");
-  const auto horizontal = scan ? scan->child("horizontal") : std::nullopt;
-  if (!horizontal) return;
-  const auto resolution = read::number_field(read::child_text(*horizontal, "resolution"), 1);
+  const auto& resolution = sensor.lidar->horizontal.resolution;
   if (!resolution.written || resolution.value > 0) return;
   context.report(
       {.where = resolution.span,
@@ -24,92 +19,16 @@ void check(const model::Sensor& sensor, Context& context) {
        .fix = Fix{"one for each", Applicability::kUnsafe, {{resolution.span, "1"}}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "lidar-resolution-not-positive",
-      .category = Category::kSensor,
       .severity = Severity::kError,
       .fix = FixGrade::kUnsafe,
       .summary = "a lidar reports no measurement for any of its rays",
-      .why =
-          "The resolution of a scan is how many measurements are reported for each ray, 1 in "
-          "most files; it is no angle and no distance. The number of measurements is the "
-          "samples times the resolution: with 0 there is none, whatever the samples are.",
+      .why = "The resolution of a scan is how many measurements are reported for each ray, 1 in "
+             "most files; it is no angle and no distance. The number of measurements is the "
+             "samples times the resolution: with 0 there is none, whatever the samples are.",
       .what_to_do = "Write 1, or leave the element out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="scanner" type="gpu_lidar">
-        <lidar>
-          <scan>
-            <horizontal>
-              <samples>360</samples>
-              <resolution>«0»</resolution>
-              <min_angle>-1.5</min_angle>
-              <max_angle>1.5</max_angle>
-            </horizontal>
-          </scan>
-          <range>
-            <min>0.1</min>
-            <max>30</max>
-          </range>
-        </lidar>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="scanner" type="gpu_lidar">
-        <lidar>
-          <scan>
-            <horizontal>
-              <samples>360</samples>
-              <resolution>1</resolution>
-              <min_angle>-1.5</min_angle>
-              <max_angle>1.5</max_angle>
-            </horizontal>
-          </scan>
-          <range>
-            <min>0.1</min>
-            <max>30</max>
-          </range>
-        </lidar>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="scanner" type="gpu_lidar">
-        <lidar>
-          <scan>
-            <horizontal>
-              <samples>360</samples>
-              <resolution>1</resolution>
-              <min_angle>-1.5</min_angle>
-              <max_angle>1.5</max_angle>
-            </horizontal>
-          </scan>
-          <range>
-            <min>0.1</min>
-            <max>30</max>
-          </range>
-        </lidar>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Sensor>(check)},
   };
 }

@@ -7,11 +7,10 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::lidar_samples_zero {
-namespace {
 
 void check(const model::Sensor& sensor, Context& context) {
   if (!sensor.lidar) return;
-  const auto& samples = sensor.lidar->samples;
+  const auto& samples = sensor.lidar->horizontal.samples;
   if (!samples.written || samples.value >= 1) return;
   context.report({.where = samples.span,
                   .message = fmt::format("the lidar sends {} rays", samples.value),
@@ -19,88 +18,15 @@ void check(const model::Sensor& sensor, Context& context) {
                   .fix = Fix{"send one", Applicability::kUnsafe, {{samples.span, "1"}}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "lidar-samples-zero",
-      .category = Category::kSensor,
       .severity = Severity::kError,
       .fix = FixGrade::kUnsafe,
       .summary = "a lidar sends no ray",
-      .why =
-          "ign sdf -k calls it valid; the sensor then measures nothing, and Gazebo may stop "
-          "when it makes it.",
+      .why = "ign sdf -k calls it valid; the sensor then measures nothing, and Gazebo may stop "
+             "when it makes it.",
       .what_to_do = "Write the number of rays of one scan, 1 and more.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="gpu_lidar">
-        <lidar>
-          <scan>
-            <horizontal>
-              <samples>«0»</samples>
-              <min_angle>-1.5</min_angle>
-              <max_angle>1.5</max_angle>
-            </horizontal>
-          </scan>
-          <range>
-            <min>0.1</min>
-            <max>30</max>
-          </range>
-        </lidar>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="gpu_lidar">
-        <lidar>
-          <scan>
-            <horizontal>
-              <samples>1</samples>
-              <min_angle>-1.5</min_angle>
-              <max_angle>1.5</max_angle>
-            </horizontal>
-          </scan>
-          <range>
-            <min>0.1</min>
-            <max>30</max>
-          </range>
-        </lidar>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="gpu_lidar">
-        <lidar>
-          <scan>
-            <horizontal>
-              <samples>360</samples>
-              <min_angle>-1.5</min_angle>
-              <max_angle>1.5</max_angle>
-            </horizontal>
-          </scan>
-          <range>
-            <min>0.1</min>
-            <max>30</max>
-          </range>
-        </lidar>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Sensor>(check)},
   };
 }

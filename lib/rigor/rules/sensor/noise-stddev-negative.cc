@@ -2,18 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <string_view>
+#include <vector>
 
 #include <fmt/core.h>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::noise_stddev_negative {
-namespace {
 
-void look_at(xml::Element noise, const model::Sensor& sensor, Context& context) {
-  const auto deviation = read::number_field(read::child_text(noise, "stddev"), 0);
+void look_at(const model::Field<double>& deviation, const model::Sensor& sensor, Context& context) {
   if (!deviation.written || !(deviation.value < 0)) return;
   const std::string_view bytes = context.bytes(deviation.span);
   const std::size_t minus = bytes.find('-');
@@ -30,119 +28,31 @@ void look_at(xml::Element noise, const model::Sensor& sensor, Context& context) 
        .fix = std::move(fix)});
 }
 
-void look_into(xml::Element block, const model::Sensor& sensor, Context& context) {
-  for (const xml::Element child : block.children()) {
-    if (child.name() == "noise") look_at(child, sensor, context);
-  }
+void look_into(const std::vector<model::Noise>& noises, const model::Sensor& sensor,
+               Context& context) {
+  for (const model::Noise& noise : noises) look_at(noise.stddev, sensor, context);
 }
 
 /// The schema of SDF has a least value for the noise of all other sensors; in a URDF there is none.
 void check(const model::Sensor& sensor, Context& context) {
   for (const model::Camera& camera : sensor.cameras) {
-    look_into(context.element(camera.site), sensor, context);
+    look_into(camera.noises, sensor, context);
   }
-  if (sensor.lidar) look_into(context.element(sensor.lidar->site), sensor, context);
-  if (context.is_sdf()) return;
-  const auto imu = context.element(sensor.site).child("imu");
-  if (!imu) return;
-  for (const xml::Element quantity : imu->children()) {
-    for (const xml::Element axis : quantity.children()) look_into(axis, sensor, context);
-  }
+  if (sensor.lidar) look_into(sensor.lidar->noises, sensor, context);
+  if (context.is_urdf()) look_into(sensor.imu_noises, sensor, context);
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "noise-stddev-negative",
-      .category = Category::kSensor,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "the noise of a sensor has a negative standard deviation",
-      .why =
-          "A standard deviation is not negative. The normal distributions of the C++ library, "
-          "which the simulators draw the noise from, are undefined for one; in practice the "
-          "noise is the same as without the minus, but that nobody promises.",
+      .why = "A standard deviation is not negative. The normal distributions of the C++ library, "
+             "which the simulators draw the noise from, are undefined for one; in practice the "
+             "noise is the same as without the minus, but that nobody promises.",
       .what_to_do =
           "Write how far measurements stray, in the unit of what is measured: 0 and more.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>1.05</horizontal_fov>
-          <image>
-            <width>640</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>0.1</near>
-            <far>100</far>
-          </clip>
-          <noise>
-            <type>gaussian</type>
-            <mean>0</mean>
-            <stddev>«-0.1»</stddev>
-          </noise>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>1.05</horizontal_fov>
-          <image>
-            <width>640</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>0.1</near>
-            <far>100</far>
-          </clip>
-          <noise>
-            <type>gaussian</type>
-            <mean>0</mean>
-            <stddev>0.1</stddev>
-          </noise>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>1.05</horizontal_fov>
-          <image>
-            <width>640</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>0.1</near>
-            <far>100</far>
-          </clip>
-          <noise>
-            <type>gaussian</type>
-            <mean>0</mean>
-            <stddev>0.1</stddev>
-          </noise>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Sensor>(check)},
   };
 }

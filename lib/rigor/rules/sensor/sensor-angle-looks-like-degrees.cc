@@ -2,25 +2,24 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include <fmt/core.h>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sensor_angle_looks_like_degrees {
-namespace {
 
 // 1 % over a full turn leaves room for 6.3 and the like.
 constexpr double kMost = 1.01 * 2 * std::numbers::pi;
 
 /// Looks at two angles that are of the same unit, and speaks of one.
-void look_at(xml::Element element, const char* first, const char* second,
+void look_at(std::initializer_list<std::pair<const char*, model::Field<double>>> angles,
              const std::string& subject, Context& context) {
-  for (const char* name : {first, second}) {
-    const auto angle = read::number_field(read::child_text(element, name), 0);
+  for (const auto& [name, angle] : angles) {
     if (!angle.written || !std::isfinite(angle.value) || std::abs(angle.value) <= kMost) continue;
     context.report({.where = angle.span,
                     .message = fmt::format("<{0}> is {1}, which looks like degrees: it is in "
@@ -33,91 +32,25 @@ void look_at(xml::Element element, const char* first, const char* second,
 
 void check_sensor(const model::Sensor& sensor, Context& context) {
   if (!sensor.lidar) return;
-  const auto scan = context.element(sensor.lidar->site).child("scan");
-  if (!scan) return;
-  for (const char* direction : {"horizontal", "vertical"}) {
-    const auto rays = scan->child(direction);
-    if (rays) look_at(*rays, "min_angle", "max_angle", context.subject(sensor), context);
+  for (const auto* scan : {&sensor.lidar->horizontal, &sensor.lidar->vertical}) {
+    look_at({{"min_angle", scan->min_angle}, {"max_angle", scan->max_angle}},
+            context.subject(sensor), context);
   }
 }
 
 void check_light(const model::Light& light, Context& context) {
-  const auto spot = context.element(light.site).child("spot");
-  if (spot) look_at(*spot, "inner_angle", "outer_angle", context.subject(light), context);
+  look_at({{"inner_angle", light.spot_inner_angle}, {"outer_angle", light.spot_outer_angle}},
+          context.subject(light), context);
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "sensor-angle-looks-like-degrees",
-      .category = Category::kSensor,
       .severity = Severity::kWarning,
       .summary = "an angle of a lidar or a spot light looks like degrees",
-      .why =
-          "These angles are in radians. Taken as such, 80 is thirteen turns: the lidar looks round "
-          "more than once, with rays far apart, and the light is no cone.",
+      .why = "These angles are in radians. Taken as such, 80 is thirteen turns: the lidar looks "
+             "round more than once, with rays far apart, and the light is no cone.",
       .what_to_do = "Convert the angle to radians: 80° is 1.39626.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="scanner" type="gpu_lidar">
-        <lidar>
-          <scan>
-            <horizontal>
-              <samples>360</samples>
-              <resolution>1</resolution>
-              <min_angle>-1.4</min_angle>
-              <max_angle>«80»</max_angle>
-            </horizontal>
-          </scan>
-          <range>
-            <min>0.1</min>
-            <max>30</max>
-          </range>
-        </lidar>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <world name="lab">
-    <light name="lamp" type="spot">
-      <spot>
-        <inner_angle>«10»</inner_angle>
-        <outer_angle>30</outer_angle>
-        <falloff>1</falloff>
-      </spot>
-    </light>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="scanner" type="gpu_lidar">
-        <lidar>
-          <scan>
-            <horizontal>
-              <samples>360</samples>
-              <resolution>1</resolution>
-              <min_angle>-1.4</min_angle>
-              <max_angle>1.4</max_angle>
-            </horizontal>
-          </scan>
-          <range>
-            <min>0.1</min>
-            <max>30</max>
-          </range>
-        </lidar>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Sensor>(check_sensor), on<model::Light>(check_light)},
   };
 }

@@ -11,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sensor_block_mismatch {
-namespace {
 
 constexpr std::string_view kCameras[] = {"camera",
                                          "depth",
@@ -35,14 +34,6 @@ bool contains(const std::string_view (&list)[count], std::string_view type) {
   return std::find(std::begin(list), std::end(list), type) != std::end(list);
 }
 
-/// A sensor that says nothing of itself is a stub: its plugin, or a test, makes something of it.
-bool is_stub(const model::Sensor& sensor, Context& context) {
-  for (const xml::Element child : context.element(sensor.site).children()) {
-    if (child.name() != "plugin") return false;
-  }
-  return true;
-}
-
 void check(const model::Sensor& sensor, Context& context) {
   const std::string& type = sensor.type.value;
   const bool camera = !sensor.cameras.empty();
@@ -55,100 +46,21 @@ void check(const model::Sensor& sensor, Context& context) {
     message = "a sensor of type '" + type + "' needs a <lidar>";
     if (camera) message += "; this one has a <camera>";
   }
-  if (message.empty() || is_stub(sensor, context)) return;
+  // One without any settings is a stub: its plugin, or a test, makes something of it.
+  if (message.empty() || !sensor.configured) return;
   context.report({.where = sensor.type.span,
                   .message = std::move(message),
                   .subject = context.subject(sensor)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sensor-block-mismatch",
-      .category = Category::kSensor,
       .severity = Severity::kWarning,
       .summary = "a sensor lacks the element that its type needs",
-      .why =
-          "libsdformat takes it; Gazebo then does not make the sensor, or makes it with "
-          "defaults that nobody wrote.",
+      .why = "libsdformat takes it; Gazebo then does not make the sensor, or makes it with "
+             "defaults that nobody wrote.",
       .what_to_do = "Add the element that the type needs, or write the type that fits.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="«gpu_lidar»">
-        <camera>
-          <horizontal_fov>1</horizontal_fov>
-          <image>
-            <width>640</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>0.1</near>
-            <far>100</far>
-          </clip>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="camera">
-        <camera>
-          <horizontal_fov>1</horizontal_fov>
-          <image>
-            <width>640</width>
-            <height>480</height>
-          </image>
-          <clip>
-            <near>0.1</near>
-            <far>100</far>
-          </clip>
-        </camera>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="gpu_lidar">
-        <lidar>
-          <scan>
-            <horizontal>
-              <samples>360</samples>
-              <min_angle>-1.5</min_angle>
-              <max_angle>1.5</max_angle>
-            </horizontal>
-          </scan>
-          <range>
-            <min>0.1</min>
-            <max>30</max>
-          </range>
-        </lidar>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="camera">
-        <plugin filename="MyCamera" name="my::Camera"/>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Sensor>(check)},
   };
 }

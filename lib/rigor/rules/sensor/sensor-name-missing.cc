@@ -5,42 +5,24 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sensor_name_missing {
-namespace {
 
 void check(const model::Sensor& sensor, Context& context) {
   // In SDF the schema's rules say so; an empty name is what name-empty speaks of.
-  if (!context.is_urdf() || sensor.name.written || !is_in_part(sensor, context)) return;
+  if (!context.is_urdf() || sensor.name.written || !is_in_part(sensor)) return;
   context.report({.where = sensor.site.name,
                   .message = "the sensor has no name",
                   .subject = context.subject(sensor)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sensor-name-missing",
-      .category = Category::kSensor,
       .severity = Severity::kError,
       .refused = {.urdf = Refusal::kAlways},
       .formats = Formats::kUrdf,
       .summary = "a sensor in the <gazebo> of a URDF has no name",
       .why = "libsdformat refuses the whole robot: the name is required (error 4).",
       .what_to_do = "Give it a name that no other sensor of the link has.",
-      .bad = {{R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="base">
-    <«sensor» type="imu"/>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="base"/>
-  <gazebo reference="base">
-    <sensor name="level" type="imu"/>
-  </gazebo>
-</robot>
-)"}},
       .checks = {on<model::Sensor>(check)},
   };
 }

@@ -8,7 +8,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sensor_topic_duplicate {
-namespace {
 
 void check(const model::Root& root, Context& context) {
   using Topic = std::pair<std::string_view, std::string_view>;  // and the type
@@ -29,44 +28,13 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sensor-topic-duplicate",
-      .category = Category::kSensor,
       .severity = Severity::kWarning,
       .summary = "two sensors publish on the same topic",
       .why = "Whoever listens gets the measurements of both, mixed.",
       .what_to_do = "Give each sensor a topic of its own.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="left" type="imu">
-        <topic>imu</topic>
-      </sensor>
-      <sensor name="right" type="imu">
-        <topic>«imu»</topic>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="left" type="imu">
-        <topic>imu/left</topic>
-      </sensor>
-      <sensor name="right" type="imu">
-        <topic>imu/right</topic>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

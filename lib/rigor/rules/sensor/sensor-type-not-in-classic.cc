@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sensor_type_not_in_classic {
-namespace {
 
 struct NewType {
   std::string_view name;
@@ -39,42 +38,16 @@ void check(const model::Sensor& sensor, Context& context) {
   context.report(finding);
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sensor-type-not-in-classic",
-      .category = Category::kSensor,
       .severity = Severity::kError,
       .targets = {Target::kGazeboClassic},
       .summary = "a sensor has a type that Gazebo classic does not have",
-      .why =
-          "Gazebo classic makes no sensor of it: types such as rgbd_camera, thermal_camera and "
-          "air_pressure are those of gz-sim, and some have another name there, as gpu_lidar for "
-          "gpu_ray.",
+      .why = "Gazebo classic makes no sensor of it: types such as rgbd_camera, thermal_camera and "
+             "air_pressure are those of gz-sim, and some have another name there, as gpu_lidar for "
+             "gpu_ray.",
       .what_to_do = "Write the type that Gazebo classic has, if there is one.",
-      .bad = {{R"(<sdf version="1.7">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="«rgbd_camera»">
-        <camera/>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.7">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="depth">
-        <camera/>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Sensor>(check)},
   };
 }

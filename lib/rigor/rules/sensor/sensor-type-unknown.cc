@@ -15,7 +15,6 @@
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::sensor_type_unknown {
-namespace {
 
 void check(const read::SchemaFact& fact, Context& context) {
   if (is_type_of(fact, "sensor")) report_unknown_type(fact, context);
@@ -78,63 +77,22 @@ void check_block(const model::Sensor& sensor, Context& context) {
 }
 
 void check_sensor(const model::Sensor& sensor, Context& context) {
-  if (context.is_urdf() && !is_in_part(sensor, context)) return;  // sensor-without-link
+  if (context.is_urdf() && !is_in_part(sensor)) return;  // sensor-without-link
   const bool empty = sensor.type.written && sensor.type.value.empty();
   if (context.is_urdf() && !empty) return check_block(sensor, context);
-  report_empty_type(context.element(sensor.site), context.subject(sensor), context);
+  report_empty_type(sensor.site, context.subject(sensor), context);
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "sensor-type-unknown",
-      .category = Category::kSensor,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .fix = FixGrade::kUnsafe,
       .summary = "a sensor has a type that does not exist",
       .why = "libsdformat refuses the whole file (error 5): it does not know what to measure.",
-      .what_to_do =
-          "Write one of the types, such as camera, gpu_lidar, imu, contact or "
-          "force_torque; type=\"custom\" is for your own.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="«gpu_ladar»">
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="gpu_lidar">
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"},
-              {R"(<robot name="arm">
-  <link name="head"/>
-  <gazebo reference="head">
-    <sensor name="eye" type="«rangefinder»"/>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="imu">
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
+      .what_to_do = "Write one of the types, such as camera, gpu_lidar, imu, contact or "
+                    "force_torque; type=\"custom\" is for your own.",
       .checks = {on_schema({read::SchemaFactKind::kNotInEnumeration}, check),
                  on<model::Sensor>(check_sensor)},
   };

@@ -1,57 +1,31 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <string>
-
 #include <rigor/rules/plugin/gazebo_block.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sensor_without_link {
-namespace {
 
 void check(const model::Sensor& sensor, Context& context) {
   // A reference to nothing is what gazebo-reference-missing speaks of.
-  if (is_in_part(sensor, context)) return;
+  if (is_in_part(sensor)) return;
   context.report({.where = sensor.site.name,
                   .message = "the sensor '" + sensor.name.value +
                              "' stands in a <gazebo> that refers to no link",
                   .subject = context.subject(sensor)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sensor-without-link",
-      .category = Category::kSensor,
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .summary = "a sensor of a URDF is in no link",
-      .why =
-          "A <gazebo> without a reference is about the whole robot. libsdformat puts a sensor "
-          "that stands in one into the model, beside the links, where SDF knows no sensor and "
-          "no simulator looks for one.",
+      .why = "A <gazebo> without a reference is about the whole robot. libsdformat puts a sensor "
+             "that stands in one into the model, beside the links, where SDF knows no sensor and "
+             "no simulator looks for one.",
       .what_to_do =
-          "Give the <gazebo> the link that carries the sensor: <gazebo "
-          "reference=\"camera_link\">.",
-      .bad = {{R"(<robot name="arm">
-  <link name="head"/>
-  <gazebo>
-    <«sensor» name="level" type="imu">
-      <update_rate>100</update_rate>
-    </sensor>
-  </gazebo>
-</robot>
-)"}},
-      .good = {{R"(<robot name="arm">
-  <link name="head"/>
-  <gazebo reference="head">
-    <sensor name="level" type="imu">
-      <update_rate>100</update_rate>
-    </sensor>
-  </gazebo>
-</robot>
-)"}},
+          "Give the <gazebo> the link that carries the sensor: <gazebo reference=\"camera_link\">.",
       .checks = {on<model::Sensor>(check)},
   };
 }

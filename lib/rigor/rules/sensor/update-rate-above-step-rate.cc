@@ -1,14 +1,11 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
-
 #include <fmt/core.h>
 
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::update_rate_above_step_rate {
-namespace {
 
 // A rate is written rounded: 60 for a step of 0.0167 s.
 constexpr double kRounding = 1.02;
@@ -31,54 +28,16 @@ void check(const model::Root& root, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "update-rate-above-step-rate",
-      .category = Category::kSensor,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a sensor is to measure more often than its world makes steps",
-      .why =
-          "A simulated sensor measures at the end of a step. One whose rate is above the steps "
-          "in a second measures once in each, so less often than it was asked to, and nothing "
-          "says so.",
+      .why = "A simulated sensor measures at the end of a step. One whose rate is above the steps "
+             "in a second measures once in each, so less often than it was asked to, and nothing "
+             "says so.",
       .what_to_do = "Lower the update_rate, or make the max_step_size of <physics> smaller.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="hall">
-    <physics name="default" type="ode">
-      <max_step_size>0.01</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-    <model name="arm">
-      <static>true</static>
-      <link name="head">
-        <sensor name="level" type="imu">
-          <update_rate>«500»</update_rate>
-        </sensor>
-      </link>
-    </model>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="hall">
-    <physics name="default" type="ode">
-      <max_step_size>0.01</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-    <model name="arm">
-      <static>true</static>
-      <link name="head">
-        <sensor name="level" type="imu">
-          <update_rate>100</update_rate>
-        </sensor>
-      </link>
-    </model>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::update_rate_negative {
-namespace {
 
 void check(const model::Sensor& sensor, Context& context) {
   const auto& rate = sensor.update_rate;
@@ -19,52 +18,15 @@ void check(const model::Sensor& sensor, Context& context) {
        .fix = Fix{"as often as possible", Applicability::kUnsafe, {{rate.span, "0"}}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "update-rate-negative",
-      .category = Category::kSensor,
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "the update rate of a sensor is negative",
-      .why =
-          "ign sdf -k calls it valid; simulators differ: some never measure, some measure at "
-          "every step.",
+      .why = "ign sdf -k calls it valid; simulators differ: some never measure, some measure at "
+             "every step.",
       .what_to_do = "Write the measurements in one second, or 0 for every step.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="imu">
-        <update_rate>«-5»</update_rate>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="imu">
-        <update_rate>0</update_rate>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="arm">
-    <static>true</static>
-    <link name="head">
-      <sensor name="eye" type="imu">
-        <update_rate>50</update_rate>
-      </sensor>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on<model::Sensor>(check)},
   };
 }

@@ -8,7 +8,6 @@
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::malformed_suppression {
-namespace {
 
 using Kind = SuppressionFactKind;
 
@@ -43,50 +42,16 @@ void check(const SuppressionFact& fact, Context& context) {
   context.report({.where = fact.where, .message = message(fact), .help = help(fact)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "malformed-suppression",
-      .category = Category::kSuppression,
       .severity = Severity::kWarning,
       .summary = "a comment for rigor says nothing that it understands",
-      .why =
-          "Whoever wrote it believes that something is ignored, and nothing is. Everything at once "
-          "cannot be ignored: then a new fault would go unseen with the known ones.",
+      .why = "Whoever wrote it believes that something is ignored, and nothing is. Everything at "
+             "once cannot be ignored: then a new fault would go unseen with the known ones.",
       .what_to_do =
           "Write `<!-- rigor: ignore[rule, category] why -->` before the element that it is for, "
           "`ignore-next[…]` for its start tag alone, or `file-ignore[…]` before the root.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <!-- rigor: «ignroe»[unknown-element] -->
-    <launcher/>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <!-- rigor: «ignore» this link -->
-    <link name="body"/>
-    <!-- rigor: ignore[«all»] -->
-    <launcher/>
-    <!-- rigor: «file-ignore»[unknown-element] -->
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<!-- rigor checks this file: the launcher is ours -->
-<!-- rigor: file-ignore[unknown-element] read by our launcher -->
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <launcher/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_suppression({Kind::kMalformed, Kind::kNoNames, Kind::kUnclosedList,
                                  Kind::kEveryRule, Kind::kMisplaced},
                                 check)},

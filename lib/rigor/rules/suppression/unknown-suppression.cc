@@ -5,9 +5,9 @@
 #include <utility>
 
 #include <rigor/rules/rule.h>
+#include <rigor/rules/suppression_fact.h>
 
 namespace rigor::rules::unknown_suppression {
-namespace {
 
 void check(const SuppressionFact& fact, Context& context) {
   Finding finding{.where = fact.where};
@@ -25,34 +25,13 @@ void check(const SuppressionFact& fact, Context& context) {
   context.report(std::move(finding));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "unknown-suppression",
-      .category = Category::kSuppression,
       .severity = Severity::kWarning,
       .summary = "a comment suppresses a rule that does not exist",
       .why = "The name is misspelt, or its rule is gone: the comment has no effect.",
       .what_to_do = "Write the name as `rigor rules` lists it, or remove it.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <!-- rigor: ignore[«unknown-elemnt»] read by our launcher -->
-    <launcher/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <!-- rigor: ignore[unknown-element] read by our launcher -->
-    <launcher/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_suppression({SuppressionFactKind::kUnknownRule}, check)},
   };
 }

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include <rigor/rules/rule.h>
+#include <rigor/rules/suppression_fact.h>
 
 namespace rigor::rules::unused_suppression {
-namespace {
 
 bool is_whole_comment(const Edit& edit, const Context& context) {
   return context.bytes(edit.span).find("<!--") != std::string_view::npos;
@@ -26,79 +26,17 @@ void check(const SuppressionFact& fact, Context& context) {
   context.report(std::move(finding));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "unused-suppression",
-      .category = Category::kSuppression,
       .severity = Severity::kWarning,
       .fix = FixGrade::kSafe,
       .summary = "a comment suppresses findings that are not there",
-      .why =
-          "What it was written for has been put right, or has moved. Left in place it hides the "
-          "same fault when that comes back, and tells readers of one that is gone.",
+      .why = "What it was written for has been put right, or has moved. Left in place it hides the "
+             "same fault when that comes back, and tells readers of one that is gone.",
       .what_to_do =
           "Remove the name, or the comment when it was the only one. An `ignore` covers the "
-          "element "
-          "that follows it among its siblings: move it if it was meant for another.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <!-- rigor: ignore[«axis-zero»] the motor is chosen later -->
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <!-- rigor: ignore[«axis-zero», unknown-element, «pose-looks-like-degrees»] read by our launcher -->
-    <launcher/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <!-- rigor: ignore[unknown-element] read by our launcher -->
-    <launcher/>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    «<!-- rigor: ignore[axis-zero] -->»
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-    <!-- rigor: ignore[unknown-element] read by our launcher -->
-    <launcher/>
-  </model>
-</sdf>
-)"}},
+          "element that follows it among its siblings: move it if it was meant for another.",
       .checks = {on_suppression({SuppressionFactKind::kUnused, SuppressionFactKind::kNoElement},
                                 check)},
   };

@@ -5,12 +5,10 @@
 
 #include <fmt/core.h>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::globe_position_impossible {
-namespace {
 
 constexpr double kMostLatitude = 90;  // degrees
 
@@ -18,10 +16,8 @@ constexpr double kMostLatitude = 90;  // degrees
 constexpr double kMostLongitude = 360;
 
 void check(const model::World& world, Context& context) {
-  const auto place = context.element(world.site).child("spherical_coordinates");
-  if (!place) return;
-  const auto latitude = read::number_field(read::child_text(*place, "latitude_deg"), 0);
-  const auto longitude = read::number_field(read::child_text(*place, "longitude_deg"), 0);
+  if (!world.globe_position) return;
+  const auto& [latitude, longitude] = *world.globe_position;
   if (std::abs(latitude.value) > kMostLatitude) {
     const bool swapped = longitude.written && std::abs(longitude.value) <= kMostLatitude &&
                          std::abs(latitude.value) <= kMostLongitude;
@@ -40,61 +36,19 @@ void check(const model::World& world, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "globe-position-impossible",
-      .category = Category::kWorld,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a world's latitude or longitude is nowhere on the globe",
-      .why =
-          "<spherical_coordinates> says where on the globe the middle of the world is; satellite "
-          "navigation "
-          "and magnetometers count from there. Beyond the pole, or round the globe more than once, "
-          "they give "
-          "places that no map has. Mostly latitude and longitude were swapped, or are not in "
-          "degrees.",
+      .why = "<spherical_coordinates> says where on the globe the middle of the world is; "
+             "satellite navigation and magnetometers count from there. Beyond the pole, or round "
+             "the globe more than once, they give places that no map has. Mostly latitude and "
+             "longitude were swapped, or are not in degrees.",
       .what_to_do =
           "Write degrees north (at most 90) in latitude_deg and degrees east in longitude_deg.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="harbour">
-    <spherical_coordinates>
-      <surface_model>EARTH_WGS84</surface_model>
-      <latitude_deg>«151.2»</latitude_deg>
-      <longitude_deg>-33.7</longitude_deg>
-      <elevation>0</elevation>
-      <heading_deg>0</heading_deg>
-    </spherical_coordinates>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="harbour">
-    <spherical_coordinates>
-      <surface_model>EARTH_WGS84</surface_model>
-      <latitude_deg>-33.7</latitude_deg>
-      <longitude_deg>151.2</longitude_deg>
-      <elevation>0</elevation>
-      <heading_deg>0</heading_deg>
-    </spherical_coordinates>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="harbour">
-    <spherical_coordinates>
-      <surface_model>EARTH_WGS84</surface_model>
-      <latitude_deg>-33.7</latitude_deg>
-      <longitude_deg>151.2</longitude_deg>
-      <elevation>0</elevation>
-      <heading_deg>0</heading_deg>
-    </spherical_coordinates>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::World>(check)},
   };
 }

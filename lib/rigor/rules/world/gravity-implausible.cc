@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::gravity_implausible {
-namespace {
 
 using model::Vector3;
 
@@ -52,52 +51,18 @@ void check(const model::World& world, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "gravity-implausible",
-      .category = Category::kWorld,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the world's gravity is stronger than on any planet, or pulls sideways",
       .why =
           "Gravity is in m/s², and the world's z axis points up. In cm/s² or mm/s² all that moves "
-          "is pressed "
-          "into the ground; along -y, as where y is up, all slides off sideways.",
+          "is pressed into the ground; along -y, as where y is up, all slides off sideways.",
       .what_to_do =
           "Write 0 0 -9.8, or what the place has: 0 0 -1.62 for the Moon, 0 0 0 for none.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <gravity>«0 0 -981»</gravity>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <gravity>0 0 -9.81</gravity>
-  </world>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <world name="lab">
-    <gravity>«0 -9.81 0»</gravity>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="moon">
-    <gravity>0 0 -1.62</gravity>
-  </world>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <world name="slope">
-    <gravity>4.9 0 -8.5</gravity>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::World>(check)},
   };
 }

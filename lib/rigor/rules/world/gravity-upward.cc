@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::gravity_upward {
-namespace {
 
 /// Only the sign of z is another, and all digits stay.
 std::optional<Fix> downward(const model::Field<model::Vector3>& gravity, const Context& context) {
@@ -30,44 +29,16 @@ void check(const model::World& world, Context& context) {
                   .fix = downward(world.gravity, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "gravity-upward",
-      .category = Category::kWorld,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the world's gravity points up",
-      .why =
-          "The world's z axis points up, against gravity. With the sign forgotten everything that "
-          "is not static leaves the ground at the first step, in every simulator.",
+      .why = "The world's z axis points up, against gravity. With the sign forgotten everything "
+             "that is not static leaves the ground at the first step, in every simulator.",
       .what_to_do = "Write the vector with a minus sign: 0 0 -9.8.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <gravity>«0 0 9.8»</gravity>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <gravity>0 0 -9.8</gravity>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <gravity>0 0 -9.8</gravity>
-  </world>
-</sdf>
-)"},
-               {R"(<sdf version="1.9">
-  <world name="orbit">
-    <gravity>0 0 0</gravity>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::World>(check)},
   };
 }

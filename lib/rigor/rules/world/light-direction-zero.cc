@@ -1,16 +1,13 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::light_direction_zero {
-namespace {
 
 void check(const model::Light& light, Context& context) {
   if (light.type.value != "directional" && light.type.value != "spot") return;
-  const auto direction =
-      read::vector_field(read::child_text(context.element(light.site), "direction"), {0, 0, -1});
+  const auto& direction = light.direction;
   if (!direction.written || length(direction.value) > 0) return;
   context.report(
       {.where = direction.span,
@@ -19,45 +16,16 @@ void check(const model::Light& light, Context& context) {
        .fix = Fix{"let it shine down", Applicability::kUnsafe, {{direction.span, "0 0 -1"}}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "light-direction-zero",
-      .category = Category::kWorld,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a light shines in no direction",
-      .why =
-          "A directional or spot light shines along its direction. Normalised, zero stays zero or "
-          "becomes "
-          "nan: the scene is dark, or lit from anywhere.",
+      .why = "A directional or spot light shines along its direction. Normalised, zero stays zero "
+             "or becomes nan: the scene is dark, or lit from anywhere.",
       .what_to_do = "Write the direction in the light's own frame; 0 0 -1 is down.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <light name="sun" type="directional">
-      <direction>«0 0 0»</direction>
-    </light>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <light name="sun" type="directional">
-      <direction>0 0 -1</direction>
-    </light>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <light name="bulb" type="point">
-      <direction>0 0 0</direction>
-    </light>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Light>(check)},
   };
 }

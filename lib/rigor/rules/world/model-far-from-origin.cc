@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::model_far_from_origin {
-namespace {
 
 // At 10 km a number of single precision, which renderers and some engines count in, has steps of 1 mm.
 constexpr double kFar = 10'000;  // m
@@ -26,41 +25,18 @@ void check(const Placed& placed, Context& context) {
                                          placed.name.value, length(p) / 1000)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "model-far-from-origin",
-      .category = Category::kWorld,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a model of a world is more than 10 km from its middle",
-      .why =
-          "Renderers and some engines count in single precision, which beyond 10 km has steps of a "
-          "millimetre and more: what is there trembles. Nobody sees it from where the others are, "
-          "either. "
-          "Mostly it fell through the ground, or was flung away, before the world was saved.",
-      .what_to_do =
-          "Put the model back where it belongs. A world on the globe has its place in "
-          "<spherical_coordinates>, and its models near 0 0 0.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="shop">
-    <model name="book">
-      <pose>«1.17 1.19 343582.7 0 0 0»</pose>
-      <link name="body"/>
-    </model>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="field">
-    <model name="mast">
-      <pose>900 -1200 0 0 0 0</pose>
-      <link name="body"/>
-    </model>
-  </world>
-</sdf>
-)"}},
+      .why = "Renderers and some engines count in single precision, which beyond 10 km has steps "
+             "of a millimetre and more: what is there trembles. Nobody sees it from where the "
+             "others are, either. Mostly it fell through the ground, or was flung away, before the "
+             "world was saved.",
+      .what_to_do = "Put the model back where it belongs. A world on the globe has its place in "
+                    "<spherical_coordinates>, and its models near 0 0 0.",
       .checks = {on<model::Model>(check), on<model::Include>(check)},
   };
 }

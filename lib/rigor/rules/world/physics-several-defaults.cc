@@ -5,14 +5,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::physics_several_defaults {
-namespace {
-
-std::optional<Fix> no_default(const model::Physics& physics, const Context& context) {
-  const auto attribute = context.element(physics.site).attribute("default");
-  if (!attribute) return std::nullopt;
-  return fix_of("keep the first as the default", Applicability::kUnsafe,
-                xml::remove_attribute(context.document(), *attribute));
-}
 
 void check(const model::Physics& physics, Context& context) {
   if (!physics.is_default.value || !physics.world) return;
@@ -23,65 +15,22 @@ void check(const model::Physics& physics, Context& context) {
                     .message = "a second <physics> is the default: the first one, '" +
                                other.name.value + "', counts",
                     .related = {{other.is_default.span, "the first"}},
-                    .fix = no_default(physics, context)});
+                    .fix = fix_of("keep the first as the default", Applicability::kUnsafe,
+                                  attribute_removed(context, physics.site, "default"))});
     return;
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "physics-several-defaults",
-      .category = Category::kWorld,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "more than one <physics> of a world is the default",
-      .why =
-          "A world may describe several engines and steps, and the default one is used. "
-          "libsdformat takes the "
-          "first that says so; what the others say has no effect.",
+      .why = "A world may describe several engines and steps, and the default one is used. "
+             "libsdformat takes the first that says so; what the others say has no effect.",
       .what_to_do = "Leave default=\"true\" with the one that is meant.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fine" type="ode" default="true">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-    <physics name="coarse" type="ode" default="«true»">
-      <max_step_size>0.004</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fine" type="ode" default="true">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-    <physics name="coarse" type="ode">
-      <max_step_size>0.004</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fine" type="ode" default="true">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-    <physics name="coarse" type="ode">
-      <max_step_size>0.004</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Physics>(check)},
   };
 }

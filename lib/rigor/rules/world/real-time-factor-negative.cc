@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::real_time_factor_negative {
-namespace {
 
 void check(const model::Physics& physics, Context& context) {
   const auto& factor = physics.real_time_factor;
@@ -18,48 +17,17 @@ void check(const model::Physics& physics, Context& context) {
                   .fix = Fix{"run in real time", Applicability::kUnsafe, {{factor.span, "1"}}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "real-time-factor-negative",
-      .category = Category::kWorld,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the real time factor of the physics is negative",
-      .why =
-          "The factor is simulated time over wall time: 1 is real time, 0 as fast as can be. "
-          "Gazebo Sim makes "
-          "the pause between steps of it, and a negative one is no pause that anybody meant.",
+      .why = "The factor is simulated time over wall time: 1 is real time, 0 as fast as can be. "
+             "Gazebo Sim makes the pause between steps of it, and a negative one is no pause that "
+             "anybody meant.",
       .what_to_do = "Write 1 for real time, 0.5 for half of it, 0 for as fast as can be.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="ode">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>«-1»</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="ode">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="ode">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>0</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Physics>(check)},
   };
 }

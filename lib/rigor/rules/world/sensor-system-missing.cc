@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
-#include <set>
 #include <string>
 #include <string_view>
 
@@ -12,7 +11,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::sensor_system_missing {
-namespace {
 
 struct System {
   std::string_view library;  // "imu" of gz-sim-imu-system
@@ -101,13 +99,13 @@ Unserved unserved_by(const Prefix& prefix, const model::Root& root) {
 /// Behind the plugins that the world has.
 std::optional<Fix> load_them(const Unserved& unserved, const model::World& world,
                              const Context& context) {
-  const xml::Element element = context.element(world.site);
-  std::optional<xml::Element> last;
-  for (const xml::Element child : element.children()) {
-    if (child.name() == "plugin") last = child;
+  Span last;
+  for (const model::Plugin& plugin : context.root().plugins) {
+    const bool inside = plugin.world && &context.root()[plugin.world] == &world;
+    if (inside && context.root().own(plugin.site)) last = plugin.site.tag;
   }
   return fix_of(fmt::format("load {}", unserved.systems), Applicability::kUnsafe,
-                xml::insert_child(context.document(), element, last, unserved.elements));
+                inserted(context, world.site, last, unserved.elements));
 }
 
 void check(const model::World& world, Context& context) {
@@ -131,83 +129,20 @@ void check(const model::World& world, Context& context) {
        .fix = load_them(unserved, world, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "sensor-system-missing",
-      .category = Category::kWorld,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a world with sensors does not load the system that runs them",
-      .why =
-          "In Gazebo Sim each kind of sensor is run by a system plugin of the world: cameras and "
-          "GPU lidars by "
-          "Sensors, an IMU by Imu, a contact sensor by Contact. Without it the sensor is there and "
-          "publishes nothing, and no message says so. The default server.config loads physics, "
-          "user "
-          "commands and the scene broadcaster only. A world is told once, at the first of its "
-          "sensors.",
-      .what_to_do =
-          "Add the system's <plugin> to the world. Where the launch file or a server.config of "
-          "your own "
-          "loads it, ignore the rule.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>
-    <model name="robot">
-      <link name="body">
-        <«sensor» name="balance" type="imu">
-          <update_rate>100</update_rate>
-        </sensor>
-      </link>
-    </model>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>
-    <plugin filename="gz-sim-imu-system" name="gz::sim::systems::Imu"/>
-    <model name="robot">
-      <link name="body">
-        <sensor name="balance" type="imu">
-          <update_rate>100</update_rate>
-        </sensor>
-      </link>
-    </model>
-  </world>
-</sdf>
-)"}},
-      .good = {{
-                   R"(<sdf version="1.9">
-  <world name="lab">
-    <plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>
-    <plugin filename="gz-sim-imu-system" name="gz::sim::systems::Imu"/>
-    <model name="robot">
-      <link name="body">
-        <sensor name="balance" type="imu">
-          <update_rate>100</update_rate>
-        </sensor>
-      </link>
-    </model>
-  </world>
-</sdf>
-)",
-               },
-               {R"(<sdf version="1.6">
-  <world name="classic">
-    <model name="robot">
-      <link name="body">
-        <sensor name="balance" type="imu">
-          <update_rate>100</update_rate>
-        </sensor>
-      </link>
-    </model>
-  </world>
-</sdf>
-)"}},
+      .why = "In Gazebo Sim each kind of sensor is run by a system plugin of the world: cameras "
+             "and GPU lidars by Sensors, an IMU by Imu, a contact sensor by Contact. Without it "
+             "the sensor is there and publishes nothing, and no message says so. The default "
+             "server.config loads physics, user commands and the scene broadcaster only. A world "
+             "is told once, at the first of its sensors.",
+      .what_to_do = "Add the system's <plugin> to the world. Where the launch file or a "
+                    "server.config of your own loads it, ignore the rule.",
       .checks = {on<model::World>(check)},
   };
 }

@@ -3,19 +3,15 @@
 
 #include <fmt/core.h>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::spot_angles_inverted {
-namespace {
 
 void check(const model::Light& light, Context& context) {
   if (light.type.value != "spot") return;
-  const auto spot = context.element(light.site).child("spot");
-  if (!spot) return;
-  const auto inner = read::number_field(read::child_text(*spot, "inner_angle"), 0);
-  const auto outer = read::number_field(read::child_text(*spot, "outer_angle"), 0);
+  const auto& inner = light.spot_inner_angle;
+  const auto& outer = light.spot_outer_angle;
   if (!inner.written || !outer.written || inner.value <= outer.value) return;
   context.report(
       {.where = inner.span,
@@ -27,57 +23,17 @@ void check(const model::Light& light, Context& context) {
        .fix = swap("swap them", inner.span, outer.span, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "spot-angles-inverted",
-      .category = Category::kWorld,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the inner angle of a spot light is larger than the outer one",
-      .why =
-          "A spot light is full within the inner cone and fades towards the outer one. With the "
-          "inner one "
-          "outside, the fading runs the wrong way: the light has a hard edge, or a dark middle.",
+      .why = "A spot light is full within the inner cone and fades towards the outer one. With the "
+             "inner one outside, the fading runs the wrong way: the light has a hard edge, or a "
+             "dark middle.",
       .what_to_do = "Swap the two; both are in radians.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <light name="lamp" type="spot">
-      <spot>
-        <inner_angle>«0.9»</inner_angle>
-        <outer_angle>0.5</outer_angle>
-        <falloff>1</falloff>
-      </spot>
-    </light>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <light name="lamp" type="spot">
-      <spot>
-        <inner_angle>0.5</inner_angle>
-        <outer_angle>0.9</outer_angle>
-        <falloff>1</falloff>
-      </spot>
-    </light>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <light name="lamp" type="spot">
-      <spot>
-        <inner_angle>0.5</inner_angle>
-        <outer_angle>0.9</outer_angle>
-        <falloff>1</falloff>
-      </spot>
-    </light>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Light>(check)},
   };
 }

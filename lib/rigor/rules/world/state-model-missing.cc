@@ -1,7 +1,6 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
 #include <set>
 #include <string>
 #include <string_view>
@@ -10,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::state_model_missing {
-namespace {
 
 using Names = std::set<std::string_view>;
 
@@ -49,68 +47,18 @@ void check(const model::World& world, Context& context) {
   }
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "state-model-missing",
-      .category = Category::kWorld,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the <state> of a world names a model that is not in it",
-      .why =
-          "Gazebo classic writes the places of all models into <state> when it saves a world, and "
-          "puts "
-          "them there when it loads it. A model that was renamed or taken out in an editor keeps "
-          "its state: "
-          "it has no effect, and the renamed one begins elsewhere than it was saved.",
+      .why = "Gazebo classic writes the places of all models into <state> when it saves a world, "
+             "and puts them there when it loads it. A model that was renamed or taken out in an "
+             "editor keeps its state: it has no effect, and the renamed one begins elsewhere than "
+             "it was saved.",
       .what_to_do = "Give the state the model's new name, or take it out.",
-      .bad = {{R"(<sdf version="1.6">
-  <world name="lab">
-    <model name="table">
-      <static>true</static>
-      <link name="body"/>
-    </model>
-    <state world_name="lab">
-      <model name="table">
-        <pose>1 0 0 0 0 0</pose>
-      </model>
-      <model name="«desk»">
-        <pose>2 0 0 0 0 0</pose>
-      </model>
-    </state>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.6">
-  <world name="lab">
-    <model name="table">
-      <static>true</static>
-      <link name="body"/>
-    </model>
-    <state world_name="lab">
-      <model name="table">
-        <pose>1 0 0 0 0 0</pose>
-      </model>
-    </state>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.6">
-  <world name="lab">
-    <model name="table">
-      <static>true</static>
-      <link name="body"/>
-    </model>
-    <state world_name="lab">
-      <model name="table">
-        <pose>1 0 0 0 0 0</pose>
-      </model>
-    </state>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::World>(check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::step_size_large {
-namespace {
 
 // s. Of 600 real worlds none has more, and those of boats and balloons have this.
 constexpr double kLarge = 0.02;
@@ -34,50 +33,17 @@ void check(const model::Physics& physics, Context& context) {
        .fix = in_seconds(step)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "step-size-large",
-      .category = Category::kWorld,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the step size of the physics is larger than 0.02 s",
-      .why =
-          "What falls for a metre moves 9 cm in such a step: it is deep in the ground, or through "
-          "it, before "
-          "the engine sees the contact. Joints with springs, damping or controllers shake. The "
-          "number is "
-          "in seconds; 1 is mostly a millisecond.",
+      .why = "What falls for a metre moves 9 cm in such a step: it is deep in the ground, or "
+             "through it, before the engine sees the contact. Joints with springs, damping or "
+             "controllers shake. The number is in seconds; 1 is mostly a millisecond.",
       .what_to_do = "Write 0.001, or at most 0.005 where contacts matter.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="ode">
-      <max_step_size>«1»</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <world name="lab">
-    <physics name="fast" type="ode">
-      <max_step_size>0.001</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="sea">
-    <physics name="slow" type="ode">
-      <max_step_size>0.02</max_step_size>
-      <real_time_factor>1</real_time_factor>
-    </physics>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Physics>(check)},
   };
 }

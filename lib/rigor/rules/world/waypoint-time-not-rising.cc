@@ -5,18 +5,14 @@
 
 #include <fmt/core.h>
 
-#include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::waypoint_time_not_rising {
-namespace {
 
 /// Told once of a trajectory: one wrong time may be followed by many.
-void look_at(xml::Element trajectory, const model::Actor& actor, Context& context) {
+void look_at(const model::Trajectory& trajectory, const model::Actor& actor, Context& context) {
   std::optional<model::Field<double>> before;
-  for (const xml::Element waypoint : trajectory.children()) {
-    if (waypoint.name() != "waypoint") continue;
-    const auto time = read::number_field(read::child_text(waypoint, "time"), 0);
+  for (const model::Field<double>& time : trajectory.times) {
     if (!time.written) continue;
     if (before && time.value <= before->value) {
       context.report({.where = time.span,
@@ -33,55 +29,19 @@ void look_at(xml::Element trajectory, const model::Actor& actor, Context& contex
 void check(const model::Root& root, Context& context) {
   for (const model::Actor& actor : root.actors) {
     if (!root.own(actor.site)) continue;
-    const auto script = context.element(actor.site).child("script");
-    if (!script) continue;
-    for (const xml::Element child : script->children()) {
-      if (child.name() == "trajectory") look_at(child, actor, context);
-    }
+    for (const model::Trajectory& each : actor.trajectories) look_at(each, actor, context);
   }
 }
-
-}  // namespace
 
 Rule rule() {
   return {
       .name = "waypoint-time-not-rising",
-      .category = Category::kWorld,
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a waypoint of an actor is not later than the one before it",
-      .why =
-          "Gazebo sorts waypoints by their time, so the actor takes another way than the file "
-          "shows; of two with one time it takes the last.",
+      .why = "Gazebo sorts waypoints by their time, so the actor takes another way than the file "
+             "shows; of two with one time it takes the last.",
       .what_to_do = "Write times that rise, in seconds since the script started.",
-      .bad = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <actor name="guard">
-      <script>
-        <trajectory id="0" type="walk">
-          <waypoint><time>0</time><pose>0 0 0 0 0 0</pose></waypoint>
-          <waypoint><time>4</time><pose>4 0 0 0 0 0</pose></waypoint>
-          <waypoint><time>«3»</time><pose>4 4 0 0 0 0</pose></waypoint>
-        </trajectory>
-      </script>
-    </actor>
-  </world>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <world name="lab">
-    <actor name="guard">
-      <script>
-        <trajectory id="0" type="walk">
-          <waypoint><time>0</time><pose>0 0 0 0 0 0</pose></waypoint>
-          <waypoint><time>4</time><pose>4 0 0 0 0 0</pose></waypoint>
-          <waypoint><time>8</time><pose>4 4 0 0 0 0</pose></waypoint>
-        </trajectory>
-      </script>
-    </actor>
-  </world>
-</sdf>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include <rigor/model/parameter.h>
 #include <rigor/xml/document.h>
 
 namespace rigor::rules {
@@ -25,6 +26,13 @@ inline bool has_xacro(std::string_view value) {
 inline bool has_xacro_child(xml::Element element) {
   for (const xml::Element child : element.children()) {
     if (child.name().starts_with("xacro:")) return true;
+  }
+  return false;
+}
+
+inline bool has_xacro_child(const model::Parameter& parameter) {
+  for (const model::Parameter& child : parameter.children) {
+    if (child.name.starts_with("xacro:")) return true;
   }
   return false;
 }

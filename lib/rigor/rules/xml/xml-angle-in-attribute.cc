@@ -5,7 +5,6 @@
 #include <rigor/rules/xml/more.h>
 
 namespace rigor::rules::xml_angle_in_attribute {
-namespace {
 
 void check(const xml::Fault& fault, Context& context) {
   context.report({.where = fault.where,
@@ -13,38 +12,14 @@ void check(const xml::Fault& fault, Context& context) {
                   .fix = Fix{"write &lt;", Applicability::kSafe, {{fault.where, "&lt;"}}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "xml-angle-in-attribute",
-      .category = Category::kXml,
       .severity = Severity::kWarning,
       .fix = FixGrade::kSafe,
       .summary = "an attribute's value holds '<'",
       .why = "tinyxml2 (libsdformat, Gazebo, urdfdom) takes it; strict parsers refuse the file.",
       .what_to_do = "Write &lt; for the character '<'.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="«<»body>"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="&lt;body>"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="&lt;body>"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kAngleInValue}, check)},
   };
 }

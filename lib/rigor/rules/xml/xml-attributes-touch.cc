@@ -5,7 +5,6 @@
 #include <rigor/rules/xml/more.h>
 
 namespace rigor::rules::xml_attributes_touch {
-namespace {
 
 void check(const xml::Fault& fault, Context& context) {
   const Span before{fault.where.source, fault.where.begin, fault.where.begin};
@@ -14,44 +13,14 @@ void check(const xml::Fault& fault, Context& context) {
                   .fix = Fix{"insert a space", Applicability::kSafe, {{before, " "}}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "xml-attributes-touch",
-      .category = Category::kXml,
       .severity = Severity::kWarning,
       .fix = FixGrade::kSafe,
       .summary = "no space stands between two attributes",
       .why = "tinyxml2 (libsdformat, Gazebo, urdfdom) takes it; strict parsers refuse the file.",
       .what_to_do = "Put a space between them.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <light name="lamp"«type="point"»/>
-    </link>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <light name="lamp" type="point"/>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <light name="lamp" type="point"/>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kNoSpaceBetween}, check)},
   };
 }

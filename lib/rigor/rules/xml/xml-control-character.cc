@@ -12,7 +12,6 @@
 #include <rigor/rules/xml/more.h>
 
 namespace rigor::rules::xml_control_character {
-namespace {
 
 /// Of a name or value it is a part, as most consumers read it.
 Applicability fix_of_character(const xml::Fault& fault, const Context& context) {
@@ -33,30 +32,15 @@ void check(const xml::Fault& fault, Context& context) {
                   .fix = Fix{"remove it", fix_of_character(fault, context), {{fault.where, ""}}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "xml-control-character",
-      .category = Category::kXml,
       .severity = Severity::kWarning,
       .fix = FixGrade::kSafe,
       .summary = "the file holds a control character",
-      .why =
-          "XML forbids them. tinyxml2 (libsdformat, Gazebo, urdfdom) takes all but zero bytes; "
-          "strict parsers refuse the file.",
+      .why = "XML forbids them. tinyxml2 (libsdformat, Gazebo, urdfdom) takes all but zero bytes; "
+             "strict parsers refuse the file.",
       .what_to_do = "Remove the character; it cannot be seen in most editors.",
-      .bad = {{"<!-- a box«\x1B» -->\n<sdf version=\"1.9\">\n  <model name=\"box\">\n    <link "
-               "name=\"body\"/>\n  </model>\n</sdf>\n",
-               "<!-- a box -->\n<sdf version=\"1.9\">\n  <model name=\"box\">\n    <link "
-               "name=\"body\"/>\n  </model>\n</sdf>\n"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kControlCharacter}, check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::xml_declaration_not_first {
-namespace {
 
 constexpr std::uint32_t kByteOrderMarkSize = 3;
 
@@ -29,58 +28,19 @@ void check(const xml::Fault& fault, Context& context) {
                   .refused = refused});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "xml-declaration-not-first",
-      .category = Category::kXml,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kSafe,
       .summary = "the XML declaration is not the first thing in the file",
-      .why =
-          "A declaration is one only at the very start. Behind an element or comment tinyxml2 "
-          "(libsdformat, Gazebo, urdfdom) refuses the file; behind a blank line it does not, but "
-          "Python's and every other strict parser does, and with them the ROS tools that are "
-          "written in Python.",
+      .why = "A declaration is one only at the very start. Behind an element or comment tinyxml2 "
+             "(libsdformat, Gazebo, urdfdom) refuses the file; behind a blank line it does not, "
+             "but Python's and every other strict parser does, and with them the ROS tools that "
+             "are written in Python.",
       .what_to_do =
-          "Move the declaration to the first line, or remove it: XML without one is UTF-8 "
-          "already.",
-      .bad = {{R"(
-«<?xml version="1.0"?>»
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<?xml version="1.0"?>
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-              {R"(<!-- a box -->
-«<?xml version="1.0"?>»
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<?xml version="1.0"?>
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
+          "Move the declaration to the first line, or remove it: XML without one is UTF-8 already.",
       .checks = {on_xml({xml::FaultKind::kDeclarationNotFirst}, check)},
   };
 }

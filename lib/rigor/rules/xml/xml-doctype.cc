@@ -7,7 +7,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::xml_doctype {
-namespace {
 
 void check(const xml::Fault& fault, Context& context) {
   context.report({.where = fault.where,
@@ -17,42 +16,16 @@ void check(const xml::Fault& fault, Context& context) {
                   .refused = context.bytes(fault.where).find('[') != std::string_view::npos});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "xml-doctype",
-      .category = Category::kXml,
       .severity = Severity::kWarning,
       .refused = {.urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "the file has a DOCTYPE",
-      .why =
-          "Neither SDF nor URDF has one. tinyxml2 (libsdformat, Gazebo, urdfdom) passes over it, "
-          "so that an entity which it defines is never replaced.",
+      .why = "Neither SDF nor URDF has one. tinyxml2 (libsdformat, Gazebo, urdfdom) passes over "
+             "it, so that an entity which it defines is never replaced.",
       .what_to_do = "Remove it, and write out the entities that it defines.",
-      .bad = {{R"(«<!DOCTYPE sdf>»
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kDoctype}, check)},
   };
 }

@@ -13,7 +13,6 @@
 #include <rigor/rules/xml/more.h>
 
 namespace rigor::rules::xml_double_hyphen_in_comment {
-namespace {
 
 /// In place of all hyphens of the comment that stand together. What looks like the option of a program,
 /// `--verbose`, is left: somebody may copy it from there.
@@ -42,67 +41,15 @@ void check(const xml::Fault& fault, Context& context) {
                   .fix = write_equals(fault, context.document().bytes())});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "xml-double-hyphen-in-comment",
-      .category = Category::kXml,
       .severity = Severity::kWarning,
       .fix = FixGrade::kSafe,
       .summary = "a comment holds '--'",
-      .why =
-          "tinyxml2 (libsdformat, Gazebo, urdfdom) takes it; strict parsers, Python's among them, "
-          "refuse the whole file, and with them the ROS tools that are written in Python.",
+      .why = "tinyxml2 (libsdformat, Gazebo, urdfdom) takes it; strict parsers, Python's among "
+             "them, refuse the whole file, and with them the ROS tools that are written in Python.",
       .what_to_do = "Write another line of characters, as in <!-- ===== wheels ===== -->.",
-      .bad = {{R"(<!-- a box «--» with a lid -->
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<!-- a box == with a lid -->
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <!--«--» wheels --- -->
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <!--== wheels === -->
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-              {R"(<!-- started with «--»verbose -->
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<!-- a box == with a lid -->
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kHyphensInComment}, check)},
   };
 }

@@ -3,14 +3,12 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include <rigor/read/values.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::xml_duplicate_attribute {
-namespace {
 
 /// The value, with its quotes, of the attribute whose name ends at `at`.
 std::string_view value_after(std::string_view bytes, std::size_t at) {
@@ -39,48 +37,16 @@ void check(const xml::Fault& fault, Context& context) {
                   .fix = remove_second(fault, context.document().bytes())});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "xml-duplicate-attribute",
-      .category = Category::kXml,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .fix = FixGrade::kSafe,
       .summary = "a tag has the same attribute twice",
-      .why =
-          "tinyxml2, which libsdformat, Gazebo and urdfdom read with, refuses the file at this "
-          "tag.",
+      .why = "tinyxml2, which libsdformat, Gazebo and urdfdom read with, refuses the file at this "
+             "tag.",
       .what_to_do = "Keep one of the two.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body" «name»="body"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body" «name»="lid"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kDuplicateAttribute}, check)},
   };
 }

@@ -4,34 +4,20 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::xml_empty {
-namespace {
 
 void check(const xml::Fault& fault, Context& context) {
   context.report({.where = fault.where, .message = "the file holds no element"});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "xml-empty",
-      .category = Category::kXml,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "the file holds no element",
-      .why =
-          "libsdformat, Gazebo and urdfdom find nothing to load and refuse it. Often a generator "
-          "failed and left an empty file behind.",
+      .why = "libsdformat, Gazebo and urdfdom find nothing to load and refuse it. Often a "
+             "generator failed and left an empty file behind.",
       .what_to_do = "Write the model, or remove the file.",
-      .bad = {{R"(«»<!-- a model is going to stand here -->
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kEmpty}, check)},
   };
 }

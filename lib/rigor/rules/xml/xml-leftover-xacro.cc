@@ -15,7 +15,6 @@
 #include <rigor/text/path.h>
 
 namespace rigor::rules::xml_leftover_xacro {
-namespace {
 
 struct Leftovers {
   Span first;
@@ -87,59 +86,16 @@ void check(const model::Root& root, Context& context) {
   context.report({.where = found.first, .message = std::move(message), .refused = found.in_joint});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "xml-leftover-xacro",
-      .category = Category::kXml,
       .severity = Severity::kError,
       .refused = {.urdf = Refusal::kSays},
       .summary = "the file holds what xacro should have replaced",
-      .why =
-          "libsdformat, urdfdom and Gazebo do not know xacro: they pass over its elements without "
-          "a word, so that links and joints are missing, and read '${…}' as text where a number "
-          "is due.",
+      .why = "libsdformat, urdfdom and Gazebo do not know xacro: they pass over its elements "
+             "without a word, so that links and joints are missing, and read '${…}' as text where "
+             "a number is due.",
       .what_to_do = "Run xacro and check what it writes, or name the file .xacro.",
-      .bad =
-          {{R"(<robot name="box" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <«xacro:property» name="size" value="1"/>
-  <link name="body"/>
-</robot>
-)"},
-           {R"(<robot name="box">
-  <link name="body">
-    <collision>
-      <geometry><box size="«${size} 1 1»"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"},
-           // What follows from it is not told: parts that are missing, names and files not found.
-           {R"(<robot name="box">
-  <link name="body">
-    <inertial>
-      <«xacro:cuboid_inertia»/>
-    </inertial>
-    <visual>
-      <geometry><mesh filename="$(find boxes)/box.stl"/></geometry>
-    </visual>
-  </link>
-  <link name="lid"/>
-  <joint name="hinge" type="revolute">
-    <xacro:insert_block name="ends"/>
-    <mimic joint="${prefix}hinge"/>
-  </joint>
-</robot>
-)"}},
-      .good = {{R"(<robot name="box">
-  <link name="body">
-    <collision>
-      <geometry><box size="1 1 1"/></geometry>
-    </collision>
-  </link>
-</robot>
-)"}},
       .checks = {on<model::Root>(check)},
   };
 }

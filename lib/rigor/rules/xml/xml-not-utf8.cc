@@ -13,7 +13,6 @@
 #include <rigor/schema/suggest.h>
 
 namespace rigor::rules::xml_not_utf8 {
-namespace {
 
 /// Where the declaration names the encoding; nowhere when it does not.
 Span declared_encoding(const Context& context) {
@@ -51,47 +50,17 @@ void check(const xml::Fault& fault, Context& context) {
                                          and_more(fault))});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "xml-not-utf8",
-      .category = Category::kXml,
       .severity = Severity::kWarning,
       .fix = FixGrade::kSafe,
       .summary = "the file holds bytes that are not UTF-8, or says that it is UTF-16",
-      .why =
-          "tinyxml2 (libsdformat, Gazebo, urdfdom) passes them on as they are, so names become "
-          "unreadable; strict parsers refuse the file. They come from editors that save Latin-1 "
-          "or a Windows code page. A declaration that names UTF-16 in a file of single bytes they "
-          "refuse as well.",
+      .why = "tinyxml2 (libsdformat, Gazebo, urdfdom) passes them on as they are, so names become "
+             "unreadable; strict parsers refuse the file. They come from editors that save Latin-1 "
+             "or a Windows code page. A declaration that names UTF-16 in a file of single bytes "
+             "they refuse as well.",
       .what_to_do = "Save the file as UTF-8.",
-      .bad = {{"<!-- gr«\xFC»n -->\n<sdf version=\"1.9\">\n  <model name=\"box\">\n    <link "
-               "name=\"body\"/>\n  </model>\n</sdf>\n"},
-              {R"(<?xml version="1.0" encoding="«UTF-16»"?>
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<?xml version="1.0" encoding="UTF-8"?>
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<!-- grün -->
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kNotUtf8}, check), on<model::Root>(check_declaration)},
   };
 }

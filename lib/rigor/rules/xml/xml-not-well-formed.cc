@@ -9,7 +9,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::xml_not_well_formed {
-namespace {
 
 using Kind = xml::FaultKind;
 
@@ -49,57 +48,16 @@ void check(const xml::Fault& fault, Context& context) {
   context.report(std::move(finding));
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "xml-not-well-formed",
-      .category = Category::kXml,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "the file is not XML",
-      .why =
-          "Nobody reads such a file: libsdformat, Gazebo, urdfdom and every other XML reader stop "
-          "at this place. What stands behind it is not checked.",
+      .why = "Nobody reads such a file: libsdformat, Gazebo, urdfdom and every other XML reader "
+             "stop at this place. What stands behind it is not checked.",
       .what_to_do =
           "Put the tag right that the message names; the place where it was opened is shown too.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <link name="body">
-  «</model>»
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <link «name»/>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    «<» 3 links -->
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <link name="body"/>
-  </model>
-«»)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-«that is all»)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({Kind::kBadTag, Kind::kBadAttribute, Kind::kUnclosedValue,
                          Kind::kUnclosedTag, Kind::kUnclosedMarkup, Kind::kMismatchedEnd,
                          Kind::kUnexpectedEnd, Kind::kUnclosedElement, Kind::kRefused},

@@ -7,7 +7,6 @@
 #include <rigor/rules/xml/more.h>
 
 namespace rigor::rules::xml_second_root {
-namespace {
 
 void check(const xml::Fault& fault, Context& context) {
   context.report({.where = fault.where,
@@ -16,34 +15,15 @@ void check(const xml::Fault& fault, Context& context) {
                   .related = {{fault.related, "the first one"}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "xml-second-root",
-      .category = Category::kXml,
       .severity = Severity::kWarning,
       .summary = "the file has a second root element",
-      .why =
-          "libsdformat, Gazebo and urdfdom take the first one of the name they look for and pass "
-          "over the rest without a word; strict parsers refuse the file.",
+      .why = "libsdformat, Gazebo and urdfdom take the first one of the name they look for and "
+             "pass over the rest without a word; strict parsers refuse the file.",
       .what_to_do =
           "Put what belongs together into one root element, and the rest into files of its own.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-<«sdf» version="1.9"/>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kSecondRoot}, check)},
   };
 }

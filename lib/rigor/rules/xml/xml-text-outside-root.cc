@@ -6,7 +6,6 @@
 #include <rigor/rules/xml/more.h>
 
 namespace rigor::rules::xml_text_outside_root {
-namespace {
 
 void check(const xml::Fault& fault, Context& context) {
   context.report(
@@ -15,42 +14,16 @@ void check(const xml::Fault& fault, Context& context) {
        .fix = Fix{"remove it", Applicability::kUnsafe, {without(context, fault.where)}}});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "xml-text-outside-root",
-      .category = Category::kXml,
       .severity = Severity::kWarning,
       .refused = {.urdf = Refusal::kAlways},
       .fix = FixGrade::kUnsafe,
       .summary = "characters stand before the root element",
-      .why =
-          "tinyxml2 (libsdformat, Gazebo, urdfdom) drops them; strict parsers refuse the file. "
-          "Behind the root element tinyxml2 refuses them too, and the file is not well-formed.",
+      .why = "tinyxml2 (libsdformat, Gazebo, urdfdom) drops them; strict parsers refuse the file. "
+             "Behind the root element tinyxml2 refuses them too, and the file is not well-formed.",
       .what_to_do = "Remove the characters, or make them a comment.",
-      .bad = {{R"(«a box»<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<!-- a box -->
-<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kTextOutsideRoot}, check)},
   };
 }

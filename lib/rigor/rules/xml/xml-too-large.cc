@@ -6,7 +6,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::xml_too_large {
-namespace {
 
 void check(const xml::Fault& fault, Context& context) {
   context.report(
@@ -16,27 +15,16 @@ void check(const xml::Fault& fault, Context& context) {
                               xml::kMaxElements, xml::kMaxAttributes)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "xml-too-large",
-      .category = Category::kXml,
       .severity = Severity::kError,
       .summary = "the file has more elements, or a tag more attributes, than any model has",
-      .why =
-          "Reading it would take more memory and time than a model is worth, here and in every "
-          "simulator; the bounds are two million elements and 256 attributes in one tag. What "
-          "stands behind this place is not checked.",
+      .why = "Reading it would take more memory and time than a model is worth, here and in every "
+             "simulator; the bounds are two million elements and 256 attributes in one tag. What "
+             "stands behind this place is not checked.",
       .what_to_do =
           "Split the file and include its parts, or look for the generator that repeats itself.",
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kTooMany}, check)},
   };
 }

@@ -5,7 +5,6 @@
 #include <rigor/rules/xml/more.h>
 
 namespace rigor::rules::xml_unbound_prefix {
-namespace {
 
 void check(const xml::Fault& fault, Context& context) {
   if (fault.detail == "xacro") return;  // that is a larger mistake, and has its own rule
@@ -14,38 +13,16 @@ void check(const xml::Fault& fault, Context& context) {
                   .help = "declare it in the root element: xmlns:" + fault.detail + "=\"…\""});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "xml-unbound-prefix",
-      .category = Category::kXml,
       .severity = Severity::kWarning,
       .summary = "a namespace prefix is not declared",
-      .why =
-          "tinyxml2 (libsdformat, Gazebo, urdfdom) knows no namespaces and reads on; strict "
-          "parsers, Python's among them, refuse the file, and with them the ROS tools that are "
-          "written in Python.",
+      .why = "tinyxml2 (libsdformat, Gazebo, urdfdom) knows no namespaces and reads on; strict "
+             "parsers, Python's among them, refuse the file, and with them the ROS tools that are "
+             "written in Python.",
       .what_to_do =
           "Declare the prefix in the root element, as xmlns:gz=\"http://gazebosim.org/schema\".",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <«gz»:colour>red</gz:colour>
-    </link>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9" xmlns:gz="http://gazebosim.org/schema">
-  <model name="box">
-    <static>true</static>
-    <link name="body">
-      <gz:colour>red</gz:colour>
-    </link>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kUnboundPrefix}, check)},
   };
 }

@@ -9,7 +9,6 @@
 #include <rigor/rules/xml/more.h>
 
 namespace rigor::rules::xml_undefined_entity {
-namespace {
 
 /// As every reader takes it. Of an entity that a DOCTYPE may define, only some take it so.
 std::optional<Fix> write_ampersand(const xml::Fault& fault, const Context& context) {
@@ -30,56 +29,16 @@ void check(const xml::Fault& fault, Context& context) {
                   .fix = write_ampersand(fault, context)});
 }
 
-}  // namespace
-
 Rule rule() {
   return {
       .name = "xml-undefined-entity",
-      .category = Category::kXml,
       .severity = Severity::kWarning,
       .fix = FixGrade::kSafe,
       .summary = "'&' begins no entity that XML defines",
-      .why =
-          "tinyxml2 (libsdformat, Gazebo, urdfdom) leaves the characters as they stand, also "
-          "where a DOCTYPE defines the entity; strict parsers refuse the file.",
-      .what_to_do =
-          "Write &amp; for the character '&'; what an entity was meant to stand for is written "
-          "out.",
-      .bad = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="nuts «&» bolts"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="nuts &amp; bolts"/>
-  </model>
-</sdf>
-)"},
-              {R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="lid«&eacute;»"/>
-  </model>
-</sdf>
-)",
-               R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="lid&amp;eacute;"/>
-  </model>
-</sdf>
-)"}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="nuts &amp; bolts"/>
-  </model>
-</sdf>
-)"}},
+      .why = "tinyxml2 (libsdformat, Gazebo, urdfdom) leaves the characters as they stand, also "
+             "where a DOCTYPE defines the entity; strict parsers refuse the file.",
+      .what_to_do = "Write &amp; for the character '&'; what an entity was meant to stand for is "
+                    "written out.",
       .checks = {on_xml({xml::FaultKind::kUndefinedEntity}, check)},
   };
 }

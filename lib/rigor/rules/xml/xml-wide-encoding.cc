@@ -6,7 +6,6 @@
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::xml_wide_encoding {
-namespace {
 
 void check(const xml::Fault& fault, Context& context) {
   context.report(
@@ -14,29 +13,17 @@ void check(const xml::Fault& fault, Context& context) {
        .message = "the file is not UTF-8: its first bytes are those of UTF-16 or UTF-32"});
 }
 
-}  // namespace
-
 Rule rule() {
   using namespace std::string_view_literals;  // the example holds zero bytes
   return {
       .name = "xml-wide-encoding",
-      .category = Category::kXml,
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "the file is UTF-16 or UTF-32",
-      .why =
-          "tinyxml2, which libsdformat, Gazebo and urdfdom read with, knows only UTF-8 and "
-          "refuses the file, whatever its declaration says. Windows tools write UTF-16 where they "
-          "are not told otherwise.",
+      .why = "tinyxml2, which libsdformat, Gazebo and urdfdom read with, knows only UTF-8 and "
+             "refuses the file, whatever its declaration says. Windows tools write UTF-16 where "
+             "they are not told otherwise.",
       .what_to_do = "Save the file as UTF-8.",
-      .bad = {{"«\xFF\xFE»<\0s\0d\0f\0/\0>\0"sv}},
-      .good = {{R"(<sdf version="1.9">
-  <model name="box">
-    <static>true</static>
-    <link name="body"/>
-  </model>
-</sdf>
-)"}},
       .checks = {on_xml({xml::FaultKind::kUtf16}, check)},
   };
 }

@@ -1,0 +1,82 @@
+# Copyright 2026 The rigor authors
+# SPDX-License-Identifier: Apache-2.0
+
+# What is installed: the headers of a program that reads, checks, fixes, upgrades, converts and compares
+# models and prints findings. They include no others of ours, and each compiles alone; tests hold both
+# (tests/architecture_test.cc, tests/consumer). All other headers may change with any commit.
+set(rigor_public_headers
+  rigor/text/diagnostic.h
+  rigor/text/disk.h
+  rigor/text/edit.h
+  rigor/text/other_case.h
+  rigor/text/shard.h
+  rigor/text/sources.h
+  rigor/text/span.h
+  rigor/xml/document.h
+  rigor/xml/fault.h
+  rigor/xml/token.h
+  rigor/schema/schema.h
+  rigor/schema/type.h
+  rigor/schema/value.h
+  rigor/schema/version.h
+  rigor/model/field.h
+  rigor/model/frames.h
+  rigor/model/geometry.h
+  rigor/model/id.h
+  rigor/model/model.h
+  rigor/model/motion.h
+  rigor/model/names.h
+  rigor/model/parameter.h
+  rigor/model/pose.h
+  rigor/model/site.h
+  rigor/model/subject.h
+  rigor/read/conformance.h
+  rigor/read/discover.h
+  rigor/read/documents.h
+  rigor/read/expansion.h
+  rigor/read/fact.h
+  rigor/read/load.h
+  rigor/read/model_config.h
+  rigor/read/package_manifest.h
+  rigor/read/resolver.h
+  rigor/read/workspace.h
+  rigor/process/request.h
+  rigor/process/workers.h
+  rigor/mesh/fault.h
+  rigor/mesh/read.h
+  rigor/mesh/triangle_mesh.h
+  rigor/mass/find_mesh.h
+  rigor/mass/link_body.h
+  rigor/mass/mass_properties.h
+  rigor/mass/mesh/state.h
+  rigor/mass/overlap.h
+  rigor/mass/resolve.h
+  rigor/mass/total.h
+  rigor/robot/compare.h
+  rigor/robot/lookups.h
+  rigor/robot/robot.h
+  rigor/convert/ledger.h
+  rigor/convert/note.h
+  rigor/convert/remark.h
+  rigor/convert/sdf/robot.h
+  rigor/convert/sdf_to_urdf.h
+  rigor/convert/urdf/robot.h
+  rigor/convert/urdf_to_sdf.h
+  rigor/rules/compat.h
+  rigor/rules/context.h
+  rigor/rules/environment.h
+  rigor/rules/meshes.h
+  rigor/rules/registry.h
+  rigor/rules/rule.h
+  rigor/rules/target.h
+  rigor/rules/validate.h
+  rigor/author/conversion.h
+  rigor/author/fix.h
+  rigor/author/upgrade/upgrade.h
+  rigor/report/json/json.h
+  rigor/report/places.h
+  rigor/report/sarif/sarif.h
+  rigor/report/terminal/color.h
+  rigor/report/terminal/concise.h
+  rigor/report/terminal/pretty.h
+  rigor/report/validation.h)

@@ -1,0 +1,273 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <rigor/convert/sdf/draft.h>
+#include <rigor/convert/xml_layout.h>
+#include <rigor/model/subject.h>
+#include <rigor/read/values.h>
+#include <rigor/xml/edit.h>
+
+namespace rigor::convert {
+namespace {
+
+using model::Id;
+
+/// A key of a block and where SDF has it.
+struct BlockKey {
+  std::string_view key;
+  std::string_view path;
+};
+
+constexpr BlockKey kCollisionKeys[] = {
+    {"mu1", "surface/friction/ode/mu"},        {"mu", "surface/friction/ode/mu"},
+    {"mu2", "surface/friction/ode/mu2"},       {"fdir1", "surface/friction/ode/fdir1"},
+    {"kp", "surface/contact/ode/kp"},          {"kd", "surface/contact/ode/kd"},
+    {"maxVel", "surface/contact/ode/max_vel"}, {"minDepth", "surface/contact/ode/min_depth"},
+    {"maxContacts", "max_contacts"},           {"laserRetro", "laser_retro"},
+};
+constexpr BlockKey kLinkKeys[] = {
+    {"selfCollide", "self_collide"},
+    {"self_collide", "self_collide"},
+    {"gravity", "gravity"},
+};
+constexpr BlockKey kJointKeys[] = {
+    {"stopCfm", "physics/ode/limit/cfm"},
+    {"stopErp", "physics/ode/limit/erp"},
+    {"fudgeFactor", "physics/ode/fudge_factor"},
+    {"cfmDamping", "physics/ode/cfm_damping"},
+    {"implicitSpringDamper", "physics/ode/implicit_spring_damper"},
+    {"provideFeedback", "physics/provide_feedback"},
+};
+constexpr BlockKey kAxisKeys[] = {
+    {"springReference", "dynamics/spring_reference"},
+    {"springStiffness", "dynamics/spring_stiffness"},
+};
+/// What only tells the official converter how to convert.
+constexpr std::string_view kHints[] = {"preserveFixedJoint", "disableFixedJointLumping",
+                                       "canonicalBody"};
+/// What has a pose in the link.
+constexpr std::string_view kPlaced[] = {"sensor", "light", "particle_emitter", "projector"};
+
+template <class Keys>
+const BlockKey* find_key(const Keys& keys, std::string_view name) {
+  const auto found = std::find_if(std::begin(keys), std::end(keys),
+                                  [name](const BlockKey& key) { return key.key == name; });
+  return found == std::end(keys) ? nullptr : &*found;
+}
+
+template <class Names>
+bool is_among(const Names& names, std::string_view name) {
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+/// Sets what stands at a path whose first step is one of the elements.
+void set_at(std::vector<SdfElement>& elements, std::string_view path, std::string_view text) {
+  SdfElement all{.name = {}, .text = {}, .children = std::move(elements)};
+  all.at(path).text = text;
+  elements = std::move(all.children);
+}
+
+/// Elements are as deep as the file, at most xml::kMaxDepth.
+SdfElement tree_of(xml::Element element) {
+  SdfElement tree{.name = std::string(element.name()),
+                  .text = std::string(read::trimmed(element.text()))};
+  for (const xml::Attribute attribute : element.attributes()) {
+    tree.attributes.emplace_back(attribute.name(), attribute.value());
+  }
+  for (const xml::Element child : element.children()) tree.children.push_back(tree_of(child));
+  return tree;
+}
+
+/// Takes the place of what has its name.
+void put(std::vector<SdfElement>& elements, SdfElement element) {
+  const auto same = std::find_if(elements.begin(), elements.end(),
+                                 [&](const SdfElement& e) { return e.name == element.name; });
+  if (same == elements.end()) {
+    elements.push_back(std::move(element));
+  } else {
+    *same = std::move(element);
+  }
+}
+
+class BlockConverter {
+ public:
+  BlockConverter(SdfDraft& draft, const model::GazeboBlock& block)
+      : draft_(draft),
+        ledger_(draft.ledger),
+        block_(block),
+        element_(draft.source.documents.element(block.site)) {}
+
+  void convert() {
+    const model::Names& names = draft_.source.frames.names();
+    link_ = names.find_link({0}, block_.reference.value);
+    joint_ = names.find_joint({0}, block_.reference.value);
+    const bool whole = block_.reference.value.empty();
+    if (!whole && !link_ && !joint_) return lose();
+    ledger_.take(block_.site);
+    ledger_.take(block_.reference);
+    for (const xml::Element child : element_.children()) {
+      if (is_among(kHints, child.name())) {
+        ledger_.pass_over(child, whose(),
+                          std::string(child.name()) + ", advice to another converter");
+      } else if (whole) {
+        add_to_model(child);
+      } else if (joint_ && (is_joint_key(child.name()) || !link_)) {
+        add_to_joint(child);
+      } else {
+        add_to_link(child);
+      }
+    }
+    if (!without_collision_.empty()) note(NoteKind::kBlockWithoutCollision, without_collision_);
+  }
+
+ private:
+  static bool is_joint_key(std::string_view name) {
+    return find_key(kJointKeys, name) != nullptr || find_key(kAxisKeys, name) != nullptr;
+  }
+
+  static std::string_view value(xml::Element element) { return read::trimmed(element.text()); }
+
+  std::string whose() const {
+    return model::subject(draft_.source.root, draft_.source.root.models[0]);
+  }
+
+  void note(NoteKind kind, std::string written) {
+    ledger_.note({.kind = kind,
+                  .outcome = Outcome::kLost,
+                  .where = block_.reference.written ? block_.reference.span : block_.site.name,
+                  .subject = whose(),
+                  .written = std::move(written)});
+  }
+
+  void lose() {
+    ledger_.lose(block_.site, {.kind = NoteKind::kBlockReference,
+                               .where = block_.reference.span,
+                               .subject = whose(),
+                               .written = block_.reference.value});
+  }
+
+  void add_to_model(xml::Element child) {
+    ledger_.take_all(child);
+    if (child.name() == "static" || child.name() == "self_collide") {
+      put(draft_.robot.settings, tree_of(child));
+    } else {
+      draft_.robot.raw.push_back(laid_out(document(), child));
+    }
+  }
+
+  const xml::Document& document() const {
+    return draft_.source.documents.of(block_.site.span.source);
+  }
+
+  void add_to_joint(xml::Element child) {
+    SdfJoint* joint = draft_.joint(joint_);
+    if (joint == nullptr) return;  // nobody takes it: it is lost
+    if (const BlockKey* key = find_key(kJointKeys, child.name())) {
+      set_at(joint->rest, key->path, value(child));
+    } else if (const BlockKey* axis_key = find_key(kAxisKeys, child.name())) {
+      if (!joint->axis) return;
+      set_at(joint->axis->rest, axis_key->path, value(child));
+    } else {
+      joint->raw.push_back(laid_out(document(), child));
+    }
+    ledger_.take_all(child);
+  }
+
+  void add_to_link(xml::Element child) {
+    const SdfNode& node = draft_.node(link_);
+    auto& held = draft_.links[node.holder.value];
+    if (!held) return;
+    if (const BlockKey* key = find_key(kCollisionKeys, child.name())) {
+      for_own(held->collisions, child,
+              [&](SdfShape& shape) { set_at(shape.rest, key->path, value(child)); });
+    } else if (const BlockKey* link_key = find_key(kLinkKeys, child.name())) {
+      set_at(held->settings, link_key->path, value(child));
+      ledger_.take_all(child);
+    } else if (child.name() == "turnGravityOff") {
+      const bool off = read::bool_field(read::Text{child.text(), child.text_span()}, false).value;
+      set_at(held->settings, "gravity", off ? "false" : "true");
+      ledger_.take_all(child);
+    } else if (child.name() == "dampingFactor") {
+      set_at(held->settings, "velocity_decay/linear", value(child));
+      set_at(held->settings, "velocity_decay/angular", value(child));
+      ledger_.take_all(child);
+    } else if (child.name() == "material" && child.children().empty()) {
+      for_own(held->visuals, child, [&](SdfShape& shape) { add_script(shape, value(child)); });
+    } else if (child.name() == "visual") {
+      for_own(held->visuals, child, [&](SdfShape& shape) { merge(shape, child); });
+    } else if (child.name() == "collision") {
+      for_own(held->collisions, child, [&](SdfShape& shape) { merge(shape, child); });
+    } else if (!is_joint_key(child.name())) {
+      held->raw.push_back(laid_out(document(), child, pose_in_holder(child, node)));
+      ledger_.take_all(child);
+    }
+  }
+
+  /// The holder's shapes that are this link's own.
+  template <class F>
+  void for_own(std::vector<SdfShape>& shapes, xml::Element child, const F& f) {
+    const SdfNode& node = draft_.node(link_);
+    const std::string frame = node.role == SdfNode::Role::kFrame ? node.name : std::string();
+    bool any = false;
+    for (SdfShape& shape : shapes) {
+      if (shape.pose.relative_to != frame) continue;
+      f(shape);
+      any = true;
+    }
+    if (any) {
+      ledger_.take_all(child);
+    } else if (&shapes == &draft_.links[node.holder.value]->collisions) {
+      without_collision_ += (without_collision_.empty() ? "" : ", ") + std::string(child.name());
+      ledger_.take_all(child, Outcome::kLost);
+    } else {
+      ledger_.pass_over(child, model::subject(draft_.source.root, draft_.source.root[link_]),
+                        std::string(child.name()) + " of a link that is not drawn");
+    }
+  }
+
+  static void add_script(SdfShape& shape, std::string_view name) {
+    set_at(shape.rest, "material/script/uri", "file://media/materials/scripts/gazebo.material");
+    set_at(shape.rest, "material/script/name", name);
+  }
+
+  static void merge(SdfShape& shape, xml::Element child) {
+    for (const xml::Element part : child.children()) {
+      if (part.name() == "pose" || part.name() == "geometry") continue;
+      put(shape.rest, tree_of(part));
+    }
+  }
+
+  /// What stood in a link that became a frame stands there still.
+  static std::optional<std::string> pose_in_holder(xml::Element child, const SdfNode& node) {
+    if (node.role != SdfNode::Role::kFrame || !is_among(kPlaced, child.name())) return std::nullopt;
+    const auto pose = child.child("pose");
+    const std::string tag = "<pose relative_to=\"" + xml::escaped(node.name) + '"';
+    const std::string_view text = pose ? value(*pose) : std::string_view();
+    if (pose && pose->attribute("relative_to")) return std::nullopt;
+    return text.empty() ? tag + "/>" : tag + '>' + std::string(text) + "</pose>";
+  }
+
+  SdfDraft& draft_;
+  Ledger& ledger_;
+  const model::GazeboBlock& block_;
+  xml::Element element_;
+  Id<model::Link> link_;
+  Id<model::Joint> joint_;
+  std::string without_collision_;
+};
+
+}  // namespace
+
+void add_gazebo_blocks(SdfDraft& draft) {
+  for (const model::GazeboBlock& block : draft.source.root.gazebo_blocks) {
+    BlockConverter(draft, block).convert();
+  }
+}
+
+}  // namespace rigor::convert

@@ -1,0 +1,114 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <rigor/convert/comments.h>
+#include <rigor/convert/sdf/draft.h>
+#include <rigor/convert/written_number.h>
+#include <rigor/mass/mass_properties.h>
+#include <rigor/model/subject.h>
+
+namespace rigor::convert {
+namespace {
+
+using model::Id;
+using model::Link;
+using model::Pose;
+
+/// How far the mass of a link without mass lies from its centre, m: what turns at all is about so
+/// large, and solvers dislike bodies that are nearly points.
+constexpr double kNothingGyration = 0.1;
+
+std::array<const model::Field<double>*, 6> tensor_of(const model::Inertial& i) {
+  return {&i.ixx, &i.ixy, &i.ixz, &i.iyy, &i.iyz, &i.izz};
+}
+
+mass::MassProperties body_of(const model::Inertial& i) {
+  return mass::transformed(i.pose.pose.value, {i.mass.value,
+                                               {},
+                                               {i.ixx.value, i.ixy.value, i.ixz.value, i.iyy.value,
+                                                i.iyz.value, i.izz.value}});
+}
+
+void take_inertial(const SdfDraft& draft, const model::Inertial& inertial, Outcome outcome) {
+  Ledger& ledger = draft.ledger;
+  ledger.take(inertial.site, outcome);
+  const xml::Element element = draft.source.documents.element(inertial.site);
+  if (const auto mass = element.child("mass")) ledger.take(*mass, outcome);
+  ledger.take_all(inertial.pose.site, outcome);
+  if (inertial.tensor_written) ledger.take(inertial.tensor_site, outcome);
+  ledger.take(inertial.mass, outcome);
+  for (const auto* entry : tensor_of(inertial)) ledger.take(*entry, outcome);
+}
+
+/// An inertia without a mass, which adds to that of what it is fixed to.
+bool has_bare_tensor(const Link& link) {
+  const auto tensor = tensor_of(link.inertial);
+  return link.inertial.tensor_written &&
+         std::any_of(tensor.begin(), tensor.end(), [](const auto* e) { return e->value != 0; });
+}
+
+/// The pose of a link that became a frame, in the link that holds it.
+Pose pose_in_holder(const SdfDraft& draft, Id<Link> id) {
+  Pose X;
+  const Id<Link> holder = draft.node(id).holder;
+  while (id != holder) {
+    X = compose(draft.source.root[draft.node(id).carrier].pose.pose.value, X);
+    id = draft.node(id).parent;
+  }
+  return X;
+}
+
+UrdfInertial as_written(const SdfDraft& draft, const model::Inertial& inertial) {
+  const read::Documents& documents = draft.source.documents;
+  UrdfInertial result;
+  result.comments = remarks_on(documents, inertial.site, CommentsFor::kSdf);
+  result.origin = urdf_written_origin(documents, inertial.pose);
+  result.mass = written_number(documents, inertial.mass);
+  const auto entries = tensor_of(inertial);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    result.inertia[i] = written_number(documents, *entries[i]);
+  }
+  return result;
+}
+
+UrdfInertial summed(const mass::MassProperties& sum) {
+  const mass::Inertia& I = sum.about_com;
+  return {origin_of({sum.com, {}}),
+          {sum.mass, {}},
+          {Number{I.ixx, {}}, Number{I.ixy, {}}, Number{I.ixz, {}}, Number{I.iyy, {}},
+           Number{I.iyz, {}}, Number{I.izz, {}}}};
+}
+
+}  // namespace
+
+UrdfInertial next_to_nothing(const SdfDraft& draft) {
+  const Number moment{draft.next_to_nothing * kNothingGyration * kNothingGyration, {}};
+  return {{}, {draft.next_to_nothing, {}}, {moment, Number{}, Number{}, moment, Number{}, moment}};
+}
+
+std::optional<UrdfInertial> sdf_inertial(SdfDraft& draft, Id<Link> id) {
+  const model::Root& root = draft.source.root;
+  std::vector<Id<Link>> held;  // with a mass or an inertia
+  for (const Id<Link> link : draft.tree.order) {
+    if (draft.node(link).holder != id) continue;
+    if (!is_massless(root[link]) || has_bare_tensor(root[link])) held.push_back(link);
+  }
+  if (held.empty()) return std::nullopt;
+  if (held.size() == 1 && held[0] == id) {
+    take_inertial(draft, root[id].inertial, Outcome::kConverted);
+    return as_written(draft, root[id].inertial);
+  }
+  mass::MassProperties sum;
+  for (const Id<Link> link : held) {
+    take_inertial(draft, root[link].inertial, Outcome::kRewritten);
+    sum = mass::add(sum,
+                    mass::transformed(pose_in_holder(draft, link), body_of(root[link].inertial)));
+  }
+  return summed(sum);
+}
+
+}  // namespace rigor::convert

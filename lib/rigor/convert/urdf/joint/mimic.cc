@@ -1,0 +1,295 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/convert/urdf/joint/mimic.h>
+
+#include <cmath>
+#include <optional>
+#include <unordered_map>
+#include <variant>
+
+#include <rigor/convert/written_number.h>
+#include <rigor/model/subject.h>
+#include <rigor/read/values.h>
+#include <rigor/write/numbers.h>
+
+namespace rigor::convert {
+namespace {
+
+using model::Id;
+using model::JointType;
+
+/// Axes of joints that a gearbox couples are along its own within this sine: a slant of a millionth
+/// changes the ratio by the square of that.
+constexpr double kParallel = 1e-6;
+
+/// Joints that follow each other in a row: no hand has a hundred, and each is walked for each.
+constexpr int kMostLeaders = 100;
+
+using JointsByName = std::unordered_map<std::string, UrdfJoint*>;
+
+JointsByName joints_by_name(UrdfRobot& robot) {
+  JointsByName found;
+  for (UrdfJoint& joint : robot.joints) found.emplace(joint.name, &joint);
+  return found;
+}
+
+/// Whether `joint` is `leader` or follows it, over others or not. What follows has one leader, so no
+/// circle is walked twice.
+bool leads(const JointsByName& joints, const UrdfJoint* leader, const UrdfJoint* joint) {
+  for (int steps = 0; joint != nullptr && steps <= kMostLeaders; ++steps) {
+    if (joint == leader) return true;
+    const auto found = joint->mimic ? joints.find(joint->mimic->joint) : joints.end();
+    joint = found == joints.end() ? nullptr : found->second;
+  }
+  return joint != nullptr;
+}
+
+class MimicAdder {
+ public:
+  MimicAdder(UrdfDraft& draft, const JointNames& names)
+      : draft_(draft), names_(names), joints_(joints_by_name(draft.robot)) {}
+
+  void add(Id<model::Joint> id) {
+    const model::Joint& joint = draft_.source.root[id];
+    for (std::size_t k = 0; k < joint.axes.size(); ++k) {
+      if (joint.axes[k].mimic) add(id, k, *joint.axes[k].mimic);
+    }
+  }
+
+ private:
+  void add(Id<model::Joint> id, std::size_t k, const model::Mimic& mimic) {
+    const model::Joint& joint = draft_.source.root[id];
+    Note note{.kind = NoteKind::kMimicLost,
+              .where = mimic.joint.written ? mimic.joint.span : mimic.site.name,
+              .subject = model::subject(draft_.source.root, joint),
+              .written = mimic.joint.value};
+    UrdfJoint* follower = k < names_.at(id).joints.size() ? at(names_.at(id).joints[k]) : nullptr;
+    UrdfJoint* leader = leader_of(joint, mimic);
+    note.instead = why_not(follower, leader);
+    if (!note.instead.empty()) return draft_.ledger.lose(mimic.site, std::move(note));
+    follower->mimic = UrdfMimic{leader->name, written_number(documents(), mimic.multiplier),
+                                written_number(documents(), mimic.offset)};
+    take(mimic);
+    fold_reference(mimic, *follower->mimic, std::move(note));
+  }
+
+  UrdfJoint* at(const std::string& name) const {
+    const auto found = joints_.find(name);
+    return found == joints_.end() ? nullptr : found->second;
+  }
+
+  UrdfJoint* leader_of(const model::Joint& joint, const model::Mimic& mimic) const {
+    const auto named =
+        draft_.source.frames.names().find({joint.model, joint.world}, mimic.joint.value);
+    const auto* id = std::get_if<Id<model::Joint>>(&named);
+    if (id == nullptr) return nullptr;
+    const auto found = names_.find(*id);
+    const std::size_t k = mimic.axis.value == "axis2" ? 1 : 0;
+    if (found == names_.end() || k >= found->second.joints.size()) return nullptr;
+    return at(found->second.joints[k]);
+  }
+
+  /// Empty when the one can follow the other.
+  std::string why_not(const UrdfJoint* follower, const UrdfJoint* leader) const {
+    const auto moves = [](const UrdfJoint& joint) { return joint.axis.has_value(); };
+    if (leader == nullptr) return "there is no such joint in the result";
+    if (!moves(*leader)) return "it does not move";
+    if (follower == nullptr || !moves(*follower)) return "this joint does not move";
+    if (follower->mimic) return "it follows another one";
+    return leads(joints_, follower, leader) ? "they would follow each other in a circle" : "";
+  }
+
+  void take(const model::Mimic& mimic) {
+    Ledger& ledger = draft_.ledger;
+    ledger.take(mimic.site);
+    ledger.take(mimic.joint);
+    ledger.take(mimic.axis);
+    ledger.take(mimic.multiplier);
+    ledger.take(mimic.offset);
+    ledger.take(mimic.reference);
+  }
+
+  /// SDF: follower = multiplier · (leader - reference) + offset.
+  void fold_reference(const model::Mimic& mimic, UrdfMimic& target, Note note) {
+    if (mimic.reference.value == 0) return;
+    target.offset = {mimic.offset.value - mimic.multiplier.value * mimic.reference.value, {}};
+    note.kind = NoteKind::kMimicReference;
+    note.outcome = Outcome::kRewritten;
+    note.where = mimic.reference.span;
+    note.written = to_text(written_number(documents(), mimic.reference));
+    note.instead = to_text(target.offset);
+    draft_.ledger.take(mimic.reference, Outcome::kRewritten);
+    draft_.ledger.note(std::move(note));
+  }
+
+  const read::Documents& documents() const { return draft_.source.documents; }
+
+  UrdfDraft& draft_;
+  const JointNames& names_;
+  JointsByName joints_;
+};
+
+/// A gearbox says of the angles from a reference body R to its parent P (about its first axis) and to
+/// its child C (about its second): θ_RC = -ratio · θ_RP. Where one joint is between R and P and
+/// another between R and C, that is a mimic.
+class GearboxAdder {
+ public:
+  GearboxAdder(UrdfDraft& draft, const UrdfTree& tree, const JointNames& names)
+      : draft_(draft), tree_(tree), names_(names), joints_(joints_by_name(draft.robot)) {}
+
+  void add(Id<model::Joint> id) {
+    const model::Joint& joint = draft_.source.root[id];
+    Note note{.kind = NoteKind::kJointTypeLost,
+              .where = joint.type_name.written ? joint.type_name.span : joint.site.name,
+              .subject = model::subject(draft_.source.root, joint),
+              .written = "gearbox"};
+    const Id<model::Link> reference = reference_of(joint);
+    const model::Frames::Ends& ends = draft_.source.frames.ends(id);
+    const auto first = between(reference, ends.parent, id, 0);
+    const auto second = between(reference, ends.child, id, 1);
+    if (!first || !second || second->joint->mimic || leads(joints_, second->joint, first->joint)) {
+      note.instead = "it couples no two revolute joints of one reference body";
+      return draft_.ledger.lose(joint.site, std::move(note));
+    }
+    const double multiplier = -joint.gearbox_ratio.value * first->sign * second->sign;
+    second->joint->mimic = UrdfMimic{first->joint->name, {multiplier, {}}, {0, {}}};
+    draft_.ledger.take_all(joint.site, Outcome::kSubstituted);
+    note.kind = NoteKind::kJointType;
+    note.outcome = Outcome::kSubstituted;
+    note.instead = second->joint->name + " mimics " + first->joint->name;
+    draft_.ledger.note(std::move(note));
+  }
+
+ private:
+  struct Coupled {
+    UrdfJoint* joint;
+    double sign;  ///< of the joint's angle in the gearbox's
+  };
+
+  Id<model::Link> reference_of(const model::Joint& joint) const {
+    const auto element =
+        draft_.source.documents.element(joint.site).child("gearbox_reference_body");
+    if (!element) return {};
+    const auto named = draft_.source.frames.names().find({joint.model, joint.world},
+                                                         read::trimmed(element->text()));
+    const auto* link = std::get_if<Id<model::Link>>(&named);
+    return link == nullptr ? Id<model::Link>{} : *link;
+  }
+
+  std::optional<Coupled> between(Id<model::Link> reference, Id<model::Link> end,
+                                 Id<model::Joint> gearbox, std::size_t k) const {
+    if (!reference || !end) return std::nullopt;
+    // The joint that carries the one or the other.
+    const auto connects = [&](Id<model::Joint> id, Id<model::Link> parent, Id<model::Link> child) {
+      if (!id) return false;
+      const model::Frames::Ends& ends = draft_.source.frames.ends(id);
+      return ends.parent == parent && ends.child == child;
+    };
+    std::optional<double> side;
+    Id<model::Joint> id;
+    for (const Id<model::Link> link : {end, reference}) {
+      if (side) break;
+      id = tree_.carriers[link.value];
+      if (connects(id, reference, end)) side = 1;
+      if (connects(id, end, reference)) side = -1;
+    }
+    if (!side) return std::nullopt;
+    double sign = *side;
+    const JointType type = draft_.source.root[id].type;
+    if (type != JointType::kRevolute && type != JointType::kContinuous) return std::nullopt;
+    const auto axis = draft_.source.frames.axis(id, 0);
+    const auto own = draft_.source.frames.axis(gearbox, k);
+    if (!axis || !own || length(cross(*axis, *own)) > kParallel) return std::nullopt;
+    if (dot(*axis, *own) < 0) sign = -sign;
+    const auto found = joints_.find(names_.at(id).joints.front());
+    if (found == joints_.end()) return std::nullopt;
+    return Coupled{found->second, sign};
+  }
+
+  UrdfDraft& draft_;
+  const UrdfTree& tree_;
+  const JointNames& names_;
+  JointsByName joints_;
+};
+
+/// Lets each joint follow the one that follows nobody: consumers of URDF look at one leader only.
+class MimicFlattener {
+ public:
+  MimicFlattener(UrdfDraft& draft, const JointNames& names)
+      : draft_(draft), names_(names), joints_(joints_by_name(draft.robot)) {}
+
+  void flatten(Id<model::Joint> id) {
+    const auto& row = names_.at(id).joints;
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      const auto found = joints_.find(row[k]);
+      if (found == joints_.end() || !found->second->mimic) continue;
+      const std::string written = found->second->mimic->joint;
+      if (follow_last(*found->second)) tell(id, k, written, *found->second->mimic);
+    }
+  }
+
+ private:
+  /// c = m₂ b + o₂ and b = m₁ a + o₁: c = m₂ m₁ a + (m₂ o₁ + o₂). False when it does already.
+  bool follow_last(UrdfJoint& joint) const {
+    UrdfMimic& mimic = *joint.mimic;
+    bool changed = false;
+    for (int steps = 0; steps < kMostLeaders; ++steps) {
+      const auto leader = joints_.find(mimic.joint);
+      if (leader == joints_.end() || !leader->second->mimic) break;
+      const UrdfMimic& next = *leader->second->mimic;
+      mimic.offset = {product(mimic.multiplier, next.offset) + mimic.offset.value, {}};
+      mimic.multiplier = {product(mimic.multiplier, next.multiplier), {}};
+      mimic.joint = next.joint;
+      changed = true;
+    }
+    return changed;
+  }
+
+  /// 0.1 · 3 is 0.3 for who reads it.
+  static double product(const Number& a, const Number& b) {
+    const double value = a.value * b.value;
+    return write::settled(value, 0, std::abs(value));
+  }
+
+  void tell(Id<model::Joint> id, std::size_t k, const std::string& written,
+            const UrdfMimic& mimic) const {
+    const model::Joint& joint = draft_.source.root[id];
+    Note note{.kind = NoteKind::kMimicChain,
+              .outcome = Outcome::kRewritten,
+              .where = joint.site.name,
+              .subject = model::subject(draft_.source.root, joint),
+              .written = written,
+              .instead = mimic.joint};
+    if (k < joint.axes.size() && joint.axes[k].mimic) {
+      const model::Mimic& own = *joint.axes[k].mimic;
+      draft_.ledger.take(own.joint, Outcome::kRewritten);
+      if (own.joint.written) note.where = own.joint.span;
+    }
+    draft_.ledger.note(std::move(note));
+  }
+
+  UrdfDraft& draft_;
+  const JointNames& names_;
+  JointsByName joints_;
+};
+
+}  // namespace
+
+void flatten_mimics(UrdfDraft& draft, const UrdfTree& tree, const JointNames& names) {
+  MimicFlattener flattener(draft, names);
+  for (const UrdfTree::Edge& edge : tree.edges) flattener.flatten(edge.joint);
+}
+
+void add_mimics(UrdfDraft& draft, const UrdfTree& tree, const JointNames& names) {
+  MimicAdder adder(draft, names);
+  for (const UrdfTree::Edge& edge : tree.edges) adder.add(edge.joint);
+}
+
+void add_gearboxes(UrdfDraft& draft, const UrdfTree& tree, const JointNames& names) {
+  if (tree.gearboxes.empty()) return;
+  GearboxAdder adder(draft, tree, names);
+  for (const Id<model::Joint> joint : tree.gearboxes) adder.add(joint);
+}
+
+}  // namespace rigor::convert

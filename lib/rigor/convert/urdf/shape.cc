@@ -1,0 +1,120 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/convert/urdf/shape.h>
+
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include <rigor/convert/urdf/shape_file.h>
+#include <rigor/convert/urdf/uri.h>
+#include <rigor/convert/written_number.h>
+
+namespace rigor::convert {
+namespace {
+
+using model::Pose;
+using model::Vector3;
+
+class ShapeConverter {
+ public:
+  ShapeConverter(UrdfDraft& draft, const model::Geometry& geometry, const std::string& subject)
+      : draft_(draft), geometry_(geometry), subject_(subject) {}
+
+  std::vector<UrdfShape> operator()(const model::NoShape& /*none*/) const { return {}; }
+
+  std::vector<UrdfShape> operator()(const model::Box& box) const {
+    return {{UrdfBox{take(box.size)}}};
+  }
+  std::vector<UrdfShape> operator()(const model::Sphere& sphere) const {
+    return {{UrdfSphere{take(sphere.radius)}}};
+  }
+  std::vector<UrdfShape> operator()(const model::Cylinder& cylinder) const {
+    return {{UrdfCylinder{take(cylinder.radius), take(cylinder.length)}}};
+  }
+
+  std::vector<UrdfShape> operator()(const model::Capsule& capsule) const {
+    if (draft_.options.urdf_version >= 1) {
+      return {{UrdfCapsule{take(capsule.radius), take(capsule.length)}}};
+    }
+    const Outcome outcome = Outcome::kSubstituted;
+    const Number radius = take(capsule.radius, outcome);
+    const Number length = take(capsule.length, outcome);
+    tell(outcome, "cylinder and 2 spheres");
+    const Vector3 end{0, 0, capsule.length.value / 2};
+    return {{UrdfCylinder{radius, length}},
+            {UrdfSphere{radius}, Pose{end, {}}, "_top"},
+            {UrdfSphere{radius}, Pose{-1 * end, {}}, "_bottom"}};
+  }
+
+  std::vector<UrdfShape> operator()(const model::Mesh& mesh) const {
+    if (!mesh.submesh.value.empty()) return from_file();
+    if (mesh.uri.value.empty()) return {};
+    UrdfMesh result{urdf_uri(draft_, mesh.uri, subject_), std::nullopt};
+    if (mesh.scale.written && mesh.scale.value != Vector3{1, 1, 1}) {
+      result.scale = written_numbers(draft_.source.documents, mesh.scale);
+    }
+    draft_.ledger.take(mesh.scale);
+    return {{std::move(result)}};
+  }
+
+  std::vector<UrdfShape> operator()(const model::Ellipsoid& /*shape*/) const { return from_file(); }
+  std::vector<UrdfShape> operator()(const model::Cone& /*shape*/) const { return from_file(); }
+  std::vector<UrdfShape> operator()(const model::Polyline& /*shape*/) const { return from_file(); }
+
+  /// A thin box in a plane's place would touch what the plane does not, and a plane has no end.
+  std::vector<UrdfShape> operator()(const model::Plane& /*shape*/) const { return {}; }
+  std::vector<UrdfShape> operator()(const model::Heightmap& /*shape*/) const { return {}; }
+  std::vector<UrdfShape> operator()(const model::Image& /*shape*/) const { return {}; }
+
+ private:
+  std::vector<UrdfShape> from_file() const {
+    if (draft_.options.shapes != ShapePolicy::kMesh) return {};
+    const auto name = shape_file(draft_, geometry_);
+    if (!name) return {};
+    UrdfMesh result{*name, std::nullopt};
+    if (const auto* mesh = std::get_if<model::Mesh>(&geometry_.shape)) {
+      if (mesh->scale.value != Vector3{1, 1, 1}) {
+        result.scale = written_numbers(draft_.source.documents, mesh->scale);
+      }
+    }
+    draft_.ledger.take_all(geometry_.site, Outcome::kSubstituted);
+    tell(Outcome::kSubstituted, *name);
+    return {{std::move(result)}};
+  }
+
+  void tell(Outcome outcome, std::string instead) const {
+    draft_.ledger.note({.kind = NoteKind::kShape,
+                        .outcome = outcome,
+                        .where = geometry_.site.name,
+                        .subject = subject_,
+                        .written = std::string(shape_name(geometry_.shape)),
+                        .instead = std::move(instead)});
+  }
+
+  Number take(const model::Field<double>& field, Outcome outcome = Outcome::kConverted) const {
+    draft_.ledger.take(field, outcome);
+    return written_number(draft_.source.documents, field);
+  }
+  Number3 take(const model::Field<Vector3>& field) const {
+    draft_.ledger.take(field);
+    return written_numbers(draft_.source.documents, field);
+  }
+
+  UrdfDraft& draft_;
+  const model::Geometry& geometry_;
+  const std::string& subject_;
+};
+
+}  // namespace
+
+std::vector<UrdfShape> urdf_shapes(UrdfDraft& draft, const model::Geometry& geometry,
+                                   const std::string& subject) {
+  auto shapes = std::visit(ShapeConverter(draft, geometry, subject), geometry.shape);
+  if (!shapes.empty()) draft.ledger.take(geometry.site);
+  return shapes;
+}
+
+}  // namespace rigor::convert

@@ -1,0 +1,63 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/convert/urdf/take.h>
+
+#include <string_view>
+
+#include <rigor/model/subject.h>
+
+namespace rigor::convert {
+namespace {
+
+void take_attribute(Ledger& ledger, xml::Element element, std::string_view name,
+                    Outcome outcome = Outcome::kConverted) {
+  if (const auto attribute = element.attribute(name)) {
+    ledger.take_value(attribute->value_span(), outcome);
+  }
+}
+
+void take_overridden(Ledger& ledger, xml::Element model, std::string_view name) {
+  if (const auto child = model.child(name)) ledger.take_all(*child, Outcome::kImplied);
+}
+
+void take_include(Ledger& ledger, const model::Include& include, xml::Element model) {
+  ledger.take(include.site);
+  ledger.take(include.uri);
+  ledger.take(include.name);
+  ledger.take(include.merge);
+  if (!include.pose.site.span.nowhere()) take_overridden(ledger, model, "pose");
+  if (include.is_static.written) take_overridden(ledger, model, "static");
+  if (include.placement_frame.written) {
+    take_attribute(ledger, model, "placement_frame", Outcome::kImplied);
+  }
+}
+
+}  // namespace
+
+void take_pose(const Source& source, Ledger& ledger, const model::PoseField& pose,
+               Outcome outcome) {
+  if (pose.site.span.nowhere() || !pose.pose.written) return;
+  ledger.take(pose.site, outcome);
+  ledger.take(pose.pose, outcome);
+  ledger.take(pose.relative_to, outcome);
+  const xml::Element element = source.documents.element(pose.site);
+  take_attribute(ledger, element, "rotation_format", outcome);
+  take_attribute(ledger, element, "degrees", outcome);
+}
+
+void take_model(const Source& source, Ledger& ledger, model::Id<model::Model> id) {
+  const model::Root& root = source.root;
+  const model::Model& model = root[id];
+  const xml::Element element = source.documents.element(model.site);
+  if (model.include < root.includes.size()) {
+    const model::Include& include = root.includes[model.include];
+    ledger.open(include.site, model::subject(root, model));
+    take_include(ledger, include, element);
+  }
+  ledger.open(model.site, model::subject(root, model));
+  ledger.take(model.site);
+  take_attribute(ledger, element, "name");
+}
+
+}  // namespace rigor::convert

@@ -1,0 +1,107 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/convert/urdf/tree.h>
+
+#include <algorithm>
+#include <utility>
+
+#include <rigor/robot/swapped_joints.h>
+
+namespace rigor::convert {
+namespace {
+
+using model::Id;
+
+class UrdfTreeBuilder {
+ public:
+  UrdfTreeBuilder(const model::Root& root, const model::Frames& frames)
+      : root_(root), frames_(frames) {}
+
+  UrdfTree build(Id<model::Model> top) && {
+    find_parts(top);
+    tree_.carriers.resize(root_.links.size());
+    for (std::uint32_t i = 0; i < root_.joints.size(); ++i) {
+      if (is_inside(root_.joints[i].model)) look_at({i});
+    }
+    hang();
+    for (const Id<model::Link> link : tree_.links) {
+      if (!tree_.carriers[link.value]) tree_.roots.push_back(link);
+    }
+    return std::move(tree_);
+  }
+
+ private:
+  bool is_inside(Id<model::Model> id) const { return id && inside_[id.value]; }
+
+  /// A nested model comes after the one that it is in.
+  void find_parts(Id<model::Model> top) {
+    inside_.resize(root_.models.size());
+    for (std::uint32_t i = top.value; i < root_.models.size(); ++i) {
+      inside_[i] = i == top.value || is_inside(root_.models[i].parent);
+      if (inside_[i]) tree_.models.push_back({i});
+    }
+    for (std::uint32_t i = 0; i < root_.links.size(); ++i) {
+      if (is_inside(root_.links[i].model)) tree_.links.push_back({i});
+    }
+    for (std::uint32_t i = 0; i < root_.frames.size(); ++i) {
+      if (is_inside(root_.frames[i].model)) tree_.frames.push_back({i});
+    }
+  }
+
+  bool is_part(Id<model::Link> link) const { return link && is_inside(root_[link].model); }
+
+  void look_at(Id<model::Joint> joint) {
+    const auto& [parent, child, parent_is_world] = frames_.ends(joint);
+    if (!is_part(child) || !(parent_is_world || is_part(parent)) || parent == child) {
+      tree_.left_out.push_back({joint, UrdfTree::Flaw::kDangling, {}});
+    } else if (root_[joint].type == model::JointType::kGearbox) {
+      tree_.gearboxes.push_back(joint);
+    } else {
+      joints_.push_back(joint);
+      edges_.push_back({parent_is_world ? world() : parent.value, child.value,
+                        robot::can_turn(root_[joint].type)});
+    }
+  }
+
+  std::uint32_t world() const { return static_cast<std::uint32_t>(root_.links.size()); }
+
+  void hang() {
+    const std::vector<robot::Edge::Direction> directions =
+        robot::edge_directions(edges_, root_.links.size() + 1, world());
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      if (directions[i] == robot::Edge::Direction::kLeftOut) continue;
+      const bool turned = directions[i] == robot::Edge::Direction::kTurned;
+      const bool on_world = edges_[i].parent == world();
+      Id<model::Link> parent = on_world ? Id<model::Link>{} : Id<model::Link>{edges_[i].parent};
+      Id<model::Link> child{edges_[i].child};
+      if (turned) std::swap(parent, child);
+      tree_.edges.push_back({joints_[i], parent, child, turned});
+      tree_.carriers[child.value] = joints_[i];
+      tree_.on_world |= on_world;
+    }
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      if (directions[i] != robot::Edge::Direction::kLeftOut) continue;
+      const Id<model::Joint> carrier = tree_.carriers[edges_[i].child];
+      tree_.left_out.push_back(
+          {joints_[i], carrier ? UrdfTree::Flaw::kSecondParent : UrdfTree::Flaw::kCycle, carrier});
+    }
+    std::sort(tree_.left_out.begin(), tree_.left_out.end(),
+              [](const auto& a, const auto& b) { return a.joint.value < b.joint.value; });
+  }
+
+  const model::Root& root_;
+  const model::Frames& frames_;
+  std::vector<bool> inside_;
+  std::vector<Id<model::Joint>> joints_;  // of each limb
+  std::vector<robot::Edge> edges_;
+  UrdfTree tree_;
+};
+
+}  // namespace
+
+UrdfTree urdf_tree(const model::Root& root, const model::Frames& frames, Id<model::Model> model) {
+  return UrdfTreeBuilder(root, frames).build(model);
+}
+
+}  // namespace rigor::convert

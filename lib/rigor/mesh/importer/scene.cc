@@ -1,0 +1,147 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/mesh/importer/scene.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <rigor/mesh/collada/collada.h>
+#include <rigor/mesh/importer/assimp.h>
+#include <rigor/mesh/importer/flat.h>
+#include <rigor/text/path.h>
+
+namespace rigor::mesh {
+namespace {
+
+constexpr std::string_view kImportKind = "mesh.import";
+constexpr std::string_view kImporterNameKind = "mesh.importer-name";
+
+/// The importer goes by the ending first; one that lies gets the true one behind it.
+std::string honest_path(const std::string& path, Format format) {
+  const bool known = format == Format::kCollada || format == Format::kGltf ||
+                     format == Format::kGlb || format == Format::kPly;
+  const std::string ending = '.' + std::string(to_string(format));
+  return known && extension(path) != ending ? path + ending : path;
+}
+
+/// The files of the process that asked for the scene.
+class AskedFiles final : public Disk {
+ public:
+  explicit AskedFiles(const process::Ask& ask) : ask_(ask) {}
+
+  ReadResult read(const std::string& path, std::uint64_t max_bytes) const override {
+    std::optional<std::string> bytes = ask_(path);
+    if (!bytes || bytes->size() > max_bytes) return {std::nullopt, "not there"};
+    return {std::move(bytes), {}};
+  }
+  // The importer asks for nothing else.
+  std::unique_ptr<OpenFile> open(const std::string&) const override { return nullptr; }
+  PathKind kind(const std::string&) const override { return PathKind::kMissing; }
+  std::vector<std::string> list(const std::string&) const override { return {}; }
+
+ private:
+  const process::Ask& ask_;
+};
+
+/// In the worker.
+process::Reply import_asked(const std::string& path, const process::Ask& ask) {
+  const std::string bytes = ask(path).value_or("");
+  return flatten(import_with_assimp(AskedFiles(ask), path, bytes));
+}
+
+/// Whether the importer said no to what another reader may well understand.
+bool importer_failed(const LoadedMesh& loaded) {
+  return std::any_of(loaded.faults.begin(), loaded.faults.end(), [](const Fault& fault) {
+    return fault.kind == FaultKind::kMalformed || fault.kind == FaultKind::kImporterCrashed ||
+           fault.kind == FaultKind::kImporterMissing || fault.kind == FaultKind::kWorkerMissing;
+  });
+}
+
+/// When both readers say no, the importer's reason counts.
+LoadedMesh load_collada(const Disk& disk, const std::string& path, std::string_view bytes,
+                        const process::Workers& workers) {
+  LoadedMesh imported = import_scene(disk, path, bytes, workers);
+  if (!importer_failed(imported)) return imported;
+  LoadedMesh own = read_collada(bytes);
+  return own.usable() ? std::move(own) : std::move(imported);
+}
+
+/// Whether a line of a PLY begins with the word that ends its header.
+bool ends_header(std::string_view bytes) {
+  constexpr std::string_view kEnd = "end_header";
+  for (std::size_t at = bytes.find(kEnd); at != std::string_view::npos;
+       at = bytes.find(kEnd, at + kEnd.size())) {
+    const std::size_t before = bytes.substr(0, at).find_last_not_of(" \t");
+    if (before != std::string_view::npos && (bytes[before] == '\n' || bytes[before] == '\r')) {
+      return true;
+    }
+  }
+  return false;
+}
+
+LoadedMesh load(const Disk& disk, const std::string& path, std::string_view bytes, Format format,
+                const process::Workers& workers) {
+  // assimp's reader of PLY looks for the header's end for ever.
+  if (format == Format::kPly && !ends_header(bytes)) {
+    return {.faults = {{FaultKind::kMalformed, "the header has no end_header"}}};
+  }
+  const std::string honest = honest_path(path, format);
+  return format == Format::kCollada ? load_collada(disk, honest, bytes, workers)
+                                    : import_scene(disk, honest, bytes, workers);
+}
+
+}  // namespace
+
+LoadedMesh import_scene(const Disk& disk, const std::string& path, std::string_view bytes,
+                        const process::Workers& workers) {
+  using End = process::RequestResult::End;
+  std::string beside;
+  const process::RequestResult result =
+      workers.call({.kind = kImportKind, .bytes = path, .limits = kImportLimits},
+                   [&](std::string_view name) -> std::optional<std::string_view> {
+                     if (name == path) return bytes;
+                     ReadResult file = disk.read(std::string(name), kMaxMeshBytes);
+                     if (!file.bytes) return std::nullopt;
+                     beside = std::move(*file.bytes);
+                     return beside;
+                   });
+  if (result.end != End::kDone) {
+    // Without a worker the file is not to blame.
+    const bool missing = result.end == End::kNotStarted;
+    return {.faults = {{missing ? FaultKind::kWorkerMissing : FaultKind::kImporterCrashed,
+                        describe(result, kImportLimits)}}};
+  }
+  if (std::optional<LoadedMesh> loaded = unflatten(result.bytes)) return std::move(*loaded);
+  return {.faults = {{FaultKind::kImporterCrashed, "gave back a damaged mesh"}}};
+}
+
+LoadedMesh read_scene(const Disk& disk, const std::string& path, const process::Workers& workers) {
+  const ReadResult file = disk.read(path, kMaxMeshBytes);
+  if (!file.bytes) return {.faults = {{FaultKind::kUnreadable, file.problem}}};
+  if (file.bytes->empty()) return {.faults = {{FaultKind::kEmpty}}};
+  const std::string_view bytes = *file.bytes;
+  const Format format = format_of(bytes.substr(0, kProbeBytes), bytes.size(), path);
+  LoadedMesh loaded = load(disk, path, bytes, format, workers);
+  loaded.format = format;
+  return loaded;
+}
+
+std::string scene_importer(const process::Workers& workers) {
+  return workers.call({.kind = kImporterNameKind, .limits = kImportLimits}).bytes;
+}
+
+process::Service import_service() { return {kImportKind, import_asked}; }
+
+process::Service importer_name_service() {
+  return {kImporterNameKind, [](const std::string&, const process::Ask&) -> process::Reply {
+            return assimp_version();
+          }};
+}
+
+}  // namespace rigor::mesh

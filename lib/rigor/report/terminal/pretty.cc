@@ -1,0 +1,180 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/report/terminal/pretty.h>
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include <rigor/report/places.h>
+#include <rigor/report/terminal/excerpt.h>
+#include <rigor/report/terminal/printable.h>
+
+namespace rigor::report {
+namespace {
+
+/// Characters of a message shown at most: a value quoted in it may be as long as the file. The
+/// other formats give all of it.
+constexpr std::size_t kMaxMessage = 1000;
+
+/// Marks of one source.
+using Group = std::vector<Mark>;
+
+void add_mark(std::vector<Group>& groups, Mark mark) {
+  const auto same_source = [&mark](const Group& group) {
+    return group.front().where.source == mark.where.source;
+  };
+  const auto group = std::find_if(groups.begin(), groups.end(), same_source);
+  if (group == groups.end()) {
+    groups.push_back({std::move(mark)});
+  } else {
+    group->push_back(std::move(mark));
+  }
+}
+
+/// The finding's own source first, then those of its labels.
+std::vector<Group> groups_of(const Diagnostic& diagnostic) {
+  std::vector<Group> groups;
+  if (!diagnostic.where.nowhere()) add_mark(groups, {diagnostic.where, '^', {}});
+  for (const Label& label : diagnostic.related) {
+    if (!label.where.nowhere()) add_mark(groups, {label.where, '-', label.message});
+  }
+  return groups;
+}
+
+std::string fix_line(const Fix& fix) {
+  switch (fix.applicability) {
+    case Applicability::kSafe: return "safe fix: " + fix.title;
+    case Applicability::kUnsafe: return "unsafe fix: " + fix.title;
+    case Applicability::kManual: break;
+  }
+  return "possible fix, for you to decide: " + fix.title;
+}
+
+/// Up to the first full stop that ends one; "e.g. this" does not.
+std::string_view first_sentence(std::string_view prose) {
+  for (std::size_t stop = prose.find(". "); stop != prose.npos; stop = prose.find(". ", stop + 1)) {
+    const bool shortened = stop >= 2 && prose[stop - 2] == '.';
+    if (!shortened) return prose.substr(0, stop + 1);
+  }
+  return prose;
+}
+
+class Block {
+ public:
+  /// `rule` is null when nothing is to be said of it.
+  Block(const Diagnostic& diagnostic, Places& places, Color color, const rules::Rule* rule)
+      : diagnostic_(diagnostic),
+        places_(places),
+        color_(color),
+        rule_(rule),
+        groups_(groups_of(diagnostic)) {
+    for (const Group& group : groups_) gutter_ = std::max(gutter_, gutter_width(group, places));
+  }
+
+  std::string text() {
+    headline();
+    draw();
+    for (const std::string& note : notes()) {
+      out_ += std::string(gutter_ + 1, ' ') + framed("=") + ' ' + note + '\n';
+    }
+    return std::move(out_) + '\n';
+  }
+
+  FindingDetails details() {
+    draw();
+    return {std::move(out_), notes()};
+  }
+
+ private:
+  std::string framed(std::string_view text) const { return paint(text, Paint::kFrame, color_); }
+
+  void headline() {
+    const std::string kind =
+        fmt::format("{}[{}]", to_string(diagnostic_.severity), diagnostic_.rule);
+    out_ += paint(kind, paint_of(diagnostic_.severity), color_) +
+            paint(": " + printable(diagnostic_.message, kMaxMessage), Paint::kStrong, color_) +
+            '\n';
+  }
+
+  void place(std::string_view arrow, std::string_view path, std::string_view position) {
+    out_ += std::string(gutter_, ' ') + framed(arrow) + ' ' + printable(path);
+    out_ += position;
+    out_ += '\n';
+  }
+
+  void draw() {
+    if (diagnostic_.where.nowhere()) place("-->", places_.path(diagnostic_), {});
+    for (const Group& group : groups_) draw(group);
+  }
+
+  void draw(const Group& group) {
+    const Span first = group.front().where;
+    const Position begin = places_.begin(first);
+    const bool own = first.source == diagnostic_.where.source;
+    place(own ? "-->" : ":::", places_.path(first),
+          fmt::format(":{}:{}", begin.line, begin.column));
+    const Paint role = own ? paint_of(diagnostic_.severity) : Paint::kFrame;
+    out_ += excerpt(group, places_, {gutter_, color_, role});
+  }
+
+  std::vector<std::string> notes() const {
+    std::vector<std::string> notes;
+    const auto note = [&notes](std::string_view text) {
+      notes.push_back(printable(text, kMaxMessage));
+    };
+    if (!diagnostic_.subject.empty()) note("in: " + diagnostic_.subject);
+    for (const Label& label : diagnostic_.related) {
+      if (label.where.nowhere()) note("note: " + label.message);
+    }
+    if (rule_ != nullptr) note("why: " + std::string(first_sentence(rule_->why)));
+    if (!diagnostic_.help.empty()) note("help: " + diagnostic_.help);
+    if (rule_ != nullptr && diagnostic_.help.empty() && diagnostic_.fixes.empty()) {
+      note("help: " + std::string(first_sentence(rule_->what_to_do)));
+    }
+    if (!diagnostic_.fixes.empty()) note(fix_line(diagnostic_.fixes.front()));
+    return notes;
+  }
+
+  const Diagnostic& diagnostic_;
+  Places& places_;
+  Color color_;
+  const rules::Rule* rule_;
+  std::vector<Group> groups_;
+  std::size_t gutter_ = 1;
+  std::string out_;
+};
+
+}  // namespace
+
+std::string pretty(const Diagnostics& diagnostics, const Sources& sources, Color color) {
+  Places places(sources);
+  std::string out;
+  for (const Diagnostic& diagnostic : diagnostics.list()) {
+    out += Block(diagnostic, places, color, nullptr).text();
+  }
+  return out;
+}
+
+std::string pretty(const Diagnostics& diagnostics, const Sources& sources, Color color,
+                   const rules::Registry& registry) {
+  Places places(sources);
+  std::set<std::string_view> told;
+  std::string out;
+  for (const Diagnostic& diagnostic : diagnostics.list()) {
+    const bool first = told.insert(diagnostic.rule).second;
+    const rules::Rule* rule = first ? registry.find(diagnostic.rule) : nullptr;
+    out += Block(diagnostic, places, color, rule).text();
+  }
+  return out;
+}
+
+FindingDetails finding_details(const Diagnostic& diagnostic, Places& places) {
+  return Block(diagnostic, places, Color::kPlain, nullptr).details();
+}
+
+}  // namespace rigor::report

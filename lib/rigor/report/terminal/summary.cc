@@ -1,0 +1,92 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/report/terminal/summary.h>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include <rigor/report/terminal/printable.h>
+
+namespace rigor::report {
+namespace {
+
+/// Files named one by one at most; a tree of templates would fill the screen.
+constexpr std::size_t kMostNamed = 10;
+
+/// What was met but not checked: whole files, and includes inside files that were.
+struct NotChecked {
+  std::vector<const rules::NotLookedAt*> files;
+  std::size_t includes = 0;
+};
+
+NotChecked not_checked(const rules::ValidateResult& result) {
+  NotChecked found;
+  for (const rules::NotLookedAt& item : result.not_looked_at) {
+    if (item.what.starts_with("include of ")) {
+      ++found.includes;
+    } else {
+      found.files.push_back(&item);
+    }
+  }
+  return found;
+}
+
+std::string joined(const std::vector<std::string>& parts, std::string_view between) {
+  std::string text;
+  for (const std::string& part : parts) {
+    if (!text.empty()) text += between;
+    text += part;
+  }
+  return text;
+}
+
+std::string not_looked_at(const NotChecked& found) {
+  std::vector<std::string> parts;
+  if (found.includes > 0) parts.push_back(counted(found.includes, "include"));
+  if (!found.files.empty()) parts.push_back(counted(found.files.size(), "file"));
+  return parts.empty() ? "" : "; " + joined(parts, " and ") + " not looked at";
+}
+
+}  // namespace
+
+std::string findings(const Diagnostics& diagnostics) {
+  std::vector<std::string> parts;
+  for (const Severity severity : {Severity::kError, Severity::kWarning, Severity::kInfo}) {
+    const std::size_t count = diagnostics.count(severity);
+    if (count > 0) parts.push_back(counted(count, to_string(severity)));
+  }
+  return parts.empty() ? ", no problems" : ": " + joined(parts, ", ");
+}
+
+std::string counted(std::size_t count, std::string_view noun, std::string_view plural) {
+  std::string digits = fmt::format("{}", count);
+  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
+  if (count != 1 && !plural.empty()) return fmt::format("{} {}", digits, plural);
+  return fmt::format("{} {}{}", digits, noun, count == 1 ? "" : "s");
+}
+
+std::string summary(const rules::ValidateResult& result) {
+  if (result.files.empty()) return "no files checked" + not_looked_at(not_checked(result));
+  return counted(result.files.size(), "file") + " checked" + findings(result.diagnostics) +
+         not_looked_at(not_checked(result));
+}
+
+std::string left_out(const rules::ValidateResult& result) {
+  const NotChecked found = not_checked(result);
+  const std::size_t named = std::min(found.files.size(), kMostNamed);
+  std::string out;
+  for (std::size_t i = 0; i < named; ++i) {
+    const rules::NotLookedAt& item = *found.files[i];
+    out += fmt::format("not looked at: {}: {}\n", printable(item.path), printable(item.what));
+  }
+  if (named < found.files.size()) {
+    out += "not looked at: " + counted(found.files.size() - named, "more file") + "\n";
+  }
+  return out;
+}
+
+}  // namespace rigor::report

@@ -1,0 +1,23 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A robot as a conversion may choose to write it; private to the room.
+
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <rigor/robot/robot.h>
+
+namespace rigor::robot {
+
+/// With mass, shapes and joints of each body of the map held by the one that it names, and a frame where
+/// the body was. Only where nothing but fixed joints lies between the two; else it stays a body.
+Robot with_held(const Robot& robot, const std::map<std::string, std::string>& held_by);
+
+/// Seen from the world and not from its model: what hangs on the world stands where the model's pose puts
+/// it, and every root is fixed there, by a joint without a name.
+Robot in_world(Robot robot);
+
+}  // namespace rigor::robot

@@ -1,0 +1,53 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A note of the account of a conversion as a finding.
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/convert/rows.h>
+
+namespace rigor::rules {
+namespace conversion {
+
+constexpr std::span<const Row> (*kTables[])() = {file_rows,  graph_rows,   joint_rows, link_rows,
+                                                 shape_rows, carried_rows, proof_rows};
+
+/// Kinds whose count is not of elements and attributes: of models, links, or nothing.
+constexpr convert::NoteKind kWithoutElements[] = {
+    convert::NoteKind::kSeveralModels, convert::NoteKind::kNoModel,
+    convert::NoteKind::kUnresolved,    convert::NoteKind::kSeveralRoots,
+    convert::NoteKind::kRootAdded,     convert::NoteKind::kNoRoot,
+    convert::NoteKind::kNotTheSame,    convert::NoteKind::kRefused,
+    convert::NoteKind::kIdle};
+
+/// Whether more was lost than the one element or attribute that it points at.
+bool lost_several(const convert::Note& note) {
+  return note.outcome == convert::Outcome::kLost && note.count > 1 &&
+         std::ranges::find(kWithoutElements, note.kind) == std::end(kWithoutElements);
+}
+
+void check(const convert::Note& note, Context& context) {
+  const bool lost = note.outcome == convert::Outcome::kLost;
+  std::string message =
+      fmt::format(fmt::runtime(row_of<convert::Note>(note, kTables).message.text(note)),
+                  fmt::arg("written", note.written), fmt::arg("instead", note.instead),
+                  fmt::arg("count", note.count),
+                  fmt::arg("whereabouts", lost ? "is lost" : "is for Gazebo only"));
+  if (lost_several(note)) message += fmt::format(" ({} elements and attributes)", note.count);
+  context.report({.where = note.where, .message = std::move(message), .subject = note.subject});
+}
+
+}  // namespace conversion
+
+std::vector<Rule> convert_rules() {
+  return rules_of<convert::Note>(conversion::kTables, conversion::check);
+}
+
+}  // namespace rigor::rules

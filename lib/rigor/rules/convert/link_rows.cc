@@ -1,0 +1,74 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Links.
+
+#include <span>
+
+#include <rigor/rules/convert/rows.h>
+
+namespace rigor::rules::conversion {
+
+using convert::NoteKind;
+
+std::span<const Row> link_rows() {
+  static constexpr Row kRows[] = {
+      {.rule = {"convert-inertial-default", NoteKind::kInertialDefault, Severity::kWarning,
+                Formats::kSdf},
+       .message = "no inertial: SDF means 1 kg and 1 kg·m², which is written out",
+       .summary = "a link without an inertial weighs 1 kg in SDF",
+       .why = "SDF gives such a link 1 kg and an inertia of 1 kg·m²; in URDF it would weigh "
+              "nothing, and Gazebo would take it and all below it away. The default is written "
+              "out, so the robot is the same, but it is hardly what was meant.",
+       .what_to_do = "Write the real inertial: `rigor inertia MODEL --write`."},
+      {.rule = {"convert-inertial-automatic", NoteKind::kInertialAutomatic, Severity::kInfo,
+                Formats::kSdf},
+       .message = "auto inertial: {instead} is written",
+       .summary = "a computed inertial is written out",
+       .why = "SDF 1.11 can leave the inertial to the simulator; URDF wants numbers. They are "
+              "computed from the collisions as the simulator would.",
+       .what_to_do = "Nothing: the inertial is the same."},
+      {.rule = {"convert-massless", NoteKind::kMassless, Severity::kInfo, Formats::kUrdf},
+       .message = "weighs nothing: {instead}",
+       .summary = "a link without mass",
+       .why = "In URDF a link without an inertial weighs nothing and mostly serves as a frame; SDF "
+              "would give it 1 kg, and the official converter drops it with all links below it.",
+       .what_to_do = "Nothing, or write the inertial that the link really has."},
+      {.rule = {"convert-surface", NoteKind::kSurface, Severity::kWarning},
+       .message =
+           [](const convert::Note& note) {
+             return note.instead.empty() ? "{written} is lost" : "{written} {instead}";
+           },
+       .summary = "contact properties are not all in the robot",
+       .why = "URDF has no friction and no contact. A `<gazebo>` block holds one set for a whole "
+              "link, so what differs between its collisions, and what the block has no key for, is "
+              "lost.",
+       .what_to_do = "Give all collisions of a link one surface, or set it in the simulator."},
+      {.rule = {"convert-link-physics", NoteKind::kLinkPhysics, Severity::kWarning, Formats::kSdf},
+       .message =
+           [](const convert::Note& note) {
+             return note.outcome == convert::Outcome::kLost
+                        ? "{written} {whereabouts}: URDF has no word for it"
+                        : "{written} {whereabouts}";
+           },
+       .summary = "what a link says to the engine is not in the robot",
+       .why = "Damping of a link's velocity, wind, kinematic motion, batteries, added mass: URDF "
+              "has no word for them. A `<gazebo>` block carries the damping, which Gazebo reads.",
+       .what_to_do = "Set them in the simulator where they matter."},
+      {.rule = {"convert-self-collide", NoteKind::kSelfCollide, Severity::kInfo},
+       .message = "self_collide {whereabouts}",
+       .summary = "self-collision is for Gazebo only",
+       .why = "URDF itself says nothing of whether links of the robot collide with each other; a "
+              "`<gazebo>` block tells Gazebo.",
+       .what_to_do = "Tell planners in their own file (SRDF)."},
+      {.rule = {"convert-gravity", NoteKind::kGravity, Severity::kInfo},
+       .message = "no gravity: this {whereabouts}",
+       .summary = "a link without gravity is so for Gazebo only",
+       .why = "URDF itself has no word for a link that gravity does not pull; a `<gazebo>` block "
+              "tells Gazebo.",
+       .what_to_do = "Mind it wherever the robot is simulated otherwise."},
+  };
+  return kRows;
+}
+
+}  // namespace rigor::rules::conversion

@@ -1,0 +1,94 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Shapes and looks.
+
+#include <span>
+
+#include <rigor/rules/convert/rows.h>
+
+namespace rigor::rules::conversion {
+
+using convert::NoteKind;
+
+std::span<const Row> shape_rows() {
+  static constexpr Row kRows[] = {
+      {.rule = {"convert-shape", NoteKind::kShape, Severity::kWarning},
+       .message = "there is no {written} in the target: {instead}",
+       .summary = "another shape stands for one that the target lacks",
+       .why = "URDF 1.0 has boxes, cylinders, spheres and meshes. A capsule is exactly a cylinder "
+              "and two spheres; other shapes become mesh files.",
+       .what_to_do = "Nothing where the substitute is exact; else choose a shape that both have."},
+      {.rule = {"convert-shape-lost", NoteKind::kShapeLost, Severity::kWarning},
+       .message = "there is no {written} in the target: the shape is left out",
+       .summary = "a shape that the target lacks is left out",
+       .why = "The link loses what it collides or is seen with. A robot that lost a collision "
+              "falls through things.",
+       .what_to_do = "Convert with `--shapes mesh`, which writes mesh files, or choose a shape "
+                     "that both formats have."},
+      {.rule = {"convert-submesh", NoteKind::kSubmesh, Severity::kWarning, Formats::kSdf},
+       .message =
+           [](const convert::Note& note) {
+             return note.instead.empty() ? "submesh {written} is left out: URDF takes meshes whole"
+                                         : "submesh {written} becomes {instead}";
+           },
+       .summary = "a part of a mesh file",
+       .why = "URDF takes mesh files whole. A submesh by name cannot be told.",
+       .what_to_do = "Write the part to a file of its own: `rigor mesh-check FILE --split material "
+                     "-o PART`."},
+      {.rule = {"convert-material-script", NoteKind::kMaterialScript, Severity::kInfo,
+                Formats::kSdf},
+       .message =
+           [](const convert::Note& note) {
+             return note.instead.empty() ? "material script {written} is lost"
+                                         : "material script {written} becomes {instead}";
+           },
+       .summary = "a material script becomes its colour",
+       .why = "URDF has colours and textures. Gazebo's own scripts have known colours, which are "
+              "written; of other scripts only the name can be carried.",
+       .what_to_do = "Nothing, or write the colour into the visual."},
+      {.rule = {"convert-material-look", NoteKind::kMaterialLook, Severity::kInfo},
+       .message =
+           [](const convert::Note& note) {
+             return note.instead.empty() ? "{written} of the material is lost"
+                                         : "{written} of the material becomes {instead}";
+           },
+       .summary = "some of how a visual looks is lost",
+       .why = "The target has one colour or texture a visual: textures of a pbr material, "
+              "emission, highlights and shaders have no place.",
+       .what_to_do = "Put the look into the mesh file, which both formats take."},
+      {.rule = {"convert-visual-extra", NoteKind::kVisualExtra, Severity::kInfo, Formats::kSdf},
+       .message = "{written} is lost: URDF has no word for it",
+       .summary = "what a visual says to the renderer is lost",
+       .why = "Shadows, layers, visibility flags and retro-reflection have no place in URDF.",
+       .what_to_do = "Set them in the simulator where they matter."},
+      {.rule = {"convert-texture", NoteKind::kTexture, Severity::kWarning, Formats::kUrdf},
+       .message = "the texture is lost: SDF 1.9 lays none over a shape",
+       .summary = "a texture is lost",
+       .why = "URDF lays a picture over a shape; SDF 1.9 does that only through a material of "
+              "physically based rendering.",
+       .what_to_do = "Put the texture into a mesh file."},
+      {.rule = {"convert-uri", NoteKind::kUri, Severity::kInfo},
+       .message = "{written} becomes {instead}",
+       .summary = "a mesh is named in the target's own way",
+       .why = "ROS tools find meshes by `package://`, Gazebo by `model://`.",
+       .what_to_do = "Choose with `--mesh-uri package://NAME`, `file` or `keep`."},
+      {.rule = {"convert-uri-not-found", NoteKind::kUriNotFound, Severity::kWarning},
+       .message = "{written} is found nowhere; it is written as {instead}",
+       .summary = "a mesh that cannot be found",
+       .why = "The file is nowhere where rigor looked, so the result names it as the source does, "
+              "and nobody has seen it.",
+       .what_to_do = "Say where to search: `--model-path DIR` or `--package NAME=DIR`."},
+      {.rule = {"convert-uri-elsewhere", NoteKind::kUriElsewhere, Severity::kWarning},
+       .message = "{instead} is not found from where the result stands: let its package be known "
+                  "there, or choose --mesh-uri file",
+       .summary = "a mesh that is not found from where the result stands",
+       .why = "The name of a ROS package is found wherever the package is known, so it is kept; "
+              "but nothing around the result says where it is.",
+       .what_to_do = "Source the package's workspace, or give rigor `--package NAME=DIR`; write "
+                     "the result inside the package; or choose `--mesh-uri file`."},
+  };
+  return kRows;
+}
+
+}  // namespace rigor::rules::conversion

@@ -1,0 +1,114 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Causes in masses and inertias: those that are not of the link's own shapes, and bodies of very
+// different mass in one joint.
+
+#include <rigor/mass/shapes.h>
+#include <rigor/simulate/advice/parts.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <rigor/mass/resolve.h>
+#include <rigor/simulate/metric/parts.h>
+
+namespace rigor::simulate {
+namespace {
+
+/// Times the moment of the solid shapes. A thin shell of the same mass has up to 2, a part whose mass
+/// is all at one end up to 4; beyond 10 no part of this shape comes.
+constexpr double kInertiaFactor = 10;
+
+/// Iterative solvers converge slowly from here on; and at ten times as much, not in 200 iterations.
+constexpr double kMassFactor = 100;
+constexpr double kMassFactorSevere = 10;
+
+/// What a link of this mass and shape would have; nothing where its shapes are no solids.
+std::optional<mass::Inertia> solid_inertia(const Causes& causes, const SceneLink& link,
+                                           double mass) {
+  for (const mass::From from : {mass::From::kCollisions, mass::From::kVisuals}) {
+    const mass::LinkBody body = mass::link_body(causes.input.root, causes.input.frames, link.id,
+                                                from, causes.input.find_mesh);
+    if (!body.complete()) continue;
+    return mass::with_mass(mass::of_own_densities(body), mass).about_com;
+  }
+  return std::nullopt;
+}
+
+struct MomentFactor {
+  double factor = 1;  ///< above 1, or its inverse below
+  std::string name;
+  double badness() const { return std::max(factor, 1 / factor); }
+};
+
+/// Of the moments about the link's axes the one that is farthest off; of a wheel, that about the axis
+/// that it turns about.
+MomentFactor farthest_off(const mass::Inertia& has, const mass::Inertia& should,
+                          const std::optional<Vector3>& axis_L) {
+  if (axis_L) {
+    return {mass::moment_about(*axis_L, has) / mass::moment_about(*axis_L, should), "its axis"};
+  }
+  const std::array<MomentFactor, 3> all{{{has.ixx / should.ixx, "ixx"},
+                                         {has.iyy / should.iyy, "iyy"},
+                                         {has.izz / should.izz, "izz"}}};
+  return *std::max_element(
+      all.begin(), all.end(),
+      [](const MomentFactor& a, const MomentFactor& b) { return a.badness() < b.badness(); });
+}
+
+std::optional<Vector3> wheel_axis_in(const Causes& causes, const SceneLink& link) {
+  const Quaternion R_WL = compose(causes.scene.bodies[link.body].X_WB, link.X_BL).rotation;
+  for (const auto* side : {&causes.wheels.left, &causes.wheels.right}) {
+    for (const Wheel& wheel : *side) {
+      const SceneJoint& joint = causes.scene.joints[wheel.joint];
+      if (joint.child == link.body) return rotate(conjugate(R_WL), joint.axes[0].direction_W);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void add_inertia_causes(Causes& causes) {
+  for (const SceneLink& link : causes.scene.links) {
+    if (link.body >= causes.scene.bodies.size() || !link.id) continue;
+    const mass::Resolved taken =
+        mass::resolve(causes.input.root, causes.input.frames, link.id, causes.input.find_mesh);
+    if (!(taken.body.mass > 0)) continue;
+    const std::optional<mass::Inertia> should = solid_inertia(causes, link, taken.body.mass);
+    if (!should || !(mass::trace(*should) > 0)) continue;
+    const MomentFactor off =
+        farthest_off(taken.body.about_com, *should, wheel_axis_in(causes, link));
+    if (!std::isfinite(off.badness()) || off.badness() < kInertiaFactor) continue;
+    const bool defaults =
+        taken.taken == mass::Taken::kDefaults || taken.taken == mass::Taken::kIdentity;
+    Fact about{.where = link.where, .subject = subject_of(link.name, "link"), .name = off.name};
+    causes.add(defaults ? FactKind::kCauseDefaultInertia : FactKind::kCauseInertia,
+               std::move(about), off.factor, kInertiaFactor, off.badness() / kInertiaFactor, 1);
+  }
+}
+
+void add_mass_ratio_causes(Causes& causes) {
+  const Scene& scene = causes.scene;
+  for (std::uint32_t j = 0; j < scene.joints.size(); ++j) {
+    const SceneJoint& joint = scene.joints[j];
+    if (joint.parent >= scene.bodies.size() || joint.child >= scene.bodies.size()) continue;
+    const double parent = scene.bodies[joint.parent].mass.mass;
+    const double child = scene.bodies[joint.child].mass.mass;
+    if (!(parent > 0) || !(child > 0)) continue;
+    const double ratio = std::max(parent / child, child / parent);
+    if (ratio < kMassFactor) continue;
+    // It is the light one that is to be changed, more often than not.
+    const bool child_is_light = child < parent;
+    Fact about = about_body(scene, child_is_light ? joint.child : joint.parent);
+    about.name = about_body(scene, child_is_light ? joint.parent : joint.child).subject;
+    // A light body at the end of a chain bears nothing, and harms little.
+    causes.add(FactKind::kCauseMassRatio, std::move(about), ratio, kMassFactor, ratio / kMassFactor,
+               child_is_light ? kMassFactorSevere : 1);
+  }
+}
+
+}  // namespace rigor::simulate

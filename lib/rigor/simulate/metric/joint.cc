@@ -1,0 +1,172 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Metrics of joints: whether they hold together and keep their limits, reach what they are told to, and
+// hold it.
+
+#include <rigor/simulate/metric/parts.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <rigor/simulate/footprint.h>
+#include <rigor/simulate/joint_load.h>
+#include <rigor/simulate/run.h>
+
+namespace rigor::simulate {
+namespace {
+
+/// All of a joint's effort, but for rounding.
+constexpr double kAllEffort = 0.999;
+
+/// Of its way: a joint that is stopped, or too weak to get there.
+constexpr double kMissed = 0.01;
+
+void add_controller_margin(MetricSheet& sheet) {
+  const double step = sheet.scene.solver.step;
+  Peak margin;
+  for (const Command& command : sheet.scenario.commands) {
+    const SceneJoint& joint = sheet.scene.joints[command.joint];
+    if (!command.gains || joint.axes.size() != 1) continue;
+    const double inertia = effective_inertia(sheet.scene, joint);
+    margin.see(command.gains->d * step / inertia, command.joint, 0);
+  }
+  if (margin.of != kWorld) {
+    sheet.add("joint.pd_margin", margin.value, about_joint(sheet.scene, margin.of));
+  }
+}
+
+Peak largest(const Record& record, Peak PhaseMeasures::*what) {
+  Peak all;
+  for (const PhaseMeasures& phase : record.measures.phases) {
+    all.see((phase.*what).value, (phase.*what).of, 0);
+  }
+  return all;
+}
+
+/// What is missing of the way from `least` to `most`, as a share of it.
+double missing_share(double least, double most, double reached_least, double reached_most) {
+  const double missing = std::max(0.0, reached_least - least) + std::max(0.0, most - reached_most);
+  return most > least ? missing / (most - least) : 0;
+}
+
+struct Sweep {
+  std::uint32_t joint = kWorld;
+  SweepMotion motion{.least = kInfinity, .most = -kInfinity};
+};
+
+/// What a phase of a joint-sweep told to a joint.
+Sweep swept_in(const Scenario& scenario, const Phase& phase) {
+  Sweep sweep;
+  for (const Command& command : scenario.commands) {
+    const bool inside = command.begin >= phase.begin && command.end <= phase.end;
+    if (!inside) continue;
+    SweepMotion& motion = sweep.motion;
+    if (command.kind == CommandKind::kPosition) {
+      sweep.joint = command.joint;
+      motion.least = std::min(motion.least, command.value);
+      motion.most = std::max(motion.most, command.value);
+    } else if (command.kind == CommandKind::kVelocity) {
+      const double speed = std::abs(command.value);
+      motion.speed = std::max(motion.speed, speed);
+      if (command.ramp > 0)
+        motion.acceleration = std::max(motion.acceleration, speed / command.ramp);
+    }
+  }
+  return sweep;
+}
+
+/// What a sweep takes of the joint's effort limit. The engine's motor gives no more than the limit: of one
+/// that gave it all, or missed so much of its way, the need is computed. Nor does it feel the friction.
+double effort_share(const SceneJoint& joint, const JointLoads& loads, const SweepMotion& motion,
+                    double given, double missing) {
+  const SceneAxis& axis = joint.axes[0];
+  if (!(axis.effort > 0)) return 0;
+  const bool weak = given >= kAllEffort || missing > kMissed;
+  const double needed =
+      weak ? loads.sweep_effort(joint, motion) : axis.friction + axis.damping * motion.speed;
+  return std::max(given, needed / axis.effort);
+}
+
+/// A joint that has given all it has is too weak; else it is stopped by something.
+void blame_effort(MetricSheet& sheet, bool exhausted) {
+  Metric& metric = sheet.metrics.back();
+  if (metric.fact && exhausted) metric.fact->kind = FactKind::kJointOverloaded;
+}
+
+}  // namespace
+
+void add_joint_metrics(MetricSheet& sheet) {
+  const Scene& scene = sheet.scene;
+  if (scene.joints.empty()) return;
+  const Peak anchor = largest(sheet.record, &PhaseMeasures::anchor_error);
+  sheet.add("joint.anchor_error", anchor.value, about_joint(scene, anchor.of),
+            std::max(1.0, scene.size));
+  const Peak limit = largest(sheet.record, &PhaseMeasures::limit_violation);
+  sheet.add("joint.limit_violation", limit.value, about_axis(scene, limit.of));
+  add_controller_margin(sheet);
+}
+
+void add_sweep_metrics(MetricSheet& sheet) {
+  const std::vector<std::uint32_t> first = first_axes(sheet.scene);
+  const JointLoads loads(sheet.scene);
+  Peak reach, effort;
+  bool exhausted = false;
+  for (std::size_t i = 0; i < sheet.scenario.phases.size(); ++i) {
+    const Phase& phase = sheet.scenario.phases[i];
+    if (!phase.name.starts_with("sweep ")) continue;
+    const Sweep sweep = swept_in(sheet.scenario, phase);
+    const PhaseMeasures& seen = sheet.record.measures.phases[i];
+    if (sweep.joint == kWorld || seen.steps == 0) continue;
+    const std::uint32_t axis = first[sweep.joint];
+    const double missing = missing_share(sweep.motion.least, sweep.motion.most,
+                                         seen.axis_least[axis], seen.axis_most[axis]);
+    const double share = effort_share(sheet.scene.joints[sweep.joint], loads, sweep.motion,
+                                      seen.axis_effort[axis], missing);
+    if (missing > reach.value) exhausted = share >= kAllEffort;
+    reach.see(missing, sweep.joint, 0);
+    effort.see(share, sweep.joint, 0);
+    if (reach.of == kWorld) reach.of = sweep.joint;
+  }
+  if (reach.of == kWorld) return;
+  sheet.add("joint.reach", reach.value, about_joint(sheet.scene, reach.of));
+  blame_effort(sheet, exhausted);
+  sheet.add("joint.effort", effort.value, about_joint(sheet.scene, effort.of));
+}
+
+void add_hold_metrics(MetricSheet& sheet) {
+  const PhaseMeasures* hold = sheet.phase("hold");
+  if (hold == nullptr) return;
+  const std::vector<std::uint32_t> first = first_axes(sheet.scene);
+  Peak error;
+  for (const Command& command : sheet.scenario.commands) {
+    if (command.kind != CommandKind::kPosition) continue;
+    const std::uint32_t axis = first[command.joint] + command.axis;
+    error.see(
+        std::max(hold->axis_most[axis] - command.value, command.value - hold->axis_least[axis]),
+        axis, 0);
+  }
+  sheet.add("hold.error", error.value, about_axis(sheet.scene, error.of));
+  blame_effort(sheet, error.of != kWorld && hold->axis_effort[error.of] >= kAllEffort);
+}
+
+void add_tilt_table_metrics(MetricSheet& sheet) {
+  const PhaseMeasures* tilt = sheet.phase("tilt");
+  if (tilt == nullptr || sheet.scenario.tilts.empty()) return;
+  const Scene& scene = sheet.scene;
+  std::uint32_t model = sheet.wheels.empty() ? 0 : sheet.wheels.model;
+  while (model < scene.models.size() && !stands_free(scene, model)) ++model;
+  if (model >= scene.models.size()) return;
+  const std::vector<Vector3> corners = footprint_at_start(scene, model, kFootSlack);
+  const double expected = corners.size() < 3 ? 0 : tip_angle(scene, model, corners).angle;
+  if (!(expected > 0)) return;
+  // A table that reached its end without a fall has shown at least that angle.
+  const Tilt& table = sheet.scenario.tilts[0];
+  const double at = std::min(tilt->tipped, table.end);
+  const double angle = table.angle * (at - table.begin) / (table.end - table.begin);
+  sheet.add("tilt-table.angle",
+            tilt->tipped < kInfinity ? angle / expected : std::max(1.0, angle / expected),
+            about_model(scene, model));
+}
+
+}  // namespace rigor::simulate

@@ -1,0 +1,161 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Tests of joints: each driven from limit to limit, and all held by controllers against gravity.
+
+#include <rigor/simulate/test/parts.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <rigor/simulate/joint_load.h>
+
+namespace rigor::simulate {
+namespace {
+
+/// Of the joint's velocity limit; and what is taken where there is none.
+constexpr double kSweepShare = 0.25;
+constexpr double kSweepTurn = 1;           // rad/s
+constexpr double kSweepSlideShare = 0.25;  // of the scene's size, a second
+
+/// A stroke takes no longer than this, if the joint's limit lets it: a sweep is not to take minutes.
+constexpr double kStrokeMost = 3;  // s
+
+/// From rest to full speed and back; a step of speed would be a blow to all that hangs on the joint.
+constexpr double kStrokeRamp = 0.25;  // s
+
+/// At a limit it waits for so long, and takes half of it to get there exactly.
+constexpr double kStrokeRest = 0.2;  // s
+
+/// Whatever a file's limits are, all strokes together end: an hour of simulated time takes minutes.
+constexpr double kSweepMost = 600;  // s
+
+constexpr double kHoldTime = 2;  // s
+
+/// A controller with this natural frequency is brisk; and with this much damping it does not swing.
+constexpr double kHoldFrequency = 20;  // rad/s
+constexpr double kHoldDamping = 0.7;
+
+/// How far the load may bend it: gains are raised until it is less.
+constexpr double kHoldSag = 0.005;  // rad, m
+
+/// Of kd·h/I, which is unstable at 2: gains beyond would be the test's fault.
+constexpr double kHoldMargin = 0.25;
+
+struct SweepRange {
+  double lower, upper, speed;
+};
+
+SweepRange sweep_range(const Scene& scene, const SceneJoint& joint) {
+  const SceneAxis& axis = joint.axes[0];
+  const bool slides = joint.type == model::JointType::kPrismatic;
+  const double open = slides ? scene.size / 4 : std::numbers::pi;
+  SweepRange range{std::isfinite(axis.lower) ? axis.lower : -open,
+                   std::isfinite(axis.upper) ? axis.upper : open, 0};
+  // Beyond a full turn and back there is nothing new.
+  if (!slides) {
+    range.lower = std::max(range.lower, -2 * std::numbers::pi);
+    range.upper = std::min(range.upper, 2 * std::numbers::pi);
+  }
+  const bool limited = std::isfinite(axis.velocity) && axis.velocity > 0;
+  const double usual = slides ? kSweepSlideShare * scene.size : kSweepTurn;
+  range.speed = limited ? kSweepShare * axis.velocity : usual;
+  const double needed = (range.upper - range.lower) / kStrokeMost;
+  range.speed = std::max(range.speed, limited ? std::min(needed, axis.velocity) : needed);
+  return range;
+}
+
+std::vector<std::uint32_t> joints_to_move(const Scene& scene, const DriveTrain& wheels) {
+  const std::vector<bool> rolling = rolling_joints(scene);
+  std::vector<std::uint32_t> joints;
+  for (std::uint32_t j = 0; j < scene.joints.size(); ++j) {
+    const SceneJoint& joint = scene.joints[j];
+    if (!can_be_told(joint) || joint.child >= scene.bodies.size()) continue;
+    if (is_wheel_joint(wheels, j) || rolling[j] || joint.axes[0].spring_stiffness != 0) continue;
+    if (joint.axes[0].lower < joint.axes[0].upper) joints.push_back(j);
+  }
+  return joints;
+}
+
+/// Speeds up and slows down evenly, and ends exactly at `to`.
+double add_stroke(std::uint32_t joint, double from, double to, double speed, double begin,
+                  Scenario& scenario) {
+  const double cruise = std::abs(to - from) / speed;
+  const double ramp = std::min(kStrokeRamp, cruise / 2);
+  const auto add = [&](CommandKind kind, double value, double start, double end, double rise) {
+    scenario.commands.push_back(
+        {.joint = joint, .kind = kind, .value = value, .begin = start, .end = end, .ramp = rise});
+  };
+  const double arrived = begin + cruise + ramp;
+  add(CommandKind::kVelocity, to < from ? -speed : speed, begin, begin + cruise, ramp);
+  add(CommandKind::kVelocity, 0, begin + cruise, arrived, ramp);
+  add(CommandKind::kPosition, to, arrived, arrived + kStrokeRest, kStrokeRest / 2);
+  return arrived + kStrokeRest;
+}
+
+/// Stands still but while it is swept.
+void add_stand(std::uint32_t joint, double begin, double end, Scenario& scenario) {
+  if (!(end > begin)) return;
+  scenario.commands.push_back(
+      {.joint = joint, .kind = CommandKind::kVelocity, .value = 0, .begin = begin, .end = end});
+}
+
+Gains hold_gains(const Scene& scene, const JointLoads& loads, const SceneJoint& joint) {
+  const double inertia = loads.inertia(joint);
+  Gains gains;
+  gains.p = std::max(inertia * kHoldFrequency * kHoldFrequency, loads.weight(joint) / kHoldSag);
+  const double most = kHoldMargin * effective_inertia(scene, joint) / scene.solver.step;
+  gains.d = std::min(2 * kHoldDamping * std::sqrt(gains.p * inertia), most);
+  return gains;
+}
+
+}  // namespace
+
+MadeTest make_joint_sweep(const Scene& scene, const DriveTrain& wheels) {
+  const std::vector<std::uint32_t> joints = joints_to_move(scene, wheels);
+  if (joints.empty()) return {{}, "no joint can be moved by itself"};
+  Scenario scenario{.name = "joint-sweep", .spawn = Spawn::kOnGround};
+  double time = settling_time(scene) / 2;
+  scenario.phases.push_back({"settle", 0, time});
+  std::vector<Phase> swept;
+  for (const std::uint32_t j : joints) {
+    const SweepRange range = sweep_range(scene, scene.joints[j]);
+    const double start = std::clamp(scene.joints[j].axes[0].start, range.lower, range.upper);
+    const double begin = time;
+    time = add_stroke(j, start, range.lower, range.speed, time, scenario);
+    time = add_stroke(j, range.lower, range.upper, range.speed, time, scenario);
+    time = add_stroke(j, range.upper, start, range.speed, time, scenario);
+    swept.push_back({"sweep " + scene.joints[j].name, begin, time});
+    if (time > kSweepMost) break;
+  }
+  scenario.duration = time;
+  scenario.phases.insert(scenario.phases.end(), swept.begin(), swept.end());
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const bool is_swept = i < swept.size();
+    add_stand(joints[i], 0, is_swept ? swept[i].begin : time, scenario);
+    if (is_swept) add_stand(joints[i], swept[i].end, time, scenario);
+  }
+  add_drive(wheels, 0, 0, {"", 0, time}, 0, scenario);
+  return {std::move(scenario), {}};
+}
+
+MadeTest make_hold(const Scene& scene, const DriveTrain& wheels) {
+  Scenario scenario{.name = "hold", .duration = kHoldTime, .spawn = Spawn::kOnGround};
+  scenario.phases = {{"hold", 0, kHoldTime}, rest_of(0, kHoldTime)};
+  const JointLoads loads(scene);
+  for (const std::uint32_t j : joints_to_move(scene, wheels)) {
+    const SceneAxis& axis = scene.joints[j].axes[0];
+    scenario.commands.push_back({.joint = j,
+                                 .kind = CommandKind::kPosition,
+                                 .value = std::clamp(axis.start, axis.lower, axis.upper),
+                                 .end = kHoldTime,
+                                 .gains = hold_gains(scene, loads, scene.joints[j])});
+  }
+  if (scenario.commands.empty()) return {{}, "no joint can be held"};
+  add_drive(wheels, 0, 0, {"", 0, kHoldTime}, 0, scenario);
+  return {std::move(scenario), {}};
+}
+
+}  // namespace rigor::simulate

@@ -1,0 +1,42 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Pictures put together: side by side with captions, and what differs between
+// two.
+//
+//   const Picture review = sheet({{before, "before"}, {after, "after"},
+//   {difference(before, after), ""}}, 3);
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <rigor/view/image/picture.h>
+
+namespace rigor::view {
+
+struct Tile {
+  Picture picture;
+  std::string caption;  ///< what is no ASCII shows as '?'; empty for none
+};
+
+/// In rows of `columns`, each place as large as the largest picture, on white;
+/// a line of captions below each row that has one. Empty when it would be over
+/// kMaxPixels.
+Picture sheet(const std::vector<Tile>& tiles, std::size_t columns);
+
+/// So many that the sheet of `count` tiles of this shape is about as wide as it
+/// is high.
+std::size_t columns_for(std::size_t count, std::uint32_t width, std::uint32_t height);
+
+/// Where two pictures differ, red; the rest pale and grey. Of different sizes:
+/// what only one has differs.
+Picture difference(const Picture& before, const Picture& after);
+
+/// How many pixels differ visibly.
+std::size_t count_differences(const Picture& before, const Picture& after);
+
+}  // namespace rigor::view

@@ -1,0 +1,112 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include <rigor/rules/environment.h>
+#include <rigor/read/load.h>
+#include <rigor/read/values.h>
+
+namespace rigor::read {
+namespace {
+
+/// What a file of that text holds; its one source is the text.
+model::Root root_of(const std::string& name, const std::string& text) {
+  MemoryDisk disk;
+  disk.put(name, text);
+  const Environment environment(disk, {});
+  Sources sources;
+  Workspace workspace(disk, sources);
+  const Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
+  return load(reader, workspace.open(name)).root;
+}
+
+std::string bytes(const std::string& text, Span span) {
+  return text.substr(span.begin, span.size());
+}
+
+const std::string kRobot =
+    "<robot name='arm'><link name='a'/><link name='b'/>"
+    "<joint name='j' type='continuous'><parent link='a'/><child link='b'/></joint>"
+    "<gazebo reference='a'><mu1> 0.5 </mu1><plugin name='p' filename='p.so'>"
+    "<topic> /cmd </topic><pid kind='full'><p>1</p><i/></pid></plugin></gazebo>"
+    "<transmission name='t'><joint name='j'><hardwareInterface>x</hardwareInterface></joint>"
+    "<actuator name='m'><mechanicalReduction>50</mechanicalReduction></actuator></transmission>"
+    "<ros2_control name='c'><hardware><plugin>h/H</plugin></hardware>"
+    "<joint name='j'><command_interface name='effort'/></joint></ros2_control>"
+    "<mujoco><compiler meshdir='m'/></mujoco></robot>";
+
+TEST(Parameters, AreATreeThatKnowsItsPlaces) {
+  const model::Root root = root_of("arm.urdf", kRobot);
+  ASSERT_EQ(root.plugins.size(), 1U);
+  const model::Parameters& given = root.plugins[0].parameters;
+  ASSERT_EQ(given.size(), 2U);
+  const model::Parameter* topic = find(given, "topic");
+  ASSERT_NE(topic, nullptr);
+  EXPECT_EQ(topic->value.value, "/cmd");
+  EXPECT_EQ(bytes(kRobot, topic->value.span), " /cmd ");
+  EXPECT_EQ(bytes(kRobot, topic->site.name), "topic");
+  const model::Parameter* pid = find(given, "pid");
+  ASSERT_NE(pid, nullptr);
+  ASSERT_NE(attribute(*pid, "kind"), nullptr);
+  EXPECT_EQ(bytes(kRobot, attribute(*pid, "kind")->span), "full");
+  ASSERT_EQ(pid->children.size(), 2U);
+  EXPECT_EQ(number_field(pid->children[0]).value, 1);
+  EXPECT_FALSE(number_field(pid->children[1]).written);
+  EXPECT_EQ(find(given, "absent"), nullptr);
+}
+
+TEST(Parameters, OfBlocksThatNoFormatDefines) {
+  const model::Root root = root_of("arm.urdf", kRobot);
+  ASSERT_EQ(root.gazebo_blocks.size(), 1U);
+  ASSERT_EQ(root.gazebo_blocks[0].content.size(), 1U) << "without the plugin";
+  EXPECT_EQ(number_field(root.gazebo_blocks[0].content[0]).value, 0.5);
+  ASSERT_EQ(root.transmissions.size(), 1U);
+  EXPECT_NE(find(root.transmissions[0].children, "actuator"), nullptr);
+  ASSERT_EQ(root.ros2_controls.size(), 1U);
+  EXPECT_NE(find(root.ros2_controls[0].children, "hardware"), nullptr);
+  ASSERT_EQ(root.controlled_joints.size(), 2U);
+  EXPECT_NE(find(root.controlled_joints[0].parameters, "hardwareInterface"), nullptr);
+  EXPECT_FALSE(root.controlled_joints[0].ros2_control);
+  EXPECT_NE(find(root.controlled_joints[1].parameters, "command_interface"), nullptr);
+  EXPECT_TRUE(root.controlled_joints[1].ros2_control);
+  ASSERT_NE(find(root.mujoco, "compiler"), nullptr);
+}
+
+TEST(Typed, WhatSensorsAndSurfacesSay) {
+  const model::Root root = root_of(
+      "m.sdf",
+      "<sdf version='1.9'><model name='m'><self_collide>1</self_collide><link name='l'>"
+      "<collision name='c'><surface><friction><ode><fdir1>0 1 0</fdir1></ode></friction>"
+      "<contact><collide_bitmask>1</collide_bitmask><ode><min_depth>0.01</min_depth></ode>"
+      "</contact></surface></collision>"
+      "<visual name='v'><transparency>0.3</transparency><material><emissive>1 0 0 1</emissive>"
+      "<pbr/></material></visual>"
+      "<sensor name='s' type='lidar'><gz_frame_id>f</gz_frame_id><lidar><scan>"
+      "<horizontal><samples>9</samples><min_angle>-1</min_angle></horizontal>"
+      "<vertical><max_angle>2</max_angle></vertical></scan>"
+      "<noise><stddev>-3</stddev></noise></lidar></sensor></link></model></sdf>");
+  EXPECT_TRUE(root.models.at(0).self_collide.value);
+  EXPECT_FALSE(root.links.at(0).self_collide.written);
+  const model::Surface& surface = root.collisions.at(0).surface;
+  EXPECT_EQ(surface.fdir1.value, (model::Vector3{0, 1, 0}));
+  EXPECT_TRUE(surface.chooses_contacts);
+  EXPECT_EQ(surface.min_depth.value, 0.01);
+  const model::Visual& visual = root.visuals.at(0);
+  EXPECT_EQ(visual.transparency.value, 0.3);
+  EXPECT_TRUE(visual.material.has_color);
+  EXPECT_FALSE(visual.material.pbr.span.nowhere());
+  const model::Sensor& sensor = root.sensors.at(0);
+  ASSERT_TRUE(sensor.lidar);
+  EXPECT_EQ(sensor.lidar->horizontal.samples.value, 9);
+  EXPECT_EQ(sensor.lidar->horizontal.min_angle.value, -1);
+  EXPECT_EQ(sensor.lidar->vertical.max_angle.value, 2);
+  EXPECT_EQ(sensor.lidar->noises.at(0).stddev.value, -3);
+  EXPECT_EQ(sensor.frames.at(0).value, "f");
+  EXPECT_TRUE(sensor.configured);
+}
+
+}  // namespace
+}  // namespace rigor::read

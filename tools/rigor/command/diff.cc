@@ -1,0 +1,92 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// `rigor diff A B`: what differs between two models as robots.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <rigor/report/robot_diff/robot_diff.h>
+#include <rigor/report/terminal/summary.h>
+#include <rigor/robot/compare.h>
+#include <rigor/rules/environment.h>
+
+#include "command/command.h"
+#include "model/robot_file.h"
+#include "option/search.h"
+#include "output/output.h"
+
+namespace rigor::tool {
+namespace {
+
+struct DiffFormat {
+  std::string_view name;
+  std::string (*emit)(const report::RobotDiff&);
+};
+constexpr DiffFormat kDiffFormats[] = {{"text", report::robot_diff_text},
+                                       {"json", report::robot_diff_json}};
+
+class Diff final : public Command {
+ public:
+  CLI::App* declare(CLI::App& program) override {
+    CLI::App* app = add_command(
+        program, "diff",
+        "Compare two models as robots: links, joints, masses, shapes, colors; in two files of one "
+        "format also contact, gravity, self-collision, sensors, lights and plugins. Not compared: "
+        "textures and other looks, transmissions, ros2_control",
+        {"rigor diff old/robot.urdf robot.urdf", "rigor diff arm.sdf arm.urdf --format json"});
+    app->add_option("a", a_, "A model file, or a folder with a model.config")
+        ->required()
+        ->type_name("A");
+    app->add_option("b", b_, "The one to compare it with")->required()->type_name("B");
+    app->add_option("--model", model_, "Name of one of several models in a file")
+        ->type_name("NAME");
+    output_.declare(*app, {"text", "json"});
+    search_.declare(*app);
+    return app;
+  }
+
+  int run() override {
+    const std::vector<Target> targets = output_.targets();
+    const RealDisk disk;
+    const Environment environment(disk, search_.paths());
+    Sources sources;
+    read::Workspace workspace(disk, sources);
+    RobotFiles files(environment, sources, workspace);
+    const read::Loaded loaded_a = files.load(a_);
+    const read::Loaded loaded_b = files.load(b_);
+    const std::optional<robot::Robot> a = files.robot(loaded_a, model_);
+    const std::optional<robot::Robot> b = files.robot(loaded_b, model_);
+    if (!a || !b) return kFindings;
+    if (!model_.empty() && a->name != model_ && b->name != model_) {
+      throw UsageError("no model is called " + model_ + did_you_mean(model_, {a->name, b->name}));
+    }
+    const robot::Correspondence all{.helpers = robot::Helpers::kTold,
+                                    .placement = robot::Placement::kTold};
+    std::vector<robot::Difference> differences = robot::compare(*a, *b, all);
+    const auto settings = files.settings(loaded_a, model_, loaded_b, model_);
+    if (settings) differences.insert(differences.end(), settings->begin(), settings->end());
+    const report::RobotDiff diff{
+        {loaded_a.file->path, *a}, {loaded_b.file->path, *b}, differences, sources, !settings};
+    for (const Target& target : targets) write(target, kDiffFormats[target.format].emit(diff));
+    if (!settings) {
+      say(std::string("rigor: one is SDF and one URDF, so not compared: ") +
+          report::kSettingsInWords);
+    }
+    if (differences.empty()) return kClean;
+    say("rigor: " + report::counted(differences.size(), "difference"));
+    return kFindings;
+  }
+
+ private:
+  std::string a_, b_, model_;
+  OutputOptions output_;
+  SearchOptions search_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> diff_command() { return std::make_unique<Diff>(); }
+
+}  // namespace rigor::tool

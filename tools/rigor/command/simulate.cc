@@ -1,0 +1,280 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// `rigor simulate`: models in tests, and what came of it.
+
+#include <algorithm>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include <rigor/author/simulation.h>
+#include <rigor/read/load.h>
+#include <rigor/report/simulation/simulation.h>
+#include <rigor/report/terminal/printable.h>
+#include <rigor/report/terminal/summary.h>
+#include <rigor/rules/environment.h>
+#include <rigor/simulate/engine/ode_version.h>
+
+#include "command/command.h"
+#include "model/model_file.h"
+#include "option/search.h"
+#include "option/selection.h"
+#include "option/simulation_options.h"
+#include "output/output.h"
+#include "output/progress.h"
+#include "output/results_file.h"
+
+namespace rigor::tool {
+namespace {
+
+enum SimulationFormat : std::size_t { kPretty, kJson, kJsonl, kJunit, kCsv, kHtml };
+
+/// Of so many cases at a time there is a scene in memory. Each is written when it is done; its
+/// trajectories stay only where a report besides the lines is asked for, which shows them.
+constexpr std::size_t kChunk = 64;
+
+class Simulate final : public Command {
+ public:
+  CLI::App* declare(CLI::App& program) override {
+    CLI::App* app = add_command(
+        program, "simulate", "Drop it, drive it, sweep its joints, and get a verdict",
+        {"rigor simulate my_robot",
+         "rigor simulate my_robot --test settle,drive,turn --output html:run.html",
+         "rigor simulate arm.urdf --command elbow=position:1.5 --duration 3 --format csv",
+         "rigor simulate robot.sdf --test drive --grid friction=0.2:1:9 --seeds 3 -j 4 --output "
+         "jsonl:runs.jsonl"});
+    app->add_option("paths", paths_, "Model files, or folders that hold models")
+        ->type_name("MODEL");
+    choices_.declare(*app);
+    app->add_flag("--resume", resume_, "Skip the cases that the jsonl file holds already")
+        ->group("Many runs");
+    output_.declare(*app, {"pretty", "json", "jsonl", "junit", "csv", "html"});
+    color_.declare(*app);
+    selection_.declare(*app);
+    search_.declare(*app);
+    return app;
+  }
+
+  int run() override {
+    if (simulate::ode_version().empty()) refuse_without("ODE", "simulate");
+    const std::vector<Target> targets = output_.targets();
+    const RealDisk disk;
+    const Environment environment(disk, search_.paths());
+    author::SimulationOptions options = choices_.options(disk);
+    options.selection = selection_.selection();
+    require_known(options.selection, environment.registry);
+    CountProgress progress("runs");
+    options.progress = [&progress](std::size_t done, std::size_t of) { progress.at(done, of); };
+    const std::vector<simulate::Case> grid = choices_.cases(options.plan);
+
+    Sources sources;
+    read::Workspace workspace(disk, sources);
+    const author::Simulator simulator(environment, sources, workspace, options);
+    const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
+    std::deque<read::Loaded> loaded;
+    std::deque<author::PreparedModel> models;
+    for (const std::string& path : files(disk, options.plan)) {
+      loaded.push_back(read::load(reader, open_model(workspace, path)));
+      const auto positions = joint_positions(loaded.back().root, choices_.joints());
+      models.push_back(simulator.prepare(loaded.back(), positions));
+    }
+    if (models.empty()) throw UsageError("there is no model to simulate");
+    std::vector<const model::Root*> roots;
+    for (const read::Loaded& file : loaded) roots.push_back(&file.root);
+    require_model(options.scene.model, roots);
+    return conclude(simulator, models, grid, targets, sources);
+  }
+
+ private:
+  std::vector<std::string> files(const Disk& disk, const simulate::Plan& plan) {
+    std::vector<std::string> named = paths_;
+    if (named.empty()) named = choices_.models_of(plan);
+    if (named.empty()) {
+      throw UsageError("simulate needs a model; `rigor simulate --help` shows examples");
+    }
+    return model_paths(disk, named);
+  }
+
+  /// Every model at every point of the grid.
+  static std::vector<author::SimulationCase> all_cases(
+      const std::deque<author::PreparedModel>& models, const std::vector<simulate::Case>& grid) {
+    std::vector<author::SimulationCase> cases;
+    for (const author::PreparedModel& model : models) {
+      for (simulate::Case one : grid) {
+        one.index = cases.size();
+        cases.push_back({&model, std::move(one)});
+      }
+    }
+    return cases;
+  }
+
+  /// Those that are to be run: not done, and not another shard's.
+  std::vector<author::SimulationCase> to_run(const std::vector<author::SimulationCase>& all,
+                                             const ResultsFile& results) const {
+    const Shard shard = choices_.shard();
+    std::vector<author::SimulationCase> cases;
+    for (const author::SimulationCase& each : all) {
+      const bool ours = shard.has(each.model->loaded.file->path + ' ' + each.one.id);
+      if (ours && !results.has(each.one.index)) cases.push_back(each);
+    }
+    return cases;
+  }
+
+  int conclude(const author::Simulator& simulator, const std::deque<author::PreparedModel>& models,
+               const std::vector<simulate::Case>& grid, const std::vector<Target>& targets,
+               const Sources& sources) {
+    const std::vector<author::SimulationCase> all = all_cases(models, grid);
+    for (const author::PreparedModel& model : models) {
+      refuse_problems(model, simulator.planned({&model, {}}));
+    }
+    for (const Target& target : targets) {
+      if (target.format == kPretty) color_.of(target);  // refuses what is no colour
+    }
+    ResultsFile results(results_file(targets));
+    std::size_t failed_before = 0;
+    if (resume_) {
+      results.read([&](const KeptResult& kept, const std::string& where) {
+        require_same(kept, where, all, simulator);
+        if (kept.worst && selection_.fails(*kept.worst)) ++failed_before;
+      });
+    }
+    const std::vector<author::SimulationCase> cases = to_run(all, results);
+    results.open();  // now that nothing refuses any more: the lines of a run before are gone
+    const bool only_lines = std::all_of(targets.begin(), targets.end(), [](const Target& target) {
+      return target.format == kJsonl;
+    });
+    const bool prints_lines = std::any_of(targets.begin(), targets.end(), [](const Target& target) {
+      return target.format == kJsonl && target.file.empty();
+    });
+    std::vector<author::SimulatedModel> done(cases.size());
+    std::vector<std::string> lines(prints_lines ? cases.size() : 0);
+    bool fails = failed_before > 0;
+    for (std::size_t begin = 0; begin < cases.size(); begin += kChunk) {
+      const auto first = cases.begin() + static_cast<std::ptrdiff_t>(begin);
+      const auto count = static_cast<std::ptrdiff_t>(std::min(kChunk, cases.size() - begin));
+      simulator.run({first, first + count}, [&](std::size_t i, author::SimulatedModel result) {
+        result.cases = all.size();
+        fails = fails || selection_.fails(result.diagnostics);
+        std::string line = report::simulation_line(result, sources);
+        results.add(result.one.index, line);
+        if (prints_lines) lines[begin + i] = std::move(line);
+        if (only_lines) keep_verdicts(result);
+        done[begin + i] = std::move(result);
+      });
+    }
+    results.finish();
+    const report::SimulationReport report{done, sources};
+    for (const Target& target : targets) emit(target, report, lines);
+    say(report::simulation_summary(report) + kept_words(results.kept(), failed_before));
+    return fails ? kFindings : kClean;
+  }
+
+  /// "; 4 cases kept, 1 failing": of a run that was resumed.
+  static std::string kept_words(std::size_t kept, std::size_t failing) {
+    if (kept == 0) return {};
+    const std::string words = "; " + report::counted(kept, "case") + " kept";
+    return failing == 0 ? words : words + ", " + std::to_string(failing) + " failing";
+  }
+
+  /// Where results are kept line by line: the file of `--output jsonl:FILE`.
+  std::string results_file(const std::vector<Target>& targets) const {
+    std::string file;
+    for (const Target& target : targets) {
+      if (target.format != kJsonl || target.file.empty()) continue;
+      if (!file.empty()) {
+        throw UsageError("--output jsonl:FILE can be given once, not for " + file + " and for " +
+                         target.file);
+      }
+      file = target.file;
+    }
+    if (resume_ && file.empty()) {
+      throw UsageError("--resume goes with --output jsonl:FILE, which it reads");
+    }
+    return file;
+  }
+
+  /// A line of another sweep must not pass for the case that has its number in this one.
+  static void require_same(const KeptResult& kept, const std::string& where,
+                           const std::vector<author::SimulationCase>& all,
+                           const author::Simulator& simulator) {
+    const std::string is = where + ": is of another run: of ";
+    const std::string how = "; leave --resume out to begin anew, or name another file";
+    if (kept.one.of != all.size()) {
+      throw UsageError(is + std::to_string(kept.one.of) + " cases, not " +
+                       std::to_string(all.size()) + how);
+    }
+    const author::SimulationCase& ours = all[kept.one.index];
+    std::vector<std::string> tests;
+    for (const simulate::Scenario& each : simulator.planned(ours).scenarios) {
+      tests.push_back(each.name);
+    }
+    const std::string theirs_words = about(kept.model, kept.one.id, kept.tests);
+    const std::string ours_words = about(ours.model->loaded.file->path, ours.one.id, tests);
+    if (theirs_words == ours_words) return;
+    throw UsageError(is + theirs_words + ", where this one has " + ours_words + how);
+  }
+
+  /// "cart.sdf [friction=0.2 seed=1] in settle, drive"; safe to print, and the same for a name and for
+  /// what JSON has of it.
+  static std::string about(const std::string& model, const std::string& id,
+                           const std::vector<std::string>& tests) {
+    std::string words = model + " [" + id + ']';
+    const char* separator = " in ";
+    for (const std::string& test : tests) {
+      words += separator + test;
+      separator = ", ";
+    }
+    return report::printable(words);
+  }
+
+  static void refuse_problems(const author::PreparedModel& model,
+                              const simulate::Planned& planned) {
+    if (planned.problems.empty()) return;
+    const simulate::PlanProblem& problem = planned.problems.front();
+    throw UsageError(
+        model.loaded.file->path + ": there is no " + problem.what +
+        did_you_mean(problem.name, {problem.candidates.begin(), problem.candidates.end()}));
+  }
+
+  /// What the summary and the exit code are made of; the rest is in the lines.
+  static void keep_verdicts(author::SimulatedModel& result) {
+    result.scene = {};
+    result.diagnostics = {};
+    for (simulate::Run& run : result.simulation.runs) run = {};
+  }
+
+  static std::string joined(const std::vector<std::string>& lines) {
+    std::string all;
+    for (const std::string& line : lines) all += line;
+    return all;
+  }
+
+  void emit(const Target& target, const report::SimulationReport& report,
+            const std::vector<std::string>& lines) const {
+    switch (target.format) {
+      case kPretty: return write(target, simulation_text(report, color_.of(target)));
+      case kJson: return write(target, simulation_json(report));
+      case kJsonl:
+        if (target.file.empty()) write(target, joined(lines));
+        return;
+      case kJunit: return write(target, simulation_junit(report));
+      case kCsv: return write(target, simulation_csv(report));
+      default: return write(target, simulation_html(report));
+    }
+  }
+
+  std::vector<std::string> paths_;
+  bool resume_ = false;
+  SimulationChoices choices_;
+  OutputOptions output_;
+  ColorOption color_;
+  SelectionOptions selection_;
+  SearchOptions search_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> simulate_command() { return std::make_unique<Simulate>(); }
+
+}  // namespace rigor::tool

@@ -1,0 +1,196 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "model/conversion.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include <rigor/read/load.h>
+#include <rigor/report/conversion.h>
+#include <rigor/report/robot_diff/robot_diff.h>
+#include <rigor/report/terminal/concise.h>
+#include <rigor/report/terminal/pretty.h>
+#include <rigor/report/terminal/printable.h>
+#include <rigor/report/terminal/summary.h>
+#include <rigor/robot/compare.h>
+#include <rigor/text/path.h>
+
+#include "model/model_file.h"
+#include "model/robot_file.h"
+#include "output/atomic_file.h"
+
+namespace rigor::tool {
+namespace {
+
+/// Without what a reader of the pretty report needs not be told: infos on what is not lost.
+Diagnostics without_infos(const author::Conversion& result) {
+  const convert::Notes& notes = result.account.notes;
+  const auto tells_loss = [&notes](const Diagnostic& diagnostic) {
+    return std::any_of(notes.begin(), notes.end(), [&](const convert::Note& note) {
+      return note.outcome == convert::Outcome::kLost && note.where == diagnostic.where;
+    });
+  };
+  Diagnostics list;
+  for (const Diagnostic& diagnostic : result.diagnostics.list()) {
+    if (diagnostic.severity != Severity::kInfo || tells_loss(diagnostic)) list.add(diagnostic);
+  }
+  return list;
+}
+
+}  // namespace
+
+void ConversionCommand::declare(CLI::App& app) {
+  app_ = &app;
+  app.add_option("in", in_, "The model: a file, or a folder with a model.config")
+      ->type_name("IN")
+      ->required();
+  app.add_option("-o,--out", out_, "Write the result there; to stdout when absent")
+      ->type_name("FILE");
+  app.add_flag("--allow-loss", allow_loss_, "Write it though a loss is an error");
+  app.add_flag("--verify", verify_, "Read the result again and compare (the default)");
+  app.add_flag("--no-verify", no_verify_, "Do not");
+  app.add_option("--check", check_, "Compare with this file instead of writing one")
+      ->type_name("FILE");
+  app.add_flag("-v,--verbose", verbose_, "Tell what is exact as well");
+  output_.declare(app, {"pretty", "concise", "json"}, "--report,--output");
+  color_.declare(app);
+  selection_.declare(app);
+  search_.declare(app);
+}
+
+void ConversionCommand::refuse_stdout_twice() const {
+  if (!out_.empty() || !check_.empty()) return;
+  const bool said = app_->count("--format") + app_->count("--report") > 0;
+  const std::vector<Target> targets = output_.targets();
+  const auto to_stdout = [](const Target& target) { return target.file.empty(); };
+  if (said && std::any_of(targets.begin(), targets.end(), to_stdout)) {
+    throw UsageError(
+        "the model goes to stdout: write it with -o FILE, or the report with --report json:FILE");
+  }
+}
+
+int ConversionCommand::run(const Convert& convert) const {
+  refuse_stdout_twice();
+  if (verify_ && no_verify_) throw UsageError("--verify and --no-verify: give one of them");
+  if (!out_.empty() && !check_.empty())
+    throw UsageError("--check compares and -o writes: give one of them");
+
+  const RealDisk disk;
+  const Environment environment(disk, search_.paths());
+  Sources sources;
+  read::Workspace workspace(disk, sources);
+  const read::File& file = open_model(workspace, in_);
+  const read::Loaded loaded =
+      read::load({workspace, environment.resolver, environment.sdf, environment.urdf}, file);
+  if (loaded.root.format != from_ || !file.document->complete()) {
+    say("rigor: " + report::printable(file.path) +
+        (file.document->complete() ? ": holds no " : ": is not well-formed ") +
+        (from_ == model::Format::kSdf ? "SDF" : "URDF") + "; `rigor validate` says more");
+    return kFindings;
+  }
+  author::ConversionOptions options;
+  options.selection = selection_.selection();
+  require_known(options.selection, environment.registry);
+  options.proof = no_verify_ || !check_.empty() ? author::Proof::kNone : author::Proof::kVerify;
+  options.losses = allow_loss_ ? author::Losses::kAllowed : author::Losses::kRefused;
+  options.out = !out_.empty() ? out_ : file.path + ending_;
+  std::error_code error;
+  options.working_folder = std::filesystem::current_path(error).string();
+  const author::Conversion result = convert(environment, sources, workspace, loaded, options);
+  if (!check_.empty()) return check(environment, sources, workspace, loaded, result);
+  tell(result, sources);
+  if (!result.text || result.diagnostics.count(Severity::kError) > 0) {
+    say("rigor: nothing is written");
+    return kFindings;
+  }
+  write_result(result);
+  return selection_.fails(result.diagnostics) ? kFindings : kClean;
+}
+
+void ConversionCommand::tell(const author::Conversion& result, const Sources& sources) const {
+  const Diagnostics shown = verbose_ ? result.diagnostics : without_infos(result);
+  const bool to_stderr = out_.empty() && check_.empty();
+  if (to_stderr) {
+    std::string text = report::pretty(shown, sources, report::Color::kPlain);
+    if (!text.empty()) text.pop_back();
+    if (!text.empty()) say(text);
+  }
+  for (const Target& target : output_.targets()) {
+    if (to_stderr && target.file.empty()) continue;
+    switch (target.format) {
+      case 0: write(target, report::pretty(shown, sources, color_.of(target))); break;
+      case 1: write(target, report::concise(result.diagnostics, sources)); break;
+      default: write(target, report::conversion_json({result, sources, in_}));
+    }
+  }
+  const std::string summary = report::conversion_summary(result);
+  if (!summary.empty()) say(summary);
+}
+
+/// The side files first: a result that names a file is never there without it.
+void ConversionCommand::write_result(const author::Conversion& result) const {
+  if (out_.empty() && !result.files.empty()) {
+    throw UsageError("some shapes become files beside the result: write it with -o FILE");
+  }
+  for (const convert::SideFile& file : result.files) {
+    replace_file(join_path(parent_path(out_), file.name), file.bytes);
+  }
+  write({0, out_}, *result.text);
+}
+
+/// As robots, with the names that the conversion would have given, and what they tell simulators with what
+/// the result would tell. What a format has no place for is no difference: a hand-kept file need not
+/// hold it.
+int ConversionCommand::check(const Environment& environment, Sources& sources,
+                             read::Workspace& workspace, const read::Loaded& loaded,
+                             const author::Conversion& result) const {
+  RobotFiles files(environment, sources, workspace);
+  const read::Loaded kept = files.load(check_);
+  const auto a = files.robot(loaded, loaded.root[result.model].name.value);
+  const auto b = files.robot(kept, {});
+  if (!a || !b) return kFindings;
+  robot::Correspondence names = result.names;
+  names.placement = robot::Placement::kTold;
+  std::vector<robot::Difference> differences = robot::compare(*a, *b, names);
+  bool settings_left_out = true;
+  if (result.text) {
+    const read::File& file =
+        workspace.put(loaded.file->path + ".converted" + ending_, *result.text);
+    const read::Loaded converted =
+        read::load({workspace, environment.resolver, environment.sdf, environment.urdf}, file);
+    auto settings = files.settings(converted, {}, kept, {});
+    settings_left_out = !settings;
+    for (robot::Difference& d : settings.value_or(std::vector<robot::Difference>{})) {
+      d.span_a = {};  // in a text that nobody has
+      differences.push_back(std::move(d));
+    }
+  }
+  const report::RobotDiff diff{
+      {loaded.file->path, *a}, {kept.file->path, *b}, differences, sources, settings_left_out};
+  for (const Target& target : output_.targets()) {
+    write(target,
+          target.format == 2 ? report::robot_diff_json(diff) : report::robot_diff_text(diff));
+  }
+  if (settings_left_out) say(std::string("not compared: ") + report::kSettingsInWords);
+  say(differences.empty() ? "the same robot" : report::counted(differences.size(), "difference"));
+  return differences.empty() ? kClean : kFindings;
+}
+
+NamedMeshes mesh_naming(const std::string& text, const std::vector<std::string>& schemes) {
+  if (text.empty()) return {MeshNaming::kDefault, {}};
+  if (text == "file") return {MeshNaming::kFile, {}};
+  if (text == "keep") return {MeshNaming::kKeep, {}};
+  std::string known;
+  for (const std::string& scheme : schemes) {
+    const std::string start = scheme + "://";
+    if (text.starts_with(start) && text.size() > start.size()) {
+      return {MeshNaming::kScheme, text.substr(start.size())};
+    }
+    known += start + "NAME, ";
+  }
+  throw UsageError("--mesh-uri " + text + ": it is " + known + "file or keep");
+}
+
+}  // namespace rigor::tool

@@ -1,0 +1,130 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "model/model_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <variant>
+
+#include <rigor/read/discover.h>
+#include <rigor/read/model_config.h>
+#include <rigor/report/terminal/summary.h>
+#include <rigor/schema/value.h>
+#include <rigor/text/path.h>
+
+#include "command/command.h"
+#include "option/numbers.h"
+#include "option/search.h"
+
+namespace rigor::tool {
+namespace {
+
+std::string model_named_by(const std::string& config, const read::ModelConfig& read) {
+  const read::SdfEntry* entry = choose(read);
+  if (entry == nullptr) throw UsageError(config + ": names no SDF file");
+  return join_path(parent_path(config), entry->file.value);
+}
+
+std::string joint_named(const model::Root& root, const std::string& name) {
+  std::vector<std::string> names;
+  std::vector<std::string> matching;
+  for (std::uint32_t i = 0; i < root.joints.size(); ++i) {
+    names.push_back(scoped_name(root, model::Id<model::Joint>{i}));
+    if (names.back() == name) return name;
+    if (root.joints[i].name.value == name) matching.push_back(names.back());
+  }
+  if (matching.size() == 1) return matching.front();
+  std::vector<std::string_view> known(names.begin(), names.end());
+  if (matching.empty()) {
+    for (const model::Joint& joint : root.joints) known.push_back(joint.name.value);
+    throw UsageError("--joint " + name + ": no such joint" + did_you_mean(name, known));
+  }
+  throw UsageError("--joint " + name + ": " + report::counted(matching.size(), "joint") +
+                   " have this name; write " + matching[0] + " or " + matching[1]);
+}
+
+std::array<double, 2> joint_position(const std::string& option, const std::string& value) {
+  std::array<double, 2> result{};
+  const std::size_t comma = value.find(',');
+  result[0] = finite_number("--joint " + option, value.substr(0, comma));
+  if (comma != std::string::npos) {
+    result[1] = finite_number("--joint " + option, value.substr(comma + 1));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::string> model_paths(const Disk& disk, const std::vector<std::string>& named) {
+  std::vector<std::string> all;
+  for (const std::string& path : named) {
+    const bool folder = disk.kind(path) == PathKind::kFolder;
+    if (!folder || disk.kind(join_path(path, "model.config")) == PathKind::kFile) {
+      all.push_back(path);
+      continue;
+    }
+    const read::Discovered found = read::discover(disk, {path});
+    for (const std::string& unusable : found.unusable) throw UsageError(unusable);
+    for (const std::string& file : found.files) {
+      if (!file.ends_with("model.config")) all.push_back(file);
+    }
+  }
+  return all;
+}
+
+const read::File& open_model(read::Workspace& workspace, const std::string& named) {
+  const Disk& disk = workspace.disk();
+  std::string path = named;
+  if (disk.kind(path) == PathKind::kFolder) path = join_path(path, "model.config");
+  if (disk.kind(path) == PathKind::kFile && file_name(path) == "model.config") {
+    const read::File& config = workspace.open(path);
+    if (config.document) path = model_named_by(path, read::read_model_config(*config.document));
+  }
+  const read::File& file = workspace.open(path);
+  if (!file.document) throw UsageError(path + ": " + file.problem);
+  return file;
+}
+
+void require_model(const std::string& name, const std::vector<const model::Root*>& roots) {
+  if (name.empty()) return;
+  std::vector<std::string> names;
+  for (const model::Root* root : roots) {
+    for (std::uint32_t i = 0; i < root->models.size(); ++i) {
+      names.push_back(scoped_name(*root, model::Id<model::Model>{i}));
+    }
+  }
+  choice("--model", name, std::vector<std::string_view>(names.begin(), names.end()));
+}
+
+std::size_t lost_includes(const read::Loaded& loaded) {
+  const auto lost = [](const read::Fact& fact) {
+    return fact.kind == read::FactKind::kIncludeNotFound ||
+           fact.kind == read::FactKind::kIncludeUnreadable ||
+           fact.kind == read::FactKind::kIncludeCycle;
+  };
+  return static_cast<std::size_t>(std::count_if(loaded.facts.begin(), loaded.facts.end(), lost));
+}
+
+void tell_unfollowed(const read::Loaded& loaded) {
+  const auto unfollowed = [](const read::Fact& fact) {
+    return fact.kind == read::FactKind::kUnfollowedInclude;
+  };
+  const auto count = std::count_if(loaded.facts.begin(), loaded.facts.end(), unfollowed);
+  if (count == 0) return;
+  say("rigor: " + report::counted(static_cast<std::size_t>(count), "include") +
+      " not looked at, as nothing is downloaded: this is the model without");
+}
+
+model::JointPositions joint_positions(const model::Root& root,
+                                      const std::vector<std::string>& assignments) {
+  model::JointPositions positions;
+  for (const std::string& text : assignments) {
+    const auto [name, value] = split_assignment("--joint", text);
+    positions[joint_named(root, name)] = joint_position(text, value);
+  }
+  return positions;
+}
+
+}  // namespace rigor::tool

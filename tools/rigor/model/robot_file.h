@@ -1,0 +1,51 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A model file as a robot that can be compared with another.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <rigor/mass/mesh/survey.h>
+#include <rigor/read/load.h>
+#include <rigor/read/workspace.h>
+#include <rigor/robot/compare.h>
+#include <rigor/robot/robot.h>
+#include <rigor/rules/environment.h>
+#include <rigor/text/sources.h>
+
+namespace rigor::tool {
+
+class RobotFiles {
+ public:
+  RobotFiles(const Environment& environment, Sources& sources, read::Workspace& workspace)
+      : environment_(environment),
+        sources_(sources),
+        workspace_(workspace),
+        surveys_(environment.disk, {.workers = &environment.workers}) {}
+
+  /// A file, or a folder with a model.config. A UsageError when it cannot be read.
+  read::Loaded load(const std::string& path);
+
+  /// Of several models the one that is named; the only one whatever it is called. Nothing, and said on
+  /// stderr, when the file does not say where all of it is. A UsageError when none is meant.
+  std::optional<robot::Robot> robot(const read::Loaded& loaded, const std::string& model);
+
+  /// What the two models tell simulators differently (convert/settings.h). Nothing where they are of two
+  /// formats and one of them tells something. Both are files that `robot` takes.
+  std::optional<std::vector<robot::Difference>> settings(const read::Loaded& a,
+                                                         const std::string& model_a,
+                                                         const read::Loaded& b,
+                                                         const std::string& model_b);
+
+ private:
+  const Environment& environment_;
+  Sources& sources_;
+  read::Workspace& workspace_;
+  mass::MeshSurveys surveys_;
+};
+
+}  // namespace rigor::tool

@@ -1,0 +1,61 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "option/search.h"
+
+#include <cstdlib>
+
+#include <rigor/text/disk.h>
+#include "command/command.h"
+
+namespace rigor::tool {
+namespace {
+
+void require_folder(const std::string& option, const std::string& folder) {
+  if (RealDisk().kind(folder) == PathKind::kFolder) return;
+  throw UsageError(option + " " + folder + ": no such folder");
+}
+
+std::string path_variable(const std::string& name) {
+  const char* value = std::getenv(name.c_str());
+  return value == nullptr ? "" : value;
+}
+
+}  // namespace
+
+void SearchOptions::declare(CLI::App& app) {
+  app.add_option("--model-path", model_paths_, "Search model:// and relative URIs here first")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
+  app.add_option("--package", packages_, "Where package://NAME leads")
+      ->type_name("NAME=DIR")
+      ->allow_extra_args(false);
+  config_.declare(app);
+}
+
+read::SearchPaths SearchOptions::paths() const {
+  read::SearchPaths paths = read::search_paths_from(path_variable);
+  for (const std::string& folder : model_paths_) {
+    require_folder("--model-path", folder);
+    paths.given.push_back({folder, "--model-path"});
+  }
+  for (const std::string& package : packages_) {
+    auto [name, folder] = split_assignment("--package", package);
+    require_folder("--package", folder);
+    paths.packages[std::move(name)] = std::move(folder);
+  }
+  config_.open();
+  paths.configured = [this](std::string_view file) { return config_.resolve_paths(file); };
+  return paths;
+}
+
+std::pair<std::string, std::string> split_assignment(const std::string& option,
+                                                     const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw UsageError(option + " takes NAME=VALUE, not \"" + text + '"');
+  }
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+}  // namespace rigor::tool
