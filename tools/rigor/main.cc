@@ -12,6 +12,7 @@
 #include <rigor/report/terminal/printable.h>
 
 #include "command/command.h"
+#include "option/search.h"
 #include "output/output.h"
 #include "output/own_input.h"
 
@@ -106,6 +107,20 @@ std::vector<std::unique_ptr<Command>> commands_for(std::string_view word) {
   return commands;
 }
 
+bool is_template_argument(std::string_view word) {
+  const std::size_t assign = word.find(":=");
+  return assign != std::string_view::npos && assign > 0 && word[0] != '-' &&
+         word.substr(0, assign).find_first_of("/.= ") == std::string_view::npos;
+}
+
+/// `prefix:=left_` among the paths, as ROS has it, is an argument of templates. What follows `--` is not.
+void take_template_arguments(std::vector<std::string>& arguments) {
+  for (std::string& word : arguments) {
+    if (word == "--") return;
+    if (is_template_argument(word)) word = std::string(kTemplateArgumentOption) + '=' + word;
+  }
+}
+
 int run(std::vector<std::string> arguments) {
   if (arguments.empty()) {
     write({0, {}}, kGreeting);
@@ -117,6 +132,7 @@ int run(std::vector<std::string> arguments) {
   program.require_subcommand(0, 1);
   examples_first(program, {"rigor validate my_robot"});
   const std::vector<std::unique_ptr<Command>> commands = commands_for(arguments.front());
+  take_template_arguments(arguments);
   std::vector<CLI::App*> apps;
   std::deque<ColorOption> never_colored;
   for (const auto& command : commands) {
@@ -150,6 +166,9 @@ int run_caught(std::vector<std::string> arguments) {
     return run(std::move(arguments));
   } catch (const UsageError& error) {
     return usage_error(error.what());
+  } catch (const InputError& error) {
+    say("rigor: " + report::printable(error.what()));
+    return kFindings;
   } catch (const std::exception& error) {
     say(std::string("rigor: internal error, please report it: ") + error.what());
     return kInternal;
@@ -168,7 +187,7 @@ int main(int argc, char** argv) {
       ::close(nowhere);
     }
   }
-  // Whoever started this may ignore it, which is inherited: no end of git or xacro could be told.
+  // Whoever started this may ignore it, which is inherited: no end of git could be told.
   std::signal(SIGCHLD, SIG_DFL);
   return rigor::tool::run_caught(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
 }

@@ -34,6 +34,7 @@ std::string_view root_name(std::string_view bytes) {
 
 std::string default_name(std::string_view bytes) {
   const std::string_view root = root_name(bytes);
+  if (bytes.find("xmlns:xacro=") != std::string_view::npos) return "robot.urdf.xacro";
   if (root == "robot") return "robot.urdf";
   if (root == "model") return "model.config";
   return "model.sdf";

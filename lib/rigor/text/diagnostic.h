@@ -15,6 +15,7 @@
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <rigor/text/edit.h>
@@ -36,6 +37,13 @@ struct Label {
   std::string message;
 };
 
+/// A call of a xacro macro that brought a place into the model.
+struct MacroCall {
+  std::string macro;
+  Span where;  ///< of the call's tag
+  std::vector<std::pair<std::string, std::string>> params;
+};
+
 struct Diagnostic {
   std::string_view rule;      ///< kebab-case name; points into the registry, which is static data
   std::string_view category;  ///< of the rule
@@ -47,7 +55,9 @@ struct Diagnostic {
   std::vector<Label> related;
   std::string help;        ///< what to do, in the imperative; empty when the message says it all
   std::vector<Fix> fixes;  ///< none or one; the first is the one to apply
-  std::size_t count = 1;   ///< findings it stands for: many when it says how many are not listed
+  std::vector<MacroCall> origin = {};  ///< innermost first; empty without xacro
+  std::size_t instances = 1;           ///< elements of the expanded model that show it
+  std::size_t count = 1;  ///< findings it stands for: many when it says how many are not listed
 };
 
 /// Append-only. Rules and readers add, nobody removes.

@@ -28,10 +28,11 @@
 #include <rigor/text/sources.h>
 #include <rigor/xacro/bounds.h>
 #include <rigor/xacro/fact.h>
-#include <rigor/xacro/heap.h>
 #include <rigor/xacro/node.h>
 
 namespace rigor::xacro {
+
+class Heap;
 
 /// What a template may reach: the disk, packages and variables by the names that it writes.
 struct World {
@@ -41,7 +42,9 @@ struct World {
       find_package = {};
   /// A variable of the environment for `$(env NAME)` and `$(optenv NAME)`; no function, no variables.
   std::function<std::optional<std::string>(std::string_view name)> variable = {};
-  /// What `$(cwd)` is; absolute.
+  /// Where a file lies that is not where a path says: in a source tree, what installation moves.
+  std::function<std::optional<std::string>(const std::string& missing)> locate = {};
+  /// What `$(cwd)` is; absolute. Files below it are shown by their paths from there.
   std::string working_folder = ".";
 };
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include <rigor/xacro/expander.h>
-#include <rigor/xacro/literal.h>
-#include <rigor/xacro/near.h>
+#include <rigor/xacro/value/literal.h>
+#include <rigor/xacro/value/near.h>
 
 namespace rigor::xacro {
 namespace {

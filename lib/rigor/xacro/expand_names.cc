@@ -9,7 +9,7 @@
 #include <rigor/text/path.h>
 #include <rigor/xacro/expander.h>
 #include <rigor/xacro/file_pattern.h>
-#include <rigor/xacro/literal.h>
+#include <rigor/xacro/value/literal.h>
 
 namespace rigor::xacro {
 
@@ -75,6 +75,14 @@ void Expander::define_property(const Node& node, Names names, Node& out) {
       definitions_[before->definition].where != name_attribute->where.span) {
     report(FactKind::kRedefinedProperty, name_attribute->where, key, {},
            definitions_[before->definition].where);
+  }
+  if (target->kind() == ScopeKind::kMacro && target->parent() != nullptr &&
+      target->own().find(symbol) == nullptr) {
+    const Binding* hidden = target->parent()->find(symbol);
+    if (hidden != nullptr && hidden->definition != kNoDefinition) {
+      report(FactKind::kShadowedName, name_attribute->where, key, {},
+             definitions_[hidden->definition].where);
+    }
   }
   definitions_.push_back({symbols_.name(symbol), name_attribute->where.span, false});
   if (value == nullptr) {
@@ -146,17 +154,33 @@ Expander::File& Expander::file_at(const std::string& path) {
   File& file = files_.emplace_back();
   known = &file;
   file.path = path;
-  ReadResult read = world_.disk.read(path, options_.bounds.file_bytes);
+  std::string found = path;
+  ReadResult read = read_file(found);
   if (!read.bytes) {
     file.problem = read.problem;
     return file;
   }
   file.readable = true;
-  file.source = sources_.add(path, std::move(*read.bytes));
-  result_.files.push_back({path, file.source});
+  file.source = sources_.add(shown_path(found), std::move(*read.bytes));
+  result_.files.push_back({found, file.source});
   heap_.charge(sources_.bytes(file.source).size());
   file.tree = read_source_tree(sources_.bytes(file.source), file.source, nodes_, heap_);
   return file;
+}
+
+ReadResult Expander::read_file(std::string& path) {
+  ReadResult read = world_.disk.read(path, options_.bounds.file_bytes);
+  if (read.bytes || !world_.locate) return read;
+  const std::optional<std::string> elsewhere = world_.locate(path);
+  if (!elsewhere) return read;
+  path = *elsewhere;
+  return world_.disk.read(path, options_.bounds.file_bytes);
+}
+
+std::string Expander::shown_path(const std::string& path) const {
+  const std::string& here = world_.working_folder;
+  const bool below = is_absolute(here) && path.starts_with(here + '/');
+  return below && !own_path_is_absolute_ ? relative_path(here, path) : path;
 }
 
 void Expander::expand_include(const Node& node, Names names, Node& out) {
@@ -229,11 +253,15 @@ void Expander::include_file(const Node& node, const std::string& path, bool opti
   if (file.tree.root == nullptr) return;
   const std::uint32_t outer = frame_;
   frame_ = push_frame({FactFrame::Kind::kInclude, outer, node.where.span, file.path});
+  const bool is_own = file_stack_.size() == 1;
+  if (is_own) includes_.push_back({place, path, {}, false});
+  if (!includes_.empty()) includes_.back().sources.push_back(file.source);
   file_stack_.push_back(file.path);
   Node& included = fragment();
   expand_attributes(*file.tree.root, names, included);
   expand_children(*file.tree.root, names, included);
   lift_namespaces(included, out);
+  if (is_own) includes_.back().brings_elements = included.first_element() != nullptr;
   content.take_children(included);
   file_stack_.pop_back();
   frame_ = outer;

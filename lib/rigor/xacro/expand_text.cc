@@ -7,9 +7,9 @@
 #include <utility>
 
 #include <rigor/xacro/expander.h>
-#include <rigor/xacro/literal.h>
-#include <rigor/xacro/near.h>
-#include <rigor/xacro/unicode.h>
+#include <rigor/xacro/value/literal.h>
+#include <rigor/xacro/value/near.h>
+#include <rigor/xacro/value/unicode.h>
 #include <rigor/xacro/yaml.h>
 
 namespace rigor::xacro {
@@ -64,6 +64,7 @@ Value Expander::evaluate_segment(const TextSegment& segment, Scope& scope, Place
 
 Value Expander::evaluate_expression(std::string_view, const Expression& expression, Scope& scope,
                                     Place place) {
+  if (expression.degrees != kNoNode) report_degrees(expression, place);
   const Span outer = std::exchange(reader_, place.span);
   const Value v = evaluator_.evaluate(expression, scope);
   reader_ = outer;
@@ -158,10 +159,11 @@ Value Expander::load_yaml(std::string_view written) {
   }
   Yaml& file = yaml_[path];
   file.value = Value::error();
-  ReadResult read = world_.disk.read(path, options_.bounds.file_bytes);
+  std::string found = path;
+  ReadResult read = read_file(found);
   if (!read.bytes) return evaluator_.fail(FactKind::kFileNotFound, path, read.problem);
-  file.source = sources_.add(path, std::move(*read.bytes));
-  result_.files.push_back({path, file.source});
+  file.source = sources_.add(shown_path(found), std::move(*read.bytes));
+  result_.files.push_back({found, file.source});
   heap_.charge(sources_.bytes(file.source).size());
   file.loading = true;
   Scope empty(nullptr, ScopeKind::kFile);

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include <rigor/text/path.h>
-#include <rigor/xacro/compare.h>
-#include <rigor/xacro/literal.h>
-#include <rigor/xacro/unicode.h>
+#include <rigor/xacro/value/compare.h>
+#include <rigor/xacro/value/literal.h>
+#include <rigor/xacro/value/unicode.h>
 
 namespace rigor::xacro {
 namespace {
@@ -55,6 +55,7 @@ void Expander::define_builtins() {
 
 Expansion Expander::run(const std::string& path) {
   result_.frames.push_back({FactFrame::Kind::kInclude, 0, {}, heap_.keep(path)});
+  own_path_is_absolute_ = is_absolute(path);
   for (const auto& [name, value] : options_.arguments) {
     arguments_[name] = {heap_.keep(value), {}, false, true};
   }
@@ -205,6 +206,8 @@ void Expander::expand_element(const Node& node, std::string_view name, Names nam
 void Expander::expand_plain(const Node& node, std::string_view name, Names names, Node& out) {
   Node& made = new_node(node);
   made.name = name;
+  // In the robot itself, or in what is to become part of it.
+  if (out.name.empty() || &out == result_.root) report_missing_prefix(node, *names.macros);
   out.append(made);
   expand_attributes(node, names, made);
   expand_children(node, names, made);
@@ -263,6 +266,8 @@ void Expander::expand_condition(const Node& node, bool wanted, Names names, Node
   check_known(node, {"value"});
   if (value == nullptr) return;
   const std::optional<bool> is = evaluate_condition(value->value, *names.values, value->where);
+  if (is && value->value.find('$') == std::string_view::npos)
+    report(FactKind::kConstantCondition, value->where, *is ? "true" : "false");
   if (is != wanted) return;
   check_attributes(node, names);
   Node& content = fragment();

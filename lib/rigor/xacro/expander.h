@@ -15,11 +15,11 @@
 #include <unordered_map>
 #include <vector>
 
-#include <rigor/xacro/evaluator.h>
 #include <rigor/xacro/expand.h>
+#include <rigor/xacro/expression/evaluator.h>
+#include <rigor/xacro/expression/text_template.h>
 #include <rigor/xacro/scope.h>
 #include <rigor/xacro/source_tree.h>
-#include <rigor/xacro/text_template.h>
 
 namespace rigor::xacro {
 
@@ -98,6 +98,9 @@ class Expander final : public Host {
   void include_file(const Node& node, const std::string& path, bool optional, Names names,
                     Node& content, Node& out);
   File& file_at(const std::string& path);
+  /// Its bytes; `path` becomes where it lies, when that is elsewhere.
+  ReadResult read_file(std::string& path);
+  std::string shown_path(const std::string& path) const;
 
   // expand_call.cc: calls of macros.
   void expand_call(const Node& node, std::string_view name, Names names, Node& out);
@@ -132,8 +135,11 @@ class Expander final : public Host {
   // reporting.cc
   void report(FactKind kind, Place place, std::string name = {}, std::string detail = {},
               Span related = {});
+  void report_degrees(const Expression& expression, Place place);
+  void report_missing_prefix(const Node& node, MacroScope& macros);
   void report_failure(const Failure& failure, Place place);
   void report_unused();
+  void report_unused_includes();
   const NodeAttribute* required(const Node& node, std::string_view attribute);
   void check_known(const Node& node, std::initializer_list<std::string_view> known);
   std::uint32_t push_frame(Frame frame);
@@ -164,6 +170,14 @@ class Expander final : public Host {
   std::unordered_map<std::string, Yaml> yaml_;
   std::map<std::string, Argument, std::less<>> arguments_;
   std::vector<Definition> definitions_;
+  /// What the file itself includes, and what that includes in turn.
+  struct IncludeUse {
+    Place place;
+    std::string path;
+    std::vector<SourceId> sources;
+    bool brings_elements = false;
+  };
+  std::vector<IncludeUse> includes_;
 
   std::vector<std::string_view> file_stack_;
   std::vector<std::string_view> resolving_;  // properties whose lazy texts are being evaluated
@@ -176,6 +190,7 @@ class Expander final : public Host {
   bool name_spaces_made_ = false;  // so scopes may be referred to after their calls
   bool incomplete_ = false;        // a file is missing, so names may be
   bool stopped_ = false;           // a bound was reached
+  bool own_path_is_absolute_ = false;
   std::map<std::pair<FactKind, std::pair<std::uint64_t, std::uint32_t>>, std::size_t>
       fact_by_place_;
 };

@@ -64,7 +64,10 @@ std::string_view name_of(FactKind kind) {
                                          "unused-parameter",
                                          "unused-include",
                                          "shadowed-name",
-                                         "repeated-parameter"};
+                                         "repeated-parameter",
+                                         "degrees",
+                                         "missing-prefix",
+                                         "constant-condition"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -136,6 +139,11 @@ std::string describe(const Fact& f) {
     case FactKind::kShadowedName: return name + " hides a name of an outer scope";
     case FactKind::kRepeatedParameter:
       return "macro '" + f.detail + "' lists parameter " + name + " twice";
+    case FactKind::kDegrees:
+      return f.name + "(" + f.detail + ") takes radians: " + f.detail + " looks like degrees";
+    case FactKind::kMissingPrefix:
+      return "<" + f.name + "> is written like a call of macro " + name + " without xacro:";
+    case FactKind::kConstantCondition: return "the condition is always " + name;
   }
   return {};
 }

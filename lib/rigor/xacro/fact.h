@@ -70,6 +70,9 @@ enum class FactKind : std::uint8_t {
   kUnusedInclude,      ///< nothing that the file defines is used, and it brings no elements
   kShadowedName,       ///< a parameter or property that hides one of an outer scope
   kRepeatedParameter,  ///< a macro that lists a parameter twice
+  kDegrees,            ///< `sin(90)`: `name` is the function, `detail` the number
+  kMissingPrefix,      ///< an element with the name and the parameters of a macro
+  kConstantCondition,  ///< of `if` or `unless`, that no argument decides; `name` is it
 };
 
 constexpr bool is_error(FactKind kind) { return kind <= FactKind::kFatal; }

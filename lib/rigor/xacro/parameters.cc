@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <rigor/xacro/bounds.h>
-#include <rigor/xacro/unicode.h>
+#include <rigor/xacro/value/unicode.h>
 
 namespace rigor::xacro {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include <rigor/xacro/unicode.h>
+#include <rigor/xacro/value/unicode.h>
 
 namespace rigor::xacro {
 namespace {

@@ -4,6 +4,7 @@
 // What the expander found, once for all instances of a macro that show it, with the stack of the first.
 
 #include <algorithm>
+#include <unordered_set>
 #include <utility>
 
 #include <rigor/xacro/expander.h>
@@ -76,6 +77,38 @@ void Expander::report_failure(const Failure& failure, Place place) {
   }
 }
 
+void Expander::report_degrees(const Expression& expression, Place place) {
+  const ExpressionNode& call = expression.nodes[expression.degrees];
+  const ExpressionNode& argument = expression.nodes[expression.lists[call.b + 1]];
+  report(FactKind::kDegrees, place.part(call.begin, std::max(call.end, call.begin + 1)),
+         std::string(symbols_.name(expression.nodes[call.a].symbol)),
+         std::to_string(argument.constant.integer_));
+}
+
+/// Elements of URDF have the names of macros all the time: only one in the robot itself that gives what
+/// the macro asks for, and nothing else, is meant as a call.
+void Expander::report_missing_prefix(const Node& node, MacroScope& macros) {
+  constexpr std::string_view kElements[] = {"link",   "joint",    "material",    "gazebo",
+                                            "sensor", "inertial", "transmission"};
+  if (std::find(std::begin(kElements), std::end(kElements), node.name) != std::end(kElements))
+    return;
+  const MacroEntry* entry = macros.find(symbols_.of(node.name));
+  if (entry == nullptr || entry->macro == nullptr || entry->macro->parameters.empty()) return;
+  const auto& parameters = entry->macro->parameters;
+  const bool gives_all = std::all_of(parameters.begin(), parameters.end(), [&](const auto& one) {
+    return one.has_default || one.forwards || one.name.starts_with('*') ||
+           node.attribute(one.name) != nullptr;
+  });
+  const bool gives_only =
+      std::all_of(node.attributes.begin(), node.attributes.end(), [&](const auto& attribute) {
+        return std::any_of(parameters.begin(), parameters.end(),
+                           [&](const auto& one) { return one.name == attribute.name; });
+      });
+  if (!gives_all || !gives_only || node.attributes.empty()) return;
+  report(FactKind::kMissingPrefix, node.where.part(1, 1 + node.name.size()), std::string(node.name),
+         {}, entry->macro->body->where.span);
+}
+
 const NodeAttribute* Expander::required(const Node& node, std::string_view name) {
   const NodeAttribute* attribute = node.attribute(name);
   if (attribute == nullptr)
@@ -114,9 +147,31 @@ void Expander::report_unused() {
                std::string(parameter.name), std::string(macro.name));
     }
   }
+  report_unused_includes();
   for (const auto& [name, argument] : arguments_) {
     if (!argument.used && argument.place.span.source == own)
       report(FactKind::kUnusedArgument, argument.place, name);
+  }
+}
+
+void Expander::report_unused_includes() {
+  std::unordered_set<std::uint32_t> used;
+  const auto use = [&used](Span where) { used.insert(static_cast<std::uint32_t>(where.source)); };
+  for (const Definition& definition : definitions_) {
+    if (definition.used) use(definition.where);
+  }
+  for (const Macro& macro : macros_) {
+    if (macro.used) use(macro.body->where.span);
+  }
+  for (const auto& [name, argument] : arguments_) {
+    if (argument.used) use(argument.place.span);
+  }
+  for (const IncludeUse& include : includes_) {
+    const bool is_used = std::any_of(
+        include.sources.begin(), include.sources.end(),
+        [&used](SourceId source) { return used.contains(static_cast<std::uint32_t>(source)); });
+    if (!is_used && !include.brings_elements)
+      report(FactKind::kUnusedInclude, include.place, include.path);
   }
 }
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include <rigor/xacro/node.h>
-#include <rigor/xacro/symbol.h>
-#include <rigor/xacro/value.h>
+#include <rigor/xacro/value/symbol.h>
+#include <rigor/xacro/value/value.h>
 
 namespace rigor::xacro {
 

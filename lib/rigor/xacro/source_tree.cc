@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <rigor/xacro/heap.h>
+#include <rigor/xacro/value/heap.h>
 #include <rigor/xml/decode.h>
 #include <rigor/xml/document.h>
 

@@ -10,9 +10,9 @@
 #include <rigor/text/letter_case.h>
 #include <rigor/text/path.h>
 #include <rigor/xacro/expander.h>
-#include <rigor/xacro/near.h>
-#include <rigor/xacro/number_text.h>
-#include <rigor/xacro/unicode.h>
+#include <rigor/xacro/value/near.h>
+#include <rigor/xacro/value/number_text.h>
+#include <rigor/xacro/value/unicode.h>
 
 namespace rigor::xacro {
 namespace {

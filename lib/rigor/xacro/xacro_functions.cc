@@ -5,9 +5,9 @@
 
 #include <utility>
 
-#include <rigor/xacro/compare.h>
-#include <rigor/xacro/evaluator.h>
-#include <rigor/xacro/function.h>
+#include <rigor/xacro/expression/evaluator.h>
+#include <rigor/xacro/expression/function.h>
+#include <rigor/xacro/value/compare.h>
 
 namespace rigor::xacro {
 namespace {

@@ -16,10 +16,10 @@
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
 
-#include <rigor/xacro/compare.h>
-#include <rigor/xacro/heap.h>
-#include <rigor/xacro/integer.h>
-#include <rigor/xacro/number_text.h>
+#include <rigor/xacro/value/compare.h>
+#include <rigor/xacro/value/heap.h>
+#include <rigor/xacro/value/integer.h>
+#include <rigor/xacro/value/number_text.h>
 
 namespace rigor::xacro {
 namespace {

@@ -13,7 +13,7 @@
 
 #include <rigor/text/span.h>
 #include <rigor/xacro/fact.h>
-#include <rigor/xacro/value.h>
+#include <rigor/xacro/value/value.h>
 
 namespace rigor::xacro {
 

@@ -28,6 +28,12 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A file that was named has errors that keep the command from its work: said on stderr, exit 1.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Of a command that needs a library which was left out of this build.
 [[noreturn]] inline void refuse_without(const std::string& library, const std::string& command) {
   throw UsageError("rigor was built without " + library + ": " + command + " is not available");

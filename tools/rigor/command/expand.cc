@@ -5,22 +5,18 @@
 
 #include <rigor/xacro/expand.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
+#include <rigor/read/resolver.h>
+#include <rigor/read/template/template_expander.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
-#include <rigor/text/path.h>
 #include <rigor/xacro/print.h>
 
 #include "command/command.h"
 #include "model/expansion_map.h"
-#include "model/packages.h"
 #include "option/search.h"
 #include "output/atomic_file.h"
 #include "output/output.h"
@@ -59,22 +55,13 @@ class ExpandCommand final : public Command {
     const RealDisk disk;
     if (!map_.empty()) choice("--map format", map_, kMapFormats);
     if (disk.kind(path_) != PathKind::kFile) throw UsageError(path_ + ": no such file");
-    const std::string here = std::filesystem::current_path().string();
-    PackageFinder packages(disk, search_.paths());
-    xacro::World world{disk};
-    world.find_package = [&](std::string_view package, std::string_view file) {
-      auto folder = packages.find(package, join_path(here, file));
-      if (folder) folder = join_path(here, *folder);
-      return folder;
-    };
-    world.variable = [](std::string_view name) -> std::optional<std::string> {
-      const char* value = std::getenv(std::string(name).c_str());
-      return value == nullptr ? std::nullopt : std::optional<std::string>(value);
-    };
-    world.working_folder = here;
     Sources sources;
+    for (const std::string& word : arguments_)
+      throw UsageError("\"" + word + "\" is no argument: write name:=value");
+    const read::Resolver resolver(disk, search_.paths());
+    read::TemplateExpander expander(resolver);
     const xacro::Expansion expansion =
-        xacro::expand(path_, world, {.arguments = given_arguments()}, sources);
+        expander.expansion(path_, resolver.paths().templates.arguments, sources);
     tell(expansion, sources);
     const bool ok = expansion.ok();
     if (deps_) {
@@ -94,20 +81,6 @@ class ExpandCommand final : public Command {
   }
 
  private:
-  /// As ROS has them: what is left empty is not given.
-  std::vector<std::pair<std::string, std::string>> given_arguments() const {
-    std::vector<std::pair<std::string, std::string>> given;
-    for (const std::string& argument : arguments_) {
-      const std::size_t assign = argument.find(":=");
-      if (assign == std::string::npos || assign == 0) {
-        throw UsageError("\"" + argument + "\" is no argument: write name:=value");
-      }
-      if (assign + 2 == argument.size()) continue;
-      given.emplace_back(argument.substr(0, assign), argument.substr(assign + 2));
-    }
-    return given;
-  }
-
   void put(std::string_view text) const { rigor::tool::write({0, out_}, text); }
 
   void tell(const xacro::Expansion& expansion, const Sources& sources) const {

@@ -18,8 +18,8 @@
 #include <rigor/report/team/report.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
-#include <rigor/simulate/test/tests.h>
 #include <rigor/simulate/engine/ode_version.h>
+#include <rigor/simulate/test/tests.h>
 #include <rigor/text/for_each_index.h>
 #include <rigor/text/path.h>
 #include <rigor/view/trace.h>
@@ -45,6 +45,7 @@ constexpr std::size_t kModelsAtATime = 64;
 
 /// Whether a file is told of as a model: what is broken has no format, but a name.
 bool is_model(const rules::FileSummary& file) {
+  if (!file.part_of.empty()) return false;
   if (file.format == model::Format::kSdf || file.format == model::Format::kUrdf) return true;
   const std::string ending = extension(file.path);
   return file.format == model::Format::kUnknown &&
@@ -173,7 +174,6 @@ class Report final : public Command {
       const rules::FileSummary& file = result.files[i];
       if (!is_model(file)) continue;
       files.push_back(i);
-      if (extension(file.path) == ".xacro") gatherer.expand_template(file.path);
     }
     const Pictures drawn = pictures();
     CountProgress progress("models");

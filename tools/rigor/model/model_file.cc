@@ -15,6 +15,7 @@
 #include <rigor/text/path.h>
 
 #include "command/command.h"
+#include "model/expansion_map.h"
 #include "option/numbers.h"
 #include "option/search.h"
 
@@ -25,6 +26,16 @@ std::string model_named_by(const std::string& config, const read::ModelConfig& r
   const read::SdfEntry* entry = choose(read);
   if (entry == nullptr) throw UsageError(config + ": names no SDF file");
   return join_path(parent_path(config), entry->file.value);
+}
+
+/// Of a template with errors: the first of them.
+[[noreturn]] void refuse(const read::File& file, const Sources& sources) {
+  for (const xacro::Fact& fact : file.expanded->expansion().facts) {
+    if (!xacro::is_error(fact.kind)) continue;
+    throw InputError(shown_place(sources, fact.where) + ": " + xacro::describe(fact) +
+                     "; `rigor validate` says more");
+  }
+  throw InputError(file.path + ": holds nothing");
 }
 
 std::string joint_named(const model::Root& root, const std::string& name) {
@@ -84,6 +95,7 @@ const read::File& open_model(read::Workspace& workspace, const std::string& name
   }
   const read::File& file = workspace.open(path);
   if (!file.document) throw UsageError(path + ": " + file.problem);
+  if (file.expanded && !file.expanded->ok()) refuse(file, workspace.sources());
   return file;
 }
 

@@ -10,7 +10,6 @@
 #include <rigor/text/path.h>
 
 #include "command/command.h"
-#include "model/xacro.h"
 
 namespace rigor::tool {
 namespace {
@@ -88,7 +87,8 @@ void Checking::choose_files(const Disk& disk) {
       return changed_->concern(disk, environment_.resolver, path);
     };
   }
-  options_.expand = expand_xacro;
+  options_.argument_sets =
+      a.all_arguments ? rules::ArgumentSets::kAll : rules::ArgumentSets::kGiven;
   for (const std::string& path : a.paths) {
     if (path != "-") {
       options_.paths.push_back(path);

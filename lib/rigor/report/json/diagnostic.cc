@@ -23,6 +23,12 @@ void add_place(Json& json, Span span, std::string_view path, Places& places) {
   json["end_column"] = end.column;
 }
 
+void add_start(Json& json, Span span, Places& places) {
+  json["path"] = places.path(span);
+  json["line"] = places.begin(span).line;
+  json["column"] = places.begin(span).column;
+}
+
 Json fix_of(const Diagnostic& diagnostic) {
   if (diagnostic.fixes.empty()) return nullptr;
   const Fix& fix = diagnostic.fixes.front();
@@ -49,6 +55,14 @@ Json diagnostic_json(const Diagnostic& diagnostic, Places& places) {
     json["related"].push_back(std::move(related));
   }
   json["fix"] = fix_of(diagnostic);
+  json["origin"] = Json::array();
+  for (const MacroCall& call : diagnostic.origin) {
+    Json origin = {{"macro", call.macro}};
+    add_start(origin, call.where, places);
+    origin["params"] = Json::object();
+    for (const auto& [name, value] : call.params) origin["params"][name] = value;
+    json["origin"].push_back(std::move(origin));
+  }
   return json;
 }
 
