@@ -38,7 +38,8 @@ const File& Workspace::open(const std::string& path, std::size_t set,
 
 const File& Workspace::put(const std::string& path, std::string bytes) {
   if (expander_ && is_template(path)) {
-    return keep(path, expander_->expand(path, std::move(bytes), sources_));
+    expander_->replace(path, std::move(bytes));
+    return keep(path, expander_->expand(path, sources_));
   }
   return keep(path, parsed(path, {std::move(bytes), {}}));
 }

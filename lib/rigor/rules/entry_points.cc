@@ -20,7 +20,7 @@ struct TemplateCandidate {
   bool named = false;
   bool is_robot = false;
   bool ok = false;
-  std::string missing_package;
+  std::string left_out;               // why a robot is none that can be checked by itself
   std::vector<std::string> includes;  // absolute, all that was read below it
   const TemplateCandidate* includer = nullptr;
 };
@@ -47,8 +47,14 @@ TemplateCandidate candidate_of(const std::string& path, read::Workspace& workspa
   one.ok = file.expanded->ok();
   const xacro::Expansion& expansion = file.expanded->expansion();
   for (const xacro::Fact& fact : expansion.facts) {
-    if (fact.kind == xacro::FactKind::kPackageNotFound && one.missing_package.empty())
-      one.missing_package = fact.name;
+    if (!one.left_out.empty()) break;
+    if (fact.kind == xacro::FactKind::kPackageNotFound) {
+      one.left_out = "xacro: package '" + fact.name +
+                     "' is not found: name its folder with --package " + fact.name + "=DIR";
+    } else if (fact.kind == xacro::FactKind::kUndefinedArgument) {
+      one.left_out = "xacro: argument '" + fact.name +
+                     "' has no default: give sets of arguments in [[xacro]] of rigor.toml";
+    }
   }
   for (std::size_t i = 1; i < expansion.files.size(); ++i)
     one.includes.push_back(join_path(working_folder, expansion.files[i].path));
@@ -89,12 +95,13 @@ EntryPoints entry_points(const std::vector<std::string>& paths, const std::set<s
   for (const TemplateCandidate& one : all) {
     if (one.named || (one.is_robot && one.ok && one.includer == nullptr)) {
       found.robots.push_back(one.path);
+    } else if (one.includer != nullptr && !one.includer->left_out.empty() && !one.includer->named) {
+      found.unreached.push_back(
+          {one.path, "xacro: only " + one.includer->path + " includes it, which is left out"});
     } else if (one.includer != nullptr) {
       found.parts.push_back({one.path, one.includer->path});
-    } else if (!one.missing_package.empty()) {
-      found.unreached.push_back({one.path, "xacro: package '" + one.missing_package +
-                                               "' is not found: name its folder with --package " +
-                                               one.missing_package + "=DIR"});
+    } else if (!one.left_out.empty()) {
+      found.unreached.push_back({one.path, one.left_out});
     } else if (one.is_robot) {
       found.robots.push_back(one.path);
     } else {

@@ -71,14 +71,23 @@ void TemplateFindings::add(Diagnostics found) {
       list_.push_back(each);
       continue;
     }
-    const Key key{each.rule, std::string(sources_.path(each.where.source)), each.where.begin,
-                  each.where.end};
-    const auto [entry, is_new] = known_.try_emplace(key, list_.size());
+    const auto key = [&](Span where, std::string message) {
+      return Key{each.rule, std::string(sources_.path(where.source)), where.begin, where.end,
+                 std::move(message)};
+    };
+    // One value that several elements take, and that all of them show the same of, is one cause, too.
+    const Span set = read::where_set(each);
+    auto entry = known_.find(key(each.where, {}));
+    if (entry == known_.end() && !set.nowhere()) entry = known_.find(key(set, each.message));
+    const bool is_new = entry == known_.end();
+    const std::size_t index = is_new ? list_.size() : entry->second;
+    known_.try_emplace(key(each.where, {}), index);
+    if (!set.nowhere()) known_.try_emplace(key(set, each.message), index);
     if (is_new) {
       list_.push_back(each);
       continue;
     }
-    Diagnostic& first = list_[entry->second];
+    Diagnostic& first = list_[index];
     first.instances += each.instances;
     first.severity = std::min(first.severity, each.severity);
     if (!is_same_fix(first, each)) first.fixes.clear();

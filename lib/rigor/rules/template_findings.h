@@ -41,7 +41,7 @@ class TemplateFindings {
   Diagnostics take();
 
  private:
-  using Key = std::tuple<std::string_view, std::string, std::uint32_t, std::uint32_t>;
+  using Key = std::tuple<std::string_view, std::string, std::uint32_t, std::uint32_t, std::string>;
 
   const Sources& sources_;
   std::map<Key, std::size_t> known_;

@@ -99,6 +99,8 @@ class Run {
     if (options_.buffer) {
       workspace_.put(options_.buffer->path, options_.buffer->bytes);
       paths.push_back(options_.buffer->path);
+      if (options_.arguments_for && read::is_template(options_.buffer->path))
+        arguments_[options_.buffer->path] = options_.arguments_for(options_.buffer->path);
     }
     read::Discovered found = read::discover(environment_.disk, options_.paths, options_.discover);
     result_.unusable = std::move(found.unusable);
@@ -125,9 +127,14 @@ class Run {
         left_out.push_back(std::move(left));
       }
     }
-    EntryPoints entries =
-        entry_points(templates, {options_.paths.begin(), options_.paths.end()}, workspace_,
-                     environment_.resolver.paths().templates.working_folder);
+    std::set<std::string> named(options_.paths.begin(), options_.paths.end());
+    for (const std::string& path : templates) {
+      if (!options_.arguments_for) break;
+      auto& sets = arguments_[path] = options_.arguments_for(path);
+      if (!sets.empty()) named.insert(path);
+    }
+    EntryPoints entries = entry_points(templates, named, workspace_,
+                                       environment_.resolver.paths().templates.working_folder);
     for (EntryPoints::Part& part : entries.parts) {
       part_of_.emplace(part.path, std::move(part.robot));
       entries.robots.push_back(std::move(part.path));
@@ -139,10 +146,6 @@ class Run {
     std::move(entries.robots.begin(), entries.robots.end(), std::back_inserter(paths));
     for (EntryPoints::Unreached& one : entries.unreached)
       left_out.push_back({std::move(one.path), std::move(one.why)});
-    if (!options_.arguments_for) return;
-    for (const std::string& path : paths) {
-      if (read::is_template(path)) arguments_[path] = options_.arguments_for(path);
-    }
   }
 
   struct Included {
@@ -273,7 +276,8 @@ class Run {
     if (options_.argument_sets == ArgumentSets::kAll)
       plan = read::all_arguments(first.expanded->expansion(), sources_, std::move(plan));
     if (!plan.left_out.empty()) checked.not_looked_at.push_back({path, "xacro: " + plan.left_out});
-    check_expansion(first, {}, checked, findings);
+    const bool takes_defaults = plan.sets.empty() || options_.argument_sets == ArgumentSets::kAll;
+    if (takes_defaults) check_expansion(first, {}, checked, findings);
     for (std::size_t i = 0; i < plan.sets.size(); ++i) {
       read::TemplateArguments arguments = environment_.resolver.paths().templates.arguments;
       arguments.insert(arguments.end(), plan.sets[i].begin(), plan.sets[i].end());

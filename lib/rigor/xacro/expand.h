@@ -21,6 +21,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -63,6 +64,13 @@ struct Frame {
       {};  ///< of a macro, with values
 };
 
+/// Where the value is set of an expression in a text of several.
+struct PartOrigin {
+  std::uint32_t begin = 0;  ///< of the expression in the text as it is written
+  std::uint32_t end = 0;
+  Span from;
+};
+
 struct FileUse {
   std::string path;  ///< as it was opened
   SourceId source = kNoSource;
@@ -88,6 +96,9 @@ struct Expansion {
 
   /// What brought a frame's nodes, innermost first.
   std::vector<FactFrame> stack_of(std::uint32_t frame) const;
+
+  /// Of attributes and texts with several expressions, by the first byte of the value.
+  std::unordered_map<const char*, std::vector<PartOrigin>> part_origins;
 
   // What the nodes live in.
   std::unique_ptr<Heap> heap;

@@ -16,6 +16,14 @@ namespace {
 /// Of a parameter's value that is shown with a call.
 constexpr std::size_t kShownValueBytes = 60;
 
+/// Whether one of the parameters before has the same name.
+bool is_repeated(const Macro& macro, std::size_t index) {
+  for (std::size_t i = 0; i < index; ++i) {
+    if (macro.parameters[i].symbol == macro.parameters[index].symbol) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Macro* Expander::find_macro(std::string_view name, Names& names) {
@@ -121,14 +129,18 @@ void Expander::expand_call(const Node& node, std::string_view name, Names names,
 
 void Expander::bind_attributes(const Node& node, const Macro& macro, Names names, Scope& scope,
                                std::vector<bool>& given) {
+  unknown_parameter_ = false;
   for (const NodeAttribute& attribute : node.attributes) {
     std::size_t i = 0;
     while (i < given.size() && (given[i] || macro.parameters[i].name != attribute.name)) ++i;
     if (i == given.size()) {
-      std::vector<std::string_view> candidates;
-      for (const MacroParameter& parameter : macro.parameters) candidates.push_back(parameter.name);
       report(FactKind::kUnknownParameter, attribute.where, std::string(attribute.name),
              std::string(macro.name), macro.body->where.span);
+      unknown_parameter_ = true;
+      // The body may use it: that it has no such parameter is told here.
+      Binding& lost = scope.own()[symbols_.of(attribute.name)];
+      lost.value = Value::error();
+      lost.place = attribute.where;
       continue;
     }
     given[i] = true;
@@ -184,7 +196,11 @@ void Expander::bind_defaults(const Node& node, const Macro& macro, Names caller,
       used_ = {};
       value = evaluate(parameter.text, *own.values, parameter.place);
       if (templates_.of(parameter.text).is_reference) binding.from = used_;
-    } else if (!incomplete_ || !parameter.forwards) {
+    } else if (is_repeated(macro, i)) {
+      report(FactKind::kBadName, macro.body->attribute("params")->where,
+             std::string(parameter.name), "the macro lists it twice, and a call gives it once");
+    } else if (!unknown_parameter_ && (!incomplete_ || !parameter.forwards)) {
+      // A parameter that is unknown and one that is missing are one misspelling.
       report(FactKind::kMissingParameter, node.where, std::string(parameter.name),
              std::string(macro.name), macro.body->where.span);
     }

@@ -18,10 +18,19 @@ void Expander::define_property(const Node& node, Names names, Node& out) {
   place_marker(node, out);
   const NodeAttribute* name_attribute = required(node, "name");
   check_known(node, {"name", "value", "default", "remove", "scope", "lazy_eval"});
-  if (name_attribute == nullptr) return;
+  if (name_attribute == nullptr) {
+    incomplete_ = true;
+    return;
+  }
   const auto name = evaluate_text(name_attribute->value, *names.values, name_attribute->where);
-  if (!name) return;
+  if (!name) {
+    incomplete_ = true;
+    return;
+  }
   const std::string key(*name);
+  const bool is_usable = is_identifier(key) && !key.starts_with("__");
+  // What it was to define is unknown from here on.
+  incomplete_ = incomplete_ || !is_usable;
   if (!is_identifier(key))
     return report(FactKind::kBadName, name_attribute->where, key, "it is no identifier of Python");
   if (key.starts_with("__"))
@@ -78,8 +87,11 @@ void Expander::define_property(const Node& node, Names names, Node& out) {
   }
   if (target->kind() == ScopeKind::kMacro && target->parent() != nullptr &&
       target->own().find(symbol) == nullptr) {
-    const Binding* hidden = target->parent()->find(symbol);
-    if (hidden != nullptr && hidden->definition != kNoDefinition) {
+    // Macros that call each other have properties of the same name all the time.
+    Scope* home = nullptr;
+    const Binding* hidden = target->parent()->find(symbol, &home);
+    if (hidden != nullptr && home->kind() == ScopeKind::kFile &&
+        hidden->definition != kNoDefinition) {
       report(FactKind::kShadowedName, name_attribute->where, key, {},
              definitions_[hidden->definition].where);
     }
@@ -132,13 +144,6 @@ void Expander::define_macro(const Node& node, Names names, Node& out) {
   macro.file = file_stack_.back();
   if (const NodeAttribute* params = node.attribute("params")) {
     macro.parameters = parse_parameters(params->value, params->where, symbols_);
-    for (std::size_t i = 0; i < macro.parameters.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        if (macro.parameters[i].symbol != macro.parameters[j].symbol) continue;
-        report(FactKind::kRepeatedParameter, params->where, std::string(macro.parameters[i].name),
-               std::string(name));
-      }
-    }
   }
   MacroEntry& entry = names.macros->own()[symbols_.of(name)];
   if (entry.macro != nullptr && entry.macro->body != &node) {
@@ -243,12 +248,11 @@ void Expander::include_file(const Node& node, const std::string& path, bool opti
   File& file = file_at(path);
   if (!file.readable) {
     if (optional) return;
-    report(FactKind::kFileNotFound, place, path, file.problem);
+    report(FactKind::kFileNotFound, place, shown_path(path), file.problem);
     incomplete_ = true;
     return;
   }
-  for (const NotWellFormed& fault : file.tree.faults)
-    report(FactKind::kNotWellFormed, {fault.where, true}, path, fault.detail);
+  report_faults(file);
   incomplete_ = incomplete_ || !file.tree.faults.empty();
   if (file.tree.root == nullptr) return;
   const std::uint32_t outer = frame_;

@@ -24,7 +24,9 @@ Value Expander::evaluate(std::string_view text, Scope& scope, Place place) {
   }
   std::string joined;
   bool whole = true;
+  std::vector<PartOrigin> origins;
   for (const TextSegment& segment : parts.segments) {
+    used_ = {};
     const Value v = evaluate_segment(segment, scope, place);
     const auto piece = v.failed() ? std::nullopt : evaluator_.text_of(v);
     if (!piece) {
@@ -33,7 +35,13 @@ Value Expander::evaluate(std::string_view text, Scope& scope, Place place) {
       continue;
     }
     joined += *piece;
+    if (segment.kind != TextSegment::Kind::kText && !used_.nowhere()) {
+      origins.push_back(
+          {segment.begin, segment.begin + static_cast<std::uint32_t>(segment.text.size()), used_});
+    }
   }
+  // Of one part only it can be said of the whole.
+  used_ = origins.size() == 1 ? origins.front().from : Span{};
   if (parts.trouble) {
     report(FactKind::kBadText, place.part(*parts.trouble, *parts.trouble + 2),
            std::string(text.substr(*parts.trouble, 40)));
@@ -42,6 +50,8 @@ Value Expander::evaluate(std::string_view text, Scope& scope, Place place) {
   if (!whole) return Value::error();
   const Value result = evaluator_.text(joined);
   if (const auto failure = evaluator_.take_failure()) report_failure(*failure, place);
+  if (origins.size() > 1 && result.is_text())
+    result_.part_origins.emplace(result.as_text().data(), std::move(origins));
   return result;
 }
 
@@ -69,6 +79,13 @@ Value Expander::evaluate_expression(std::string_view, const Expression& expressi
   const Value v = evaluator_.evaluate(expression, scope);
   reader_ = outer;
   if (const auto failure = evaluator_.take_failure()) {
+    for (const ExpressionNode& node : expression.nodes) {
+      if (node.op != Op::kName) continue;
+      const Binding* binding = scope.find(node.symbol);
+      if (binding == nullptr || !binding->value.is_text()) continue;
+      text_in_use_ = binding->from.nowhere() ? binding->place.span : binding->from;
+      break;
+    }
     report_failure(*failure,
                    place.part(failure->begin, std::max(failure->end, failure->begin + 1)));
     return Value::error();
@@ -89,12 +106,13 @@ std::optional<std::string_view> Expander::evaluate_text(std::string_view text, S
 }
 
 std::optional<bool> Expander::evaluate_condition(std::string_view text, Scope& scope, Place place) {
+  used_ = {};
   const Value v = evaluate(text, scope, place);
   if (v.failed()) return std::nullopt;
   const std::optional<bool> is = boolean_value(heap_, v);
   if (!is)
     report(FactKind::kNotBoolean, place,
-           std::string(v.is_text() ? v.as_text() : std::string_view{}));
+           std::string(v.is_text() ? v.as_text() : std::string_view{}), {}, used_);
   return is;
 }
 
@@ -161,7 +179,7 @@ Value Expander::load_yaml(std::string_view written) {
   file.value = Value::error();
   std::string found = path;
   ReadResult read = read_file(found);
-  if (!read.bytes) return evaluator_.fail(FactKind::kFileNotFound, path, read.problem);
+  if (!read.bytes) return evaluator_.fail(FactKind::kFileNotFound, shown_path(path), read.problem);
   file.source = sources_.add(shown_path(found), std::move(*read.bytes));
   result_.files.push_back({found, file.source});
   heap_.charge(sources_.bytes(file.source).size());

@@ -57,7 +57,7 @@ Expansion Expander::run(const std::string& path) {
   result_.frames.push_back({FactFrame::Kind::kInclude, 0, {}, heap_.keep(path)});
   own_path_is_absolute_ = is_absolute(path);
   for (const auto& [name, value] : options_.arguments) {
-    arguments_[name] = {heap_.keep(value), {}, false, true};
+    arguments_[name] = {heap_.keep(value), {}, false, true, {}};
   }
   const File& file = file_at(path);
   if (!file.readable) {
@@ -65,8 +65,7 @@ Expansion Expander::run(const std::string& path) {
   } else {
     result_.frames[0].where = {file.source, 0, 0};
     file_stack_.push_back(file.path);
-    for (const NotWellFormed& fault : file.tree.faults)
-      report(FactKind::kNotWellFormed, {fault.where, true}, path, fault.detail);
+    report_faults(file);
     if (file.tree.root != nullptr) expand_document(file);
     // What failed may have been the use.
     if (result_.ok()) report_unused();
@@ -215,6 +214,7 @@ void Expander::expand_plain(const Node& node, std::string_view name, Names names
 
 void Expander::expand_attributes(const Node& node, Names names, Node& out) {
   out.attributes.reserve(node.attributes.size());
+  element_ = &node;
   for (const NodeAttribute& attribute : node.attributes) {
     if (attribute.name.starts_with(kPrefix) || attribute.name == "xmlns:xacro") continue;
     used_ = attribute.from;
@@ -264,10 +264,15 @@ void Expander::expand_condition(const Node& node, bool wanted, Names names, Node
   place_marker(node, out);
   const NodeAttribute* value = required(node, "value");
   check_known(node, {"value"});
-  if (value == nullptr) return;
+  if (value == nullptr) {
+    incomplete_ = true;
+    return;
+  }
   const std::optional<bool> is = evaluate_condition(value->value, *names.values, value->where);
   if (is && value->value.find('$') == std::string_view::npos)
     report(FactKind::kConstantCondition, value->where, *is ? "true" : "false");
+  // What the branch defines is unknown.
+  if (!is) incomplete_ = true;
   if (is != wanted) return;
   check_attributes(node, names);
   Node& content = fragment();
@@ -317,16 +322,21 @@ void Expander::insert_block(const Node& node, Names names, Node& out) {
 void Expander::define_argument(const Node& node, Names names, Node& out) {
   const NodeAttribute* name = required(node, "name");
   const NodeAttribute* value = required(node, "default");
-  if (name == nullptr || value == nullptr) return;
+  if (name == nullptr) return;
+  if (value == nullptr) {
+    arguments_.try_emplace(std::string(name->value), Argument{{}, name->where, true, false, {}});
+    return;
+  }
   check_known(node, {"name", "default"});
   const auto found = arguments_.find(name->value);
   if (found == arguments_.end()) {
     used_ = {};
     const auto text = evaluate_text(value->value, *names.values, value->where);
-    arguments_.emplace(name->value,
-                       Argument{text.value_or(std::string_view{}), value->where, !text, false});
+    arguments_.emplace(name->value, Argument{text.value_or(std::string_view{}), value->where, !text,
+                                             false, node.where.span});
   } else if (found->second.given && found->second.place.span.nowhere()) {
     found->second.place = name->where;
+    found->second.declared = node.where.span;
   }
   drop_comments_before(node, out);
   place_marker(node, out);

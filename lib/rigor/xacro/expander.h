@@ -57,6 +57,7 @@ class Expander final : public Host {
     Place place;
     bool used = false;
     bool given = false;
+    Span declared = {};  ///< the tag
   };
   struct Definition {
     std::string_view name;
@@ -138,8 +139,12 @@ class Expander final : public Host {
   void report_degrees(const Expression& expression, Place place);
   void report_missing_prefix(const Node& node, MacroScope& macros);
   void report_failure(const Failure& failure, Place place);
+  /// The first: what a strict parser stops at.
+  void report_faults(const File& file);
   void report_unused();
   void report_unused_includes();
+  /// Whether a file that was read has the name anywhere but in its definition.
+  bool is_mentioned(std::string_view name, Span definition) const;
   const NodeAttribute* required(const Node& node, std::string_view attribute);
   void check_known(const Node& node, std::initializer_list<std::string_view> known);
   std::uint32_t push_frame(Frame frame);
@@ -187,9 +192,14 @@ class Expander final : public Host {
   std::uint32_t frame_ = 0;
   std::uint32_t depth_ = 0;
   std::uint64_t nodes_made_ = 0;
-  bool name_spaces_made_ = false;  // so scopes may be referred to after their calls
-  bool incomplete_ = false;        // a file is missing, so names may be
-  bool stopped_ = false;           // a bound was reached
+  bool name_spaces_made_ = false;           // so scopes may be referred to after their calls
+  bool incomplete_ = false;                 // a file is missing, so names may be
+  bool stopped_ = false;                    // a bound was reached
+  const Node* element_ = nullptr;           // whose attributes are being evaluated
+  const Node* element_at_fault_ = nullptr;  // the one in which a type was wrong last
+  const Node* lacks_attribute_ = nullptr;   // the tag that a fact said so of
+  Span text_in_use_;                        // where the text in a failed expression is set
+  bool unknown_parameter_ = false;          // in the call that is being bound
   bool own_path_is_absolute_ = false;
   std::map<std::pair<FactKind, std::pair<std::uint64_t, std::uint32_t>>, std::size_t>
       fact_by_place_;

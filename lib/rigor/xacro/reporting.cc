@@ -4,7 +4,6 @@
 // What the expander found, once for all instances of a macro that show it, with the stack of the first.
 
 #include <algorithm>
-#include <unordered_set>
 #include <utility>
 
 #include <rigor/xacro/expander.h>
@@ -47,10 +46,21 @@ void Expander::report(FactKind kind, Place place, std::string name, std::string 
   const Span where = place.span.nowhere() && !result_.files.empty()
                          ? Span{result_.files.front().source, 0, 0}
                          : place.span;
-  const auto key = std::pair{
+  auto key = std::pair{
       kind,
       std::pair{(std::uint64_t{static_cast<std::uint32_t>(where.source)} << 32U) | where.begin,
                 where.end}};
+  // So is a value that several conditions take.
+  if (kind == FactKind::kNotBoolean && !related.nowhere()) {
+    key.second = {
+        (std::uint64_t{static_cast<std::uint32_t>(related.source)} << 32U) | related.begin,
+        related.end};
+  }
+  // A name that a file lacks is one fault, however often it is used there.
+  if (kind == FactKind::kUndefinedName && !where.nowhere()) {
+    key.second = {(std::uint64_t{static_cast<std::uint32_t>(where.source)} << 32U) | 0xffffffffU,
+                  symbols_.of(heap_.keep(name))};
+  }
   const auto [known, added] = fact_by_place_.emplace(key, result_.facts.size());
   if (!added && known->second < result_.facts.size() && result_.facts[known->second].name == name) {
     ++result_.facts[known->second].count;
@@ -68,9 +78,23 @@ void Expander::report(FactKind kind, Place place, std::string name, std::string 
   result_.facts.push_back(std::move(fact));
 }
 
+void Expander::report_faults(const File& file) {
+  if (file.tree.faults.empty()) return;
+  const NotWellFormed& fault =
+      *std::min_element(file.tree.faults.begin(), file.tree.faults.end(),
+                        [](const auto& a, const auto& b) { return a.where.begin < b.where.begin; });
+  report(FactKind::kNotWellFormed, {fault.where, true}, file.path, fault.detail);
+}
+
 void Expander::report_failure(const Failure& failure, Place place) {
-  // A lazy property's text fails where it is written; where it is used matters, too.
-  report(failure.kind, place, failure.name, failure.detail);
+  // One value of a wrong type shows in many attributes of an element.
+  const bool is_type = failure.kind == FactKind::kWrongType;
+  if (!is_type || element_ == nullptr || element_ != element_at_fault_) {
+    // A lazy property's text fails where it is written; where it is used matters, too.
+    report(failure.kind, place, failure.name, failure.detail, is_type ? text_in_use_ : Span{});
+  }
+  if (is_type) element_at_fault_ = element_;
+  text_in_use_ = {};
   if (failure.kind == FactKind::kBoundReached && (heap_.full() || !evaluator_.work(0))) {
     evaluator_.take_failure();
     stopped_ = true;
@@ -113,65 +137,18 @@ const NodeAttribute* Expander::required(const Node& node, std::string_view name)
   const NodeAttribute* attribute = node.attribute(name);
   if (attribute == nullptr)
     report(FactKind::kMissingAttribute, node.where, std::string(name), std::string(node.name));
+  if (attribute == nullptr) lacks_attribute_ = &node;
   return attribute;
 }
 
 void Expander::check_known(const Node& node, std::initializer_list<std::string_view> known) {
+  // An attribute that is missing and one that is unknown are one misspelling.
+  if (lacks_attribute_ == &node) return;
   for (const NodeAttribute& attribute : node.attributes) {
     if (attribute.name.starts_with("xmlns:") || attribute.name.starts_with("xacro:")) continue;
     if (std::find(known.begin(), known.end(), attribute.name) != known.end()) continue;
     report(FactKind::kUnknownAttribute, attribute.where, std::string(attribute.name),
            std::string(node.name));
-  }
-}
-
-void Expander::report_unused() {
-  const SourceId own = result_.files.front().source;
-  for (const Definition& definition : definitions_) {
-    const bool same_name_used = std::any_of(
-        definitions_.begin(), definitions_.end(),
-        [&](const Definition& other) { return other.used && other.name == definition.name; });
-    if (definition.where.source == own && !same_name_used)
-      report(FactKind::kUnusedProperty, {definition.where, true}, std::string(definition.name));
-  }
-  for (const Macro& macro : macros_) {
-    if (macro.body->where.span.source != own) continue;
-    // A file of macros alone is for others to call.
-    if (!macro.used && result_.root->first_element() != nullptr) {
-      report(FactKind::kUnusedMacro, macro.body->where, std::string(macro.name));
-    }
-    if (!macro.used) continue;
-    for (const MacroParameter& parameter : macro.parameters) {
-      if (!parameter.used)
-        report(FactKind::kUnusedParameter, macro.body->attribute("params")->where,
-               std::string(parameter.name), std::string(macro.name));
-    }
-  }
-  report_unused_includes();
-  for (const auto& [name, argument] : arguments_) {
-    if (!argument.used && argument.place.span.source == own)
-      report(FactKind::kUnusedArgument, argument.place, name);
-  }
-}
-
-void Expander::report_unused_includes() {
-  std::unordered_set<std::uint32_t> used;
-  const auto use = [&used](Span where) { used.insert(static_cast<std::uint32_t>(where.source)); };
-  for (const Definition& definition : definitions_) {
-    if (definition.used) use(definition.where);
-  }
-  for (const Macro& macro : macros_) {
-    if (macro.used) use(macro.body->where.span);
-  }
-  for (const auto& [name, argument] : arguments_) {
-    if (argument.used) use(argument.place.span);
-  }
-  for (const IncludeUse& include : includes_) {
-    const bool is_used = std::any_of(
-        include.sources.begin(), include.sources.end(),
-        [&used](SourceId source) { return used.contains(static_cast<std::uint32_t>(source)); });
-    if (!is_used && !include.brings_elements)
-      report(FactKind::kUnusedInclude, include.place, include.path);
   }
 }
 

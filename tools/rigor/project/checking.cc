@@ -87,6 +87,14 @@ void Checking::choose_files(const Disk& disk) {
       return changed_->concern(disk, environment_.resolver, path);
     };
   }
+  options_.arguments_for = [&config = a.search.config()](const std::string& path) {
+    std::vector<read::TemplateArguments> sets;
+    const std::string absolute = config.absolute(path);
+    for (const config::TemplateArguments& each : config.of(path).templates) {
+      if (each.file.value == absolute) sets.insert(sets.end(), each.sets.begin(), each.sets.end());
+    }
+    return sets;
+  };
   options_.argument_sets =
       a.all_arguments ? rules::ArgumentSets::kAll : rules::ArgumentSets::kGiven;
   for (const std::string& path : a.paths) {

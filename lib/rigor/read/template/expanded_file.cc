@@ -26,12 +26,35 @@ void add_elements(const xacro::Node& node, std::vector<const xacro::Node*>& elem
   }
 }
 
+constexpr std::string_view kSetHere = "the value is set here";
+
 bool encloses(Span outer, Span inner) {
   return outer.source == inner.source && outer.begin <= inner.begin && inner.end <= outer.end;
 }
 
 Span span_at(SourceId source, std::size_t begin, std::size_t end) {
   return {source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+}
+
+/// Where words begin and end; what is in the brackets of an expression is one.
+std::vector<std::pair<std::size_t, std::size_t>> words_of_template(std::string_view text) {
+  std::vector<std::pair<std::size_t, std::size_t>> words;
+  constexpr std::string_view kBlanks = " \t\r\n";
+  for (std::size_t at = 0; at < text.size();) {
+    if (kBlanks.find(text[at]) != std::string_view::npos) {
+      ++at;
+      continue;
+    }
+    const std::size_t begin = at;
+    while (at < text.size() && kBlanks.find(text[at]) == std::string_view::npos) {
+      const std::string_view rest = text.substr(at);
+      const bool opens = rest.starts_with("${") || rest.starts_with("$(");
+      const std::size_t close = opens ? rest.find(rest[1] == '{' ? '}' : ')') : 0;
+      at += close == std::string_view::npos ? rest.size() : close + 1;
+    }
+    words.emplace_back(begin, at);
+  }
+  return words;
 }
 
 /// The name of the attribute whose value is written at `value`; nowhere when another stands there.
@@ -68,7 +91,7 @@ Origin ExpandedFile::of_attribute(const xml::Attribute& attribute, const xacro::
   const bool verbatim = made->where.verbatim && attribute.verbatim();
   const Span shown = attribute.value_span();
   if (encloses(shown, where)) {
-    if (!verbatim) return {value, node.frame, made->from};
+    if (!verbatim) return of_part(*made, node.frame, where.begin - shown.begin, sources);
     return {made->where.part(where.begin - shown.begin, where.end - shown.begin).span, node.frame,
             made->from, true};
   }
@@ -79,6 +102,32 @@ Origin ExpandedFile::of_attribute(const xml::Attribute& attribute, const xacro::
           node.frame,
           only_name ? Span{} : made->from,
           only_name || verbatim};
+}
+
+/// `0.1 -2` of `${a} ${b}`: the second number is the second expression's, if both have as many words.
+Origin ExpandedFile::of_part(const xacro::NodeAttribute& made, std::uint32_t frame,
+                             std::uint32_t offset, const Sources& sources) const {
+  const Span value = made.where.span;
+  const auto written = words_of_template(sources.bytes(value));
+  const auto shown = words_of_template(made.value);
+  if (written.size() != shown.size() || written.size() < 2) return {value, frame, made.from};
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const auto [begin, end] = shown[i];
+    if (offset < begin || offset > end) continue;
+    Origin origin{
+        span_at(value.source, value.begin + written[i].first, value.begin + written[i].second),
+        frame};
+    const auto parts = expansion_.part_origins.find(made.value.data());
+    if (parts == expansion_.part_origins.end()) {
+      origin.from = made.from;
+      return origin;
+    }
+    for (const xacro::PartOrigin& part : parts->second) {
+      if (part.begin >= written[i].first && part.end <= written[i].second) origin.from = part.from;
+    }
+    return origin;
+  }
+  return {value, frame, made.from};
 }
 
 Origin ExpandedFile::of_text(const xml::Element& element, const xacro::Node& node, Span where,
@@ -148,7 +197,7 @@ Diagnostic ExpandedFile::in_source(const xml::Document& expanded, Diagnostic dia
     diagnostic.where = found.where;
     diagnostic.origin = macro_calls(expansion_.stack_of(found.frame));
     if (!found.from.nowhere() && !encloses(found.from, found.where)) {
-      diagnostic.related.push_back({found.from, "the value is set here"});
+      diagnostic.related.push_back({found.from, std::string(kSetHere)});
     }
     if (!diagnostic.origin.empty()) {
       diagnostic.related.push_back(call_label(diagnostic.origin.front()));
@@ -158,7 +207,9 @@ Diagnostic ExpandedFile::in_source(const xml::Document& expanded, Diagnostic dia
     for (Edit& edit : fix.edits) {
       if (!is_expanded(edit.span)) continue;
       const Origin found = origin(expanded, edit.span, sources);
-      const bool same = found.literal && sources.bytes(found.where) == sources.bytes(edit.span);
+      // What is written elsewhere is for another file's fixes.
+      const bool same = found.literal && found.where.source == expansion_.files.front().source &&
+                        sources.bytes(found.where) == sources.bytes(edit.span);
       edit.span = same ? found.where : Span{};
     }
   }
@@ -167,6 +218,13 @@ Diagnostic ExpandedFile::in_source(const xml::Document& expanded, Diagnostic dia
                        [](const Edit& edit) { return edit.span.nowhere(); });
   });
   return diagnostic;
+}
+
+Span where_set(const Diagnostic& diagnostic) {
+  for (const Label& label : diagnostic.related) {
+    if (label.message == kSetHere) return label.where;
+  }
+  return {};
 }
 
 std::vector<MacroCall> macro_calls(const std::vector<xacro::FactFrame>& stack) {

@@ -52,12 +52,17 @@ class ExpandedFile {
  private:
   Origin of_attribute(const xml::Attribute& attribute, const xacro::Node& node, Span where,
                       const Sources& sources) const;
+  Origin of_part(const xacro::NodeAttribute& made, std::uint32_t frame, std::uint32_t offset,
+                 const Sources& sources) const;
   Origin of_text(const xml::Element& element, const xacro::Node& node, Span where,
                  const Sources& sources) const;
 
   xacro::Expansion expansion_;
   std::vector<const xacro::Node*> elements_;  // in document order
 };
+
+/// Where the value that a finding is about is set, as `in_source` has added it; else nowhere.
+Span where_set(const Diagnostic& diagnostic);
 
 /// The macro calls of a stack, innermost first.
 std::vector<MacroCall> macro_calls(const std::vector<xacro::FactFrame>& stack);

@@ -10,21 +10,24 @@
 namespace rigor::read {
 namespace {
 
-/// A disk on which one file has other bytes.
-class DiskWithBuffer final : public Disk {
+/// A disk on which some files have other bytes.
+class DiskWithBuffers final : public Disk {
  public:
-  DiskWithBuffer(const Disk& disk, const std::string& path, std::string bytes)
-      : disk_(disk), path_(normalize_path(path)), bytes_(std::move(bytes)) {}
+  DiskWithBuffers(const Disk& disk, const std::map<std::string, std::string>& buffers)
+      : disk_(disk), buffers_(buffers) {}
 
   std::unique_ptr<OpenFile> open(const std::string& path) const override {
     return disk_.open(path);
   }
   ReadResult read(const std::string& path, std::uint64_t max_bytes) const override {
-    if (normalize_path(path) != path_) return disk_.read(path, max_bytes);
-    if (bytes_.size() > max_bytes) return {std::nullopt, "is too large", ReadError::kTooLarge};
-    return {bytes_, {}};
+    const auto buffer = buffers_.find(normalize_path(path));
+    if (buffer == buffers_.end()) return disk_.read(path, max_bytes);
+    if (buffer->second.size() <= max_bytes) return {buffer->second, {}};
+    return {std::nullopt, "is too large", ReadError::kTooLarge};
   }
-  PathKind kind(const std::string& path) const override { return disk_.kind(path); }
+  PathKind kind(const std::string& path) const override {
+    return buffers_.contains(normalize_path(path)) ? PathKind::kFile : disk_.kind(path);
+  }
   std::vector<std::string> list(const std::string& folder) const override {
     return disk_.list(folder);
   }
@@ -32,8 +35,7 @@ class DiskWithBuffer final : public Disk {
 
  private:
   const Disk& disk_;
-  std::string path_;
-  std::string bytes_;
+  const std::map<std::string, std::string>& buffers_;
 };
 
 }  // namespace
@@ -53,13 +55,13 @@ std::optional<std::string> TemplateExpander::package_folder(std::string_view pac
   return folder;
 }
 
-xacro::Expansion TemplateExpander::expansion(const std::string& path,
-                                             const TemplateArguments& arguments, Sources& sources) {
-  return expansion(resolver_.disk(), path, arguments, sources);
+void TemplateExpander::replace(const std::string& path, std::string bytes) {
+  buffers_[normalize_path(path)] = std::move(bytes);
 }
 
-xacro::Expansion TemplateExpander::expansion(const Disk& disk, const std::string& path,
+xacro::Expansion TemplateExpander::expansion(const std::string& path,
                                              const TemplateArguments& arguments, Sources& sources) {
+  const DiskWithBuffers disk(resolver_.disk(), buffers_);
   xacro::World world{disk};
   world.find_package = [this](std::string_view package, std::string_view file) {
     return package_folder(package, file);
@@ -80,12 +82,6 @@ std::unique_ptr<File> TemplateExpander::expand(const std::string& path,
                                                const TemplateArguments& arguments,
                                                Sources& sources) {
   return file_of(path, expansion(path, arguments, sources), sources);
-}
-
-std::unique_ptr<File> TemplateExpander::expand(const std::string& path, std::string bytes,
-                                               Sources& sources) {
-  const DiskWithBuffer disk(resolver_.disk(), path, std::move(bytes));
-  return file_of(path, expansion(disk, path, inputs_.arguments, sources), sources);
 }
 
 std::unique_ptr<File> TemplateExpander::file_of(const std::string& path, xacro::Expansion made,

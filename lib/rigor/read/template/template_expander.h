@@ -10,6 +10,7 @@
 
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,20 +35,19 @@ class TemplateExpander {
   /// It outlives this.
   explicit TemplateExpander(const Resolver& resolver);
 
+  /// From now on the file at a path has these bytes: what an editor holds, or a fix would make of it. Not
+  /// while others expand.
+  void replace(const std::string& path, std::string bytes);
+
   /// With the arguments of the resolver's paths.
   std::unique_ptr<File> expand(const std::string& path, Sources& sources);
   std::unique_ptr<File> expand(const std::string& path, const TemplateArguments& arguments,
                                Sources& sources);
-  /// With these bytes in place of the file's own: what an editor or a fix would make of it.
-  std::unique_ptr<File> expand(const std::string& path, std::string bytes, Sources& sources);
-
   /// The expansion alone.
   xacro::Expansion expansion(const std::string& path, const TemplateArguments& arguments,
                              Sources& sources);
 
  private:
-  xacro::Expansion expansion(const Disk& disk, const std::string& path,
-                             const TemplateArguments& arguments, Sources& sources);
   static std::unique_ptr<File> file_of(const std::string& path, xacro::Expansion made,
                                        Sources& sources);
   /// Of a package, as the file writes paths: below the folder of the run they stay relative.
@@ -56,6 +56,7 @@ class TemplateExpander {
   const Resolver& resolver_;
   const TemplateInputs& inputs_;
   PackageFinder packages_;
+  std::map<std::string, std::string> buffers_;  // by normal path
 };
 
 }  // namespace rigor::read

@@ -20,6 +20,8 @@ inline std::string_view label_of_related(rigor::xacro::FactKind kind) {
     case Kind::kRedefinedProperty:
     case Kind::kRedefinedMacro: return "defined before here";
     case Kind::kNamespaceConflict: return "the other is here";
+    case Kind::kNotBoolean:
+    case Kind::kWrongType: return "the value is set here";
     default: return "defined here";
   }
 }
