@@ -48,9 +48,9 @@ class XacroProgram : public testing::Test {
 };
 
 TEST_F(XacroProgram, FindingsOfAllInstancesAreOneInTheSource) {
-  const auto json = findings("arm.urdf.xacro");
-  ASSERT_EQ(json["diagnostics"].size(), 1U) << json;
-  const auto& found = json["diagnostics"][0];
+  const auto report = findings("arm.urdf.xacro");
+  ASSERT_EQ(report["diagnostics"].size(), 1U) << report;
+  const auto& found = report["diagnostics"][0];
   EXPECT_EQ(found["rule"], "axis-zero");
   EXPECT_EQ(found["path"], "arm.urdf.xacro");
   EXPECT_EQ(found["line"], 7);
@@ -61,7 +61,7 @@ TEST_F(XacroProgram, FindingsOfAllInstancesAreOneInTheSource) {
   EXPECT_EQ(found["origin"][0]["line"], 11);
   EXPECT_EQ(found["origin"][0]["column"], 3);
   EXPECT_EQ(found["origin"][0]["params"]["side"], "left");
-  EXPECT_EQ(json["files"][0]["links"], 3);
+  EXPECT_EQ(report["files"][0]["links"], 3);
 }
 
 TEST_F(XacroProgram, ArgumentsAreGivenAsInRos) {

@@ -15,7 +15,7 @@
 #include <rigor/read/workspace.h>
 #include <rigor/rules/runner.h>
 #include <rigor/rules/suppression.h>
-#include <rigor/rules/template_findings.h>
+#include <rigor/rules/xacro/template_findings.h>
 #include <rigor/text/path.h>
 
 namespace rigor::rules {

@@ -12,7 +12,7 @@
 
 #include <rigor/model/subject.h>
 #include <rigor/rules/context.h>
-#include <rigor/rules/template_findings.h>
+#include <rigor/rules/xacro/template_findings.h>
 
 namespace rigor::rules {
 namespace {

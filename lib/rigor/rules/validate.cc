@@ -18,10 +18,10 @@
 #include <rigor/read/template/argument_sets.h>
 #include <rigor/read/template/template_expander.h>
 #include <rigor/read/workspace.h>
-#include <rigor/rules/entry_points.h>
 #include <rigor/rules/runner.h>
 #include <rigor/rules/suppression.h>
-#include <rigor/rules/template_findings.h>
+#include <rigor/rules/xacro/entry_points.h>
+#include <rigor/rules/xacro/template_findings.h>
 #include <rigor/text/for_each_index.h>
 #include <rigor/text/path.h>
 

@@ -101,6 +101,8 @@ std::vector<InstalledFolder> installed_folders(std::string_view cmake) {
   std::vector<InstalledFolder> folders;
   for (std::size_t at = cmake.find(kInstall); at != std::string_view::npos;
        at = cmake.find(kInstall, at + 1)) {
+    const std::size_t line = at == 0 ? 0 : cmake.rfind('\n', at - 1) + 1;
+    if (cmake.substr(line, at - line).find('#') != std::string_view::npos) continue;  // a comment
     add_command(words_of_command(cmake.substr(at + kInstall.size())), folders);
   }
   return folders;

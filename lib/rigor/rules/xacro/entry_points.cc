@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/rules/entry_points.h>
+#include <rigor/rules/xacro/entry_points.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/rules/template_findings.h>
+#include <rigor/rules/xacro/template_findings.h>
 
 #include <algorithm>
 #include <utility>
