@@ -64,6 +64,22 @@ TEST_F(XacroProgram, FindingsOfAllInstancesAreOneInTheSource) {
   EXPECT_EQ(report["files"][0]["links"], 3);
 }
 
+TEST_F(XacroProgram, CommentsSuppressWhereTheyAreWritten) {
+  std::string text = kArm;
+  const std::string macro = "  <xacro:macro";
+  text.insert(text.find(macro),
+              "  <!-- rigor: ignore[axis-zero] the wrist is a stub -->\n"
+              "  <xacro:property name=\"w\" value=\"1\"/>\n");
+  folder_.put("arm.urdf.xacro", text);
+  EXPECT_NE(validate("arm.urdf.xacro").out.find("[axis-zero]"), std::string::npos);
+  text.insert(text.find(macro), "  <!-- rigor: ignore[axis-zero] the wrist is a stub -->\n");
+  text.insert(text.find("  <!-- rigor"),
+              "  <!-- rigor: ignore[xacro-unused-property] for later -->\n");
+  folder_.put("arm.urdf.xacro", text);
+  const Ran ran = validate("arm.urdf.xacro");
+  EXPECT_EQ(ran.out, "") << ran.out;
+}
+
 TEST_F(XacroProgram, ArgumentsAreGivenAsInRos) {
   EXPECT_EQ(validate("arm.urdf.xacro").out.find("duplicate-name"), std::string::npos);
   const Ran ran = validate("arm.urdf.xacro gripper:=parallel");

@@ -314,6 +314,8 @@ class Run {
           suppressions.uncovered(checked.runner->run(environment_, sources_, loaded, meshes_));
       found.take(in_source(std::move(of_model), file, sources_));
     }
+    if (file.expanded)
+      found = uncovered_where_written(std::move(found), file.expanded->expansion(), sources_);
     if (arguments.empty()) return findings.add(std::move(found));
     Diagnostics told;
     for (Diagnostic each : found.list()) {

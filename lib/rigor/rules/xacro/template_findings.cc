@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <utility>
 
+#include <rigor/rules/suppression.h>
+#include <rigor/xml/document.h>
+
 namespace rigor::rules {
 namespace {
 
@@ -61,6 +64,22 @@ Diagnostics with_calls(Diagnostics found, const std::vector<xacro::Fact>& facts)
     told.add(std::move(each));
   }
   return told;
+}
+
+Diagnostics uncovered_where_written(Diagnostics found, const xacro::Expansion& expansion,
+                                    const Sources& sources) {
+  for (const xacro::FileUse& file : expansion.files) {
+    const std::string_view bytes = sources.bytes(file.source);
+    if (bytes.find("rigor:") == std::string_view::npos) continue;
+    const bool is_own = file.source == expansion.files.front().source;
+    Diagnostics here;
+    Diagnostics elsewhere;
+    for (const Diagnostic& each : found.list())
+      (is_own || each.where.source == file.source ? here : elsewhere).add(each);
+    found = Suppressions(xml::parse(bytes, file.source)).uncovered(std::move(here));
+    found.take(std::move(elsewhere));
+  }
+  return found;
 }
 
 void TemplateFindings::add(Diagnostics found) {

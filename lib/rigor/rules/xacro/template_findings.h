@@ -20,6 +20,7 @@
 #include <rigor/read/workspace.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/text/sources.h>
+#include <rigor/xacro/expand.h>
 #include <rigor/xacro/fact.h>
 
 namespace rigor::rules {
@@ -30,6 +31,11 @@ Diagnostics in_source(Diagnostics found, const read::File& file, const Sources& 
 /// What a rule says of a fact of the expander gets the fact's calls and instances: `found` has a finding
 /// for some of the facts, at the fact's place.
 Diagnostics with_calls(Diagnostics found, const std::vector<xacro::Fact>& facts);
+
+/// Without those that comments cover in the files that they are in. What `file-ignore` says in the template
+/// itself holds for all of its findings, in an included file for that file's.
+Diagnostics uncovered_where_written(Diagnostics found, const xacro::Expansion& expansion,
+                                    const Sources& sources);
 
 /// Findings of one rule at one place that was written are one, with the elements counted that show it.
 class TemplateFindings {
