@@ -16,6 +16,12 @@ namespace {
 /// Of a parameter's value that is shown with a call.
 constexpr std::size_t kShownValueBytes = 60;
 
+std::string parameter_near(std::string_view name, const Macro& macro) {
+  std::vector<std::string_view> candidates;
+  for (const MacroParameter& parameter : macro.parameters) candidates.push_back(parameter.name);
+  return nearest_name(name, candidates);
+}
+
 /// Whether one of the parameters before has the same name.
 bool is_repeated(const Macro& macro, std::size_t index) {
   for (std::size_t i = 0; i < index; ++i) {
@@ -137,6 +143,9 @@ void Expander::bind_attributes(const Node& node, const Macro& macro, Names names
       report(FactKind::kUnknownParameter, attribute.where, std::string(attribute.name),
              std::string(macro.name), macro.body->where.span);
       unknown_parameter_ = true;
+      Fact& told = result_.facts.back();
+      if (told.kind == FactKind::kUnknownParameter && told.where == attribute.where.span)
+        told.near = parameter_near(attribute.name, macro);
       // The body may use it: that it has no such parameter is told here.
       Binding& lost = scope.own()[symbols_.of(attribute.name)];
       lost.value = Value::error();

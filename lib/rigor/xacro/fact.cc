@@ -93,7 +93,8 @@ std::string describe(const Fact& f) {
       return "$(" + f.name + " …) does not exist: use find, arg, env, optenv, eval or cwd";
     case FactKind::kBadCommand: return "$(" + f.name + "): " + f.detail;
     case FactKind::kPackageNotFound: return "package " + name + " is not found";
-    case FactKind::kUnknownParameter: return "macro '" + f.detail + "' has no parameter " + name;
+    case FactKind::kUnknownParameter:
+      return "macro '" + f.detail + "' has no parameter " + name + did_you_mean_near(f);
     case FactKind::kMissingParameter: return "macro '" + f.detail + "' needs the parameter " + name;
     case FactKind::kMissingBlock:
       return "macro '" + f.detail + "' needs an element for the block " + name;

@@ -63,7 +63,10 @@ void Expander::report(FactKind kind, Place place, std::string name, std::string 
   }
   const auto [known, added] = fact_by_place_.emplace(key, result_.facts.size());
   if (!added && known->second < result_.facts.size() && result_.facts[known->second].name == name) {
-    ++result_.facts[known->second].count;
+    Fact& first = result_.facts[known->second];
+    ++first.count;
+    // What is like it may be defined behind the first use.
+    if (kind == FactKind::kUndefinedName && first.near.empty()) first.near = std::move(detail);
     return;
   }
   if (result_.facts.size() >= options_.bounds.facts) {
