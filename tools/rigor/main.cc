@@ -30,8 +30,7 @@ constexpr std::string_view kGreeting =
   simulate, merge          drop it, drive it, sweep its joints: a verdict; join sharded runs
   new, init                a robot to begin with, done right and explained; a rigor.toml
   rules, explain           what is checked; why, and what to do about it
-  schema, resolve          a format's elements; where a URI leads
-  expand                   a xacro file as plain XML, and where each part of it came from
+  expand, schema, resolve  xacro as plain XML; a format's elements; where a URI leads
 
   rigor validate my_robot                check every model and mesh in a folder
   rigor simulate my_robot --test drive   `rigor COMMAND --help` begins with examples, too

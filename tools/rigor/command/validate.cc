@@ -56,7 +56,9 @@ class Validate final : public Command {
                      "rigor validate robot.urdf.xacro prefix:=left_",
                      "rigor validate --select inertia --fail-on warning .",
                      "rigor validate --fix --changed-since origin/main"});
-    app->add_option("paths", a_.paths, "Files and folders; - is stdin (default: .)")
+    app->add_option("paths", a_.paths,
+                    "Files and folders; - is stdin (default: .); name:=value is an argument of "
+                    "xacro files")
         ->type_name("PATH");
     a_.output.declare(*app, validation_formats());
     a_.color.declare(*app);

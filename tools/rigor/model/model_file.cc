@@ -10,6 +10,7 @@
 
 #include <rigor/read/discover.h>
 #include <rigor/read/model_config.h>
+#include <rigor/read/template/template_expander.h>
 #include <rigor/report/terminal/summary.h>
 #include <rigor/schema/value.h>
 #include <rigor/text/path.h>
@@ -97,6 +98,13 @@ const read::File& open_model(read::Workspace& workspace, const std::string& name
   if (!file.document) throw UsageError(path + ": " + file.problem);
   if (file.expanded && !file.expanded->ok()) refuse(file, workspace.sources());
   return file;
+}
+
+const read::File& open_plain_model(read::Workspace& workspace, const std::string& named) {
+  if (read::is_template(named)) {
+    throw UsageError(named + " is a template: expand it, and edit the result");
+  }
+  return open_model(workspace, named);
 }
 
 void require_model(const std::string& name, const std::vector<const model::Root*>& roots) {
