@@ -119,8 +119,10 @@ TEST_F(XacroProgram, OfAFolderRobotsAreCheckedAndTheirPartsThroughThem) {
               "  <xacro:include filename=\"parts/hand.xacro\"/>\n"
               "  <xacro:hand side=\"left\"/>\n"
               "</robot>\n");
+  folder_.put("parts/broken.xacro", "<robot><link</robot>\n");
   const Ran ran = validate(".");
-  EXPECT_NE(ran.err.find("3 files checked"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.out.find("parts/broken.xacro:1:"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.err.find("4 files checked"), std::string::npos) << ran.err;
   EXPECT_NE(ran.out.find("parts/hand.xacro:3:"), std::string::npos) << ran.out;
   EXPECT_NE(ran.err.find("not looked at: parts/alone.xacro: xacro: no robot by itself"),
             std::string::npos)

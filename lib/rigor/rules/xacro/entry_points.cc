@@ -20,6 +20,7 @@ struct TemplateCandidate {
   bool named = false;
   bool is_robot = false;
   bool ok = false;
+  bool broken = false;                // no XML: nobody can tell what it was to be
   std::string left_out;               // why a robot is none that can be checked by itself
   std::vector<std::string> includes;  // absolute, all that was read below it
   const TemplateCandidate* includer = nullptr;
@@ -47,7 +48,9 @@ TemplateCandidate candidate_of(const std::string& path, read::Workspace& workspa
   one.ok = file.expanded->ok();
   const xacro::Expansion& expansion = file.expanded->expansion();
   for (const xacro::Fact& fact : expansion.facts) {
-    if (!one.left_out.empty()) break;
+    one.broken = one.broken || (fact.kind == xacro::FactKind::kNotWellFormed &&
+                                fact.where.source == expansion.files.front().source);
+    if (!one.left_out.empty()) continue;
     if (fact.kind == xacro::FactKind::kPackageNotFound) {
       one.left_out = "xacro: package '" + fact.name +
                      "' is not found: name its folder with --package " + fact.name + "=DIR";
@@ -102,7 +105,7 @@ EntryPoints entry_points(const std::vector<std::string>& paths, const std::set<s
       found.parts.push_back({one.path, one.includer->path});
     } else if (!one.left_out.empty()) {
       found.unreached.push_back({one.path, one.left_out});
-    } else if (one.is_robot) {
+    } else if (one.is_robot || one.broken) {
       found.robots.push_back(one.path);
     } else {
       found.unreached.push_back({one.path, "xacro: no robot by itself, and none includes it"});
