@@ -16,6 +16,10 @@ set(rigor_public_headers
   rigor/xml/document.h
   rigor/xml/fault.h
   rigor/xml/token.h
+  rigor/xacro/bounds.h
+  rigor/xacro/expand.h
+  rigor/xacro/fact.h
+  rigor/xacro/node.h
   rigor/schema/schema.h
   rigor/schema/type.h
   rigor/schema/value.h
@@ -34,12 +38,12 @@ set(rigor_public_headers
   rigor/read/conformance.h
   rigor/read/discover.h
   rigor/read/documents.h
-  rigor/read/expansion.h
   rigor/read/fact.h
   rigor/read/load.h
   rigor/read/model_config.h
   rigor/read/package_manifest.h
   rigor/read/resolver.h
+  rigor/read/template/expanded_file.h
   rigor/read/workspace.h
   rigor/process/request.h
   rigor/process/workers.h

@@ -29,8 +29,9 @@ const std::map<std::string, Names>& rooms() {
       {"xml", {"text"}},
       {"schema", {"text"}},
       {"model", {"text"}},
-      {"read", {"text", "xml", "schema", "model"}},
+      {"read", {"xacro", "text", "xml", "schema", "model"}},
       {"process", {"text"}},
+      {"xacro", {"text", "xml"}},
       {"config", {"text"}},
       {"mesh", {"text", "xml", "model", "process"}},
       {"mass", {"text", "model", "mesh", "process"}},
@@ -41,15 +42,15 @@ const std::map<std::string, Names>& rooms() {
       {"simulate",
        {"text", "xml", "schema", "model", "config", "process", "read", "mesh", "mass", "robot"}},
       {"rules",
-       {"text", "xml", "schema", "model", "process", "read", "mesh", "mass", "write", "robot", "convert",
-        "simulate"}},
+       {"xacro", "text", "xml", "schema", "model", "process", "read", "mesh", "mass", "write",
+        "robot", "convert", "simulate"}},
       {"author",
-       {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "robot", "convert",
-        "simulate", "rules"}},
+       {"xacro", "text", "xml", "schema", "model", "read", "mesh", "mass", "write", "robot",
+        "convert", "simulate", "rules"}},
       {"view", {"text", "xml", "schema", "model", "read", "mesh", "mass", "robot"}},
       {"report",
-       {"text", "xml", "schema", "model", "read", "mesh", "mass", "write", "robot", "convert",
-        "simulate", "rules", "author", "view"}},
+       {"xacro", "text", "xml", "schema", "model", "read", "mesh", "mass", "write", "robot",
+        "convert", "simulate", "rules", "author", "view"}},
   };
   return kRooms;
 }
@@ -74,6 +75,8 @@ const std::map<std::string, Names>& third_parties() {
       {"png.h", {"view", "mesh"}},
       {"turbojpeg.h", {"view"}},
       {"xxhash.h", {"text"}},
+      {"yaml-cpp/", {"xacro"}},
+      {"boost/", {"xacro"}},
       {"zlib.h", {"report"}}};
   return kParties;
 }

@@ -1,9 +1,13 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
+//
+// Templates as the commands take them: findings where their author wrote, robots found in folders,
+// arguments, packages, fixes.
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
+#include <nlohmann/json.hpp>
+
 #include <string>
 
 #include "cli/program.h"
@@ -11,27 +15,20 @@
 namespace rigor::test {
 namespace {
 
-/// A robot with a macro, and a program `xacro` that knows what becomes of it: the file beside it, whose
-/// name ends in `.out`. What the real one prints is of this kind.
-class Xacro : public testing::Test {
+class XacroProgram : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_.put("arm.urdf.xacro", kSource);
-    folder_.put("arm.urdf.xacro.out", kExpanded);
-    install("#!/bin/sh\nexec cat \"$1.out\"\n");
-  }
-
-  void install(const std::string& script) const {
-    folder_.put("bin/xacro", script);
-    std::filesystem::permissions(folder_.path("bin/xacro"), std::filesystem::perms::owner_all);
-  }
+  void SetUp() override { folder_.put("arm.urdf.xacro", kArm); }
 
   Ran validate(const std::string& arguments) const {
-    return folder_.rigor("validate --format concise " + arguments, "PATH=\"$PWD/bin:$PATH\"");
+    return folder_.rigor("validate --format concise " + arguments);
+  }
+  nlohmann::json findings(const std::string& arguments) const {
+    return nlohmann::json::parse(folder_.rigor("validate --format json " + arguments).out);
   }
 
-  static constexpr const char* kSource =
+  static constexpr const char* kArm =
       "<robot name=\"arm\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n"
+      "  <xacro:arg name=\"gripper\" default=\"none\"/>\n"
       "  <xacro:macro name=\"arm\" params=\"side\">\n"
       "    <link name=\"${side}_hand\"/>\n"
       "    <joint name=\"${side}_wrist\" type=\"continuous\">\n"
@@ -41,83 +38,162 @@ class Xacro : public testing::Test {
       "  </xacro:macro>\n"
       "  <link name=\"base\"/>\n"
       "  <xacro:arm side=\"left\"/>\n"
-      "</robot>\n";
-  static constexpr const char* kExpanded =
-      "<?xml version=\"1.0\" ?>\n"
-      "<!-- =================================================================================== "
-      "-->\n"
-      "<robot name=\"arm\">\n"
-      "  <link name=\"base\"/>\n"
-      "  <link name=\"left_hand\"/>\n"
-      "  <joint name=\"left_wrist\" type=\"continuous\">\n"
-      "    <parent link=\"base\"/>\n"
-      "    <child link=\"left_hand\"/>\n"
-      "    <axis xyz=\"0 0 0\"/>\n"
-      "  </joint>\n"
+      "  <xacro:arm side=\"right\"/>\n"
+      "  <xacro:if value=\"${'$(arg gripper)' == 'parallel'}\">\n"
+      "    <link name=\"base\"/>\n"
+      "  </xacro:if>\n"
       "</robot>\n";
 
   Folder folder_;
 };
 
-TEST_F(Xacro, ItsFindingsStandInTheSource) {
+TEST_F(XacroProgram, FindingsOfAllInstancesAreOneInTheSource) {
+  const auto report = findings("arm.urdf.xacro");
+  ASSERT_EQ(report["diagnostics"].size(), 1U) << report;
+  const auto& found = report["diagnostics"][0];
+  EXPECT_EQ(found["rule"], "axis-zero");
+  EXPECT_EQ(found["path"], "arm.urdf.xacro");
+  EXPECT_EQ(found["line"], 7);
+  EXPECT_EQ(found["column"], 18);
+  ASSERT_EQ(found["origin"].size(), 1U);
+  EXPECT_EQ(found["origin"][0]["macro"], "arm");
+  EXPECT_EQ(found["origin"][0]["path"], "arm.urdf.xacro");
+  EXPECT_EQ(found["origin"][0]["line"], 11);
+  EXPECT_EQ(found["origin"][0]["column"], 3);
+  EXPECT_EQ(found["origin"][0]["params"]["side"], "left");
+  EXPECT_EQ(report["files"][0]["links"], 3);
+}
+
+TEST_F(XacroProgram, CommentsSuppressWhereTheyAreWritten) {
+  std::string text = kArm;
+  const std::string macro = "  <xacro:macro";
+  text.insert(text.find(macro),
+              "  <!-- rigor: ignore[axis-zero] the wrist is a stub -->\n"
+              "  <xacro:property name=\"w\" value=\"1\"/>\n");
+  folder_.put("arm.urdf.xacro", text);
+  EXPECT_NE(validate("arm.urdf.xacro").out.find("[axis-zero]"), std::string::npos);
+  text.insert(text.find(macro), "  <!-- rigor: ignore[axis-zero] the wrist is a stub -->\n");
+  text.insert(text.find("  <!-- rigor"),
+              "  <!-- rigor: ignore[xacro-unused-property] for later -->\n");
+  folder_.put("arm.urdf.xacro", text);
   const Ran ran = validate("arm.urdf.xacro");
-  EXPECT_EQ(ran.exit, 1) << ran.err;
-  EXPECT_NE(ran.out.find("arm.urdf.xacro:6:18: error: "), std::string::npos) << ran.out;
-  EXPECT_NE(ran.out.find("[axis-zero]"), std::string::npos) << ran.out;
+  EXPECT_EQ(ran.out, "") << ran.out;
 }
 
-TEST_F(Xacro, NoFixIsOfferedForWhatNobodyWrote) {
-  const Ran ran = folder_.rigor("validate --format json arm.urdf.xacro", "PATH=\"$PWD/bin:$PATH\"");
-  EXPECT_EQ(ran.out.find("\"applicability\""), std::string::npos) << ran.out;
-  EXPECT_NE(ran.out.find("\"links\": 2"), std::string::npos) << ran.out;
+TEST_F(XacroProgram, ArgumentsAreGivenAsInRos) {
+  EXPECT_EQ(validate("arm.urdf.xacro").out.find("duplicate-name"), std::string::npos);
+  const Ran ran = validate("arm.urdf.xacro gripper:=parallel");
+  EXPECT_NE(ran.out.find("arm.urdf.xacro:14:"), std::string::npos) << ran.out << ran.err;
+  EXPECT_NE(ran.out.find("[duplicate-name]"), std::string::npos) << ran.out;
 }
 
-TEST_F(Xacro, WithoutItOneFindingSaysSo) {
-  std::filesystem::remove(folder_.path("bin/xacro"));
-  const Ran ran = folder_.rigor("validate --show info --format concise arm.urdf.xacro", "PATH=\"$PWD/bin\"");
+TEST_F(XacroProgram, EveryValueThatAConditionNamesIsTried) {
+  const Ran ran = validate("--xacro-args all arm.urdf.xacro");
+  EXPECT_NE(ran.out.find("[duplicate-name]"), std::string::npos) << ran.out << ran.err;
+  EXPECT_EQ(validate("--xacro-args some arm.urdf.xacro").exit, 2);
+}
+
+TEST_F(XacroProgram, AProjectSaysItsArguments) {
+  folder_.put("rigor.toml",
+              "[[xacro]]\nfile = \"arm.urdf.xacro\"\narguments = [{ gripper = \"parallel\" }]\n");
+  const Ran ran = validate(".");
+  EXPECT_NE(ran.out.find("[duplicate-name]"), std::string::npos) << ran.out << ran.err;
+  folder_.put("rigor.toml", "[[xacro]]\nfile = \"arm.urdf.xacro\"\narguments = \"parallel\"\n");
+  EXPECT_EQ(validate(".").exit, 2);
+}
+
+TEST_F(XacroProgram, OfAFolderRobotsAreCheckedAndTheirPartsThroughThem) {
+  folder_.put("parts/hand.xacro",
+              "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n"
+              "  <xacro:macro name=\"hand\" params=\"side\">\n"
+              "    <link name=\"${side}\"><inertial><mass value=\"-1\"/></inertial></link>\n"
+              "  </xacro:macro>\n"
+              "</robot>\n");
+  folder_.put(
+      "parts/alone.xacro",
+      "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n"
+      "  <xacro:macro name=\"alone\" params=\"side\"><link name=\"${side}\"/></xacro:macro>\n"
+      "</robot>\n");
+  folder_.put("hand.urdf.xacro",
+              "<robot name=\"hand\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n"
+              "  <xacro:include filename=\"parts/hand.xacro\"/>\n"
+              "  <xacro:hand side=\"left\"/>\n"
+              "</robot>\n");
+  folder_.put("parts/broken.xacro", "<robot><link</robot>\n");
+  const Ran ran = validate(".");
+  EXPECT_NE(ran.out.find("parts/broken.xacro:1:"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.err.find("4 files checked"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.out.find("parts/hand.xacro:3:"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.err.find("not looked at: parts/alone.xacro: xacro: no robot by itself"),
+            std::string::npos)
+      << ran.err;
+}
+
+TEST_F(XacroProgram, WhatInstallationMovesIsFoundWhereItComesFrom) {
+  folder_.put("demo/package.xml", "<package><name>demo</name></package>");
+  folder_.put("demo/CMakeLists.txt",
+              "project(demo)\n"
+              "install(\n  DIRECTORY description/urdf description/config\n"
+              "  DESTINATION share/${PROJECT_NAME})\n");
+  folder_.put(
+      "demo/description/urdf/leg.xacro",
+      "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\">"
+      "<xacro:macro name=\"leg\" params=\"side\"><link name=\"${side}\"/></xacro:macro></robot>");
+  folder_.put("demo/description/urdf/robot.urdf.xacro",
+              "<robot name=\"demo\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n"
+              "  <xacro:include filename=\"$(find demo)/urdf/leg.xacro\"/>\n"
+              "  <xacro:leg side=\"left\"/>\n</robot>\n");
+  const Ran ran = folder_.rigor("expand demo/description/urdf/robot.urdf.xacro");
   EXPECT_EQ(ran.exit, 0) << ran.err;
-  EXPECT_EQ(ran.out,
-            "arm.urdf.xacro: info: xacro is not installed, so the file was not looked at "
-            "[xacro-not-installed]\n");
-  EXPECT_NE(ran.err.find("skipped"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.out.find("<link name=\"left\"/>"), std::string::npos) << ran.out;
 }
 
-TEST_F(Xacro, WhatItRefusesIsAnError) {
-  install("#!/bin/sh\necho 'name '\"'side'\"' is not defined' >&2\nexit 2\n");
-  const Ran ran = validate("arm.urdf.xacro");
+TEST_F(XacroProgram, EveryCommandTakesATemplate) {
+  EXPECT_NE(folder_.rigor("inspect arm.urdf.xacro gripper:=parallel").out.find("left_hand"),
+            std::string::npos);
+  EXPECT_EQ(folder_.rigor("diff arm.urdf.xacro arm.urdf.xacro").exit, 0);
+  const Ran converted = folder_.rigor("urdf2sdf arm.urdf.xacro");
+  EXPECT_EQ(converted.exit, 1);
+  EXPECT_NE(converted.err.find("arm.urdf.xacro:7:18"), std::string::npos) << converted.err;
+  EXPECT_NE(folder_.rigor("inertia arm.urdf.xacro").out.find("left_hand"), std::string::npos);
+  EXPECT_EQ(folder_.rigor("inertia arm.urdf.xacro --write").exit, 2);
+  EXPECT_EQ(folder_.rigor("mesh-check arm.urdf.xacro").exit, 0);
+}
+
+TEST_F(XacroProgram, ATemplateWithErrorsIsRefusedWithThePlace) {
+  folder_.put("bad.xacro",
+              "<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n"
+              "  <link name=\"${nothing}\"/>\n</robot>\n");
+  const Ran ran = folder_.rigor("inspect bad.xacro");
   EXPECT_EQ(ran.exit, 1);
-  EXPECT_EQ(ran.out,
-            "arm.urdf.xacro: error: xacro cannot expand the file: name 'side' is not defined "
-            "[xacro-failed]\n");
+  EXPECT_NE(ran.err.find("bad.xacro:2:17: 'nothing' is undefined"), std::string::npos) << ran.err;
+  EXPECT_EQ(validate("bad.xacro").exit, 1);
 }
 
-TEST_F(Xacro, OutputWithoutEndIsAnError) {
-  install("#!/bin/sh\nexec yes '<link name=\"a\"/>'\n");
-  const Ran ran = validate("arm.urdf.xacro");
-  EXPECT_EQ(ran.exit, 1);
-  EXPECT_NE(ran.out.find("printed more than 64 MiB [xacro-failed]"), std::string::npos) << ran.out;
+TEST_F(XacroProgram, WhatIsLiteralIsFixedInTheSource) {
+  folder_.put("leg.urdf.xacro",
+              "<robot name=\"leg\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n"
+              "  <xacro:macro name=\"hip\" params=\"side\">\n"
+              "    <link name=\"${side}\"/>\n"
+              "    <joint name=\"${side}_hip\" type=\"revolute\">\n"
+              "      <parent link=\"base\"/><child link=\"${side}\"/>\n"
+              "      <limit lower=\"1\" upper=\"-1\" effort=\"1\" velocity=\"1\"/>\n"
+              "    </joint>\n"
+              "  </xacro:macro>\n"
+              "  <link name=\"base\"/>\n"
+              "  <xacro:hip side=\"left\"/>\n  <xacro:hip side=\"right\"/>\n"
+              "</robot>\n");
+  const Ran ran = validate("--unsafe-fixes --fix leg.urdf.xacro");
+  EXPECT_NE(folder_.get("leg.urdf.xacro").find("lower=\"-1\" upper=\"1\""), std::string::npos)
+      << ran.out << ran.err;
 }
 
-TEST_F(Xacro, APathIsNoOption) {
-  folder_.put("-arm.xacro", kSource);
-  folder_.put("-arm.xacro.out", kExpanded);
-  const Ran ran = validate("-- -arm.xacro");
-  EXPECT_NE(ran.out.find("[axis-zero]"), std::string::npos) << ran.out << ran.err;
-}
-
-TEST_F(Xacro, OneThatIsIgnoredIsNotExpandedForAHook) {
+TEST_F(XacroProgram, OneThatIsIgnoredIsNotExpandedForAHook) {
   folder_.put(".gitignore", "*.xacro\n");
   const Ran judged = validate("--force-exclude arm.urdf.xacro");
   EXPECT_EQ(judged.exit, 0) << judged.err;
   EXPECT_EQ(judged.out, "");
   EXPECT_EQ(validate("arm.urdf.xacro").exit, 1);
-}
-
-// Which of a folder's are robots, and which only hold macros, nobody can tell from outside.
-TEST_F(Xacro, InAFolderItIsCountedAndLeft) {
-  const Ran ran = validate("--fail-on never .");
-  EXPECT_NE(ran.err.find("arm.urdf.xacro: xacro: expand it first"), std::string::npos) << ran.err;
-  EXPECT_EQ(ran.out, "");
 }
 
 }  // namespace

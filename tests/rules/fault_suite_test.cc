@@ -150,9 +150,9 @@ TEST(FaultSuiteOfRules, CoversEachRuleThatIsOnByDefault) {
   const Registry registry;
   for (const Rule& rule : registry.rules()) {
     const std::string name(rule.name);
-    const bool elsewhere = rule.category == Category::kConvert ||
-                           rule.category == Category::kSimulate ||
-                           rule.category == Category::kSuppression;
+    const bool elsewhere =
+        rule.category == Category::kConvert || rule.category == Category::kSimulate ||
+        rule.category == Category::kSuppression || rule.category == Category::kXacro;
     if (elsewhere || !(rule.targets == Targets{})) continue;
     EXPECT_NE(covered.count(name), excused.count(name))
         << name << " needs a row in testdata/faults/suite.tsv, of a fault or of the reason why not";

@@ -12,6 +12,7 @@
 #include <rigor/report/terminal/printable.h>
 
 #include "command/command.h"
+#include "option/search.h"
 #include "output/output.h"
 #include "output/own_input.h"
 
@@ -29,7 +30,7 @@ constexpr std::string_view kGreeting =
   simulate, merge          drop it, drive it, sweep its joints: a verdict; join sharded runs
   new, init                a robot to begin with, done right and explained; a rigor.toml
   rules, explain           what is checked; why, and what to do about it
-  schema, resolve          a format's elements; where a URI leads
+  expand, schema, resolve  xacro as plain XML; a format's elements; where a URI leads
 
   rigor validate my_robot                check every model and mesh in a folder
   rigor simulate my_robot --test drive   `rigor COMMAND --help` begins with examples, too
@@ -69,17 +70,29 @@ struct CommandEntry {
 };
 
 constexpr CommandEntry kCommands[] = {
-    {"validate", validate_command}, {"inspect", inspect_command},
-    {"inertia", inertia_command},   {"mesh-check", mesh_check_command},
-    {"sdf2urdf", sdf2urdf_command}, {"urdf2sdf", urdf2sdf_command},
-    {"diff", diff_command},         {"simulate", simulate_command},
-    {"render", render_command},     {"view", view_command},
-    {"report", report_command},     {"new", new_command},
-    {"merge", merge_command},       {"upgrade", upgrade_command},
-    {"init", init_command},         {"rules", rules_command},
-    {"explain", explain_command},   {"schema", schema_command},
-    {"resolve", resolve_command},   {"completion", completion_command, true},
-    {"man", manual_command, true},  {"version", version_command},
+    {"validate", validate_command},
+    {"inspect", inspect_command},
+    {"inertia", inertia_command},
+    {"mesh-check", mesh_check_command},
+    {"sdf2urdf", sdf2urdf_command},
+    {"urdf2sdf", urdf2sdf_command},
+    {"diff", diff_command},
+    {"simulate", simulate_command},
+    {"render", render_command},
+    {"view", view_command},
+    {"report", report_command},
+    {"new", new_command},
+    {"merge", merge_command},
+    {"upgrade", upgrade_command},
+    {"init", init_command},
+    {"rules", rules_command},
+    {"explain", explain_command},
+    {"schema", schema_command},
+    {"resolve", resolve_command},
+    {"expand", expand_command},
+    {"completion", completion_command, true},
+    {"man", manual_command, true},
+    {"version", version_command},
 };
 
 /// The one that is asked for, as declaring the options of all takes longer than many a run; or all.
@@ -93,6 +106,20 @@ std::vector<std::unique_ptr<Command>> commands_for(std::string_view word) {
   return commands;
 }
 
+bool is_template_argument(std::string_view word) {
+  const std::size_t assign = word.find(":=");
+  return assign != std::string_view::npos && assign > 0 && word[0] != '-' &&
+         word.substr(0, assign).find_first_of("/.= ") == std::string_view::npos;
+}
+
+/// `prefix:=left_` among the paths, as ROS has it, is an argument of templates. What follows `--` is not.
+void take_template_arguments(std::vector<std::string>& arguments) {
+  for (std::string& word : arguments) {
+    if (word == "--") return;
+    if (is_template_argument(word)) word = std::string(kTemplateArgumentOption) + '=' + word;
+  }
+}
+
 int run(std::vector<std::string> arguments) {
   if (arguments.empty()) {
     write({0, {}}, kGreeting);
@@ -104,6 +131,7 @@ int run(std::vector<std::string> arguments) {
   program.require_subcommand(0, 1);
   examples_first(program, {"rigor validate my_robot"});
   const std::vector<std::unique_ptr<Command>> commands = commands_for(arguments.front());
+  take_template_arguments(arguments);
   std::vector<CLI::App*> apps;
   std::deque<ColorOption> never_colored;
   for (const auto& command : commands) {
@@ -137,6 +165,9 @@ int run_caught(std::vector<std::string> arguments) {
     return run(std::move(arguments));
   } catch (const UsageError& error) {
     return usage_error(error.what());
+  } catch (const InputError& error) {
+    say("rigor: " + report::printable(error.what()));
+    return kFindings;
   } catch (const std::exception& error) {
     say(std::string("rigor: internal error, please report it: ") + error.what());
     return kInternal;
@@ -155,7 +186,7 @@ int main(int argc, char** argv) {
       ::close(nowhere);
     }
   }
-  // Whoever started this may ignore it, which is inherited: no end of git or xacro could be told.
+  // Whoever started this may ignore it, which is inherited: no end of git could be told.
   std::signal(SIGCHLD, SIG_DFL);
   return rigor::tool::run_caught(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
 }

@@ -49,6 +49,7 @@ Config extended(Config config, Config base) {
   append(config.resolve_paths, std::move(base.resolve_paths));
   add_missing(config.resolve_packages, std::move(base.resolve_packages));
   add_missing(config.materials, std::move(base.materials));
+  append(config.templates, std::move(base.templates));
   append(config.problems, std::move(base.problems));
   return config;
 }

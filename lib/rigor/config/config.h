@@ -17,6 +17,9 @@
 //   paths = ["models"]
 //   [materials]
 //   our-foam = 42          # kg/m³
+//   [[xacro]]
+//   file      = "urdf/arm.urdf.xacro"
+//   arguments = [{ side = "left" }, { side = "right", sim = true }]
 //
 //   Config config = read_config("/home/me/robot/rigor.toml", bytes);
 //   RuleChoice choice = rules_for(config, "/home/me/robot/worlds/lab.world");
@@ -31,6 +34,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <rigor/config/path_patterns.h>
@@ -66,6 +70,12 @@ struct PerFile {
   RuleChoice rules;
 };
 
+/// The sets of arguments that a template is expanded with.
+struct TemplateArguments {
+  Name file;  ///< joined to the configuration's folder
+  std::vector<std::vector<std::pair<std::string, std::string>>> sets;
+};
+
 struct Config {
   /// The file, then what it extends, the nearest first; none when nothing is configured.
   std::vector<std::string> files;
@@ -81,6 +91,8 @@ struct Config {
   std::vector<Name> resolve_paths;                   ///< folders, joined
   std::map<std::string, Name> resolve_packages;      ///< folders, joined, by package
   std::map<std::string, Setting<double>> materials;  ///< kg/m³, by name
+
+  std::vector<TemplateArguments> templates;
 
   std::vector<Problem> problems;
 };

@@ -59,6 +59,7 @@ class ConfigReader {
     }
     config_.baseline = path(top, "baseline");
     top.each_table("per-file", [this](const toml::table& table) { per_file(table); });
+    top.each_table("xacro", [this](const toml::table& table) { template_arguments(table); });
     table(top, "resolve", [this](const toml::table& table) { resolve(table); });
     table(top, "materials", [&](const toml::table& table) { materials(table, top); });
     top.done();
@@ -180,6 +181,49 @@ class ConfigReader {
     rules(table, made.rules);
     table.done();
     config_.per_file.push_back(std::move(made));
+  }
+
+  void template_arguments(const toml::table& toml) const {
+    TomlTable from(toml, "xacro", config_.problems);
+    TemplateArguments made;
+    if (toml.get("file") == nullptr) from.say(from.line(), "file is missing");
+    if (auto file = path(from, "file")) made.file = std::move(*file);
+    const toml::node* sets = from.find("arguments");
+    const toml::array* array = sets != nullptr ? sets->as_array() : nullptr;
+    if (array == nullptr) {
+      from.say(from.line(), "arguments must be a list of tables: [{ side = \"left\" }]");
+    } else {
+      for (const toml::node& each : *array) {
+        const toml::table* set = each.as_table();
+        if (set == nullptr) {
+          from.say(line_of(each), "each of arguments must be a table: { side = \"left\" }");
+        } else {
+          made.sets.push_back(argument_set(*set, from));
+        }
+      }
+    }
+    from.done();
+    config_.templates.push_back(std::move(made));
+  }
+
+  static std::vector<std::pair<std::string, std::string>> argument_set(const toml::table& set,
+                                                                       TomlTable& from) {
+    std::vector<std::pair<std::string, std::string>> arguments;
+    for (const auto& [name, node] : set) {
+      std::string value;
+      if (const auto text = node.value_exact<std::string>()) {
+        value = *text;
+      } else if (const auto flag = node.value_exact<bool>()) {
+        value = *flag ? "true" : "false";
+      } else if (const auto number = node.value_exact<std::int64_t>()) {
+        value = std::to_string(*number);
+      } else {
+        from.say(line_of(node), "an argument must be a text, a whole number, true or false");
+        continue;
+      }
+      arguments.emplace_back(std::string(name.str()), std::move(value));
+    }
+    return arguments;
   }
 
   void resolve(const toml::table& toml) const {

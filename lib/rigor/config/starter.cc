@@ -53,6 +53,11 @@ std::string_view starter_config() {
 # Densities in kg/m³, for `rigor inertia --material`.
 #[materials]
 #our-foam = 42
+
+# The arguments that a xacro file is expanded with, in place of its defaults.
+#[[xacro]]
+#file = "urdf/arm.urdf.xacro"
+#arguments = [{side = "left"}, {side = "right"}]
 )";
 }
 

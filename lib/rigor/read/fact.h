@@ -31,8 +31,6 @@ enum class FactKind : std::uint8_t {
   kTooMuchIncluded,   ///< the includes bring more parts than rigor holds
   kFileTooLarge,
   kFileUnreadable,
-  kXacroMissing,  ///< the file needs the program xacro, which is not installed
-  kXacroFailed,   ///< and it could not expand it; `name` says why
 };
 
 struct Fact {

@@ -43,6 +43,17 @@ struct ConfiguredPaths {
   std::map<std::string, std::string> packages;  ///< folders, by package
 };
 
+/// `name:=value`, in their order.
+using TemplateArguments = std::vector<std::pair<std::string, std::string>>;
+
+/// What templates are given besides their files.
+struct TemplateInputs {
+  TemplateArguments arguments;
+  /// A variable of the environment, for templates that name it; no function, no variables.
+  std::function<std::optional<std::string>(std::string_view name)> variable;
+  std::string working_folder;  ///< absolute; where relative paths begin
+};
+
 struct SearchPaths {
   std::vector<SearchPath> given;                ///< from the command line
   std::map<std::string, std::string> packages;  ///< `--package NAME=DIR`
@@ -51,6 +62,7 @@ struct SearchPaths {
   /// Of the configuration for what stands in a file; null, or no function, when there is none. Safe across
   /// threads; what it gives is valid as long as the resolver.
   std::function<const ConfiguredPaths*(std::string_view file)> configured;
+  TemplateInputs templates;
 };
 
 /// The paths that the environment's variables name; `variable` gives a variable's value, empty when
@@ -80,6 +92,7 @@ class Resolver {
   Resolution resolve(std::string_view uri, std::string_view file) const;
 
   const Disk& disk() const { return disk_; }
+  const SearchPaths& paths() const { return paths_; }
 
  private:
   const ConfiguredPaths* configured(std::string_view file) const;

@@ -5,7 +5,18 @@
 
 #include <utility>
 
+#include <rigor/read/template/template_expander.h>
+
 namespace rigor::read {
+
+Workspace::Workspace(const Resolver& resolver, Sources& sources)
+    : disk_(resolver.disk()),
+      expander_(std::make_unique<TemplateExpander>(resolver)),
+      sources_(sources) {}
+
+Workspace::Workspace(const Disk& disk, Sources& sources) : disk_(disk), sources_(sources) {}
+
+Workspace::~Workspace() = default;
 
 const File& Workspace::open(const std::string& path) {
   {
@@ -13,11 +24,24 @@ const File& Workspace::open(const std::string& path) {
     const auto found = files_.find(path);
     if (found != files_.end()) return *found->second;
   }
-  return keep(path, disk_.read(path, kMaxModelBytes));
+  if (expander_ && is_template(path)) {
+    return keep(path, expander_->expand(path, sources_));
+  }
+  return keep(path, parsed(path, disk_.read(path, kMaxModelBytes)));
+}
+
+const File& Workspace::open(const std::string& path, std::size_t set,
+                            const TemplateArguments& arguments) {
+  // No path ends like this, so no file is meant by it.
+  return keep(path + '\n' + std::to_string(set), expander_->expand(path, arguments, sources_));
 }
 
 const File& Workspace::put(const std::string& path, std::string bytes) {
-  return keep(path, {std::move(bytes), {}});
+  if (expander_ && is_template(path)) {
+    expander_->replace(path, std::move(bytes));
+    return keep(path, expander_->expand(path, sources_));
+  }
+  return keep(path, parsed(path, {std::move(bytes), {}}));
 }
 
 const Resolution& Workspace::resolve(const Resolver& resolver, const std::string& uri,
@@ -52,7 +76,7 @@ std::vector<const File*> Workspace::files() const {
   return files;
 }
 
-const File& Workspace::keep(const std::string& path, ReadResult read) {
+std::unique_ptr<File> Workspace::parsed(const std::string& path, ReadResult read) const {
   auto file = std::make_unique<File>();
   file->path = path;
   file->problem = std::move(read.problem);
@@ -61,6 +85,10 @@ const File& Workspace::keep(const std::string& path, ReadResult read) {
     file->source = sources_.add(path, std::move(*read.bytes));
     file->document = xml::parse(sources_.bytes(file->source), file->source);
   }
+  return file;
+}
+
+const File& Workspace::keep(const std::string& path, std::unique_ptr<File> file) {
   // Two threads may have read the same file; the first to come here wins.
   const std::lock_guard lock(mutex_);
   return *files_.try_emplace(path, std::move(file)).first->second;

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include <rigor/read/resolver.h>
+#include <rigor/read/template/expanded_file.h>
 #include <rigor/text/disk.h>
 #include <rigor/text/sources.h>
 #include <rigor/xml/document.h>
@@ -29,22 +30,35 @@ namespace rigor::read {
 /// read takes some twenty times its size in memory.
 inline constexpr std::uint64_t kMaxModelBytes = std::uint64_t{64} << 20U;
 
+class TemplateExpander;
+
 struct File {
   std::string path;
   SourceId source = kNoSource;
   std::optional<xml::Document> document;  ///< nothing when the file could not be read
   std::string problem;                    ///< why not
   ReadError error = ReadError::kOther;    ///< the same, for programs
+  /// What the document was made of, when the file is a xacro template; else null. It may have errors:
+  /// then the document is what could be made all the same.
+  std::unique_ptr<const ExpandedFile> expanded = nullptr;
 };
 
 class Workspace {
  public:
-  Workspace(const Disk& disk, Sources& sources) : disk_(disk), sources_(sources) {}
+  /// Templates are expanded, with the packages and arguments of the resolver's paths. Both outlive it.
+  Workspace(const Resolver& resolver, Sources& sources);
+  /// All files are taken as they are.
+  Workspace(const Disk& disk, Sources& sources);
+  ~Workspace();
 
   /// The file at a path. The reference stays valid as long as the workspace. Safe across threads.
   const File& open(const std::string& path);
 
-  /// Takes `bytes` as what the file at `path` holds.
+  /// The file at a path that is a template, expanded with other arguments: by the number of a set of them
+  /// that was not asked for before, from 1.
+  const File& open(const std::string& path, std::size_t set, const TemplateArguments& arguments);
+
+  /// Takes `bytes` as what the file at `path` holds; a template is expanded.
   const File& put(const std::string& path, std::string bytes);
 
   /// Where a URI that stands in the file `from` leads. Looked up once, however often it is included.
@@ -62,9 +76,11 @@ class Workspace {
   const Disk& disk() const { return disk_; }
 
  private:
-  const File& keep(const std::string& path, ReadResult read);
+  const File& keep(const std::string& path, std::unique_ptr<File> file);
+  std::unique_ptr<File> parsed(const std::string& path, ReadResult read) const;
 
   const Disk& disk_;
+  std::unique_ptr<TemplateExpander> expander_;  // null where files are taken as they are
   Sources& sources_;
   mutable std::mutex mutex_;
   std::map<std::string, std::unique_ptr<File>> files_;

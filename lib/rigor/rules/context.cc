@@ -17,6 +17,7 @@
 #include <rigor/read/values.h>
 #include <rigor/rules/names.h>
 #include <rigor/rules/package/assets.h>
+#include <rigor/rules/rule.h>
 #include <rigor/rules/schema/place.h>
 #include <rigor/rules/sdformat_robot.h>
 #include <rigor/rules/package/uris.h>
@@ -109,7 +110,8 @@ void Context::report(Finding finding) {
   finding.where = written(finding.where);
   for (Label& label : finding.related) label.where = written(label.where);
   // What xacro was to write is told by that rule, and nothing else of it is known.
-  if (has_xacro(bytes(finding.where)) && rule_ != kLeftoverXacro) return;
+  const bool is_about_xacro = category_ == to_string(Category::kXacro) || rule_ == kLeftoverXacro;
+  if (!is_about_xacro && has_xacro(bytes(finding.where))) return;
   if (!mesh_.empty() && !found_->told_of_meshes.insert({rule_, mesh_, finding.message}).second)
     return;
   Found::Tally& tally = found_->tallies[rule_];

@@ -94,12 +94,15 @@ ParsedExample parse_example(std::string_view text) {
     while (line.ends_with('\n') || line.ends_with('\r') || line.ends_with(' ')) {
       line.remove_suffix(1);
     }
-    files.push_back({std::string(line), {}});
+    const bool is_first = files.size() == 1 && files[0].bytes.empty() && files[0].path.empty();
+    if (!is_first) files.emplace_back();
+    files.back().path = line;
   }
   const std::string first = std::move(files.front().bytes);
   ParsedExample example{std::move(files), {}};
   take_marks_out(first, example);
-  example.files.front().path = default_name(example.files.front().bytes);
+  std::string& path = example.files.front().path;
+  if (path.empty()) path = default_name(example.files.front().bytes);
   return example;
 }
 

@@ -52,7 +52,7 @@ struct ParsedExample {
   std::vector<Marked> marked;  ///< in the order of their begins
 };
 
-/// The first file is named `model.sdf`, `robot.urdf` or `model.config`, by its root element. Throws
+/// The first file, unless a line `=== path` names it, is named `model.sdf`, `robot.urdf` or `model.config`, by its root element. Throws
 /// std::logic_error when marks do not pair: the text is part of the program.
 ParsedExample parse_example(std::string_view text);
 

@@ -11,9 +11,11 @@
 #include <rigor/model/subject.h>
 #include <rigor/read/discover.h>
 #include <rigor/read/load.h>
+#include <rigor/read/template/template_expander.h>
 #include <rigor/read/workspace.h>
 #include <rigor/rules/runner.h>
 #include <rigor/rules/suppression.h>
+#include <rigor/rules/xacro/template_findings.h>
 #include <rigor/text/path.h>
 
 namespace rigor::rules {
@@ -35,7 +37,7 @@ class MeshRun {
         options_(options),
         files_(files),
         sources_(sources),
-        workspace_(environment.disk, sources),
+        workspace_(environment.resolver, sources),
         runner_(environment.registry, meshes_unless_selected(options.selection)),
         reading_(environment.registry, {.ignore = options.selection.ignore}) {}
 
@@ -61,7 +63,13 @@ class MeshRun {
   void check_models(const std::string& path) {
     read::Discovered found = read::discover(environment_.disk, {path});
     std::move(found.unusable.begin(), found.unusable.end(), std::back_inserter(result_.unusable));
-    for (read::LeftOut& left : found.left_out) result_.left_out.push_back(std::move(left));
+    for (read::LeftOut& left : found.left_out) {
+      if (left.path == path && !left.excluded && read::is_template(path)) {
+        check_model(path);
+      } else {
+        result_.left_out.push_back(std::move(left));
+      }
+    }
     for (const std::string& file : found.files) check_model(file);
   }
 
@@ -69,6 +77,11 @@ class MeshRun {
     const read::Reader reader{workspace_, environment_.resolver, environment_.sdf,
                               environment_.urdf};
     const read::Loaded loaded = read::load(reader, workspace_.open(path));
+    if (loaded.file->expanded && !loaded.file->expanded->ok()) {
+      const std::vector<xacro::Fact>& facts = loaded.file->expanded->expansion().facts;
+      Diagnostics found = reading_.run(environment_, sources_, loaded, facts);
+      return result_.diagnostics.take(with_calls(std::move(found), facts));
+    }
     if (!is_read(loaded)) return tell_unread(loaded);
     first_of_model_ = result_.meshes.size();
     list_meshes(loaded, loaded.root.collisions);
@@ -76,7 +89,9 @@ class MeshRun {
     Diagnostics found = runner_.run(environment_, sources_, loaded, {.files = &files_});
     const auto& document = loaded.file->document;
     if (document) found = Suppressions(*document).uncovered(std::move(found));
-    result_.diagnostics.take(std::move(found));
+    TemplateFindings once(sources_);
+    once.add(in_source(std::move(found), *loaded.file, sources_));
+    result_.diagnostics.take(once.take());
   }
 
   static bool is_read(const read::Loaded& loaded) {

@@ -50,6 +50,10 @@ enum class FactKind : std::uint8_t;
 struct ConfigFact;
 enum class ConfigFactKind : std::uint8_t;
 }  // namespace rigor::read
+namespace rigor::xacro {
+struct Fact;
+enum class FactKind : std::uint8_t;
+}  // namespace rigor::xacro
 namespace rigor::mass {
 struct MeshFacts;
 }  // namespace rigor::mass
@@ -85,6 +89,7 @@ enum class Category : std::uint8_t {
   kConvert,
   kSimulate,
   kSuppression,
+  kXacro,
 };
 
 /// Also the name of the rule's folder.
@@ -130,8 +135,9 @@ struct FactCheck {
 };
 
 using Check = std::variant<
-    FactCheck<xml::Fault, xml::FaultKind>, FactCheck<read::SchemaFact, read::SchemaFactKind>,
-    FactCheck<read::Fact, read::FactKind>, FactCheck<model::FrameProblem, model::FrameProblemKind>,
+    FactCheck<xml::Fault, xml::FaultKind>, FactCheck<xacro::Fact, xacro::FactKind>,
+    FactCheck<read::SchemaFact, read::SchemaFactKind>, FactCheck<read::Fact, read::FactKind>,
+    FactCheck<model::FrameProblem, model::FrameProblemKind>,
     FactCheck<read::ConfigFact, read::ConfigFactKind>, FactCheck<convert::Note, convert::NoteKind>,
     FactCheck<simulate::Fact, simulate::FactKind>, FactCheck<SuppressionFact, SuppressionFactKind>,
     CheckOf<model::Root>, CheckOf<model::World>, CheckOf<model::Model>, CheckOf<model::Link>,
@@ -149,6 +155,9 @@ Check on(CheckOf<T> check) {
 /// The check of every fact of these kinds.
 inline Check on_xml(std::vector<xml::FaultKind> kinds, CheckOf<xml::Fault> check) {
   return FactCheck<xml::Fault, xml::FaultKind>{std::move(kinds), check};
+}
+inline Check on_xacro(std::vector<xacro::FactKind> kinds, CheckOf<xacro::Fact> check) {
+  return FactCheck<xacro::Fact, xacro::FactKind>{std::move(kinds), check};
 }
 inline Check on_schema(std::vector<read::SchemaFactKind> kinds, CheckOf<read::SchemaFact> check) {
   return FactCheck<read::SchemaFact, read::SchemaFactKind>{std::move(kinds), check};

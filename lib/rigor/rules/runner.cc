@@ -14,6 +14,7 @@
 #include <rigor/rules/consequences.h>
 #include <rigor/rules/context.h>
 #include <rigor/rules/registry.h>
+#include <rigor/rules/xacro/template_findings.h>
 
 namespace rigor::rules {
 namespace {
@@ -317,7 +318,13 @@ Diagnostics Runner::run(const Environment& environment, const Sources& sources,
 
 Diagnostics Runner::run(const Environment& environment, const Sources& sources,
                         const read::Loaded& loaded, const convert::Notes& notes) const {
-  return Walk(*this, environment, sources, loaded, {}).run(notes);
+  return in_source(Walk(*this, environment, sources, loaded, {}).run(notes), *loaded.file, sources);
+}
+
+Diagnostics Runner::run(const Environment& environment, const Sources& sources,
+                        const read::Loaded& loaded,
+                        const std::vector<xacro::Fact>& expansion) const {
+  return Walk(*this, environment, sources, loaded, {}).run(expansion);
 }
 
 Diagnostics Runner::run(const Environment& environment, const Sources& sources,
@@ -328,7 +335,9 @@ Diagnostics Runner::run(const Environment& environment, const Sources& sources,
 std::vector<Diagnostics> Runner::run_each(const Environment& environment, const Sources& sources,
                                           const read::Loaded& loaded,
                                           const simulate::Facts& shown) const {
-  return Walk(*this, environment, sources, loaded, {}).run_each(shown);
+  std::vector<Diagnostics> said = Walk(*this, environment, sources, loaded, {}).run_each(shown);
+  for (Diagnostics& one : said) one = in_source(std::move(one), *loaded.file, sources);
+  return said;
 }
 
 Diagnostics Runner::run(const Environment& environment, const Sources& sources,

@@ -27,6 +27,7 @@
 #include <rigor/simulate/fact.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/text/sources.h>
+#include <rigor/xacro/fact.h>
 
 namespace rigor::rules {
 
@@ -46,6 +47,10 @@ class Runner {
   /// What the rules on conversions say of what became of a model.
   Diagnostics run(const Environment& environment, const Sources& sources,
                   const read::Loaded& loaded, const convert::Notes& notes) const;
+
+  /// What the rules on xacro say of what the expander found.
+  Diagnostics run(const Environment& environment, const Sources& sources,
+                  const read::Loaded& loaded, const std::vector<xacro::Fact>& expansion) const;
 
   /// What the rules on suppressions say of the comments in a file.
   Diagnostics run(const Environment& environment, const Sources& sources,

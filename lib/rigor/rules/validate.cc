@@ -8,16 +8,20 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include <rigor/mass/mesh/reads.h>
 #include <rigor/mass/mesh/survey.h>
 #include <rigor/read/discover.h>
 #include <rigor/read/load.h>
+#include <rigor/read/template/argument_sets.h>
+#include <rigor/read/template/template_expander.h>
 #include <rigor/read/workspace.h>
-#include <rigor/rules/expanded_templates.h>
 #include <rigor/rules/runner.h>
 #include <rigor/rules/suppression.h>
+#include <rigor/rules/xacro/entry_points.h>
+#include <rigor/rules/xacro/template_findings.h>
 #include <rigor/text/for_each_index.h>
 #include <rigor/text/path.h>
 
@@ -68,8 +72,7 @@ class Run {
       : environment_(environment),
         options_(options),
         sources_(sources),
-        workspace_(environment.disk, sources),
-        templates_(environment, sources, workspace_, options),
+        workspace_(environment.resolver, sources),
         runners_(environment.registry, options),
         turns_(options.threads),
         reads_(environment.disk, environment.workers, turns_),
@@ -96,19 +99,14 @@ class Run {
     if (options_.buffer) {
       workspace_.put(options_.buffer->path, options_.buffer->bytes);
       paths.push_back(options_.buffer->path);
+      if (options_.arguments_for && read::is_template(options_.buffer->path))
+        arguments_[options_.buffer->path] = options_.arguments_for(options_.buffer->path);
     }
     read::Discovered found = read::discover(environment_.disk, options_.paths, options_.discover);
     result_.unusable = std::move(found.unusable);
     std::move(found.files.begin(), found.files.end(), std::back_inserter(paths));
     std::vector<read::LeftOut> left_out;
-    for (read::LeftOut& left : found.left_out) {
-      if (templates_.takes(left)) {
-        templates_.expand(left.path);
-        paths.push_back(std::move(left.path));
-      } else {
-        left_out.push_back(std::move(left));
-      }
-    }
+    add_templates(found.left_out, paths, left_out);
     result_.all_files = paths.size();
     for (read::LeftOut& left : left_out) {
       const std::size_t index = result_.all_files++;
@@ -116,6 +114,38 @@ class Run {
       result_.not_looked_at.push_back({std::move(left.path), std::move(left.why), index});
     }
     return paths;
+  }
+
+  /// Templates that are robots join the paths; what is left of the others is left out.
+  void add_templates(std::vector<read::LeftOut>& found, std::vector<std::string>& paths,
+                     std::vector<read::LeftOut>& left_out) {
+    std::vector<std::string> templates;
+    for (read::LeftOut& left : found) {
+      if (!left.excluded && read::is_template(left.path)) {
+        templates.push_back(std::move(left.path));
+      } else {
+        left_out.push_back(std::move(left));
+      }
+    }
+    std::set<std::string> named(options_.paths.begin(), options_.paths.end());
+    for (const std::string& path : templates) {
+      if (!options_.arguments_for) break;
+      auto& sets = arguments_[path] = options_.arguments_for(path);
+      if (!sets.empty()) named.insert(path);
+    }
+    EntryPoints entries = entry_points(templates, named, workspace_,
+                                       environment_.resolver.paths().templates.working_folder);
+    for (EntryPoints::Part& part : entries.parts) {
+      part_of_.emplace(part.path, std::move(part.robot));
+      entries.robots.push_back(std::move(part.path));
+    }
+    std::sort(entries.robots.begin(), entries.robots.end(), [&](const auto& a, const auto& b) {
+      return std::find(templates.begin(), templates.end(), a) <
+             std::find(templates.begin(), templates.end(), b);
+    });
+    std::move(entries.robots.begin(), entries.robots.end(), std::back_inserter(paths));
+    for (EntryPoints::Unreached& one : entries.unreached)
+      left_out.push_back({std::move(one.path), std::move(one.why)});
   }
 
   struct Included {
@@ -135,6 +165,7 @@ class Run {
     Span first_error_where;
     std::vector<NotLookedAt> not_looked_at;
     std::vector<Included> includes;
+    bool is_template = false;
   };
 
   /// The files of this shard and whatever they include, a generation of includes at a time. What a file
@@ -165,11 +196,11 @@ class Run {
     Checked& checked = checked_.at(normalize_path(path));
     std::move(checked.not_looked_at.begin(), checked.not_looked_at.end(),
               std::back_inserter(result_.not_looked_at));
-    checked.diagnostics.take(errors_of_includes(path, checked));
-    checked.diagnostics.take(errors_of_suppressions(path, checked));
-    if (templates_.has(path)) {
-      checked.diagnostics = templates_.in_source(path, std::exchange(checked.diagnostics, {}));
+    if (!checked.is_template) {
+      checked.diagnostics.take(errors_of_includes(path, checked));
+      checked.diagnostics.take(errors_of_suppressions(path, checked));
     }
+    if (checked.is_template) drop_told(checked.diagnostics);
     checked.diagnostics.sort();
     checked.summary.index = index;
     checked.summary.first_finding = result_.diagnostics.list().size();
@@ -178,37 +209,32 @@ class Run {
     result_.files.push_back(checked.summary);
   }
 
-  void tell_not_expanded(const std::string& path, const read::Expansion& expansion,
-                         Checked& checked) {
-    read::File bare;
-    bare.path = path;
-    read::Loaded about;
-    about.file = &bare;
-    about.facts.push_back({expansion.problem, {}, expansion.why});
-    checked.summary.path = path;
-    checked.diagnostics = checked.runner->run(environment_, sources_, about, Meshes{});
-    checked.not_looked_at.push_back({path, "xacro: not expanded"});
+  /// Robots share files of macros: what one showed there, the next need not repeat.
+  void drop_told(Diagnostics& found) {
+    Diagnostics fresh;
+    for (const Diagnostic& each : found.list()) {
+      const std::string path =
+          each.where.nowhere() ? each.path : std::string(sources_.path(each.where.source));
+      if (told_.insert({each.rule, path, each.where.begin, each.where.end, each.message}).second)
+        fresh.add(each);
+    }
+    found = std::move(fresh);
   }
 
   /// From any thread: each file has an entry of its own.
   void check(const std::string& path, Checked& checked) {
-    if (const read::Expansion* failed = templates_.failed(path)) {
-      return tell_not_expanded(path, *failed, checked);
+    if (const auto part = part_of_.find(path); part != part_of_.end()) {
+      checked.summary.path = path;
+      checked.summary.format = model::Format::kUrdf;
+      checked.summary.part_of = part->second;
+      return;
     }
     const read::File& file = workspace_.open(path);
-    const read::Reader reader{workspace_, environment_.resolver, environment_.sdf,
-                              environment_.urdf};
-    read::Loaded loaded = read::load(reader, file);
+    if (file.expanded) return check_template(path, file, checked);
+    read::Loaded loaded = load(file);
     checked.summary = summarize(loaded);
     checked.source = file.source;
-    for (const read::Fact& fact : loaded.facts) {
-      if (fact.kind != read::FactKind::kUnfollowedInclude) continue;
-      checked.not_looked_at.push_back({path, "include of " + fact.name});
-    }
-    for (const model::Include& include : loaded.root.includes) {
-      if (!loaded.root.own(include.site) || include.path.empty()) continue;
-      checked.includes.push_back({include.uri.span, include.path});
-    }
+    look_for_includes(loaded, checked);
     if (file.document) checked.suppressions = Suppressions(*file.document);
     checked.diagnostics = checked.suppressions.uncovered(
         checked.runner->run(environment_, sources_, loaded, meshes_));
@@ -220,6 +246,83 @@ class Run {
       }
       checked.errors += found.count;
     }
+  }
+
+  read::Loaded load(const read::File& file) {
+    const read::Reader reader{workspace_, environment_.resolver, environment_.sdf,
+                              environment_.urdf};
+    return read::load(reader, file);
+  }
+
+  void look_for_includes(const read::Loaded& loaded, Checked& checked) const {
+    for (const read::Fact& fact : loaded.facts) {
+      if (fact.kind != read::FactKind::kUnfollowedInclude) continue;
+      checked.not_looked_at.push_back({checked.summary.path, "include of " + fact.name});
+    }
+    for (const model::Include& include : loaded.root.includes) {
+      if (!loaded.root.own(include.site) || include.path.empty()) continue;
+      checked.includes.push_back({include.uri.span, include.path});
+    }
+  }
+
+  /// With each of its sets of arguments; told as one file.
+  void check_template(const std::string& path, const read::File& first, Checked& checked) {
+    checked.is_template = true;
+    checked.source = first.source;
+    TemplateFindings findings(sources_);
+    read::ArgumentPlan plan;
+    if (const auto given = arguments_.find(path); given != arguments_.end())
+      plan.sets = given->second;
+    if (options_.argument_sets == ArgumentSets::kAll)
+      plan = read::all_arguments(first.expanded->expansion(), sources_, std::move(plan));
+    if (!plan.left_out.empty()) checked.not_looked_at.push_back({path, "xacro: " + plan.left_out});
+    const bool takes_defaults = plan.sets.empty() || options_.argument_sets == ArgumentSets::kAll;
+    if (takes_defaults) check_expansion(first, {}, checked, findings);
+    for (std::size_t i = 0; i < plan.sets.size(); ++i) {
+      read::TemplateArguments arguments = environment_.resolver.paths().templates.arguments;
+      arguments.insert(arguments.end(), plan.sets[i].begin(), plan.sets[i].end());
+      const std::string shown = read::shown_arguments(plan.sets[i]);
+      check_expansion(workspace_.open(path, i + 1, arguments), shown, checked, findings);
+    }
+    checked.diagnostics = findings.take();
+    for (const Diagnostic& found : checked.diagnostics.list()) {
+      if (found.severity == Severity::kError) ++checked.errors;
+    }
+  }
+
+  /// `arguments` are told with what is found, where they are not those that are given to all.
+  void check_expansion(const read::File& file, const std::string& arguments, Checked& checked,
+                       TemplateFindings& findings) {
+    const bool is_model = file.expanded && file.expanded->ok() && !is_srdf_template(file.path);
+    read::File bare;
+    bare.path = file.path;
+    read::Loaded loaded;
+    loaded.file = &bare;
+    if (is_model) loaded = load(file);
+    if (checked.summary.path.empty()) {
+      checked.summary = summarize(loaded);
+      look_for_includes(loaded, checked);
+    }
+    Diagnostics found;
+    if (file.expanded) {
+      const std::vector<xacro::Fact>& facts = file.expanded->expansion().facts;
+      found = with_calls(checked.runner->run(environment_, sources_, loaded, facts), facts);
+    }
+    if (is_model) {
+      Suppressions suppressions(*file.document);
+      Diagnostics of_model =
+          suppressions.uncovered(checked.runner->run(environment_, sources_, loaded, meshes_));
+      found.take(in_source(std::move(of_model), file, sources_));
+    }
+    if (file.expanded)
+      found = uncovered_where_written(std::move(found), file.expanded->expansion(), sources_);
+    if (arguments.empty()) return findings.add(std::move(found));
+    Diagnostics told;
+    for (Diagnostic each : found.list()) {
+      each.related.push_back({{}, "found with " + arguments});
+      told.add(std::move(each));
+    }
+    findings.add(std::move(told));
   }
 
   /// Where the includes of a file lead, its includers are led too, and say so.
@@ -309,7 +412,6 @@ class Run {
   const ValidateOptions& options_;
   Sources& sources_;
   read::Workspace workspace_;
-  ExpandedTemplates templates_;
   Runners runners_;
   Turns turns_;
   mass::MeshReads reads_;
@@ -319,6 +421,11 @@ class Run {
   std::set<std::string> named_;  // normal paths, those of other shards too
   std::map<std::string, Checked> checked_;
   std::map<std::string, std::string> at_fault_;  // what `at_fault` gave
+  std::map<std::string, std::string>
+      part_of_;  // robots, by the path of a template that they include
+  std::map<std::string, std::vector<read::TemplateArguments>> arguments_;  // sets, by path
+  std::set<std::tuple<std::string_view, std::string, std::uint32_t, std::uint32_t, std::string>>
+      told_;
   ValidateResult result_;
 };
 

@@ -18,7 +18,7 @@
 
 #include <rigor/model/model.h>
 #include <rigor/read/discover.h>
-#include <rigor/read/expansion.h>
+#include <rigor/read/resolver.h>
 #include <rigor/rules/compat.h>
 #include <rigor/rules/environment.h>
 #include <rigor/rules/meshes.h>
@@ -49,12 +49,18 @@ std::optional<std::string> unknown_name(const Selection& selection, const Regist
 
 enum class MeshPolicy : std::uint8_t { kOpen, kDoNotOpen };
 
+/// With which arguments templates are expanded: those that are given; or every value, of those that
+/// conditionals depend on, at least once as well.
+enum class ArgumentSets : std::uint8_t { kGiven, kAll };
+
 struct ValidateOptions {
   /// Files and folders, as the user wrote them. A folder is walked for what it holds.
   std::vector<std::string> paths;
   read::DiscoverOptions discover;  ///< of which files
-  /// Makes a model of a .xacro file that is named itself; without it such a file is left out.
-  read::Expand expand;
+  /// The sets of arguments (`name:=value`) that the template at a path is expanded with, besides those that
+  /// the resolver's paths have; none means these alone. Asked once a template, from one thread.
+  std::function<std::vector<read::TemplateArguments>(const std::string& path)> arguments_for;
+  ArgumentSets argument_sets = ArgumentSets::kGiven;
   Selection selection;
   /// The selection for the file at a path, where files differ; `selection` is for all when empty. Called
   /// once a file, from one thread.
@@ -82,6 +88,8 @@ struct FileSummary {
   std::size_t models = 0;
   std::size_t links = 0;
   std::size_t joints = 0;
+  std::string part_of =
+      {};                 ///< the template that includes this one, and through which it is checked
   std::size_t index = 0;  ///< among all files that the paths mean, those of other shards too
   /// Its findings: those from `first_finding` up to `end_finding` of all.
   std::size_t first_finding = 0;

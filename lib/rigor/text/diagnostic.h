@@ -37,10 +37,10 @@ struct Label {
   std::string message;
 };
 
-/// A call of a macro that an element of an expanded document came from.
+/// A call of a xacro macro that brought a place into the model.
 struct MacroCall {
   std::string macro;
-  Span where;  ///< of the call
+  Span where;  ///< of the call's tag
   std::vector<std::pair<std::string, std::string>> params;
 };
 
@@ -53,9 +53,10 @@ struct Diagnostic {
   std::string path;     ///< of the file, when `where` has no source: a mesh, a missing file
   std::string subject;  ///< the entity, for people who think in robots: "arm/joint elbow"
   std::vector<Label> related;
-  std::string help;        ///< what to do, in the imperative; empty when the message says it all
-  std::vector<Fix> fixes;  ///< none or one; the first is the one to apply
-  std::size_t count = 1;   ///< findings it stands for: many when it says how many are not listed
+  std::string help;           ///< what to do, in the imperative; empty when the message says it all
+  std::vector<Fix> fixes;     ///< none or one; the first is the one to apply
+  std::size_t instances = 1;  ///< elements of the expanded model that show it
+  std::size_t count = 1;      ///< findings it stands for: many when it says how many are not listed
   /// What findings of one rule have in common: the URI, the missing package, the misspelt name. Empty when
   /// the message says it (`text/grouping.h`).
   std::string cause;

@@ -28,6 +28,12 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A file that was named has errors that keep the command from its work: said on stderr, exit 1.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Of a command that needs a library which was left out of this build.
 [[noreturn]] inline void refuse_without(const std::string& library, const std::string& command) {
   throw UsageError("rigor was built without " + library + ": " + command + " is not available");
@@ -63,6 +69,7 @@ std::unique_ptr<Command> rules_command();
 std::unique_ptr<Command> explain_command();
 std::unique_ptr<Command> schema_command();
 std::unique_ptr<Command> resolve_command();
+std::unique_ptr<Command> expand_command();
 std::unique_ptr<Command> completion_command();
 std::unique_ptr<Command> manual_command();
 std::unique_ptr<Command> version_command();

@@ -52,7 +52,7 @@ class Diff final : public Command {
     const RealDisk disk;
     const Environment environment(disk, search_.paths());
     Sources sources;
-    read::Workspace workspace(disk, sources);
+    read::Workspace workspace(environment.resolver, sources);
     RobotFiles files(environment, sources, workspace);
     const read::Loaded loaded_a = files.load(a_);
     const read::Loaded loaded_b = files.load(b_);

@@ -201,10 +201,13 @@ int run_model_inertia(const InertiaArguments& a) {
   const InertiaOptions options = options_of(a);
   const Environment environment(disk, a.search.paths());
   Sources sources;
-  read::Workspace workspace(disk, sources);
+  read::Workspace workspace(environment.resolver, sources);
   const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
   const read::Loaded loaded = load(reader, open_model(workspace, a.what));
   const std::string path = loaded.file->path;
+  if (loaded.file->expanded && (a.write || a.diff)) {
+    throw UsageError(path + " is a template: its table can be shown, its inertials not be written");
+  }
   if (const std::string why = problem(loaded); !why.empty()) {
     say("rigor: " + report::printable(path) + " " + why + "; run `rigor validate` for details");
     return kFindings;

@@ -66,7 +66,7 @@ class Inspect final : public Command {
     const RealDisk disk;
     const Environment environment(disk, search_.paths());
     Sources sources;
-    read::Workspace workspace(disk, sources);
+    read::Workspace workspace(environment.resolver, sources);
     const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
     const read::Loaded loaded = load(reader, open_model(workspace, path_));
 

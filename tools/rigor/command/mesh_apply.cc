@@ -93,7 +93,7 @@ class Application {
     const Environment& environment = checking_.environment();
     const read::Reader reader{workspace_, environment.resolver, environment.sdf, environment.urdf};
     const read::Loaded loaded =
-        load(reader, open_model(workspace_, join_path(here_, a_.paths.front())));
+        load(reader, open_plain_model(workspace_, join_path(here_, a_.paths.front())));
     for (const rules::CheckedMesh& mesh : checking_.result().meshes) operate_on(*mesh.facts);
     author::ModelEdits edits = edits_of(loaded, InPlace::kEarlierResults);
     // What keeps a mesh needs its file as it is.

@@ -78,7 +78,7 @@ class Attachment {
     }
     const Environment& environment = checking.environment();
     const read::Reader reader{workspace_, environment.resolver, environment.sdf, environment.urdf};
-    loaded_ = load(reader, open_model(workspace_, absolute(model)));
+    loaded_ = load(reader, open_plain_model(workspace_, absolute(model)));
   }
 
   /// How the mesh comes into the model; a UsageError when it can't.

@@ -46,6 +46,7 @@ constexpr std::size_t kModelsAtATime = 64;
 
 /// Whether a file is told of as a model: what is broken has no format, but a name.
 bool is_model(const rules::FileSummary& file) {
+  if (!file.part_of.empty()) return false;
   if (file.format == model::Format::kSdf || file.format == model::Format::kUrdf) return true;
   const std::string ending = extension(file.path);
   return file.format == model::Format::kUnknown &&
@@ -175,7 +176,6 @@ class Report final : public Command {
       const rules::FileSummary& file = result.files[i];
       if (!is_model(file)) continue;
       files.push_back(i);
-      if (extension(file.path) == ".xacro") gatherer.expand_template(file.path);
     }
     const Pictures drawn = pictures();
     CountProgress progress("models");

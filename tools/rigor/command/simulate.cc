@@ -70,7 +70,7 @@ class Simulate final : public Command {
     const std::vector<simulate::Case> grid = choices_.cases(options.plan);
 
     Sources sources;
-    read::Workspace workspace(disk, sources);
+    read::Workspace workspace(environment.resolver, sources);
     const author::Simulator simulator(environment, sources, workspace, options);
     const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
     std::deque<read::Loaded> loaded;

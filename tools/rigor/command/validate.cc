@@ -40,6 +40,8 @@ struct ValidateArguments : CheckArguments {
   ShowOptions show;
 };
 
+constexpr std::string_view kXacroArgs[] = {"all"};
+
 void conclude(const rules::ValidateResult& result) {
   for (const std::string& argument : result.unusable) {
     say("rigor: " + report::printable(argument));
@@ -56,9 +58,12 @@ class Validate final : public Command {
     CLI::App* app =
         add_command(program, "validate", "Check robot models",
                     {"rigor validate my_robot", "rigor validate --format json robot.urdf",
+                     "rigor validate robot.urdf.xacro prefix:=left_",
                      "rigor validate --select inertia --fail-on warning .",
                      "rigor validate --fix --changed-since origin/main"});
-    app->add_option("paths", a_.paths, "Files and folders; - is stdin (default: .)")
+    app->add_option("paths", a_.paths,
+                    "Files and folders; - is stdin (default: .); name:=value is an argument of "
+                    "xacro files")
         ->type_name("PATH");
     a_.output.declare(*app, validation_formats());
     a_.color.declare(*app);
@@ -70,6 +75,11 @@ class Validate final : public Command {
     a_.files.declare(*app);
     a_.changed_since.declare(*app);
     app->add_flag("--watch", a_.watch, "Check again whenever a file changes; Ctrl-C ends");
+    offer(app->add_option("--xacro-args", xacro_args_,
+                          "all: expand templates with every value of the arguments that their "
+                          "conditionals depend on"),
+          kXacroArgs)
+        ->type_name("all");
     app->add_flag("--no-mesh", a_.no_mesh, "Do not open meshes");
     app->add_option("-j,--jobs", a_.jobs, "Threads; 0, the default: as many as there are cores")
         ->type_name("N")
@@ -88,6 +98,8 @@ class Validate final : public Command {
     a_.show.check(targets);
     if (a_.watch) require_pretty("--watch", targets);
     if (a_.fix.diff()) require_pretty("--diff", targets);
+    if (!xacro_args_.empty()) choice("--xacro-args", xacro_args_, kXacroArgs);
+    a_.all_arguments = !xacro_args_.empty();
     a_.search.config().open();
     if (a_.watch) return watch_files();
     const RealDisk disk;
@@ -175,6 +187,7 @@ class Validate final : public Command {
   }
 
   ValidateArguments a_;
+  std::string xacro_args_;
 };
 
 }  // namespace

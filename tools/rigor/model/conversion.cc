@@ -80,7 +80,7 @@ int ConversionCommand::run(const Convert& convert) const {
   const RealDisk disk;
   const Environment environment(disk, search_.paths());
   Sources sources;
-  read::Workspace workspace(disk, sources);
+  read::Workspace workspace(environment.resolver, sources);
   const read::File& file = open_model(workspace, in_);
   const read::Loaded loaded =
       read::load({workspace, environment.resolver, environment.sdf, environment.urdf}, file);

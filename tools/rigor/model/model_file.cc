@@ -10,11 +10,13 @@
 
 #include <rigor/read/discover.h>
 #include <rigor/read/model_config.h>
+#include <rigor/read/template/template_expander.h>
 #include <rigor/report/terminal/summary.h>
 #include <rigor/schema/value.h>
 #include <rigor/text/path.h>
 
 #include "command/command.h"
+#include "model/expansion_map.h"
 #include "option/numbers.h"
 #include "option/search.h"
 
@@ -25,6 +27,16 @@ std::string model_named_by(const std::string& config, const read::ModelConfig& r
   const read::SdfEntry* entry = choose(read);
   if (entry == nullptr) throw UsageError(config + ": names no SDF file");
   return join_path(parent_path(config), entry->file.value);
+}
+
+/// Of a template with errors: the first of them.
+[[noreturn]] void refuse(const read::File& file, const Sources& sources) {
+  for (const xacro::Fact& fact : file.expanded->expansion().facts) {
+    if (!xacro::is_error(fact.kind)) continue;
+    throw InputError(shown_place(sources, fact.where) + ": " + xacro::describe(fact) +
+                     "; `rigor validate` says more");
+  }
+  throw InputError(file.path + ": holds nothing");
 }
 
 std::string joint_named(const model::Root& root, const std::string& name) {
@@ -84,7 +96,15 @@ const read::File& open_model(read::Workspace& workspace, const std::string& name
   }
   const read::File& file = workspace.open(path);
   if (!file.document) throw UsageError(path + ": " + file.problem);
+  if (file.expanded && !file.expanded->ok()) refuse(file, workspace.sources());
   return file;
+}
+
+const read::File& open_plain_model(read::Workspace& workspace, const std::string& named) {
+  if (read::is_template(named)) {
+    throw UsageError(named + " is a template: expand it, and edit the result");
+  }
+  return open_model(workspace, named);
 }
 
 void require_model(const std::string& name, const std::vector<const model::Root*>& roots) {

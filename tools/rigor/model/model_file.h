@@ -20,6 +20,9 @@ namespace rigor::tool {
 /// A file, or a folder with a model.config, which names one. A UsageError when it cannot be read.
 const read::File& open_model(read::Workspace& workspace, const std::string& path);
 
+/// The same, of a model whose text is to be edited: a UsageError when it is a template.
+const read::File& open_plain_model(read::Workspace& workspace, const std::string& path);
+
 /// What `open_model` takes, one by one: of a folder without a model.config, all files in it. A UsageError when a
 /// folder cannot be read.
 std::vector<std::string> model_paths(const Disk& disk, const std::vector<std::string>& named);

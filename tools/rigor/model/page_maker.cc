@@ -113,7 +113,7 @@ MadePage make_page(const Disk& disk, const SearchOptions& search, const std::str
                    report::PageUse use) {
   const Environment environment(disk, search.paths());
   Sources sources;
-  read::Workspace workspace(disk, sources);
+  read::Workspace workspace(environment.resolver, sources);
   const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
   const read::Loaded loaded = read::load(reader, open_model(workspace, path));
   MadePage made{.path = loaded.file->path, .data = {}, .facts = {}, .problem = {}};

@@ -48,7 +48,7 @@ ModelPainter::ModelPainter(const Disk& disk, const Environment& environment)
 DrawnModel ModelPainter::draw(const std::string& path, const std::vector<std::string>& joints,
                               const std::set<view::Layer>& layers) {
   Sources sources;
-  read::Workspace workspace(disk_, sources);
+  read::Workspace workspace(environment_.resolver, sources);
   const read::Reader reader{workspace, environment_.resolver, environment_.sdf, environment_.urdf};
   const read::Loaded loaded = read::load(reader, open_model(workspace, path));
   const model::Frames frames(loaded.root, joint_positions(loaded.root, joints));

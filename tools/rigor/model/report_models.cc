@@ -14,7 +14,6 @@
 #include <rigor/view/image/shrink.h>
 
 #include "model/render_model.h"
-#include "model/xacro.h"
 
 namespace rigor::tool {
 namespace {
@@ -63,12 +62,9 @@ bool GatheredModel::whole() const {
 }
 
 ModelGatherer::ModelGatherer(Checking& checking, Sources& sources)
-    : checking_(checking), sources_(sources), workspace_(checking.environment().disk, sources) {}
-
-void ModelGatherer::expand_template(const std::string& path) {
-  read::Expansion expansion = expand_xacro(path);
-  if (expansion.text) workspace_.put(path, std::move(*expansion.text));
-}
+    : checking_(checking),
+      sources_(sources),
+      workspace_(checking.environment().resolver, sources) {}
 
 GatheredModel ModelGatherer::gather(const std::string& path, Pictures pictures) {
   const Environment& environment = checking_.environment();

@@ -37,9 +37,6 @@ class ModelGatherer {
   /// Both outlive it.
   ModelGatherer(Checking& checking, Sources& sources);
 
-  /// Puts the model that xacro makes of the file in its place. Not while others gather.
-  void expand_template(const std::string& path);
-
   /// Safe across threads.
   GatheredModel gather(const std::string& path, Pictures pictures);
 

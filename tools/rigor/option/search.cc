@@ -4,6 +4,9 @@
 #include "option/search.h"
 
 #include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <system_error>
 
 #include <rigor/text/disk.h>
 #include "command/command.h"
@@ -30,6 +33,10 @@ void SearchOptions::declare(CLI::App& app) {
   app.add_option("--package", packages_, "Folder of package://NAME")
       ->type_name("NAME=DIR")
       ->allow_extra_args(false);
+  app.add_option(kTemplateArgumentOption, template_arguments_, "An argument of templates")
+      ->type_name("name:=value")
+      ->allow_extra_args(false)
+      ->group("");
   config_.declare(app);
 }
 
@@ -44,6 +51,18 @@ read::SearchPaths SearchOptions::paths() const {
     require_folder("--package", folder);
     paths.packages[std::move(name)] = std::move(folder);
   }
+  for (const std::string& text : template_arguments_) {
+    const std::size_t assign = text.find(":=");
+    // As ROS has them: what is left empty is not given.
+    if (assign + 2 == text.size()) continue;
+    paths.templates.arguments.emplace_back(text.substr(0, assign), text.substr(assign + 2));
+  }
+  paths.templates.variable = [](std::string_view name) -> std::optional<std::string> {
+    const char* value = std::getenv(std::string(name).c_str());
+    return value == nullptr ? std::nullopt : std::optional<std::string>(value);
+  };
+  std::error_code error;
+  paths.templates.working_folder = std::filesystem::current_path(error).string();
   config_.open();
   paths.configured = [this](std::string_view file) { return config_.resolve_paths(file); };
   return paths;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Where URIs are searched: `--model-path`, `--package`, the configuration, and the environment's
-// variables.
+// variables; and the arguments of templates, `name:=value`.
 
 #pragma once
 
@@ -16,6 +16,9 @@
 
 namespace rigor::tool {
 
+/// The option that words `name:=value` of a command line are taken for.
+inline constexpr const char* kTemplateArgumentOption = "--xacro-arg";
+
 class SearchOptions {
  public:
   void declare(CLI::App& app);
@@ -28,6 +31,7 @@ class SearchOptions {
  private:
   std::vector<std::string> model_paths_;
   std::vector<std::string> packages_;
+  std::vector<std::string> template_arguments_;
   ConfigOptions config_;
 };
 

@@ -147,6 +147,15 @@ bool ChangedFiles::leads_to_one(const read::Resolver& resolver, std::string_view
                                 const std::string& path) const {
   uri = trimmed(uri);
   if (uri.empty()) return false;
+  // `$(find arm)/urdf/leg.xacro` of a template.
+  constexpr std::string_view kFind = "$(find ";
+  const std::size_t close = uri.find(')');
+  std::string of_package;
+  if (uri.starts_with(kFind) && close != std::string_view::npos) {
+    of_package = "package://" + std::string(uri.substr(kFind.size(), close - kFind.size())) +
+                 std::string(uri.substr(close + 1));
+    uri = of_package;
+  }
   // Those places that were tried in vain hold what is gone.
   for (const read::Tried& tried : resolver.resolve(uri, path).tried) {
     const std::string place = followed_path(tried.path);

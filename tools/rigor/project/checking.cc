@@ -10,7 +10,6 @@
 #include <rigor/text/path.h>
 
 #include "command/command.h"
-#include "model/xacro.h"
 
 namespace rigor::tool {
 namespace {
@@ -88,7 +87,16 @@ void Checking::choose_files(const Disk& disk) {
       return changed_->concern(disk, environment_.resolver, path);
     };
   }
-  options_.expand = expand_xacro;
+  options_.arguments_for = [&config = a.search.config()](const std::string& path) {
+    std::vector<read::TemplateArguments> sets;
+    const std::string absolute = config.absolute(path);
+    for (const config::TemplateArguments& each : config.of(path).templates) {
+      if (each.file.value == absolute) sets.insert(sets.end(), each.sets.begin(), each.sets.end());
+    }
+    return sets;
+  };
+  options_.argument_sets =
+      a.all_arguments ? rules::ArgumentSets::kAll : rules::ArgumentSets::kGiven;
   for (const std::string& path : a.paths) {
     if (path != "-") {
       options_.paths.push_back(path);

@@ -42,6 +42,7 @@ struct CheckArguments {
   FileOptions files;
   ChangedSinceOption changed_since;
   bool no_mesh = false;
+  bool all_arguments = false;  ///< of templates
   unsigned jobs = 0;
   ShardOption shard;
   CacheOption cache;

@@ -12,7 +12,6 @@
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/refused_value.h>
 #include <rigor/rules/xml/xacro.h>
-#include <rigor/text/path.h>
 
 namespace rigor::rules::xml_leftover_xacro {
 
@@ -77,8 +76,7 @@ Leftovers find(const xml::Document& document) {
   return found;
 }
 
-void check(const model::Root& root, Context& context) {
-  if (extension(context.sources().path(root.source)) == ".xacro") return;
+void check(const model::Root&, Context& context) {
   const Leftovers found = find(context.document());
   if (found.count == 0) return;
   std::string message = "'" + std::string(context.bytes(found.first)) + "' is left for xacro";
@@ -95,7 +93,9 @@ Rule rule() {
       .why =
           "libsdformat, urdfdom and Gazebo do not know xacro: they ignore its elements silently, "
           "so that links and joints are missing, and read '${…}' as text where a number is due.",
-      .what_to_do = "Run xacro and check what it writes, or name the file .xacro.",
+      .what_to_do =
+          "Name the file .xacro: rigor expands it then. In a .xacro file, `$${` represents "
+          "`${`: write one dollar sign where a value is due.",
       .checks = {on<model::Root>(check)},
   };
 }

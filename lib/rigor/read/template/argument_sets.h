@@ -1,0 +1,37 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// With which arguments a template is to be expanded, so that all of it is looked at.
+//
+//   const ArgumentPlan plan = all_arguments(expansion, sources, {});
+//   for (const TemplateArguments& set : plan.sets) expand(path, set);
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <rigor/read/resolver.h>
+#include <rigor/text/sources.h>
+#include <rigor/xacro/expand.h>
+
+namespace rigor::read {
+
+/// Sets for a template at most. Arms with 12 kinds, each with 3 grippers, have 15 values.
+inline constexpr std::size_t kMaxArgumentSets = 48;
+
+struct ArgumentPlan {
+  std::vector<TemplateArguments> sets;
+  std::string left_out;  ///< what the bound left out, in words; empty when nothing
+};
+
+/// The sets of `plan`, and for every value that a condition compares an argument with a set in which the
+/// argument has it and the others their defaults. Arguments that are conditions themselves are both true
+/// and false.
+ArgumentPlan all_arguments(const xacro::Expansion& expansion, const Sources& sources,
+                           ArgumentPlan plan);
+
+/// "gripper:=robotiq sim:=true"
+std::string shown_arguments(const TemplateArguments& arguments);
+
+}  // namespace rigor::read

@@ -1,0 +1,103 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/read/template/template_expander.h>
+
+#include <rigor/read/template/installed_path.h>
+#include <rigor/text/path.h>
+#include <rigor/xacro/print.h>
+
+namespace rigor::read {
+namespace {
+
+/// A disk on which some files have other bytes.
+class DiskWithBuffers final : public Disk {
+ public:
+  DiskWithBuffers(const Disk& disk, const std::map<std::string, std::string>& buffers)
+      : disk_(disk), buffers_(buffers) {}
+
+  std::unique_ptr<OpenFile> open(const std::string& path) const override {
+    return disk_.open(path);
+  }
+  ReadResult read(const std::string& path, std::uint64_t max_bytes) const override {
+    const auto buffer = buffers_.find(normalize_path(path));
+    if (buffer == buffers_.end()) return disk_.read(path, max_bytes);
+    if (buffer->second.size() <= max_bytes) return {buffer->second, {}};
+    return {std::nullopt, "is too large", ReadError::kTooLarge};
+  }
+  PathKind kind(const std::string& path) const override {
+    return buffers_.contains(normalize_path(path)) ? PathKind::kFile : disk_.kind(path);
+  }
+  std::vector<std::string> list(const std::string& folder) const override {
+    return disk_.list(folder);
+  }
+  std::string obstacle(const std::string& path) const override { return disk_.obstacle(path); }
+
+ private:
+  const Disk& disk_;
+  const std::map<std::string, std::string>& buffers_;
+};
+
+}  // namespace
+
+bool is_template(std::string_view path) { return extension(path) == ".xacro"; }
+
+TemplateExpander::TemplateExpander(const Resolver& resolver)
+    : resolver_(resolver),
+      inputs_(resolver.paths().templates),
+      packages_(resolver.disk(), resolver.paths()) {}
+
+std::optional<std::string> TemplateExpander::package_folder(std::string_view package,
+                                                            std::string_view file) {
+  const std::string& here = inputs_.working_folder;
+  std::optional<std::string> folder = packages_.find(package, join_path(here, file));
+  if (folder) folder = join_path(here, *folder);
+  return folder;
+}
+
+void TemplateExpander::replace(const std::string& path, std::string bytes) {
+  buffers_[normalize_path(path)] = std::move(bytes);
+}
+
+xacro::Expansion TemplateExpander::expansion(const std::string& path,
+                                             const TemplateArguments& arguments, Sources& sources) {
+  const DiskWithBuffers disk(resolver_.disk(), buffers_);
+  xacro::World world{disk};
+  world.find_package = [this](std::string_view package, std::string_view file) {
+    return package_folder(package, file);
+  };
+  world.locate = [this](const std::string& missing) {
+    return source_of_installed(resolver_.disk(), missing);
+  };
+  world.variable = inputs_.variable;
+  if (!inputs_.working_folder.empty()) world.working_folder = inputs_.working_folder;
+  return xacro::expand(path, world, {.arguments = arguments}, sources);
+}
+
+std::unique_ptr<File> TemplateExpander::expand(const std::string& path, Sources& sources) {
+  return expand(path, inputs_.arguments, sources);
+}
+
+std::unique_ptr<File> TemplateExpander::expand(const std::string& path,
+                                               const TemplateArguments& arguments,
+                                               Sources& sources) {
+  return file_of(path, expansion(path, arguments, sources), sources);
+}
+
+std::unique_ptr<File> TemplateExpander::file_of(const std::string& path, xacro::Expansion made,
+                                                Sources& sources) {
+  auto file = std::make_unique<File>();
+  file->path = path;
+  if (made.files.empty()) {
+    file->problem = made.facts.empty() ? "cannot be read" : made.facts.front().detail;
+    return file;
+  }
+  std::string text = made.document != nullptr ? xacro::print(*made.document, path) : std::string();
+  if (text.size() > kMaxModelBytes) text.clear();
+  file->source = sources.add(path, std::move(text));
+  file->document = xml::parse(sources.bytes(file->source), file->source);
+  file->expanded = std::make_unique<ExpandedFile>(std::move(made));
+  return file;
+}
+
+}  // namespace rigor::read

@@ -1,0 +1,117 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/xacro/entry_points.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <string_view>
+
+#include <rigor/text/path.h>
+#include <rigor/xacro/fact.h>
+
+namespace rigor::rules {
+namespace {
+
+struct TemplateCandidate {
+  std::string path;
+  std::string absolute;
+  bool named = false;
+  bool is_robot = false;
+  bool ok = false;
+  bool broken = false;                // no XML: nobody can tell what it was to be
+  std::string left_out;               // why a robot is none that can be checked by itself
+  std::vector<std::string> includes;  // absolute, all that was read below it
+  const TemplateCandidate* includer = nullptr;
+};
+
+bool makes_robot(const read::File& file) {
+  const xacro::Node* root = file.expanded->expansion().root;
+  if (root == nullptr) return false;
+  if (root->name == "sdf") return true;
+  if (root->name != "robot") return false;
+  const bool is_srdf = is_srdf_template(file.path);
+  for (const xacro::Node* child = root->first_element(); child != nullptr;
+       child = child->next_element()) {
+    if (child->name == (is_srdf ? "group" : "link")) return true;
+  }
+  return false;
+}
+
+TemplateCandidate candidate_of(const std::string& path, read::Workspace& workspace,
+                               const std::string& working_folder) {
+  TemplateCandidate one{path, join_path(working_folder, path)};
+  const read::File& file = workspace.open(path);
+  if (!file.expanded) return one;
+  one.is_robot = makes_robot(file);
+  one.ok = file.expanded->ok();
+  const xacro::Expansion& expansion = file.expanded->expansion();
+  for (const xacro::Fact& fact : expansion.facts) {
+    one.broken = one.broken || (fact.kind == xacro::FactKind::kNotWellFormed &&
+                                fact.where.source == expansion.files.front().source);
+    if (!one.left_out.empty()) continue;
+    if (fact.kind == xacro::FactKind::kPackageNotFound) {
+      one.left_out = "xacro: package '" + fact.name +
+                     "' is not found: name its folder with --package " + fact.name + "=DIR";
+    } else if (fact.kind == xacro::FactKind::kUndefinedArgument) {
+      one.left_out = "xacro: argument '" + fact.name +
+                     "' has no default: give sets of arguments in [[xacro]] of rigor.toml";
+    }
+  }
+  for (std::size_t i = 1; i < expansion.files.size(); ++i)
+    one.includes.push_back(join_path(working_folder, expansion.files[i].path));
+  return one;
+}
+
+}  // namespace
+
+bool is_srdf_template(std::string_view path) {
+  return path.ends_with(".srdf.xacro") || path.ends_with(".srdf");
+}
+
+EntryPoints entry_points(const std::vector<std::string>& paths, const std::set<std::string>& named,
+                         read::Workspace& workspace, const std::string& working_folder) {
+  std::vector<TemplateCandidate> all;
+  all.reserve(paths.size());
+  std::map<std::string, TemplateCandidate*> by_path;
+  for (const std::string& path : paths) {
+    all.push_back(candidate_of(path, workspace, working_folder));
+    all.back().named = named.contains(path);
+    by_path.emplace(all.back().absolute, &all.back());
+  }
+  // What a whole robot includes is seen there with its arguments; of a broken one only parts are seen.
+  for (const bool whole : {true, false}) {
+    for (const TemplateCandidate& robot : all) {
+      if (!robot.is_robot || robot.ok != whole) continue;
+      for (const std::string& path : robot.includes) {
+        const auto part = by_path.find(path);
+        if (part == by_path.end() || part->second == &robot || part->second->includer != nullptr)
+          continue;
+        if (!whole && part->second->is_robot && part->second->ok) continue;
+        if (robot.includer == part->second) continue;
+        part->second->includer = &robot;
+      }
+    }
+  }
+  EntryPoints found;
+  for (const TemplateCandidate& one : all) {
+    if (one.named || (one.is_robot && one.ok && one.includer == nullptr)) {
+      found.robots.push_back(one.path);
+    } else if (one.includer != nullptr && !one.includer->left_out.empty() && !one.includer->named) {
+      found.unreached.push_back(
+          {one.path, "xacro: only " + one.includer->path + " includes it, which is left out"});
+    } else if (one.includer != nullptr) {
+      found.parts.push_back({one.path, one.includer->path});
+    } else if (!one.left_out.empty()) {
+      found.unreached.push_back({one.path, one.left_out});
+    } else if (one.is_robot || one.broken) {
+      found.robots.push_back(one.path);
+    } else {
+      found.unreached.push_back({one.path, "xacro: no robot by itself, and none includes it"});
+    }
+  }
+  return found;
+}
+
+}  // namespace rigor::rules

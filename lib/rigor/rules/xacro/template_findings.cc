@@ -1,0 +1,126 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/xacro/template_findings.h>
+
+#include <algorithm>
+#include <utility>
+
+#include <rigor/rules/suppression.h>
+#include <rigor/xml/document.h>
+
+namespace rigor::rules {
+namespace {
+
+bool is_same_fix(const Diagnostic& a, const Diagnostic& b) {
+  if (a.fixes.empty() || b.fixes.empty()) return a.fixes.empty() && b.fixes.empty();
+  const auto& x = a.fixes.front().edits;
+  const auto& y = b.fixes.front().edits;
+  // Another expansion read the file anew, so the sources differ.
+  return std::equal(x.begin(), x.end(), y.begin(), y.end(), [](const Edit& one, const Edit& other) {
+    return one.span.begin == other.span.begin && one.span.end == other.span.end &&
+           one.text == other.text;
+  });
+}
+
+/// Behind the innermost call's label, which is there when there is a call.
+void tell_instances(Diagnostic& diagnostic) {
+  if (diagnostic.instances < 2) return;
+  const std::string more =
+      "shown " + std::to_string(diagnostic.instances) + " times in the expanded model";
+  if (!diagnostic.origin.empty()) {
+    for (Label& label : diagnostic.related) {
+      if (label.where != diagnostic.origin.front().where) continue;
+      label.message += "; " + more;
+      return;
+    }
+  }
+  diagnostic.related.push_back({{}, more});
+}
+
+}  // namespace
+
+Diagnostics in_source(Diagnostics found, const read::File& file, const Sources& sources) {
+  if (!file.expanded || !file.document) return found;
+  Diagnostics told;
+  for (const Diagnostic& each : found.list()) {
+    told.add(file.expanded->in_source(*file.document, each, sources));
+  }
+  return told;
+}
+
+Diagnostics with_calls(Diagnostics found, const std::vector<xacro::Fact>& facts) {
+  Diagnostics told;
+  for (Diagnostic each : found.list()) {
+    const auto fact = std::find_if(facts.begin(), facts.end(), [&each](const xacro::Fact& one) {
+      return one.where.source == each.where.source && one.where.begin <= each.where.begin &&
+             each.where.end <= one.where.end;
+    });
+    if (fact != facts.end()) {
+      each.origin = read::macro_calls(fact->stack);
+      each.instances = fact->count;
+      if (!each.origin.empty()) each.related.push_back(read::call_label(each.origin.front()));
+    }
+    told.add(std::move(each));
+  }
+  return told;
+}
+
+Diagnostics uncovered_where_written(Diagnostics found, const xacro::Expansion& expansion,
+                                    const Sources& sources) {
+  for (const xacro::FileUse& file : expansion.files) {
+    const std::string_view bytes = sources.bytes(file.source);
+    if (bytes.find("rigor:") == std::string_view::npos) continue;
+    const bool is_own = file.source == expansion.files.front().source;
+    Diagnostics here;
+    Diagnostics elsewhere;
+    for (const Diagnostic& each : found.list())
+      (is_own || each.where.source == file.source ? here : elsewhere).add(each);
+    found = Suppressions(xml::parse(bytes, file.source)).uncovered(std::move(here));
+    found.take(std::move(elsewhere));
+  }
+  return found;
+}
+
+void TemplateFindings::add(Diagnostics found) {
+  for (const Diagnostic& each : found.list()) {
+    const bool has_place = !each.where.nowhere();
+    // What is counted only has no place of its own; nor has what is about a file as a whole.
+    if (!has_place || each.count > 1) {
+      list_.push_back(each);
+      continue;
+    }
+    const auto key = [&](Span where, std::string message) {
+      return Key{each.rule, std::string(sources_.path(where.source)), where.begin, where.end,
+                 std::move(message)};
+    };
+    // One value that several elements take, and that all of them show the same of, is one cause, too.
+    const Span set = read::where_set(each);
+    auto entry = known_.find(key(each.where, {}));
+    if (entry == known_.end() && !set.nowhere()) entry = known_.find(key(set, each.message));
+    const bool is_new = entry == known_.end();
+    const std::size_t index = is_new ? list_.size() : entry->second;
+    known_.try_emplace(key(each.where, {}), index);
+    if (!set.nowhere()) known_.try_emplace(key(set, each.message), index);
+    if (is_new) {
+      list_.push_back(each);
+      continue;
+    }
+    Diagnostic& first = list_[index];
+    first.instances += each.instances;
+    first.severity = std::min(first.severity, each.severity);
+    if (!is_same_fix(first, each)) first.fixes.clear();
+  }
+}
+
+Diagnostics TemplateFindings::take() {
+  Diagnostics found;
+  for (Diagnostic& each : list_) {
+    tell_instances(each);
+    found.add(std::move(each));
+  }
+  list_.clear();
+  return found;
+}
+
+}  // namespace rigor::rules

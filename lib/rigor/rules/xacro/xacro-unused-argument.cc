@@ -1,0 +1,22 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/xacro/fact.h>
+
+namespace rigor::rules::xacro_unused_argument {
+
+using rigor::xacro::FactKind;
+
+Rule rule() {
+  return {
+      .name = "xacro-unused-argument",
+      .severity = Severity::kInfo,
+      .summary = "an argument is not used",
+      .why = "Whoever changes it expects the robot to change, and it does not. Often another "
+             "name is used by mistake, or a value is written twice.",
+      .what_to_do = "Remove it, or use it: `$(arg NAME)`.",
+      .checks = {on_xacro({FactKind::kUnusedArgument}, report_fact)},
+  };
+}
+
+}  // namespace rigor::rules::xacro_unused_argument

@@ -1,0 +1,22 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/xacro/fact.h>
+
+namespace rigor::rules::xacro_unused_parameter {
+
+using rigor::xacro::FactKind;
+
+Rule rule() {
+  return {
+      .name = "xacro-unused-parameter",
+      .severity = Severity::kInfo,
+      .summary = "a parameter of a macro is not used",
+      .why = "Whoever changes it expects the robot to change, and it does not. Often another "
+             "name is used by mistake, or a value is written twice.",
+      .what_to_do = "Remove it from `params` and from the calls, or use it.",
+      .checks = {on_xacro({FactKind::kUnusedParameter}, report_fact)},
+  };
+}
+
+}  // namespace rigor::rules::xacro_unused_parameter

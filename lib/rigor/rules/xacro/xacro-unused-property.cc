@@ -1,0 +1,22 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/xacro/fact.h>
+
+namespace rigor::rules::xacro_unused_property {
+
+using rigor::xacro::FactKind;
+
+Rule rule() {
+  return {
+      .name = "xacro-unused-property",
+      .severity = Severity::kInfo,
+      .summary = "a property is not used",
+      .why = "Whoever changes it expects the robot to change, and it does not. Often another "
+             "name is used by mistake, or a value is written twice.",
+      .what_to_do = "Remove it, or use it where its value is written again.",
+      .checks = {on_xacro({FactKind::kUnusedProperty}, report_fact)},
+  };
+}
+
+}  // namespace rigor::rules::xacro_unused_property

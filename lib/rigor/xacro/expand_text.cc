@@ -1,0 +1,226 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Texts with expressions and commands in them, and the values of names.
+
+#include <algorithm>
+#include <utility>
+
+#include <rigor/xacro/expander.h>
+#include <rigor/xacro/value/literal.h>
+#include <rigor/xacro/value/near.h>
+#include <rigor/xacro/value/unicode.h>
+#include <rigor/xacro/yaml.h>
+
+namespace rigor::xacro {
+
+Value Expander::evaluate(std::string_view text, Scope& scope, Place place) {
+  if (text.find('$') == std::string_view::npos) return Value::text(text);
+  const TextTemplate& parts = templates_.of(text);
+  if (parts.segments.size() == 1 && !parts.trouble) {
+    const Value v = evaluate_segment(parts.segments[0], scope, place);
+    if (const auto failure = evaluator_.take_failure()) report_failure(*failure, place);
+    return v;
+  }
+  std::string joined;
+  bool whole = true;
+  std::vector<PartOrigin> origins;
+  for (const TextSegment& segment : parts.segments) {
+    used_ = {};
+    const Value v = evaluate_segment(segment, scope, place);
+    const auto piece = v.failed() ? std::nullopt : evaluator_.text_of(v);
+    if (!piece) {
+      if (const auto failure = evaluator_.take_failure()) report_failure(*failure, place);
+      whole = false;
+      continue;
+    }
+    joined += *piece;
+    if (segment.kind != TextSegment::Kind::kText && !used_.nowhere()) {
+      origins.push_back(
+          {segment.begin, segment.begin + static_cast<std::uint32_t>(segment.text.size()), used_});
+    }
+  }
+  // Of one part only it can be said of the whole.
+  used_ = origins.size() == 1 ? origins.front().from : Span{};
+  if (parts.trouble) {
+    report(FactKind::kBadText, place.part(*parts.trouble, *parts.trouble + 2),
+           std::string(text.substr(*parts.trouble, 40)));
+    whole = false;
+  }
+  if (!whole) return Value::error();
+  const Value result = evaluator_.text(joined);
+  if (const auto failure = evaluator_.take_failure()) report_failure(*failure, place);
+  if (origins.size() > 1 && result.is_text())
+    result_.part_origins.emplace(result.as_text().data(), std::move(origins));
+  return result;
+}
+
+Value Expander::evaluate_segment(const TextSegment& segment, Scope& scope, Place place) {
+  if (segment.kind == TextSegment::Kind::kText) return Value::text(segment.text);
+  const std::size_t begin = segment.begin + segment.skipped;
+  if (segment.expression != nullptr) {
+    const std::string_view text = segment.expression->text;
+    return evaluate_expression(text, *segment.expression, scope,
+                               place.part(begin, begin + text.size()));
+  }
+  const Place inside = place.part(segment.begin, segment.begin + segment.text.size());
+  if (segment.kind == TextSegment::Kind::kCommand) return run_command(segment.text, scope, inside);
+  const auto text = evaluate_text(segment.text, scope, inside);
+  if (!text) return Value::error();
+  const std::string_view expression = stripped(*text);
+  return evaluate_expression(expression, templates_.expression(expression), scope,
+                             {inside.span, false});
+}
+
+Value Expander::evaluate_expression(std::string_view, const Expression& expression, Scope& scope,
+                                    Place place) {
+  if (expression.degrees != kNoNode) report_degrees(expression, place);
+  const Span outer = std::exchange(reader_, place.span);
+  const Value v = evaluator_.evaluate(expression, scope);
+  reader_ = outer;
+  if (const auto failure = evaluator_.take_failure()) {
+    for (const ExpressionNode& node : expression.nodes) {
+      if (node.op != Op::kName) continue;
+      const Binding* binding = scope.find(node.symbol);
+      if (binding == nullptr || !binding->value.is_text()) continue;
+      text_in_use_ = binding->from.nowhere() ? binding->place.span : binding->from;
+      break;
+    }
+    report_failure(*failure,
+                   place.part(failure->begin, std::max(failure->end, failure->begin + 1)));
+    return Value::error();
+  }
+  return v;
+}
+
+std::optional<std::string_view> Expander::evaluate_text(std::string_view text, Scope& scope,
+                                                        Place place) {
+  if (text.find('$') == std::string_view::npos) return text;
+  const Value v = evaluate(text, scope, place);
+  if (v.failed()) return std::nullopt;
+  if (v.is_text()) return v.as_text();
+  const auto printed = evaluator_.text_of(v);
+  if (const auto failure = evaluator_.take_failure()) report_failure(*failure, place);
+  if (!printed) return std::nullopt;
+  return heap_.keep(*printed);
+}
+
+std::optional<bool> Expander::evaluate_condition(std::string_view text, Scope& scope, Place place) {
+  used_ = {};
+  const Value v = evaluate(text, scope, place);
+  if (v.failed()) return std::nullopt;
+  const std::optional<bool> is = boolean_value(heap_, v);
+  if (!is)
+    report(FactKind::kNotBoolean, place,
+           std::string(v.is_text() ? v.as_text() : std::string_view{}), {}, used_);
+  return is;
+}
+
+std::optional<Value> Expander::look_up(Scope& scope, Symbol name) {
+  Scope* home = nullptr;
+  if (Binding* binding = scope.find(name, &home)) {
+    binding->used = true;
+    if (binding->definition != kNoDefinition) definitions_[binding->definition].used = true;
+    return resolve(*binding, name, *home);
+  }
+  const auto builtin = builtins_.find(name);
+  if (builtin != builtins_.end()) {
+    const Value v = builtin->second;
+    if (v.is(Type::kFunction)) {
+      const std::string_view function = v.function_->name;
+      const bool python = function == "sorted" || function == "range";
+      if (python || function == "load_yaml" || function == "abs_filename" || function == "dotify") {
+        report(FactKind::kDeprecatedFunction, {reader_, false}, std::string(function),
+               python ? "python" : "xacro");
+      }
+    }
+    return v;
+  }
+  // Names may be in a file that is missing, which has been reported.
+  if (incomplete_) return Value::error();
+  return std::nullopt;
+}
+
+Value Expander::resolve(Binding& binding, Symbol name, Scope& scope) {
+  if (binding.lazy) {
+    if (binding.resolving || resolving_.size() >= kMaxLazyDepth) {
+      std::string cycle;
+      const auto first = std::find(resolving_.begin(), resolving_.end(), symbols_.name(name));
+      for (auto it = first; it != resolving_.end(); ++it) cycle += std::string(*it) + " -> ";
+      if (binding.resolving)
+        return evaluator_.fail(FactKind::kCycle, std::string(symbols_.name(name)),
+                               cycle + std::string(symbols_.name(name)));
+      return evaluator_.fail(FactKind::kBoundReached, {},
+                             "the number of properties that need each other");
+    }
+    binding.resolving = true;
+    resolving_.push_back(symbols_.name(name));
+    const std::string_view text = binding.value.as_text();
+    used_ = {};
+    const Value v = literal_value(heap_, evaluate(text, scope, binding.place));
+    if (used_ != Span{} && templates_.of(text).is_reference) binding.from = used_;
+    resolving_.pop_back();
+    binding.resolving = false;
+    binding.lazy = false;
+    binding.value = v;
+  }
+  used_ = binding.from.nowhere() ? binding.place.span : binding.from;
+  return binding.value;
+}
+
+Value Expander::load_yaml(std::string_view written) {
+  const std::string path = absolute_path(written);
+  const auto known = yaml_.find(path);
+  if (known != yaml_.end()) {
+    if (known->second.loading) return evaluator_.fail(FactKind::kIncludeCycle, path);
+    return known->second.value.failed() ? Value::error() : heap_.wrapped(known->second.value);
+  }
+  Yaml& file = yaml_[path];
+  file.value = Value::error();
+  std::string found = path;
+  ReadResult read = read_file(found);
+  if (!read.bytes) return evaluator_.fail(FactKind::kFileNotFound, shown_path(path), read.problem);
+  file.source = sources_.add(shown_path(found), std::move(*read.bytes));
+  result_.files.push_back({found, file.source});
+  heap_.charge(sources_.bytes(file.source).size());
+  file.loading = true;
+  Scope empty(nullptr, ScopeKind::kFile);
+  const YamlResult result = read_yaml(
+      sources_.bytes(file.source), file.source, heap_, [&](std::string_view text, Span where) {
+        const std::string_view expression = stripped(text);
+        return evaluate_expression(expression, templates_.expression(expression), empty,
+                                   {where, where.size() == expression.size()});
+      });
+  file.loading = false;
+  if (result.trouble) {
+    report(result.trouble->kind, {result.trouble->where, true}, path, result.trouble->detail,
+           reader_);
+    return Value::error();
+  }
+  file.value = result.value;
+  return heap_.wrapped(file.value);
+}
+
+std::optional<std::string_view> Expander::argument(std::string_view name) {
+  const auto found = arguments_.find(name);
+  if (found == arguments_.end()) return std::nullopt;
+  found->second.used = true;
+  used_ = found->second.place.span;
+  return found->second.value;
+}
+
+void Expander::message(std::string_view function, std::string text) {
+  report(FactKind::kMessage, {reader_, false}, std::string(function), std::move(text));
+}
+
+std::string Expander::name_near(Scope& scope, std::string_view name) {
+  std::vector<std::string_view> candidates;
+  for (Scope* at = &scope; at != nullptr; at = at->parent()) {
+    for (const auto& [symbol, binding] : at->own()) candidates.push_back(symbols_.name(symbol));
+  }
+  for (const auto& [symbol, value] : builtins_) candidates.push_back(symbols_.name(symbol));
+  std::sort(candidates.begin(), candidates.end());
+  return nearest_name(name, candidates);
+}
+
+}  // namespace rigor::xacro

@@ -1,0 +1,114 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/xacro/expression/text_template.h>
+
+#include <algorithm>
+#include <utility>
+
+#include <rigor/xacro/value/heap.h>
+#include <rigor/xacro/value/unicode.h>
+
+namespace rigor::xacro {
+namespace {
+
+bool names_a_value(const Expression& expression) {
+  if (expression.trouble) return false;
+  return std::all_of(expression.nodes.begin(), expression.nodes.end(),
+                     [](const ExpressionNode& node) {
+                       return node.op == Op::kName || node.op == Op::kAttribute ||
+                              node.op == Op::kSubscript || node.op == Op::kConstant;
+                     }) &&
+         expression.nodes[expression.root].op != Op::kConstant;
+}
+
+}  // namespace
+
+const Expression& TextTemplates::expression(std::string_view text) {
+  std::unique_ptr<Expression>& kept = expressions_[text];
+  if (!kept) {
+    kept = std::make_unique<Expression>(parse_expression(text, heap_, symbols_));
+    if (!kept->trouble) kept->degrees = find_degrees(*kept, symbols_);
+    heap_.charge(sizeof(Expression) + kept->nodes.size() * sizeof(ExpressionNode));
+  }
+  return *kept;
+}
+
+const TextTemplate& TextTemplates::of(std::string_view text) {
+  std::unique_ptr<TextTemplate>& kept = templates_[text];
+  if (!kept) kept = std::make_unique<TextTemplate>(taken_apart(text));
+  return *kept;
+}
+
+TextTemplate TextTemplates::taken_apart(std::string_view text) {
+  TextTemplate result;
+  const auto add = [&](TextSegment::Kind kind, std::size_t begin, std::size_t end) -> TextSegment& {
+    result.segments.push_back(
+        {kind, text.substr(begin, end - begin), static_cast<std::uint32_t>(begin)});
+    return result.segments.back();
+  };
+  for (std::size_t at = 0; at < text.size();) {
+    if (text[at] != '$') {
+      const std::size_t end = std::min(text.find('$', at), text.size());
+      add(TextSegment::Kind::kText, at, end);
+      at = end;
+      continue;
+    }
+    std::size_t dollars = at;
+    while (dollars < text.size() && text[dollars] == '$') ++dollars;
+    const char next = dollars < text.size() ? text[dollars] : '\0';
+    const bool opens = next == '{' || next == '(';
+    if (dollars - at > 1 && opens) {
+      add(TextSegment::Kind::kText, at + 1, dollars + 1);
+      at = dollars + 1;
+      continue;
+    }
+    if (dollars - at == 1 && opens) {
+      const std::size_t close = text.find(next == '{' ? '}' : ')', at);
+      if (close != std::string_view::npos) {
+        TextSegment& segment =
+            add(next == '{' ? TextSegment::Kind::kExpression : TextSegment::Kind::kCommand, at + 2,
+                close);
+        if (next == '{' && segment.text.find('$') == std::string_view::npos) {
+          const std::string_view left = stripped_left(segment.text);
+          segment.skipped = static_cast<std::uint32_t>(segment.text.size() - left.size());
+          segment.expression = &expression(stripped_right(left));
+        }
+        at = close + 1;
+        continue;
+      }
+    }
+    // A `$` at the end, or before other characters, stands for itself.
+    const bool last = dollars == text.size() && dollars - at == 1;
+    if (!last && (opens || dollars - at > 1)) {
+      result.trouble = static_cast<std::uint32_t>(at);
+      break;
+    }
+    const std::size_t end = std::min(text.find_first_of("{($", at + 1), text.size());
+    add(TextSegment::Kind::kText, at, end);
+    at = end;
+  }
+  result.is_reference = result.segments.size() == 1 && result.segments[0].expression != nullptr &&
+                        names_a_value(*result.segments[0].expression);
+  return result;
+}
+
+std::uint32_t find_degrees(const Expression& expression, const Symbols& symbols) {
+  constexpr std::int64_t kLargestRadians = 6;
+  for (std::uint32_t i = 0; i < expression.nodes.size(); ++i) {
+    const ExpressionNode& call = expression.nodes[i];
+    if (call.op != Op::kCall || expression.lists[call.b] != 1) continue;
+    const ExpressionNode& callee = expression.nodes[call.a];
+    if (callee.op != Op::kName && callee.op != Op::kAttribute) continue;
+    const std::string_view name = symbols.name(callee.symbol);
+    if (name != "sin" && name != "cos" && name != "tan") continue;
+    const ExpressionNode& argument = expression.nodes[expression.lists[call.b + 1]];
+    if (argument.op == Op::kConstant && argument.constant.is(Type::kInteger) &&
+        argument.constant.integer_ > kLargestRadians) {
+      return i;
+    }
+  }
+  return kNoNode;
+}
+
+}  // namespace rigor::xacro

@@ -1,0 +1,59 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A text with `${…}` and `$(…)` in it, taken apart once and used as often as it occurs.
+//
+// `$${` and `$$(` stand for `${` and `$(`. An expression ends at the first `}`, a command at the first
+// `)`, whatever is between; either may hold further `${…}` and `$(…)`, which are replaced first.
+
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include <rigor/xacro/expression/expression.h>
+
+namespace rigor::xacro {
+
+class Heap;
+
+struct TextSegment {
+  enum class Kind : std::uint8_t { kText, kExpression, kCommand };
+  Kind kind = Kind::kText;
+  std::string_view text;                   ///< without `${` and `}`
+  std::uint32_t begin = 0;                 ///< of `text` in the whole
+  std::uint32_t skipped = 0;               ///< blanks at the start of an expression
+  const Expression* expression = nullptr;  ///< null when it holds `$` itself
+};
+
+struct TextTemplate {
+  std::vector<TextSegment> segments;
+  /// Where a `$` begins neither, when one does.
+  std::optional<std::uint32_t> trouble;
+  /// Whether it is one expression that names a value: `${size}`, `${robot.mass}`.
+  bool is_reference = false;
+};
+
+/// All texts and expressions of an expansion, parsed once. Texts outlive it.
+class TextTemplates {
+ public:
+  TextTemplates(Heap& heap, Symbols& symbols) : heap_(heap), symbols_(symbols) {}
+
+  const TextTemplate& of(std::string_view text);
+  const Expression& expression(std::string_view text);
+
+ private:
+  TextTemplate taken_apart(std::string_view text);
+
+  Heap& heap_;
+  Symbols& symbols_;
+  std::unordered_map<std::string_view, std::unique_ptr<TextTemplate>> templates_;
+  std::unordered_map<std::string_view, std::unique_ptr<Expression>> expressions_;
+};
+
+}  // namespace rigor::xacro

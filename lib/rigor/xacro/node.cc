@@ -1,0 +1,62 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/xacro/node.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace rigor::xacro {
+
+const NodeAttribute* Node::attribute(std::string_view wanted) const {
+  const auto found = std::find_if(attributes.begin(), attributes.end(),
+                                  [wanted](const NodeAttribute& a) { return a.name == wanted; });
+  return found == attributes.end() ? nullptr : &*found;
+}
+
+void Node::set_attribute(NodeAttribute attribute) {
+  const auto found =
+      std::find_if(attributes.begin(), attributes.end(),
+                   [&attribute](const NodeAttribute& a) { return a.name == attribute.name; });
+  if (found == attributes.end()) {
+    attributes.push_back(attribute);
+  } else {
+    *found = attribute;
+  }
+}
+
+void Node::append(Node& child) {
+  child.parent = this;
+  child.previous = last;
+  child.next = nullptr;
+  (last != nullptr ? last->next : first) = &child;
+  last = &child;
+}
+
+void Node::take_children(Node& other) {
+  if (other.first == nullptr) return;
+  for (Node* child = other.first; child != nullptr; child = child->next) child->parent = this;
+  other.first->previous = last;
+  (last != nullptr ? last->next : first) = other.first;
+  last = other.last;
+  other.first = nullptr;
+  other.last = nullptr;
+}
+
+void Node::remove(Node& child) {
+  (child.previous != nullptr ? child.previous->next : first) = child.next;
+  (child.next != nullptr ? child.next->previous : last) = child.previous;
+  child.parent = child.previous = child.next = nullptr;
+}
+
+const Node* Node::first_element() const {
+  return first == nullptr || first->kind == NodeKind::kElement ? first : first->next_element();
+}
+
+const Node* Node::next_element() const {
+  const Node* node = next;
+  while (node != nullptr && node->kind != NodeKind::kElement) node = node->next;
+  return node;
+}
+
+}  // namespace rigor::xacro

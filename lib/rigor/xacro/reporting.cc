@@ -1,0 +1,158 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the expander found, once for all instances of a macro that show it, with the stack of the first.
+
+#include <algorithm>
+#include <utility>
+
+#include <rigor/xacro/expander.h>
+
+namespace rigor::xacro {
+
+Expansion::Expansion() = default;
+Expansion::Expansion(Expansion&&) noexcept = default;
+Expansion& Expansion::operator=(Expansion&&) noexcept = default;
+Expansion::~Expansion() = default;
+
+bool Expansion::ok() const {
+  return root != nullptr &&
+         std::none_of(facts.begin(), facts.end(), [](const Fact& f) { return is_error(f.kind); });
+}
+
+std::vector<FactFrame> Expansion::stack_of(std::uint32_t frame) const {
+  std::vector<FactFrame> stack;
+  for (; frame != 0; frame = frames[frame].outer) {
+    const Frame& at = frames[frame];
+    FactFrame shown{at.kind, at.where, std::string(at.name)};
+    for (const auto& [name, value] : at.parameters)
+      shown.parameters.push_back({std::string(name), value});
+    stack.push_back(std::move(shown));
+  }
+  return stack;
+}
+
+std::uint32_t Expander::push_frame(Frame frame) {
+  if (++nodes_made_ > options_.bounds.nodes && !stopped_) {
+    report(FactKind::kBoundReached, {frame.where, true}, {}, "the size of an expansion");
+    stopped_ = true;
+  }
+  result_.frames.push_back(std::move(frame));
+  return static_cast<std::uint32_t>(result_.frames.size() - 1);
+}
+
+void Expander::report(FactKind kind, Place place, std::string name, std::string detail,
+                      Span related) {
+  const Span where = place.span.nowhere() && !result_.files.empty()
+                         ? Span{result_.files.front().source, 0, 0}
+                         : place.span;
+  auto key = std::pair{
+      kind,
+      std::pair{(std::uint64_t{static_cast<std::uint32_t>(where.source)} << 32U) | where.begin,
+                where.end}};
+  // So is a value that several conditions take.
+  if (kind == FactKind::kNotBoolean && !related.nowhere()) {
+    key.second = {
+        (std::uint64_t{static_cast<std::uint32_t>(related.source)} << 32U) | related.begin,
+        related.end};
+  }
+  // A name that a file lacks is one fault, however often it is used there.
+  if (kind == FactKind::kUndefinedName && !where.nowhere()) {
+    key.second = {(std::uint64_t{static_cast<std::uint32_t>(where.source)} << 32U) | 0xffffffffU,
+                  symbols_.of(heap_.keep(name))};
+  }
+  const auto [known, added] = fact_by_place_.emplace(key, result_.facts.size());
+  if (!added && known->second < result_.facts.size() && result_.facts[known->second].name == name) {
+    Fact& first = result_.facts[known->second];
+    ++first.count;
+    // What is like it may be defined behind the first use.
+    if (kind == FactKind::kUndefinedName && first.near.empty()) first.near = std::move(detail);
+    return;
+  }
+  if (result_.facts.size() >= options_.bounds.facts) {
+    ++result_.facts_left_out;
+    return;
+  }
+  known->second = result_.facts.size();
+  Fact fact{kind, where, std::move(name), std::move(detail), {}, related, result_.stack_of(frame_)};
+  const bool names_near = kind == FactKind::kUndefinedName || kind == FactKind::kUndefinedMacro ||
+                          kind == FactKind::kUndefinedArgument;
+  if (names_near) fact.near = std::exchange(fact.detail, {});
+  result_.facts.push_back(std::move(fact));
+}
+
+void Expander::report_faults(const File& file) {
+  if (file.tree.faults.empty()) return;
+  const NotWellFormed& fault =
+      *std::min_element(file.tree.faults.begin(), file.tree.faults.end(),
+                        [](const auto& a, const auto& b) { return a.where.begin < b.where.begin; });
+  report(FactKind::kNotWellFormed, {fault.where, true}, file.path, fault.detail);
+}
+
+void Expander::report_failure(const Failure& failure, Place place) {
+  // One value of a wrong type shows in many attributes of an element.
+  const bool is_type = failure.kind == FactKind::kWrongType;
+  if (!is_type || element_ == nullptr || element_ != element_at_fault_) {
+    // A lazy property's text fails where it is written; where it is used matters, too.
+    report(failure.kind, place, failure.name, failure.detail, is_type ? text_in_use_ : Span{});
+  }
+  if (is_type) element_at_fault_ = element_;
+  text_in_use_ = {};
+  if (failure.kind == FactKind::kBoundReached && (heap_.full() || !evaluator_.work(0))) {
+    evaluator_.take_failure();
+    stopped_ = true;
+  }
+}
+
+void Expander::report_degrees(const Expression& expression, Place place) {
+  const ExpressionNode& call = expression.nodes[expression.degrees];
+  const ExpressionNode& argument = expression.nodes[expression.lists[call.b + 1]];
+  report(FactKind::kDegrees, place.part(call.begin, std::max(call.end, call.begin + 1)),
+         std::string(symbols_.name(expression.nodes[call.a].symbol)),
+         std::to_string(argument.constant.integer_));
+}
+
+/// Elements of URDF have the names of macros all the time: only one in the robot itself that gives what
+/// the macro asks for, and nothing else, is meant as a call.
+void Expander::report_missing_prefix(const Node& node, MacroScope& macros) {
+  constexpr std::string_view kElements[] = {"link",   "joint",    "material",    "gazebo",
+                                            "sensor", "inertial", "transmission"};
+  if (std::find(std::begin(kElements), std::end(kElements), node.name) != std::end(kElements))
+    return;
+  const MacroEntry* entry = macros.find(symbols_.of(node.name));
+  if (entry == nullptr || entry->macro == nullptr || entry->macro->parameters.empty()) return;
+  const auto& parameters = entry->macro->parameters;
+  const bool gives_all = std::all_of(parameters.begin(), parameters.end(), [&](const auto& one) {
+    return one.has_default || one.forwards || one.name.starts_with('*') ||
+           node.attribute(one.name) != nullptr;
+  });
+  const bool gives_only =
+      std::all_of(node.attributes.begin(), node.attributes.end(), [&](const auto& attribute) {
+        return std::any_of(parameters.begin(), parameters.end(),
+                           [&](const auto& one) { return one.name == attribute.name; });
+      });
+  if (!gives_all || !gives_only || node.attributes.empty()) return;
+  report(FactKind::kMissingPrefix, node.where.part(1, 1 + node.name.size()), std::string(node.name),
+         {}, entry->macro->body->where.span);
+}
+
+const NodeAttribute* Expander::required(const Node& node, std::string_view name) {
+  const NodeAttribute* attribute = node.attribute(name);
+  if (attribute == nullptr)
+    report(FactKind::kMissingAttribute, node.where, std::string(name), std::string(node.name));
+  if (attribute == nullptr) lacks_attribute_ = &node;
+  return attribute;
+}
+
+void Expander::check_known(const Node& node, std::initializer_list<std::string_view> known) {
+  // An attribute that is missing and one that is unknown are one misspelling.
+  if (lacks_attribute_ == &node) return;
+  for (const NodeAttribute& attribute : node.attributes) {
+    if (attribute.name.starts_with("xmlns:") || attribute.name.starts_with("xacro:")) continue;
+    if (std::find(known.begin(), known.end(), attribute.name) != known.end()) continue;
+    report(FactKind::kUnknownAttribute, attribute.where, std::string(attribute.name),
+           std::string(node.name));
+  }
+}
+
+}  // namespace rigor::xacro

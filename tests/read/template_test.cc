@@ -1,0 +1,96 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include <rigor/read/template/argument_sets.h>
+#include <rigor/read/template/expanded_file.h>
+#include <rigor/read/template/installed_path.h>
+#include <rigor/read/workspace.h>
+
+namespace rigor::read {
+namespace {
+
+constexpr const char* kHead = "<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n";
+
+/// What of the template is the origin of the first place of `part` in its expansion.
+std::string origin_of(const std::string& body, const std::string& part) {
+  MemoryDisk disk({{"r.xacro", kHead + body + "</robot>\n"}});
+  Sources sources;
+  const Resolver resolver(disk, {});
+  Workspace workspace(resolver, sources);
+  const File& file = workspace.open("r.xacro");
+  if (!file.expanded || !file.document) return "not expanded";
+  const std::size_t at = sources.bytes(file.source).find(part);
+  if (at == std::string_view::npos) return "not there";
+  const Span where{file.source, static_cast<std::uint32_t>(at),
+                   static_cast<std::uint32_t>(at + part.size())};
+  return std::string(sources.bytes(file.expanded->origin(*file.document, where, sources).where));
+}
+
+TEST(ExpandedFile, KnowsWherePartsAreWritten) {
+  const std::string body =
+      "<xacro:property name=\"a\" value=\"1\"/>\n"
+      "<xacro:macro name=\"leg\" params=\"side\"><link name=\"${side}_leg\" kind=\"long leg\"/>"
+      "</xacro:macro>\n"
+      "<xacro:leg side=\"left\"/>\n<size>${a + 1} 7 ${a}</size>\n<box size=\"0.5 ${a + 2} "
+      "${a}\"/>\n";
+  EXPECT_EQ(origin_of(body, "left_leg"), "${side}_leg");
+  EXPECT_EQ(origin_of(body, "long leg"), "long leg");
+  EXPECT_EQ(origin_of(body, "leg\" name"), "<link name=\"${side}_leg\" kind=\"long leg\"/>");
+  EXPECT_EQ(origin_of(body, "kind"), "kind");
+  EXPECT_EQ(origin_of(body, "kind=\"long leg\""), "kind=\"long leg\"");
+  EXPECT_EQ(origin_of(body, "link"), "link");
+  EXPECT_EQ(origin_of(body, "2 7 1"), "${a + 1} 7 ${a}");
+  EXPECT_EQ(origin_of(body, "3"), "${a + 2}");
+  EXPECT_EQ(origin_of(body, "0.5"), "0.5");
+}
+
+TEST(InstalledPath, ReadsFoldersOfInstall) {
+  const std::vector<InstalledFolder> expected{
+      {"description/urdf", "urdf"}, {"config", "config"}, {"description", "robot"}};
+  EXPECT_EQ(installed_folders("project(demo)  # install(DIRECTORY no DESTINATION share/x\n"
+                              "install(DIRECTORY description/urdf config\n"
+                              "  DESTINATION share/${PROJECT_NAME})\n"
+                              "install(DIRECTORY description/ DESTINATION "
+                              "\"share/${PROJECT_NAME}/robot\" PATTERN \"*.md\" EXCLUDE)\n"
+                              "install(TARGETS demo DESTINATION lib)\n"
+                              "install(DIRECTORY include/ DESTINATION include)\n"),
+            expected);
+}
+
+TEST(InstalledPath, FindsAFileWhereItComesFrom) {
+  const MemoryDisk disk(
+      {{"/ws/demo/package.xml", "<package/>"},
+       {"/ws/demo/CMakeLists.txt", "install(DIRECTORY description/urdf DESTINATION share/demo)"},
+       {"/ws/demo/description/urdf/arm/a.xacro", "<robot/>"}});
+  EXPECT_EQ(source_of_installed(disk, "/ws/demo/urdf/arm/a.xacro"),
+            "/ws/demo/description/urdf/arm/a.xacro");
+  EXPECT_EQ(source_of_installed(disk, "/ws/demo/urdf/arm/b.xacro"), std::nullopt);
+  EXPECT_EQ(source_of_installed(disk, "/elsewhere/a.xacro"), std::nullopt);
+}
+
+TEST(ArgumentSets, HaveEveryValueThatAConditionNames) {
+  MemoryDisk disk(
+      {{"r.xacro", std::string(kHead) + "<xacro:arg name=\"sim\" default=\"false\"/>\n"
+                                        "<xacro:arg name=\"tool\" default=\"none\"/>\n"
+                                        "<xacro:property name=\"tool\" value=\"$(arg tool)\"/>\n"
+                                        "<xacro:if value=\"$(arg sim)\"/>\n"
+                                        "<xacro:if value=\"${tool == 'hand'}\"/>\n"
+                                        "<xacro:if value=\"${tool in ['none', 'saw']}\"/>\n"
+                                        "</robot>\n"}});
+  Sources sources;
+  const Resolver resolver(disk, {});
+  Workspace workspace(resolver, sources);
+  const ArgumentPlan plan =
+      all_arguments(workspace.open("r.xacro").expanded->expansion(), sources, {});
+  const std::vector<TemplateArguments> expected{
+      {{"sim", "true"}}, {{"tool", "hand"}}, {{"tool", "saw"}}};
+  EXPECT_EQ(plan.sets, expected);
+  EXPECT_EQ(shown_arguments({{"a", "1"}, {"b", "x"}}), "a:=1 b:=x");
+}
+
+}  // namespace
+}  // namespace rigor::read

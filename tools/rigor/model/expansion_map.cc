@@ -1,0 +1,193 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "model/expansion_map.h"
+
+#include <charconv>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include <rigor/report/terminal/printable.h>
+
+namespace rigor::tool {
+namespace {
+
+using MapJson = nlohmann::ordered_json;
+
+std::string_view frame_verb(xacro::FactFrame::Kind kind) {
+  switch (kind) {
+    case xacro::FactFrame::Kind::kMacro: return "called at ";
+    case xacro::FactFrame::Kind::kInclude: return "included at ";
+    default: return "at ";
+  }
+}
+
+std::string_view frame_kind(xacro::FactFrame::Kind kind) {
+  switch (kind) {
+    case xacro::FactFrame::Kind::kMacro: return "macro";
+    case xacro::FactFrame::Kind::kInclude: return "include";
+    case xacro::FactFrame::Kind::kCondition: return "condition";
+    case xacro::FactFrame::Kind::kBlock: return "block";
+  }
+  return "";
+}
+
+/// One step of a path: `link`, `link[base]`, `link[2]`.
+struct TraceStep {
+  std::string_view tag;
+  std::string_view name;
+  std::size_t number = 1;
+};
+
+TraceStep trace_step(std::string_view text) {
+  TraceStep step{text.substr(0, text.find('[')), {}};
+  if (step.tag.size() == text.size()) return step;
+  const std::string_view inside =
+      text.substr(step.tag.size() + 1, text.rfind(']') - step.tag.size() - 1);
+  const auto [end, error] =
+      std::from_chars(inside.data(), inside.data() + inside.size(), step.number);
+  if (error != std::errc() || end != inside.data() + inside.size()) {
+    step.name = inside;
+    step.number = 1;
+  }
+  return step;
+}
+
+const xacro::Node* child_at(const xacro::Node& parent, const TraceStep& step) {
+  std::size_t seen = 0;
+  for (const xacro::Node* node = parent.first_element(); node != nullptr;
+       node = node->next_element()) {
+    if (node->name != step.tag) continue;
+    if (!step.name.empty()) {
+      const xacro::NodeAttribute* name = node->attribute("name");
+      if (name == nullptr || name->value != step.name) continue;
+    }
+    if (++seen == step.number) return node;
+  }
+  return nullptr;
+}
+
+/// Lines of a source are found once.
+class PlaceFinder {
+ public:
+  explicit PlaceFinder(const Sources& sources) : sources_(sources) {}
+
+  MapJson place(Span where) {
+    if (where.nowhere()) return nullptr;
+    const auto found = tables_.try_emplace(where.source, sources_.bytes(where.source)).first;
+    const Position begin = found->second.position(where.begin);
+    const Position end = found->second.position(where.end);
+    return {{"path", sources_.path(where.source)},
+            {"line", begin.line},
+            {"column", begin.column},
+            {"end_line", end.line},
+            {"end_column", end.column}};
+  }
+
+ private:
+  const Sources& sources_;
+  std::map<SourceId, LineTable> tables_;
+};
+
+void add_elements(const xacro::Node& node, const std::string& path, PlaceFinder& places,
+                  MapJson& elements) {
+  MapJson element{{"path", path}, {"where", places.place(node.where.span)}, {"frame", node.frame}};
+  MapJson attributes = MapJson::object();
+  for (const xacro::NodeAttribute& attribute : node.attributes) {
+    MapJson& at = attributes[std::string(attribute.name)];
+    at = {{"value", attribute.value}, {"where", places.place(attribute.where.span)}};
+    if (!attribute.from.nowhere()) at["from"] = places.place(attribute.from);
+  }
+  element["attributes"] = std::move(attributes);
+  elements.push_back(std::move(element));
+  std::map<std::string_view, std::size_t> counts;
+  for (const xacro::Node* child = node.first_element(); child != nullptr;
+       child = child->next_element()) {
+    const std::size_t number = ++counts[child->name];
+    add_elements(*child, path + '/' + std::string(child->name) + '[' + std::to_string(number) + ']',
+                 places, elements);
+  }
+}
+
+}  // namespace
+
+std::string shown_place(const Sources& sources, Span where) {
+  if (where.nowhere()) return "?";
+  const Position at = sources.position(where.source, where.begin);
+  return report::printable(sources.path(where.source)) + ':' + std::to_string(at.line) + ':' +
+         std::to_string(at.column);
+}
+
+std::string shown_stack(const Sources& sources, const std::vector<xacro::FactFrame>& stack) {
+  std::string text;
+  for (const xacro::FactFrame& frame : stack) {
+    text += "  in " + std::string(frame_kind(frame.kind)) + " '" +
+            report::printable(frame.name, 80) + "'";
+    for (std::size_t i = 0; i < frame.parameters.size(); ++i) {
+      text += (i == 0 ? " (" : ", ") + report::printable(frame.parameters[i].name) + "='" +
+              report::printable(frame.parameters[i].value, 40) + "'";
+    }
+    if (!frame.parameters.empty()) text += ')';
+    text += ", " + std::string(frame_verb(frame.kind)) + shown_place(sources, frame.where) + '\n';
+  }
+  return text;
+}
+
+std::optional<std::string> trace(const xacro::Expansion& expansion, const Sources& sources,
+                                 std::string_view path) {
+  const std::size_t at = std::min(path.find('@'), path.size());
+  std::string_view steps = path.substr(0, at);
+  const std::string_view wanted = at < path.size() ? path.substr(at + 1) : std::string_view{};
+  if (steps.starts_with('/')) steps.remove_prefix(1);
+  const xacro::Node* node = expansion.document;
+  while (node != nullptr && !steps.empty()) {
+    // A name may hold a slash.
+    const std::size_t bracket = steps.find('[');
+    const std::size_t close = bracket < steps.find('/') ? steps.find(']', bracket) : 0;
+    const std::size_t end =
+        std::min(steps.find('/', close == std::string_view::npos ? 0 : close), steps.size());
+    node = child_at(*node, trace_step(steps.substr(0, end)));
+    steps.remove_prefix(std::min(end + 1, steps.size()));
+  }
+  if (node == nullptr || node == expansion.document) return std::nullopt;
+  std::string text =
+      shown_place(sources, node->where.span) + ": <" + std::string(node->name) + ">\n";
+  if (!wanted.empty()) {
+    const xacro::NodeAttribute* attribute = node->attribute(wanted);
+    if (attribute == nullptr) return std::nullopt;
+    text = shown_place(sources, attribute->where.span) + ": " + std::string(wanted) + "=\"" +
+           report::printable(attribute->value) + "\", written " +
+           report::printable(sources.bytes(attribute->where.span)) + '\n';
+    if (!attribute->from.nowhere()) {
+      text += shown_place(sources, attribute->from) + ": the value " +
+              report::printable(sources.bytes(attribute->from)) + '\n';
+    }
+  }
+  return text + shown_stack(sources, expansion.stack_of(node->frame));
+}
+
+std::string map_json(const xacro::Expansion& expansion, const Sources& sources) {
+  PlaceFinder places(sources);
+  MapJson json{{"schema_version", 1}, {"files", MapJson::array()}, {"frames", MapJson::array()}};
+  for (const xacro::FileUse& file : expansion.files) json["files"].push_back(file.path);
+  for (const xacro::Frame& frame : expansion.frames) {
+    MapJson parameters = MapJson::object();
+    for (const auto& [name, value] : frame.parameters) parameters[std::string(name)] = value;
+    json["frames"].push_back({{"kind", frame_kind(frame.kind)},
+                              {"name", frame.name},
+                              {"outer", frame.outer},
+                              {"where", places.place(frame.where)},
+                              {"parameters", std::move(parameters)}});
+  }
+  MapJson elements = MapJson::array();
+  if (expansion.root != nullptr) {
+    add_elements(*expansion.root, '/' + std::string(expansion.root->name), places, elements);
+  }
+  json["elements"] = std::move(elements);
+  return json.dump(1, ' ', false, MapJson::error_handler_t::replace) + '\n';
+}
+
+}  // namespace rigor::tool

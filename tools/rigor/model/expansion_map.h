@@ -1,0 +1,31 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Where an expansion's elements came from, for people and for programs.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <rigor/text/sources.h>
+#include <rigor/xacro/expand.h>
+
+namespace rigor::tool {
+
+/// "robot.xacro:88:3"; "?" for a span that is nowhere.
+std::string shown_place(const Sources& sources, Span where);
+
+/// `in macro 'leg' (prefix='FL'), called at robot.xacro:88:3`, a line each, innermost first.
+std::string shown_stack(const Sources& sources, const std::vector<xacro::FactFrame>& stack);
+
+/// Of a path as `robot/link[base]/inertial/mass@value`, where `[…]` is a name or a 1-based number, what is
+/// there and what brought it; nothing when there is no such element or attribute.
+std::optional<std::string> trace(const xacro::Expansion& expansion, const Sources& sources,
+                                 std::string_view path);
+
+/// All of it, as JSON: files, frames, and elements in document order with the places of their attributes.
+std::string map_json(const xacro::Expansion& expansion, const Sources& sources);
+
+}  // namespace rigor::tool
