@@ -21,7 +21,9 @@ bool may_repeat(const model::Parameter& parameter) {
 }
 
 /// Controllers of several joints have each parameter once a joint, in the order of the joints.
-bool has_lists(const model::Plugin& plugin) {
+bool has_lists(const model::Plugin& plugin, const GazeboSystem& system) {
+  if (system.library == "joint-trajectory-controller")
+    return true;  // of all joints, when it names none
   std::unordered_set<std::string_view> seen;
   for (const model::Parameter& parameter : plugin.parameters) {
     if (may_repeat(parameter) && !seen.insert(parameter.name).second) return true;
@@ -31,7 +33,7 @@ bool has_lists(const model::Plugin& plugin) {
 
 void check(const model::Plugin& plugin, Context& context) {
   const GazeboSystem* const system = gazebo_system(plugin.filename.value);
-  if (system == nullptr || system->parameters.empty() || has_lists(plugin)) return;
+  if (system == nullptr || system->parameters.empty() || has_lists(plugin, *system)) return;
   std::unordered_map<std::string_view, const model::Parameter*> first;
   for (const model::Parameter& parameter : plugin.parameters) {
     if (may_repeat(parameter) || !has_word(system->parameters, parameter.name)) continue;
