@@ -52,7 +52,7 @@ class ConfigFile : public testing::Test {
   }
 
   Ran validate(const std::string& arguments = "a b") const {
-    return folder_.rigor("validate --format concise " + arguments);
+    return folder_.rigor("validate --show info --format concise " + arguments);
   }
 
   void config(const std::string& text) const { folder_.put("rigor.toml", text); }

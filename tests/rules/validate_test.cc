@@ -209,7 +209,7 @@ TEST(DeprecatedElement, NamesWhatToWriteInItsPlace) {
           .diagnostics;
   ASSERT_EQ(found.list().size(), 2U);
   EXPECT_EQ(found.list()[0].message, "'rpy' is deprecated: it has no effect");
-  EXPECT_EQ(found.list()[1].message, "'joint_properties' is deprecated: write 'dynamics'");
+  EXPECT_EQ(found.list()[1].message, "'joint_properties' is ignored: write 'dynamics'");
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
-#include <sys/pidfd.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -75,7 +75,7 @@ class ProgramOutput {
 
   /// The same of one that has closed its pipes. pidfd_open(2): without it, there is no limit here.
   std::optional<ProgramEnd> wait_for(pid_t pid) const {
-    const Descriptor program(::pidfd_open(pid, 0));
+    const Descriptor program(static_cast<int>(::syscall(SYS_pidfd_open, pid, 0)));
     pollfd gone{program.number(), POLLIN, 0};
     while (gone.fd >= 0 && gone.revents == 0) {
       if (milliseconds_left() == 0) return ProgramEnd::kOutOfTime;

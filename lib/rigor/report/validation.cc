@@ -103,14 +103,18 @@ std::string other_places(const Diagnostic& diagnostic, Places& places) {
 }
 
 std::vector<std::string> origin_lines(const Diagnostic& diagnostic, Places& places) {
+  constexpr std::size_t kMostParameters = 3;
   std::vector<std::string> lines;
   for (const MacroCall& call : diagnostic.origin) {
-    std::string params;
-    for (const auto& [name, value] : call.params) {
-      params += fmt::format("{}{}='{}'", params.empty() ? " (" : ", ", name, value);
+    std::string line = fmt::format("in macro '{}'", call.macro);
+    // Those of the calls around it are rarely what a reader looks for.
+    const std::size_t listed =
+        lines.empty() ? std::min(call.params.size(), kMostParameters) : std::size_t{0};
+    for (std::size_t i = 0; i < listed; ++i) {
+      line += fmt::format("{}{}='{}'", i == 0 ? " (" : ", ", call.params[i].first,
+                          call.params[i].second);
     }
-    if (!params.empty()) params += ')';
-    std::string line = fmt::format("in macro '{}'{}", call.macro, params);
+    if (listed > 0) line += listed < call.params.size() ? ", …)" : ")";
     if (!call.where.nowhere()) {
       line +=
           fmt::format(", called at {}:{}", places.path(call.where), places.begin(call.where).line);

@@ -199,9 +199,6 @@ Diagnostic ExpandedFile::in_source(const xml::Document& expanded, Diagnostic dia
     if (!found.from.nowhere() && !encloses(found.from, found.where)) {
       diagnostic.related.push_back({found.from, std::string(kSetHere)});
     }
-    if (!diagnostic.origin.empty()) {
-      diagnostic.related.push_back(call_label(diagnostic.origin.front()));
-    }
   }
   for (Fix& fix : diagnostic.fixes) {
     for (Edit& edit : fix.edits) {
@@ -237,15 +234,6 @@ std::vector<MacroCall> macro_calls(const std::vector<xacro::FactFrame>& stack) {
     }
   }
   return calls;
-}
-
-Label call_label(const MacroCall& call) {
-  std::string text = "in macro '" + call.macro + "'";
-  for (std::size_t i = 0; i < call.params.size(); ++i) {
-    text += (i == 0 ? " (" : ", ") + call.params[i].first + "='" + call.params[i].second + "'";
-  }
-  if (!call.params.empty()) text += ')';
-  return {call.where, text + ", called here"};
 }
 
 }  // namespace rigor::read

@@ -67,7 +67,4 @@ Span where_set(const Diagnostic& diagnostic);
 /// The macro calls of a stack, innermost first.
 std::vector<MacroCall> macro_calls(const std::vector<xacro::FactFrame>& stack);
 
-/// "in macro 'leg' (prefix='FL'), called here".
-Label call_label(const MacroCall& call);
-
 }  // namespace rigor::read

@@ -24,12 +24,6 @@ void add_place(Json& json, Span span, std::string_view path, Places& places) {
   json["end_column"] = end.column;
 }
 
-void add_start(Json& json, Span span, Places& places) {
-  json["path"] = places.path(span);
-  json["line"] = places.begin(span).line;
-  json["column"] = places.begin(span).column;
-}
-
 Json fix_of(const Diagnostic& diagnostic) {
   if (diagnostic.fixes.empty()) return nullptr;
   const Fix& fix = diagnostic.fixes.front();

@@ -1,10 +1,12 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include <rigor/rules/naming/named.h>
 #include <rigor/rules/rule.h>
@@ -43,9 +45,14 @@ void check(const model::Root& /*root*/, Context& context) {
 /// What libsdformat makes of a URDF has joints and links in one set of names.
 void check_robot(const model::Root& root, Context& context) {
   if (!context.is_urdf() || root.models.empty()) return;
+  const std::vector<SdformatRobot::Part>& parts = context.sdformat_robot().parts;
+  // The name of a link that is lumped into another one is free.
   std::unordered_map<std::string_view, const model::Link*> links;
-  for (const model::Link& link : root.links) links.emplace(link.name.value, &link);
-  for (const SdformatRobot::Part& part : context.sdformat_robot().parts) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i].fate != SdformatRobot::Fate::kLink) continue;
+    links.emplace(root.links[i].name.value, &root.links[i]);
+  }
+  for (const SdformatRobot::Part& part : parts) {
     if (!part.joint || part.fate != SdformatRobot::Fate::kLink) continue;
     const model::Joint& joint = root[part.joint];
     const auto same = links.find(joint.name.value);
@@ -63,15 +70,14 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "siblings of different kinds have the same name",
-      .why = "A pose may refer to any link, joint, frame or model of a scope by name, so they "
-             "share one set of names. From SDF 1.7 on libsdformat rejects the file; in an older "
-             "one it renames the later kind while it reads, and references to the name that is "
-             "written find the other one. In the SDF that it makes of a URDF the joints and links "
-             "that "
-             "are left share their names, too: Gazebo rejects the robot, urdfdom and ROS accept "
-             "it. A visual with the name of its collision is rejected by "
-             "the check of the command line alone (ign sdf -k, gz sdf --check): simulators load "
-             "it, so that it is an info.",
+      .why =
+          "A pose may refer to any link, joint, frame or model of a scope by name, so they "
+          "share one set of names. From SDF 1.7 on libsdformat rejects the file; in an older "
+          "one it renames the later kind while it reads, and references to the name that is "
+          "written find the other one. In the SDF that it makes of a URDF the joints and links "
+          "that are left share their names, too: Gazebo rejects the robot, urdfdom and ROS accept "
+          "it. A visual with the name of its collision is rejected by the check of the command "
+          "line alone (ign sdf -k, gz sdf --check): simulators load it, so that it is an info.",
       .what_to_do = "Rename one of them, for example to elbow_joint.",
       .checks = {on<model::Root>(check), on<model::Root>(check_robot)},
   };

@@ -23,19 +23,10 @@ bool is_same_fix(const Diagnostic& a, const Diagnostic& b) {
   });
 }
 
-/// Behind the innermost call's label, which is there when there is a call.
 void tell_instances(Diagnostic& diagnostic) {
   if (diagnostic.instances < 2) return;
-  const std::string more =
-      "shown " + std::to_string(diagnostic.instances) + " times in the expanded model";
-  if (!diagnostic.origin.empty()) {
-    for (Label& label : diagnostic.related) {
-      if (label.where != diagnostic.origin.front().where) continue;
-      label.message += "; " + more;
-      return;
-    }
-  }
-  diagnostic.related.push_back({{}, more});
+  diagnostic.related.push_back(
+      {{}, "shown " + std::to_string(diagnostic.instances) + " times in the expanded model"});
 }
 
 }  // namespace
@@ -59,7 +50,6 @@ Diagnostics with_calls(Diagnostics found, const std::vector<xacro::Fact>& facts)
     if (fact != facts.end()) {
       each.origin = read::macro_calls(fact->stack);
       each.instances = fact->count;
-      if (!each.origin.empty()) each.related.push_back(read::call_label(each.origin.front()));
     }
     told.add(std::move(each));
   }
