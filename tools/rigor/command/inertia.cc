@@ -4,7 +4,7 @@
 #include "command/inertia.h"
 
 #include <rigor/mass/material.h>
-#include <rigor/report/inertia/inertia.h>
+#include <rigor/report/inertia/inertia_report.h>
 
 #include "command/command.h"
 #include "option/numbers.h"

@@ -12,7 +12,7 @@
 #include <rigor/author/model_inertia.h>
 #include <rigor/mass/total.h>
 #include <rigor/read/load.h>
-#include <rigor/report/inertia/inertia.h>
+#include <rigor/report/inertia/inertia_report.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
 #include <rigor/rules/environment.h>

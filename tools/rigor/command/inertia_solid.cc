@@ -19,8 +19,8 @@
 #include <rigor/mesh/convex/hull.h>
 #include <rigor/mesh/fault.h>
 #include <rigor/mesh/select.h>
-#include <rigor/report/inertia/inertia.h>
-#include <rigor/report/mesh_check/fault.h>
+#include <rigor/report/inertia/inertia_report.h>
+#include <rigor/report/mesh_check/mesh_fault.h>
 #include <rigor/report/number.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <rigor/report/mesh_check/mesh_check.h>
+#include <rigor/report/mesh_check/mesh_report.h>
 #include <rigor/report/terminal/concise.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>

@@ -12,7 +12,7 @@
 
 #include <rigor/author/mesh_operations.h>
 #include <rigor/mass/mesh/facts.h>
-#include <rigor/report/mesh_check/mesh_check.h>
+#include <rigor/report/mesh_check/mesh_report.h>
 #include <rigor/rules/environment.h>
 #include <rigor/rules/mesh_check.h>
 #include <rigor/text/sources.h>

@@ -4,7 +4,7 @@
 #include <string>
 
 #include <rigor/mass/material.h>
-#include <rigor/report/inertia/inertia.h>
+#include <rigor/report/inertia/inertia_report.h>
 #include <rigor/report/json/values.h>
 #include <rigor/report/places.h>
 #include <rigor/report/tool.h>

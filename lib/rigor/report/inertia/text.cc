@@ -9,7 +9,7 @@
 #include <fmt/core.h>
 
 #include <rigor/mass/material.h>
-#include <rigor/report/inertia/inertia.h>
+#include <rigor/report/inertia/inertia_report.h>
 #include <rigor/report/number.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>

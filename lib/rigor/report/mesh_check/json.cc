@@ -7,7 +7,7 @@
 
 #include <rigor/report/json/diagnostic.h>
 #include <rigor/report/json/values.h>
-#include <rigor/report/mesh_check/mesh_check.h>
+#include <rigor/report/mesh_check/mesh_report.h>
 #include <rigor/report/number.h>
 #include <rigor/report/tool.h>
 #include <rigor/text/grouping.h>

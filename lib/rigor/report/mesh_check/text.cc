@@ -7,7 +7,7 @@
 
 #include <fmt/core.h>
 
-#include <rigor/report/mesh_check/mesh_check.h>
+#include <rigor/report/mesh_check/mesh_report.h>
 #include <rigor/report/number.h>
 #include <rigor/report/terminal/pretty.h>
 #include <rigor/report/terminal/printable.h>

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/report/mesh_check/fault.h>
+#include <rigor/report/mesh_check/mesh_fault.h>
 
 #include <rigor/report/terminal/summary.h>
 
