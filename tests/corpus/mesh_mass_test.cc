@@ -19,6 +19,7 @@
 
 #include "support/corpus.h"
 #include "support/part.h"
+#include "support/workers.h"
 
 namespace rigor {
 namespace {
@@ -78,7 +79,7 @@ TEST(CorpusMeshes, VolumeCentreAndInertiaAgree) {
     if (!test::in_part(path) || disk.kind(path) != PathKind::kFile) continue;
     EXPECT_TRUE(mass::survey_mesh(disk, {path}).closed) << fact.path;
     const mass::PolyhedronMoments moments =
-        mass::moments_of(as_judged(mesh::read_mesh(disk, path).mesh));
+        mass::moments_of(as_judged(mesh::read_mesh(disk, path, test::workers()).mesh));
     const mass::PolyhedronMoments outward = moments.volume < 0 ? mass::inverted(moments) : moments;
     const mass::Solid solid = mass::solid_of(outward);
     const double size = std::cbrt(fact.volume);

@@ -19,6 +19,7 @@
 
 #include "support/corpus.h"
 #include "support/part.h"
+#include "support/workers.h"
 
 namespace rigor {
 namespace {
@@ -58,7 +59,7 @@ TEST(CorpusMeshes, EdgesComponentsAndAreaAgree) {
     const std::string path = test::corpus() + "/" + fact.path;
     if (!test::in_part(path) || disk.kind(path) != PathKind::kFile) continue;
     ++looked_at;
-    const mesh::LoadedMesh loaded = mesh::read_mesh(disk, path);
+    const mesh::LoadedMesh loaded = mesh::read_mesh(disk, path, test::workers());
     ASSERT_TRUE(loaded.usable()) << fact.path;
     const mesh::Topology topology = mesh::topology_of(loaded.mesh);
     EXPECT_EQ(topology.triangles, fact.triangles) << fact.path;

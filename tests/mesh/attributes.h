@@ -21,6 +21,7 @@
 #include <rigor/text/disk.h>
 
 #include "mesh/writing.h"
+#include "support/workers.h"
 
 namespace rigor::test {
 
@@ -46,7 +47,7 @@ inline LoadedMesh read_again(const mesh::WrittenMesh& files, const std::string& 
   disk.put("folder/mesh" + ending, files.bytes.value_or(""));
   for (const mesh::SideFile& side : files.side_files) disk.put("folder/" + side.name, side.bytes);
   return ending == ".obj" ? mesh::read_obj(*files.bytes, disk, "folder/mesh.obj")
-                          : mesh::read_mesh(disk, "folder/mesh" + ending);
+                          : mesh::read_mesh(disk, "folder/mesh" + ending, test::workers());
 }
 
 inline LoadedMesh there_and_back(const TriangleMesh& mesh, const std::string& ending) {

@@ -271,12 +271,13 @@ TEST(MeshCollada, WhenBothRefuseTheImportersReasonStays) {
 TEST(MeshCollada, BytesSayWhatItIsNotTheEnding) {
   const MemoryDisk disk({{"a.stl", text({})}, {"b", text({})}, {"c.gltf", text({})}});
   for (const char* path : {"a.stl", "b", "c.gltf"}) {
-    const LoadedMesh loaded = read_mesh(disk, path);
+    const LoadedMesh loaded = read_mesh(disk, path, test::workers());
     EXPECT_TRUE(loaded.usable()) << path;
     EXPECT_EQ(loaded.format, Format::kCollada);
     EXPECT_EQ(loaded.mesh.triangles.size(), 2U);
   }
-  EXPECT_EQ(only_fault(read_mesh(disk, "a.stl")).kind, FaultKind::kExtensionMismatch);
+  EXPECT_EQ(only_fault(read_mesh(disk, "a.stl", test::workers())).kind,
+            FaultKind::kExtensionMismatch);
 }
 
 }  // namespace

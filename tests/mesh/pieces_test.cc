@@ -23,6 +23,7 @@
 
 #include "mesh/bodies.h"
 #include "support/corpus.h"
+#include "support/workers.h"
 
 namespace rigor::mesh {
 namespace {
@@ -287,7 +288,7 @@ TEST(Pieces, OfRealConcaveBodies) {
         "lower_leg_200mm_left_side.stl",
         "gazebo_models/fire_hose_long/meshes/coupling2.stl", "trimesh/models/quadknot.obj"}) {
     SCOPED_TRACE(path);
-    const LoadedMesh loaded = read_mesh(disk, test::corpus() + "/" + path);
+    const LoadedMesh loaded = read_mesh(disk, test::corpus() + "/" + path, test::workers());
     ASSERT_TRUE(loaded.usable());
     ASSERT_TRUE(topology_of(loaded.mesh).closed());
     const Pieces whole = convex_pieces(loaded.mesh, {.count = 1});

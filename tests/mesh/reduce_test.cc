@@ -22,6 +22,7 @@
 
 #include "mesh/bodies.h"
 #include "support/corpus.h"
+#include "support/workers.h"
 
 namespace rigor::mesh {
 namespace {
@@ -436,7 +437,7 @@ TEST(Reduce, LargeRealMeshesKeepTheirShape) {
     if ((ending != ".stl" && ending != ".STL" && ending != ".dae") || entry.file_size() < 150'000) {
       continue;
     }
-    const LoadedMesh loaded = read_mesh(disk, entry.path().string());
+    const LoadedMesh loaded = read_mesh(disk, entry.path().string(), test::workers());
     if (loaded.usable() && loaded.mesh.triangles.size() >= 10'000) {
       large.emplace_back(loaded.mesh.triangles.size(), entry.path().string());
     }
@@ -447,7 +448,7 @@ TEST(Reduce, LargeRealMeshesKeepTheirShape) {
   std::vector<double> relative;
   for (const auto& [triangles, path] : large) {
     SCOPED_TRACE(path);
-    const TriangleMesh mesh = read_mesh(disk, path).mesh;
+    const TriangleMesh mesh = read_mesh(disk, path, test::workers()).mesh;
     const Reduced reduced = reduce(mesh, {.triangles = triangles / 10});
     const Topology before = topology_of(mesh);
     const Topology after = topology_of(reduced.mesh);

@@ -24,6 +24,7 @@
 #include "mesh/bodies.h"
 #include "support/corpus.h"
 #include "support/part.h"
+#include "support/workers.h"
 
 namespace rigor::mesh {
 namespace {
@@ -362,7 +363,7 @@ TEST(CorpusRepair, ClosesEightInTenSmallHolesAndMakesNothingWorse) {
   std::size_t mended = 0;
   for (const std::string& path : corpus_meshes()) {
     if (!test::in_part(path)) continue;
-    const LoadedMesh loaded = read_mesh(disk, path);
+    const LoadedMesh loaded = read_mesh(disk, path, test::workers());
     if (!loaded.usable() || loaded.mesh.triangles.empty()) continue;
     SCOPED_TRACE(path);
     ++looked_at;

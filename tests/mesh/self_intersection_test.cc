@@ -30,6 +30,7 @@
 #include "support/corpus.h"
 #include "support/meshes.h"
 #include "support/part.h"
+#include "support/workers.h"
 
 namespace rigor::mesh {
 namespace {
@@ -310,7 +311,7 @@ TEST(SelfIntersectionTest, AllMeshesOfTheCorpusAreLookedAtWhole) {
     const std::string ending = entry.path().extension().string();
     if (ending != ".stl" && ending != ".STL" && ending != ".obj") continue;
     if (!test::in_part(entry.path().string())) continue;
-    const LoadedMesh loaded = read_mesh(disk, entry.path().string());
+    const LoadedMesh loaded = read_mesh(disk, entry.path().string(), test::workers());
     if (!loaded.usable()) continue;
     ++meshes;
     const SelfIntersections found = self_intersections(loaded.mesh);

@@ -18,6 +18,7 @@
 
 #include "mesh/bodies.h"
 #include "support/corpus.h"
+#include "support/workers.h"
 
 namespace rigor::mesh {
 namespace {
@@ -195,7 +196,7 @@ TEST(TopologyCorpus, AgreesWithTheManifest) {
   const RealDisk disk;
   int looked_at = 0;
   for (const ManifestFact& fact : manifest()) {
-    const LoadedMesh loaded = read_mesh(disk, test::corpus() + "/" + fact.path);
+    const LoadedMesh loaded = read_mesh(disk, test::corpus() + "/" + fact.path, test::workers());
     if (!loaded.usable()) continue;
     const std::string found = in_words(topology_of(without_lines(loaded.mesh))) +
                               degenerate_in_words(topology_of(loaded.mesh));

@@ -18,6 +18,8 @@
 #include <rigor/mesh/write/write.h>
 #include <rigor/text/disk.h>
 
+#include "support/workers.h"
+
 namespace rigor::test {
 
 using mesh::LoadedMesh;
@@ -41,7 +43,7 @@ inline std::string written(const TriangleMesh& shape, const std::string& ending)
 inline LoadedMesh read_back(const std::string& bytes, const std::string& ending) {
   MemoryDisk disk;
   disk.put("mesh" + ending, bytes);
-  return mesh::read_mesh(disk, "mesh" + ending);
+  return mesh::read_mesh(disk, "mesh" + ending, test::workers());
 }
 
 // ---- Random meshes

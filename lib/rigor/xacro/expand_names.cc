@@ -256,7 +256,7 @@ void Expander::include_file(const Node& node, const std::string& path, bool opti
   incomplete_ = incomplete_ || !file.tree.faults.empty();
   if (file.tree.root == nullptr) return;
   const std::uint32_t outer = frame_;
-  frame_ = push_frame({FactFrame::Kind::kInclude, outer, node.where.span, file.path});
+  frame_ = push_frame({FactFrame::Kind::kInclude, outer, node.where.span, heap_.keep(file.path)});
   const bool is_own = file_stack_.size() == 1;
   if (is_own) includes_.push_back({place, path, {}, false});
   if (!includes_.empty()) includes_.back().sources.push_back(file.source);
