@@ -131,6 +131,16 @@ TEST_F(XacroProgram, OfAFolderRobotsAreCheckedAndTheirPartsThroughThem) {
       << ran.err;
 }
 
+TEST_F(XacroProgram, ANamedFileOfMacrosIsNoRobotWithoutLinks) {
+  folder_.put("leg.xacro",
+              "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n"
+              "  <xacro:macro name=\"leg\" params=\"side\"><link name=\"${side}\"/></xacro:macro>\n"
+              "</robot>\n");
+  const Ran ran = validate("leg.xacro");
+  EXPECT_EQ(ran.exit, 0) << ran.out;
+  EXPECT_EQ(ran.out.find("[missing-"), std::string::npos) << ran.out;
+}
+
 TEST_F(XacroProgram, WhatInstallationMovesIsFoundWhereItComesFrom) {
   folder_.put("demo/package.xml", "<package><name>demo</name></package>");
   folder_.put("demo/CMakeLists.txt",

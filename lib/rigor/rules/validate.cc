@@ -293,7 +293,9 @@ class Run {
   /// `arguments` are told with what is found, where they are not those that are given to all.
   void check_expansion(const read::File& file, const std::string& arguments, Checked& checked,
                        TemplateFindings& findings) {
-    const bool is_model = file.expanded && file.expanded->ok() && !is_srdf_template(file.path);
+    // A file of macros that a hook names by itself is no robot without links.
+    const bool is_model =
+        file.expanded && file.expanded->ok() && makes_robot(file) && !is_srdf_template(file.path);
     read::File bare;
     bare.path = file.path;
     read::Loaded loaded;

@@ -26,19 +26,6 @@ struct TemplateCandidate {
   const TemplateCandidate* includer = nullptr;
 };
 
-bool makes_robot(const read::File& file) {
-  const xacro::Node* root = file.expanded->expansion().root;
-  if (root == nullptr) return false;
-  if (root->name == "sdf") return true;
-  if (root->name != "robot") return false;
-  const bool is_srdf = is_srdf_template(file.path);
-  for (const xacro::Node* child = root->first_element(); child != nullptr;
-       child = child->next_element()) {
-    if (child->name == (is_srdf ? "group" : "link")) return true;
-  }
-  return false;
-}
-
 TemplateCandidate candidate_of(const std::string& path, read::Workspace& workspace,
                                const std::string& working_folder) {
   TemplateCandidate one{path, join_path(working_folder, path)};
@@ -65,6 +52,19 @@ TemplateCandidate candidate_of(const std::string& path, read::Workspace& workspa
 }
 
 }  // namespace
+
+bool makes_robot(const read::File& file) {
+  const xacro::Node* root = file.expanded->expansion().root;
+  if (root == nullptr) return false;
+  if (root->name == "sdf") return true;
+  if (root->name != "robot") return false;
+  const bool is_srdf = is_srdf_template(file.path);
+  for (const xacro::Node* child = root->first_element(); child != nullptr;
+       child = child->next_element()) {
+    if (child->name == (is_srdf ? "group" : "link")) return true;
+  }
+  return false;
+}
 
 bool is_srdf_template(std::string_view path) {
   return path.ends_with(".srdf.xacro") || path.ends_with(".srdf");

@@ -36,6 +36,9 @@ struct EntryPoints {
 EntryPoints entry_points(const std::vector<std::string>& paths, const std::set<std::string>& named,
                          read::Workspace& workspace, const std::string& working_folder);
 
+/// Whether an expanded template has links (of an SRDF: groups) or is an SDF file, and no mere part of one.
+bool makes_robot(const read::File& file);
+
 /// Whether a template describes planning groups (SRDF), which no model rule is about.
 bool is_srdf_template(std::string_view path);
 
