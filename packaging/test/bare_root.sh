@@ -2,7 +2,7 @@
 # Copyright 2026 The rigor authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# packaging/test/bare_root.sh PACKAGES [RELEASE...]: unpacks each Debian release (default: bookworm trixie)
+# packaging/test/bare_root.sh PACKAGES [RELEASE...]: unpacks each Debian release (default: bullseye bookworm trixie)
 # into a folder of its own, installs there what PACKAGES holds as a user would, and lets rigor find the fault in
 # broken.sdf. Needs root and debootstrap; the mirror is the one that this machine's apt uses.
 # shellcheck disable=SC2016  # dollar signs that are not the shell's
@@ -11,7 +11,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 source_tree=$(cd "$here/../.." && pwd)
 packages=$(cd "$1" && pwd)
 shift
-[ $# -gt 0 ] || set -- bookworm trixie
+[ $# -gt 0 ] || set -- bullseye bookworm trixie
 [ "$(id -u)" -eq 0 ] || { echo 'bare_root.sh must run as root: it makes roots and enters them' >&2; exit 2; }
 
 root=
@@ -75,7 +75,7 @@ test_release() {
   echo "unpacked in $(since "$begin")"
   mount -t proc proc "$root/proc"
   cp "$here/broken.sdf" "$here/tetrahedron.stl" "$root/root/"
-  cp "$packages"/*.deb "$packages"/*.tar.gz "$packages"/*.tgz "$root/root/" 2>/dev/null || true
+  cp "$packages"/*.deb "$packages"/*.tar.gz "$packages"/*.tgz "$packages"/*.whl "$root/root/" 2>/dev/null || true
 
   # The tarball first, while none of the libraries is there.
   begin=$(now)
@@ -99,6 +99,7 @@ test_release() {
     check_files
     check_development
   fi
+  check_wheel "$release"
   check_npm "$release"
   clean_up
 }
@@ -136,6 +137,23 @@ check_development() {
   else
     bad 'no project builds against librigor-dev'
     tail -n 20 "$root/root/apt.log" "$root/root/cmake.log" || true
+  fi
+}
+
+# By Debian's pip; those of bookworm and later want to be told that this is no machine of Debian's own packages.
+check_wheel() {
+  local wheel
+  wheel=$(cd "$packages" && ls ./*.whl 2>/dev/null) || { skip 'there is no wheel'; return; }
+  if ! inside 'apt-get install -y -qq --no-install-recommends python3-pip >apt.log 2>&1'; then
+    skip "$1 has no pip"
+    return
+  fi
+  if inside "PIP_BREAK_SYSTEM_PACKAGES=1 pip3 install --no-index $wheel >pip.log 2>&1"; then
+    finds_the_fault 'the wheel' /usr/local/bin/rigor
+    reads_a_scene 'the wheel' 'python3 -m rigor'
+  else
+    bad 'pip does not install the wheel'
+    cat "$root/root/pip.log"
   fi
 }
 
