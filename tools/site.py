@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright 2026 The rigor authors
 # SPDX-License-Identifier: Apache-2.0
-"""tools/site.py SITE: checks the site that mkdocs built in the folder SITE.
+"""tools/site.py [--build] SITE: checks the site that mkdocs built in the folder SITE; with --build it is built there first.
 
 Each link leads to a page of the site and to an anchor in it, no page loads anything from the network, and the index of
 the search has every page. Exits with 1 and names what is wrong.
@@ -10,6 +10,7 @@ the search has every page. Exits with 1 and names what is wrong.
 import html.parser
 import json
 import pathlib
+import subprocess
 import sys
 import urllib.parse
 
@@ -66,7 +67,10 @@ def check(site):
 
 
 def main():
-    site = pathlib.Path(sys.argv[1]).resolve()
+    site = pathlib.Path(sys.argv[-1]).resolve()
+    if sys.argv[1] == "--build":
+        configuration = pathlib.Path(__file__).resolve().parent.parent / "mkdocs.yml"
+        subprocess.run(["mkdocs", "build", "--quiet", "--clean", "-f", configuration, "-d", site], check=True)
     pages, links, problems = check(site)
     for problem in problems:
         print(problem, file=sys.stderr)
