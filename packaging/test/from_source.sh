@@ -19,7 +19,7 @@ chmod 755 "$root"
 corpus=${RIGOR_CORPUS:+$(realpath "$RIGOR_CORPUS")}
 clean_up() {
   local folder
-  for folder in "$corpus" /dev/shm /dev /proc; do
+  for folder in "$corpus" /dev/pts /dev/shm /dev /proc; do
     if [ -n "$folder" ] && mountpoint -q "$root$folder"; then umount "$root$folder"; fi
   done
   rm -rf --one-file-system "$root"
@@ -31,6 +31,7 @@ debootstrap --variant=minbase "$release" "$root" "$mirror" >"$root.log" 2>&1 || 
 rm -f "$root.log"
 mount -t proc proc "$root/proc"
 mount --bind /dev "$root/dev"
+mount --bind /dev/pts "$root/dev/pts"
 mount -t tmpfs tmpfs "$root/dev/shm"
 if [ -n "$corpus" ]; then
   mkdir -p "$root$corpus"
@@ -42,7 +43,7 @@ inside() { chroot "$root" /usr/bin/env -i HOME=/root PATH=/usr/local/bin:/usr/bi
   LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive RIGOR_CORPUS="$corpus" "$@"; }
 
 inside apt-get update -qq
-inside apt-get install -y -qq --no-install-recommends git ca-certificates >/dev/null
+inside apt-get install -y -qq --no-install-recommends git >/dev/null 2>&1
 # A clone, since some tests and the date of packages ask git.
 git clone -q --no-local --depth 1 "file://$source_tree" "$root/root/rigor"
 inside sh -c 'cd /root/rigor && exec "$@"' sh "$@"
