@@ -58,6 +58,19 @@ reads_a_scene() {
   fi
 }
 
+# draws WHAT PROGRAM: with Embree, which is opened by name.
+draws() {
+  local said
+  if said=$(inside "rm -rf drawn && $2 new drawn --template box && $2 render drawn -o drawn.png --size 64x48" 2>&1) &&
+      [ "$(head -c 4 "$root/root/drawn.png" | tail -c 3)" = PNG ]; then
+    ok "$1 draws an image"
+  else
+    bad "$1 draws nothing"
+    echo "$said"
+  fi
+  rm -f "$root/root/drawn.png"
+}
+
 test_release() {
   local release=$1 mirror begin deb
   mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' | sed -n '\,/debian/$,{p;q}')
@@ -83,6 +96,7 @@ test_release() {
   finds_the_fault 'the tarball' rigor-tarball
   echo "from the tarball to the first finding: $(since "$begin")"
   reads_a_scene 'the tarball' rigor-tarball
+  draws 'the tarball' rigor-tarball
   check_direct_start
 
   deb=$(basename "$packages"/rigor_*.deb)
@@ -96,6 +110,7 @@ test_release() {
     finds_the_fault "$deb" rigor
     echo "from \`apt install\` to the first finding: $(since "$begin")"
     reads_a_scene "$deb" rigor
+    draws "$deb" rigor
     check_files
     check_development
   fi
@@ -151,6 +166,7 @@ check_wheel() {
   if inside "PIP_BREAK_SYSTEM_PACKAGES=1 pip3 install --no-index $wheel >pip.log 2>&1"; then
     finds_the_fault 'the wheel' /usr/local/bin/rigor
     reads_a_scene 'the wheel' 'python3 -m rigor'
+    draws 'the wheel' 'python3 -m rigor'
   else
     bad 'pip does not install the wheel'
     cat "$root/root/pip.log"
@@ -167,6 +183,7 @@ check_npm() {
   if inside "npm install --global --offline --no-audit --no-fund --prefix /opt/npm $package >npm.log 2>&1"; then
     finds_the_fault 'the npm package' /opt/npm/bin/rigor
     reads_a_scene 'the npm package' /opt/npm/bin/rigor
+    draws 'the npm package' /opt/npm/bin/rigor
   else
     bad 'npm does not install the package'
     cat "$root/root/npm.log"
