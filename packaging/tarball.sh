@@ -22,20 +22,27 @@ mv "$root/share/doc/rigor/LICENSE" "$root/share/doc/rigor/CHANGELOG.md" "$root/s
 [ -e "$root/share/doc/rigor/rules.md" ] && mv "$root/share/doc/rigor/rules.md" "$root/share/doc/"
 rm -rf "$root/share/doc/rigor"
 
-# The library that scenes are read with is opened by name; everything else shows in the program.
-assimp=$(grep -aom 1 'libassimp\.so\.[0-9]*' "$build/rigor-worker")
-assimp_path=$(ldconfig -p | awk -v name="$assimp" '$1 == name && !path { path = $NF } END { print path }')
-[ -n "$assimp_path" ] || { echo "$assimp is not installed" >&2; exit 1; }
+# Libraries that are opened by name: assimp reads scenes, Embree draws. Everything else shows in the programs.
+opened=()
+for pattern in 'libassimp\.so\.[0-9][0-9]*' 'libembree[0-9]\.so\.[0-9][0-9]*'; do
+  name_in_program=$(grep -haom 1 "$pattern" "$build/rigor-worker" "$build/rigor") || continue  # a build without it
+  name_in_program=${name_in_program%%$'\n'*}
+  path=$(ldconfig -p | awk -v name="$name_in_program" '$1 == name && !path { path = $NF } END { print path }')
+  [ -n "$path" ] || { echo "$name_in_program is not installed" >&2; exit 1; }
+  opened+=("$name_in_program => $path")
+done
 loader_path=$(patchelf --print-interpreter "$root/libexec/rigor")
 loader=$(basename "$loader_path")
 
-# The loader finds what the program and assimp need, and what those need in turn.
+# The loader finds what the programs and these need, and what those need in turn.
 printf 'library\tpackage\tversion\n' >"$root/share/doc/licenses/libraries.tsv"
 {
   ldd "$build/rigor"
   ldd "$build/rigor-worker"
-  ldd "$assimp_path"
-  echo "$assimp => $assimp_path"
+  for library in "${opened[@]}"; do
+    ldd "${library#* => }"
+    echo "$library"
+  done
   echo "$loader => $loader_path"
 } | awk '$2 == "=>" && $3 ~ /^\// { print $1, $3 }' | sort -u -k1,1 | while read -r soname path; do
   # A C library works with its own loader only. In a folder of their own no other loader finds it.

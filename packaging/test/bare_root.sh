@@ -2,7 +2,7 @@
 # Copyright 2026 The rigor authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# packaging/test/bare_root.sh PACKAGES [RELEASE...]: unpacks each Debian release (default: bookworm trixie)
+# packaging/test/bare_root.sh PACKAGES [RELEASE...]: unpacks each Debian release (default: bullseye bookworm trixie)
 # into a folder of its own, installs there what PACKAGES holds as a user would, and lets rigor find the fault in
 # broken.sdf. Needs root and debootstrap; the mirror is the one that this machine's apt uses.
 # shellcheck disable=SC2016  # dollar signs that are not the shell's
@@ -11,7 +11,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 source_tree=$(cd "$here/../.." && pwd)
 packages=$(cd "$1" && pwd)
 shift
-[ $# -gt 0 ] || set -- bookworm trixie
+[ $# -gt 0 ] || set -- bullseye bookworm trixie
 [ "$(id -u)" -eq 0 ] || { echo 'bare_root.sh must run as root: it makes roots and enters them' >&2; exit 2; }
 
 root=
@@ -58,6 +58,19 @@ reads_a_scene() {
   fi
 }
 
+# draws WHAT PROGRAM: with Embree, which is opened by name.
+draws() {
+  local said
+  if said=$(inside "rm -rf drawn && $2 new drawn --template box && $2 render drawn -o drawn.png --size 64x48" 2>&1) &&
+      [ "$(head -c 4 "$root/root/drawn.png" | tail -c 3)" = PNG ]; then
+    ok "$1 draws an image"
+  else
+    bad "$1 draws nothing"
+    echo "$said"
+  fi
+  rm -f "$root/root/drawn.png"
+}
+
 test_release() {
   local release=$1 mirror begin deb
   mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' | sed -n '\,/debian/$,{p;q}')
@@ -75,7 +88,7 @@ test_release() {
   echo "unpacked in $(since "$begin")"
   mount -t proc proc "$root/proc"
   cp "$here/broken.sdf" "$here/tetrahedron.stl" "$root/root/"
-  cp "$packages"/*.deb "$packages"/*.tar.gz "$packages"/*.tgz "$root/root/" 2>/dev/null || true
+  cp "$packages"/*.deb "$packages"/*.tar.gz "$packages"/*.tgz "$packages"/*.whl "$root/root/" 2>/dev/null || true
 
   # The tarball first, while none of the libraries is there.
   begin=$(now)
@@ -83,6 +96,7 @@ test_release() {
   finds_the_fault 'the tarball' rigor-tarball
   echo "from the tarball to the first finding: $(since "$begin")"
   reads_a_scene 'the tarball' rigor-tarball
+  draws 'the tarball' rigor-tarball
   check_direct_start
 
   deb=$(basename "$packages"/rigor_*.deb)
@@ -96,9 +110,11 @@ test_release() {
     finds_the_fault "$deb" rigor
     echo "from \`apt install\` to the first finding: $(since "$begin")"
     reads_a_scene "$deb" rigor
+    draws "$deb" rigor
     check_files
     check_development
   fi
+  check_wheel "$release"
   check_npm "$release"
   clean_up
 }
@@ -139,6 +155,24 @@ check_development() {
   fi
 }
 
+# By Debian's pip; those of bookworm and later want to be told that this is no machine of Debian's own packages.
+check_wheel() {
+  local wheel
+  wheel=$(cd "$packages" && ls ./*.whl 2>/dev/null) || { skip 'there is no wheel'; return; }
+  if ! inside 'apt-get install -y -qq --no-install-recommends python3-pip >apt.log 2>&1'; then
+    skip "$1 has no pip"
+    return
+  fi
+  if inside "PIP_BREAK_SYSTEM_PACKAGES=1 pip3 install --no-index $wheel >pip.log 2>&1"; then
+    finds_the_fault 'the wheel' /usr/local/bin/rigor
+    reads_a_scene 'the wheel' 'python3 -m rigor'
+    draws 'the wheel' 'python3 -m rigor'
+  else
+    bad 'pip does not install the wheel'
+    cat "$root/root/pip.log"
+  fi
+}
+
 check_npm() {
   local package
   package=$(cd "$packages" && ls ./*.tgz 2>/dev/null) || { skip 'there is no npm package'; return; }
@@ -149,6 +183,7 @@ check_npm() {
   if inside "npm install --global --offline --no-audit --no-fund --prefix /opt/npm $package >npm.log 2>&1"; then
     finds_the_fault 'the npm package' /opt/npm/bin/rigor
     reads_a_scene 'the npm package' /opt/npm/bin/rigor
+    draws 'the npm package' /opt/npm/bin/rigor
   else
     bad 'npm does not install the package'
     cat "$root/root/npm.log"

@@ -4,7 +4,7 @@
 #
 # packaging/test/pre_commit.sh RIGOR PACKAGES: from a repository without any configuration to a commit that the
 # real pre-commit blocks, and then to one that it lets through. RIGOR is the program that the hooks of this
-# repository run; the npm package in PACKAGES is what pre-commit installs by itself. Needs git, pre-commit and npm.
+# repository run; the wheel and the npm package in PACKAGES are what pre-commit installs by itself. Needs git, pre-commit and npm.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 source_tree=$(cd "$here/../.." && pwd)
@@ -14,7 +14,7 @@ packages=$(realpath "$2")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 # Nothing of this machine's user counts, and nothing is left behind.
-export HOME=$work PRE_COMMIT_HOME=$work/cache GIT_CONFIG_NOSYSTEM=1 RIGOR_CACHE=off npm_config_offline=true
+export HOME=$work PRE_COMMIT_HOME=$work/cache GIT_CONFIG_NOSYSTEM=1 RIGOR_CACHE=off npm_config_offline=true PIP_NO_INDEX=1
 git config --global user.name Somebody
 git config --global user.email somebody@example.com
 git config --global init.defaultBranch main
@@ -112,28 +112,34 @@ else
   bad 'rigor-fix fails for another reason'
 fi
 
-# ---- The npm package, which pre-commit installs
+# ---- What pre-commit installs by itself
 
-package=$(ls "$packages"/rigor-robot-*.tgz)
-begin=$(date +%s.%N)
-repository npm
-cat >.pre-commit-config.yaml <<YAML
+# installs LANGUAGE PACKAGE VERSION: a repository whose hook has pre-commit install PACKAGE.
+installs() {
+  local begin
+  begin=$(date +%s.%N)
+  repository "$1"
+  cat >.pre-commit-config.yaml <<YAML
 repos:
   - repo: local
     hooks:
       - id: rigor-validate
         name: rigor validate
-        language: node
-        language_version: system
-        additional_dependencies: ["$package"]
+        language: $1
+        language_version: $3
+        additional_dependencies: ["$2"]
         entry: rigor validate --force-exclude
-        files: '\.(sdf|world|urdf)$|(^|/)model\.config$'
+        files: '\.(sdf|world|urdf|xacro)$|(^|/)model\.config$'
         require_serial: true
 YAML
-git add -A
-pre-commit install >/dev/null
-blocks_and_lets_through 'the npm package'
-awk -v from="$begin" -v to="$(date +%s.%N)" 'BEGIN { printf "both commits, with npm: %.1f s\n", to - from }'
+  git add -A
+  pre-commit install >/dev/null
+  blocks_and_lets_through "$(basename "$2")"
+  awk -v from="$begin" -v to="$(date +%s.%N)" 'BEGIN { printf "both commits: %.1f s\n", to - from }'
+}
+
+installs python "$(ls "$packages"/rigor-*.whl)" default
+installs node "$(ls "$packages"/rigor-robot-*.tgz)" system
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -7,6 +7,8 @@
 #include <cctype>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -60,6 +62,7 @@ TEST(Scaffold, HasTheMomentsOfItsShapes) {
 }
 
 TEST(Scaffold, KnowsNoOtherTemplate) {
+  EXPECT_TRUE(scaffold("ros2", "it").empty());
   EXPECT_TRUE(scaffold("common", "it").empty());
   EXPECT_TRUE(scaffold("", "it").empty());
   EXPECT_TRUE(scaffold("arm/..", "it").empty());
@@ -107,6 +110,92 @@ TEST(ScaffoldName, EverySuggestionCanBeTaken) {
       EXPECT_FALSE(name_problem(problem->suggestion)) << problem->suggestion;
     }
   }
+}
+
+std::string packaged(const std::string& path) {
+  for (const ScaffoldFile& file : scaffold_ros2_package("it")) {
+    if (file.path == path) return file.bytes;
+  }
+  return {};
+}
+
+TEST(ScaffoldRos2, HasWhatADescriptionPackageHas) {
+  std::vector<std::string> paths;
+  for (const ScaffoldFile& file : scaffold_ros2_package("it")) {
+    paths.push_back(file.path);
+    EXPECT_EQ(file.bytes.find("@NAME@"), std::string::npos) << file.path;
+    EXPECT_TRUE(file.bytes.ends_with("\n")) << file.path;
+  }
+  const std::vector<std::string> expected{".pre-commit-config.yaml",
+                                          "CMakeLists.txt",
+                                          "LICENSE",
+                                          "README.md",
+                                          "config/controllers.yaml",
+                                          "launch/it.launch.py",
+                                          "meshes/chassis.obj",
+                                          "package.xml",
+                                          "test/drive.toml",
+                                          "urdf/inertial.xacro",
+                                          "urdf/it.urdf.xacro",
+                                          "urdf/ros2_control.xacro",
+                                          "urdf/wheel.xacro"};
+  EXPECT_EQ(paths, expected);
+}
+
+// REP 149 (package.xml) and REP 140: the order and the names of its elements; ament_cmake's three lines.
+TEST(ScaffoldRos2, IsAnAmentPackage) {
+  const std::string manifest = packaged("package.xml");
+  std::size_t at = 0;
+  for (const std::string element :
+       {"<package format=\"3\">", "<name>it_description</name>", "<version>0.1.0</version>",
+        "<description>", "<maintainer email=", "<license file=\"LICENSE\">",
+        "<buildtool_depend>ament_cmake<", "<exec_depend>robot_state_publisher<",
+        "<exec_depend>xacro<", "<build_type>ament_cmake</build_type>"}) {
+    const std::size_t found = manifest.find(element, at);
+    ASSERT_NE(found, std::string::npos) << element;
+    at = found;
+  }
+  const std::string lists = packaged("CMakeLists.txt");
+  for (const std::string line : {"project(it_description", "find_package(ament_cmake REQUIRED)",
+                                 "DESTINATION share/${PROJECT_NAME}", "ament_package()"}) {
+    EXPECT_NE(lists.find(line), std::string::npos) << line;
+  }
+}
+
+// What the launch file starts from other packages, ROS has to install.
+TEST(ScaffoldRos2, DependsOnWhatItStarts) {
+  const std::string manifest = packaged("package.xml");
+  const std::string text = packaged("launch/it.launch.py") + packaged("config/controllers.yaml");
+  std::set<std::string> used{"xacro"};
+  for (const auto& [before, after] :
+       {std::pair<std::string, char>{"package='", '\''}, {"type: ", '/'}, {"from ", '.'}}) {
+    for (std::size_t at = text.find(before); at != std::string::npos; at = text.find(before, at)) {
+      at += before.size();
+      const std::string rest = text.substr(at, text.find_first_of(" \n", at) - at);
+      used.insert(rest.substr(0, rest.find(after)));
+    }
+  }
+  EXPECT_EQ(used.size(), 7U);
+  for (const std::string& package : used) {
+    EXPECT_NE(manifest.find("<exec_depend>" + package + "</exec_depend>"), std::string::npos)
+        << package;
+  }
+}
+
+TEST(ScaffoldRos2Name, IsInLowercaseWithSingleUnderscores) {
+  for (const std::string name : {"a", "my_robot2", "r2d2"}) {
+    EXPECT_FALSE(ros2_name_problem(name)) << name;
+  }
+  const auto said = [](std::string_view name) {
+    const auto problem = ros2_name_problem(name);
+    return problem ? problem->what + " -> " + problem->suggestion : "taken";
+  };
+  EXPECT_EQ(said("My-Robot"), "has a capital letter -> my_robot");
+  EXPECT_EQ(said("my-robot"), "has a '-' -> my_robot");
+  EXPECT_EQ(said("my__robot"), "has two underscores in a row -> my_robot");
+  EXPECT_EQ(said("robot_"), "ends with '_' -> robot");
+  EXPECT_EQ(said("2 Wheels"), "has a space -> model_2_wheels");
+  EXPECT_EQ(said("COM1"), "is a device's for Windows, which then has no such folder -> com1_model");
 }
 
 }  // namespace

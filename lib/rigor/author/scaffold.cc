@@ -4,6 +4,7 @@
 #include <rigor/author/scaffold.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <iterator>
 #include <utility>
 
@@ -13,6 +14,7 @@ namespace rigor::author {
 namespace {
 
 constexpr std::string_view kCommonFolder = "common";
+constexpr std::string_view kRos2Folder = "ros2";
 constexpr std::string_view kNamePlaceholder = "@NAME@";
 
 std::string_view template_of(const EmbeddedFile& file) {
@@ -103,13 +105,47 @@ std::string with_name(std::string_view text, std::string_view name) {
   }
 }
 
+/// The files of some folders of templates/, in the order of their paths.
+std::vector<ScaffoldFile> files_of(std::initializer_list<std::string_view> folders,
+                                   std::string_view name) {
+  std::vector<ScaffoldFile> files;
+  for (const EmbeddedFile& file : embedded_templates()) {
+    const std::string_view folder = template_of(file);
+    if (std::find(folders.begin(), folders.end(), folder) == folders.end()) continue;
+    files.push_back(
+        {with_name(file.path.substr(folder.size() + 1), name), with_name(file.text, name)});
+  }
+  std::sort(files.begin(), files.end(),
+            [](const ScaffoldFile& a, const ScaffoldFile& b) { return a.path < b.path; });
+  return files;
+}
+
+/// In lowercase, with single underscores in place of hyphens, and none at the end, where the suffix brings one.
+std::string ros2_name_like(std::string_view name) {
+  std::string result;
+  for (const char c : lower_name(name)) {
+    const char kept = c == '-' ? '_' : c;
+    if (kept != '_' || !result.ends_with('_')) result += kept;
+  }
+  while (result.ends_with('_')) result.pop_back();
+  return result;
+}
+
+/// Of a name that is a model's, but not a package's.
+std::string what_of_ros2_name(std::string_view name) {
+  if (lower_name(name) != name) return "has a capital letter";
+  if (name.find('-') != std::string_view::npos) return "has a '-'";
+  return name.ends_with('_') ? "ends with '_'" : "has two underscores in a row";
+}
+
 }  // namespace
 
 std::vector<std::string_view> template_names() {
   std::vector<std::string_view> names;
   for (const EmbeddedFile& file : embedded_templates()) {
     const std::string_view name = template_of(file);
-    if (name != kCommonFolder && (names.empty() || names.back() != name)) names.push_back(name);
+    if (name == kCommonFolder || name == kRos2Folder) continue;
+    if (names.empty() || names.back() != name) names.push_back(name);
   }
   return names;
 }
@@ -123,16 +159,21 @@ std::optional<NameProblem> name_problem(std::string_view name) {
 std::vector<ScaffoldFile> scaffold(std::string_view model_template, std::string_view name) {
   const std::vector<std::string_view> names = template_names();
   if (std::find(names.begin(), names.end(), model_template) == names.end()) return {};
-  std::vector<ScaffoldFile> files;
-  for (const EmbeddedFile& file : embedded_templates()) {
-    const std::string_view folder = template_of(file);
-    if (folder != model_template && folder != kCommonFolder) continue;
-    files.push_back(
-        {with_name(file.path.substr(folder.size() + 1), name), with_name(file.text, name)});
+  return files_of({model_template, kCommonFolder}, name);
+}
+
+std::optional<NameProblem> ros2_name_problem(std::string_view name) {
+  if (auto problem = name_problem(name)) {
+    problem->suggestion = ros2_name_like(problem->suggestion);
+    return problem;
   }
-  std::sort(files.begin(), files.end(),
-            [](const ScaffoldFile& a, const ScaffoldFile& b) { return a.path < b.path; });
-  return files;
+  std::string like = ros2_name_like(name);
+  if (like == name) return std::nullopt;
+  return NameProblem{what_of_ros2_name(name), std::move(like)};
+}
+
+std::vector<ScaffoldFile> scaffold_ros2_package(std::string_view name) {
+  return files_of({kRos2Folder}, name);
 }
 
 }  // namespace rigor::author
