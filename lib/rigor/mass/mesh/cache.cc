@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <unordered_map>
 #include <utility>
 
 #include <rigor/mass/mesh/facts_code.h>
@@ -67,13 +68,47 @@ class MeshCache::Importer {
   std::string name_;
 };
 
+/// Of files' bytes, as long as the system says that they are the same.
+class MeshCache::Digests {
+ public:
+  explicit Digests(Stamp stamp) : stamp_(std::move(stamp)) {}
+
+  Digest of(const std::string& path, const OpenFile& file) {
+    const std::optional<FileStamp> before = stamp_ ? stamp_(path) : std::nullopt;
+    if (!before) return digest_of(file);
+    {
+      const std::lock_guard lock(mutex_);
+      const auto found = known_.find(path);
+      if (found != known_.end() && found->second.stamp == *before) return found->second.digest;
+    }
+    const Known known{*before, digest_of(file)};
+    // Replaced or written to while it was read: not what the stamp is of.
+    if (stamp_(path) == before) {
+      const std::lock_guard lock(mutex_);
+      known_.insert_or_assign(path, known);
+    }
+    return known.digest;
+  }
+
+ private:
+  struct Known {
+    FileStamp stamp;
+    Digest digest = {};
+  };
+
+  Stamp stamp_;
+  std::mutex mutex_;
+  std::unordered_map<std::string, Known> known_;
+};
+
 MeshCache::MeshCache(FolderStore store, std::string program, const process::Workers& workers,
-                     std::uint64_t least)
+                     std::uint64_t least, Stamp stamp)
     : store_(std::move(store)),
       program_(std::move(program)),
       workers_(workers),
       least_(least),
-      importer_(std::make_shared<Importer>(workers)) {}
+      importer_(std::make_shared<Importer>(workers)),
+      digests_(std::make_shared<Digests>(std::move(stamp))) {}
 
 MeshFacts MeshCache::facts(const Disk& disk, const std::string& path, MeshDepth depth,
                            MeshReads* reads) const {
@@ -134,7 +169,7 @@ std::optional<Digest> MeshCache::key(const Disk& disk, const std::string& path,
   add(program_);
   add(path);
   add(what);
-  hasher.add(digest_bytes(digest_of(*file)));
+  hasher.add(digest_bytes(digests_->of(path, *file)));
   return hasher.digest();
 }
 
