@@ -102,6 +102,7 @@ void check(const model::Root& /*root*/, Context& context) {
     const auto parent = element.parent();
     const bool prefixed = element.name().find(':') != std::string_view::npos;
     if (!parent || (!prefixed && with_names.count(element.name()) == 0)) continue;
+    if (with_names.count(parent->name()) == 0) continue;
     if (!schema::find_dialect(format, parent->name(), element.name())) {
       if (prefixed) check_prefixed(element, *parent, context);
       continue;
