@@ -73,8 +73,12 @@ class MeshCache::Digests {
  public:
   explicit Digests(Stamp stamp) : stamp_(std::move(stamp)) {}
 
-  Digest of(const std::string& path, const OpenFile& file) {
-    const std::optional<FileStamp> before = stamp_ ? stamp_(path) : std::nullopt;
+  std::optional<FileStamp> stamp(const std::string& path) const {
+    return stamp_ ? stamp_(path) : std::nullopt;
+  }
+
+  /// `before` is the stamp before the file was opened.
+  Digest of(const std::string& path, const std::optional<FileStamp>& before, const OpenFile& file) {
     if (!before) return digest_of(file);
     {
       const std::lock_guard lock(mutex_);
@@ -83,7 +87,7 @@ class MeshCache::Digests {
     }
     const Known known{*before, digest_of(file)};
     // Replaced or written to while it was read: not what the stamp is of.
-    if (stamp_(path) == before) {
+    if (stamp(path) == before) {
       const std::lock_guard lock(mutex_);
       known_.insert_or_assign(path, known);
     }
@@ -159,6 +163,7 @@ Found MeshCache::find(const Disk& disk, const std::string& path, std::string_vie
 
 std::optional<Digest> MeshCache::key(const Disk& disk, const std::string& path,
                                      std::string_view what) const {
+  const std::optional<FileStamp> stamp = digests_->stamp(path);
   const std::unique_ptr<OpenFile> file = disk.open(path);
   if (!file || file->size() == 0 || file->size() > mesh::kMaxMeshBytes) return std::nullopt;
   const Format format = format_of_file(*file, path);
@@ -169,7 +174,7 @@ std::optional<Digest> MeshCache::key(const Disk& disk, const std::string& path,
   add(program_);
   add(path);
   add(what);
-  hasher.add(digest_bytes(digests_->of(path, *file)));
+  hasher.add(digest_bytes(digests_->of(path, stamp, *file)));
   return hasher.digest();
 }
 
