@@ -352,12 +352,14 @@ TEST_F(SimulateCli, HtmlLoadsNothingAndNamesAreHarmless) {
 
 /// What a reader wants to know stands first: the image, the path, the verdict, the causes. The rest is folded.
 TEST_F(SimulateCli, HtmlBeginsWithTheImageTheVerdictAndTheCauses) {
+  // A pole that stands askew.
   folder_.put(
       "top.sdf",
-      "<sdf version='1.9'><model name='top'><link name='l'><inertial><mass>1</mass></inertial>"
-      "<collision name='c'><pose>0 0 0.5 0.4 0 0</pose><geometry><box><size>0.05 0.05 "
-      "1</size></box>"
-      "</geometry></collision></link></model></sdf>");
+      "<sdf version='1.9'><model name='top'><link name='l'><pose>0 0 0 0.4 0 0</pose><inertial>"
+      "<pose>0 0 0.5 0 0 "
+      "0</pose><mass>1</mass><inertia><ixx>0.0835</ixx><iyy>0.0835</iyy><izz>0.0005</izz>"
+      "</inertia></inertial><collision name='c'><pose>0 0 0.5 0 0 0</pose><geometry><box>"
+      "<size>0.05 0.05 1</size></box></geometry></collision></link></model></sdf>");
   const std::string page = simulate("top.sdf --format html").out;
   const std::size_t path = page.find("<h2>top.sdf</h2>");
   const std::size_t verdict = page.find("<span class=\"verdict fail\">fail</span>");

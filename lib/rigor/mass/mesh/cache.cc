@@ -73,25 +73,28 @@ class MeshCache::Digests {
  public:
   explicit Digests(Stamp stamp) : stamp_(std::move(stamp)) {}
 
-  std::optional<FileStamp> stamp(const std::string& path) const {
-    return stamp_ ? stamp_(path) : std::nullopt;
-  }
-
-  /// `before` is the stamp before the file was opened.
-  Digest of(const std::string& path, const std::optional<FileStamp>& before, const OpenFile& file) {
-    if (!before) return digest_of(file);
+  /// Nothing when the file cannot be opened.
+  std::optional<Digest> of(const Disk& disk, const std::string& path) {
+    // Before it is opened: else a link that changes in between gives one file's stamp to another's bytes.
+    const std::optional<FileStamp> before = stamp_ ? stamp_(path) : std::nullopt;
+    if (!before) return read_digest(disk, path);
     {
       const std::lock_guard lock(mutex_);
       const auto found = known_.find(path);
       if (found != known_.end() && found->second.stamp == *before) return found->second.digest;
     }
-    const Known known{*before, digest_of(file)};
+    const std::optional<Digest> digest = read_digest(disk, path);
     // Replaced or written to while it was read: not what the stamp is of.
-    if (stamp(path) == before) {
+    if (digest && stamp_(path) == before) {
       const std::lock_guard lock(mutex_);
-      known_.insert_or_assign(path, known);
+      known_.insert_or_assign(path, Known{*before, *digest});
     }
-    return known.digest;
+    return digest;
+  }
+
+  /// For witnesses. It outlives what this gives.
+  ContentDigest function() {
+    return [this](const Disk& disk, const std::string& path) { return of(disk, path); };
   }
 
  private:
@@ -150,7 +153,7 @@ Found MeshCache::find(const Disk& disk, const std::string& path, std::string_vie
       if (found != nullptr && holds(disk, *known)) return std::move(*found);
     }
   }
-  const WitnessDisk asked(disk, path);
+  const WitnessDisk asked(disk, path, digests_->function());
   auto [found, whole] = find(asked);
   const bool small = own_format(found.format) && found.triangles < least_;
   if (!before || !whole || !found.usable() || small) return std::move(found);
@@ -163,7 +166,6 @@ Found MeshCache::find(const Disk& disk, const std::string& path, std::string_vie
 
 std::optional<Digest> MeshCache::key(const Disk& disk, const std::string& path,
                                      std::string_view what) const {
-  const std::optional<FileStamp> stamp = digests_->stamp(path);
   const std::unique_ptr<OpenFile> file = disk.open(path);
   if (!file || file->size() == 0 || file->size() > mesh::kMaxMeshBytes) return std::nullopt;
   const Format format = format_of_file(*file, path);
@@ -174,7 +176,9 @@ std::optional<Digest> MeshCache::key(const Disk& disk, const std::string& path,
   add(program_);
   add(path);
   add(what);
-  hasher.add(digest_bytes(digests_->of(path, stamp, *file)));
+  const std::optional<Digest> content = digests_->of(disk, path);
+  if (!content) return std::nullopt;
+  hasher.add(digest_bytes(*content));
   return hasher.digest();
 }
 
@@ -185,7 +189,8 @@ std::string MeshCache::importer_of(Format format) const {
 
 bool MeshCache::holds(const Disk& disk, const CachedMesh& entry) const {
   const Format format = std::visit([](const auto& found) { return found.format; }, entry.found);
-  return still_so(disk, entry.witnesses) && importer_of(format) == entry.importer;
+  return still_so(disk, entry.witnesses, digests_->function()) &&
+         importer_of(format) == entry.importer;
 }
 
 }  // namespace rigor::mass
