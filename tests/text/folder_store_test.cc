@@ -87,7 +87,7 @@ TEST(FolderStore, TheOldestGo) {
     const fs::path file = folder.path("cache/03/" + hex(key_in(3, i, 0)) + ".entry");
     fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::seconds(100 - i));
   }
-  // A part is brought to seven eighths of its share: three such entries, and a fourth has room.
+  // A part is brought to six eighths of its share: three such entries.
   EXPECT_FALSE(store.get(key_in(3, 3, 0)));
   for (std::uint8_t i = 5; i < 8; ++i) EXPECT_TRUE(store.get(key_in(3, i, 0))) << +i;
   store.put(key_in(3, 9, 0), std::string(5000, 'x'));  // larger than all there may be
@@ -123,13 +123,13 @@ TEST(FolderStore, AFolderThatIsMuchTooFullIsEmptiedBitByBit) {
   }
   const FolderStore store(folder.path("cache"));
   std::size_t before = 300;
-  for (std::uint64_t i = 0; i < 4; ++i) {
+  for (std::uint64_t i = 0; i < 6; ++i) {
     store.put(key_in(0, i, 0), "x");
     const std::size_t now = files_in(folder.path("cache")).size();
     EXPECT_LE(before - std::min(before, now), 128U);
     before = now;
   }
-  EXPECT_EQ(before, 4U);
+  EXPECT_EQ(before, 6U);
 }
 
 TEST(FolderStore, ManyWritersKeepTheSizeAndEveryEntryIsRight) {
@@ -161,7 +161,7 @@ TEST(FolderStore, ManyWritersKeepTheSizeAndEveryEntryIsRight) {
   }
   for (std::thread& writer : writers) writer.join();
   EXPECT_EQ(wrong, 0);
-  // In each part its share, and what is written between two listings: 16 on average, with luck some times that.
+  // In each part its share, and what is written between two listings: 32 on average, with luck some times that.
   const std::size_t kept = files_in(folder.path("cache")).size();
   EXPECT_LE(kept, 4 * (kPartEntries + 10 * 16));
   EXPECT_GE(kept, 4 * kPartEntries / 2);

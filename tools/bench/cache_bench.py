@@ -120,16 +120,20 @@ class Bench:
 
     def run(self):
         with tempfile.TemporaryDirectory() as work:
+            caches = []
+            for name, entries in (("full", MAX_ENTRIES), (f"{self.options.entries} entries", self.options.entries)):
+                cache = os.path.join(work, f"cache_{entries}")
+                caches.append((name, entries, cache, fill(cache, entries)))
             for size in SIZES:
                 files = max(1, min(20, 60000 // size))
                 meshes = [os.path.join(work, f"{size}_{i}.stl") for i in range(files)]
                 for i, path in enumerate(meshes):
                     write_blob(path, size, size + i)
                     os.utime(path, (1e9, 1e9))
-                self.of_size(work, size, meshes)
+                self.of_size(work, size, meshes, caches)
         return 1 if self.failed else 0
 
-    def of_size(self, work, size, meshes):
+    def of_size(self, work, size, meshes, caches):
         command = [self.options.rigor, "mesh-check", "--format", "json", *meshes]
         right = seconds_of(command, None)[1]
         print(f"{len(meshes)} meshes of {size} triangles")
@@ -139,9 +143,7 @@ class Bench:
             return os.path.join(work, f"empty_{size}_{next(fresh)}")
 
         self.compare("empty", command, right, empty)
-        for name, entries in (("full", MAX_ENTRIES), (f"{self.options.entries} entries", self.options.entries)):
-            cache = os.path.join(work, f"cache_{size}_{entries}")
-            others = fill(cache, entries)
+        for name, entries, cache, others in caches:
 
             def forgotten(cache=cache, others=others):
                 # The meshes' own entries, that is.

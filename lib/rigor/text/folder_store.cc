@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -26,23 +24,24 @@ namespace fs = std::filesystem;
 // Other files in the folder are left alone.
 constexpr std::string_view kEntryEnding = ".entry";
 
-// Behind the ending while it is written; what a run that was killed left behind is older than this.
-constexpr std::string_view kUnfinished = ".XXXXXX";
+// What has more behind the ending an older rigor had not finished; one that still runs may be about to.
 constexpr std::chrono::hours kAbandoned{1};
 
 // What an entry begins with; the digest of key and bytes follows, then the bytes.
 constexpr std::string_view kEntryMagic = "rigor2\n";
 
 // A part of the store is listed by one of so many writes into it, which the key decides: at 256 files a listing
-// takes half a millisecond, so a write some 30 µs more, whatever else goes on and without a common count.
-constexpr unsigned kWritesPerListing = 16;
+// takes half a millisecond, so a write some 15 µs more, whatever else goes on and without a common count.
+constexpr unsigned kWritesPerListing = 32;
 
-// Removed down to this, so that many writes pass before more has to go.
-constexpr std::size_t kKeptEighths = 7;
+// Of its share: above the one a part is brought down to the other, so that many writes pass before more has to go,
+// and those between two listings still fit.
+constexpr std::size_t kFullEighths = 7;
+constexpr std::size_t kKeptEighths = 6;
 
-// However full a folder is, one write pays for no more than this.
-constexpr std::size_t kMaxListed = 4096;
-constexpr std::size_t kMaxRemoved = 128;
+// However full a folder is, one write pays for no more than this. More is removed than is written between listings.
+constexpr std::size_t kMaxListed = 384;
+constexpr std::size_t kMaxRemoved = 64;
 
 std::string entry_head(const Digest& key, std::string_view bytes) {
   Hasher hasher;
@@ -60,18 +59,22 @@ bool write_entry(int file, std::string_view bytes) {
   return true;
 }
 
-/// A new file beside `path`, whose name becomes that of the file; -1 where there can be none.
-int make_unfinished(std::string& path) {
-  std::string name = std::string(path).append(kUnfinished);
-  int file = ::mkostemp(name.data(), O_CLOEXEC);
-  if (file < 0 && errno == ENOENT) {
-    std::error_code error;
-    fs::create_directories(fs::path(path).parent_path(), error);
-    name = std::string(path).append(kUnfinished);
-    file = ::mkostemp(name.data(), O_CLOEXEC);
+/// A new file, never one that is there nor what a link leads to; -1 where there can be none.
+int make_entry(const std::string& path) {
+  constexpr int kTries = 3;  // without a folder; with what an earlier run left there; and in peace
+  for (int i = 0; i < kTries; ++i) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    if (file >= 0) return file;
+    if (errno == EEXIST) {
+      ::unlink(path.c_str());
+    } else if (errno == ENOENT) {
+      std::error_code error;
+      fs::create_directories(fs::path(path).parent_path(), error);
+    } else {
+      break;
+    }
   }
-  path = std::move(name);
-  return file;
+  return -1;
 }
 
 struct StoredEntry {
@@ -106,7 +109,7 @@ void trim(std::vector<StoredEntry> entries, std::size_t max_count, std::uint64_t
   std::size_t count = entries.size();
   std::uint64_t bytes = 0;
   for (const StoredEntry& entry : entries) bytes += entry.bytes;
-  if (count <= max_count && bytes <= max_bytes) return;
+  if (count <= max_count / 8 * kFullEighths && bytes <= max_bytes / 8 * kFullEighths) return;
   std::sort(entries.begin(), entries.end(), [](const StoredEntry& a, const StoredEntry& b) {
     return std::pair(a.time, a.path) < std::pair(b.time, b.path);
   });
@@ -139,13 +142,13 @@ std::optional<std::string> FolderStore::get(const Digest& key) const {
 void FolderStore::put(const Digest& key, std::string_view bytes) const {
   const std::string entry = entry_head(key, bytes).append(bytes);
   if (entry.size() > std::min(kMaxEntryBytes, max_part_bytes_)) return;
-  std::string unfinished = path_of(key);
-  const int file = make_unfinished(unfinished);
+  const std::string path = path_of(key);
+  const int file = make_entry(path);
   if (file < 0) return;
   const bool written = write_entry(file, entry);
   const bool closed = ::close(file) == 0;
-  if (!written || !closed || std::rename(unfinished.c_str(), path_of(key).c_str()) != 0) {
-    ::unlink(unfinished.c_str());
+  if (!written || !closed) {
+    ::unlink(path.c_str());
     return;
   }
   // A large entry is worth a listing of its own.

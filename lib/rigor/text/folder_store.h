@@ -30,8 +30,8 @@ class FolderStore {
   /// The entries of thousands of meshes, which have some kilobytes each.
   static constexpr std::uint64_t kMaxBytes = std::uint64_t{256} << 20U;
 
-  /// Files in all parts. Parts exceed their share by the writes between two listings, some tens; a part that is
-  /// over its share is brought below, so that all together stay at this.
+  /// Files in all parts. A part is brought down before it has its share, as some tens are written between two
+  /// listings, so that all together stay at this.
   static constexpr std::size_t kMaxEntries = 16384;
 
   /// Sub-folders. Few enough that a part can hold a large entry, many enough that it is listed in no time.
@@ -46,7 +46,7 @@ class FolderStore {
   /// What was put, all of it and unharmed, or nothing.
   std::optional<std::string> get(const Digest& key) const;
 
-  /// Readers see it whole or not at all. The oldest entries of its part go when there is no room.
+  /// Readers see it whole or not at all: an entry says what it must hold. The oldest entries of its part go when there is no room.
   void put(const Digest& key, std::string_view bytes) const;
 
  private:

@@ -36,6 +36,14 @@ bool own_format(Format format) {
   return format == Format::kStlBinary || format == Format::kStlAscii || format == Format::kObj;
 }
 
+/// In a file of a format that rigor reads itself.
+std::uint64_t most_triangles(Format format, std::uint64_t bytes) {
+  // Of binary STL 50 bytes are one; of text "f 1 2 3" and half a "v 0 0 0" at least.
+  constexpr std::uint64_t kBinary = 50;
+  constexpr std::uint64_t kText = 8;
+  return bytes / (format == Format::kStlBinary ? kBinary : kText);
+}
+
 /// Buffers are read in the importer's process, where no witness sees it.
 void look_at_buffers(const WitnessDisk& disk, const mesh::Asset& asset) {
   if (!asset.gltf) return;
@@ -170,6 +178,8 @@ std::optional<Digest> MeshCache::key(const Disk& disk, const std::string& path,
   if (!file || file->size() == 0 || file->size() > mesh::kMaxMeshBytes) return std::nullopt;
   const Format format = format_of_file(*file, path);
   if (!names_are_known(format)) return std::nullopt;
+  // Then it is not even looked up.
+  if (own_format(format) && most_triangles(format, file->size()) < least_) return std::nullopt;
   Hasher hasher;
   const auto add = [&hasher](std::string_view text) { hasher.add(digest_bytes(digest_of(text))); };
   add(kMeshFactsCode);

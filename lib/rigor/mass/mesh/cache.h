@@ -39,9 +39,9 @@ class MeshCache {
   /// What the system says of the file at a path of the disk; see `stamp_of`.
   using Stamp = std::function<std::optional<FileStamp>(const std::string& path)>;
 
-  /// Fewer triangles, in a format that rigor reads itself, are read as fast as they are looked up. Scenes
-  /// are kept whatever their size: importing one takes a process.
-  static constexpr std::uint64_t kLeastTriangles = 1000;
+  /// Fewer triangles, in a format that rigor reads itself, are checked in some milliseconds, of which writing an
+  /// entry would take more than a twentieth. Scenes are kept whatever their size: importing one takes a process.
+  static constexpr std::uint64_t kLeastTriangles = 5000;
 
   /// `program` tells apart programs that may find something else in the same bytes. One of `workers`, which
   /// outlive this, is asked which importer there is. With `stamp`, for disks whose paths are the system's, a
