@@ -63,7 +63,7 @@ TEST(FirstUse, AFolderWithSeveralModelsAsksWhichOne) {
   EXPECT_NE(several.err.find("bots/a.sdf bots/b.sdf"), std::string::npos) << several.err;
   const Ran none = folder.rigor("inspect none");
   EXPECT_EQ(none.exit, 2);
-  EXPECT_NE(none.err.find("none: no model in this folder"), std::string::npos) << none.err;
+  EXPECT_NE(none.err.find("none: holds no .sdf"), std::string::npos) << none.err;
 }
 
 /// A solid cube of 2 m and 6 kg: 6 · (2² + 2²) / 12 = 4 kg·m² about each axis, of 8 m³ and 0.75 kg/m³.

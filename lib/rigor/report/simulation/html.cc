@@ -30,7 +30,7 @@ constexpr std::size_t kCauses = 3;
 constexpr std::size_t kLongestCause = 400;
 
 constexpr std::string_view kSimulationStyle = R"(
-.model:first-of-type{margin-top:1rem}.model h2{font-size:1.3rem}.causes{padding-left:1.2rem;margin:.5rem 0}
+.facts>div{flex:1 1 24rem}.model:first-of-type{margin-top:1rem}.model h2{font-size:1.3rem}.causes{padding-left:1.2rem;margin:.5rem 0}
 .causes li{margin:.5rem 0;max-width:46rem}.causes small{display:block;font-size:.85rem}
 .verdict{font-size:1.1rem;font-weight:bold;border:1px solid currentColor;border-radius:.4rem;padding:.05rem .6rem}
 .runs{list-style:none;padding:0;margin:.6rem 0}.runs li{display:inline-block;margin-right:1.2rem}

@@ -15,8 +15,8 @@ namespace {
 constexpr std::uint32_t kGap = 8;
 /// Pixels to a unit of letters: capitals are 12 pixels high.
 constexpr double kLetterScale = 1.2;
-constexpr std::uint32_t kCaptionHeight = 24;
-constexpr double kCaptionBaseline = 16.5;
+constexpr std::uint32_t kCaptionHeight = 22;
+constexpr double kCaptionBaseline = 16;
 constexpr Pixel kPaper{255, 255, 255, 255};
 constexpr Pixel kInk{60, 60, 64, 255};
 constexpr Pixel kOtherShape{224, 24, 24, 255};
