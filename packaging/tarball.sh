@@ -39,6 +39,7 @@ printf 'library\tpackage\tversion\n' >"$root/share/doc/licenses/libraries.tsv"
 {
   ldd "$build/rigor"
   ldd "$build/rigor-worker"
+  ldd "$build/rigor-page-server.so"
   for library in "${opened[@]}"; do
     ldd "${library#* => }"
     echo "$library"
@@ -66,12 +67,13 @@ done
 chmod 755 "$root/lib/glibc/$loader"
 
 # Found without the launcher too. RPATH, unlike RUNPATH, counts for what is opened by name.
-for program in "$root/libexec/rigor" "$root/libexec/rigor-worker.program"; do
+for program in "$root/libexec/rigor" "$root/libexec/rigor-worker.program" "$root/libexec/rigor-page-server.so"; do
   patchelf --force-rpath --set-rpath '$ORIGIN/../lib' "$program"
 done
 for library in "$root"/lib/*.so.*; do patchelf --force-rpath --set-rpath '$ORIGIN' "$library"; done
 
-needed=$(for file in "$root/libexec/rigor" "$root/libexec/rigor-worker.program" "$root"/lib/*.so.*; do
+needed=$(for file in "$root/libexec/rigor" "$root/libexec/rigor-worker.program" "$root/libexec/rigor-page-server.so" \
+             "$root"/lib/*.so.*; do
   objdump -T "$file" | grep -o 'GLIBC_[0-9.]*'
 done | sort -Vu | tail -n 1)
 glibc="glibc $(ldd --version | sed -n '1s/.* //p')"

@@ -136,7 +136,8 @@ check_direct_start() {
 check_files() {
   local listing
   listing=$(dpkg-deb -c "$packages"/rigor_*.deb)
-  for file in libexec/rigor-worker share/man/man1/rigor-validate.1.gz share/bash-completion/completions/rigor \
+  for file in libexec/rigor-worker libexec/rigor-page-server.so share/man/man1/rigor-validate.1.gz \
+              share/bash-completion/completions/rigor \
               share/zsh/vendor-completions/_rigor share/fish/vendor_completions.d/rigor.fish; do
     if grep -q "$file\$" <<<"$listing"; then ok "it has $file"; else bad "no $file"; fi
   done

@@ -69,6 +69,41 @@ TEST(AttachMesh, ItsMiddleComesToTheMiddleOfTheShape) {
                             "      </visual>\n"));
 }
 
+TEST(AttachMesh, SaysWhenARoundMeshLiesAcrossTheShape) {
+  const auto mismatch_of = [](const mesh::Vector3& size, const std::string& shape) {
+    const NewMesh mesh{"w/arm/meshes/wheel.stl", {{0, 0, 0}, size}, {0.1, 0.1, 0.1}};
+    return attached(sdf_with_shapes("<visual name=\"tire\"><geometry>" + shape +
+                                    "</geometry></visual>\n"),
+                    "arm::base::tire", mesh)
+        .mismatch;
+  };
+  const std::string cylinder =
+      "<cylinder><radius>0.1</radius><length>0.05</length></cylinder>";  // about z
+  const auto across = mismatch_of({2, 0.5, 2}, cylinder);
+  ASSERT_TRUE(across);
+  EXPECT_EQ(across->mesh, Axis::kY);
+  EXPECT_EQ(across->shape, Axis::kZ);
+  EXPECT_FALSE(mismatch_of({2, 2, 0.5}, cylinder));
+  EXPECT_FALSE(mismatch_of({2, 1, 0.5}, cylinder));  // not round
+  EXPECT_FALSE(mismatch_of({2, 2, 2}, cylinder));    // about any axis
+  EXPECT_TRUE(mismatch_of({0.5, 2, 2}, "<box><size>0.2 0.2 0.9</size></box>"));
+  EXPECT_FALSE(mismatch_of({0.5, 2, 2}, "<sphere><radius>1</radius></sphere>"));
+}
+
+/// That the rotation brings the one axis onto the other: roll, pitch and yaw of a quarter turn, by hand.
+TEST(AttachMesh, ATurnBringsOneAxisOntoAnother) {
+  const model::Vector3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (unsigned from = 0; from < 3; ++from) {
+    for (unsigned to = 0; to < 3; ++to) {
+      const model::Vector3 rpy = turn_between(static_cast<Axis>(from), static_cast<Axis>(to));
+      const model::Vector3 turned = model::rotate(model::from_rpy(rpy.x, rpy.y, rpy.z), axes[from]);
+      EXPECT_NEAR(turned.x, axes[to].x, 1e-12);
+      EXPECT_NEAR(turned.y, axes[to].y, 1e-12);
+      EXPECT_NEAR(turned.z, axes[to].z, 1e-12);
+    }
+  }
+}
+
 TEST(AttachMesh, AnExtrudedOutlineHasItsMiddleAtHalfItsHeight) {
   EXPECT_EQ(attached_text(sdf_with_shapes(
                               "      <collision name=\"hull\">\n"

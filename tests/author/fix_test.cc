@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <random>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <rigor/author/edit_set.h>
@@ -125,6 +128,49 @@ TEST(Fix, SaysWhatAFixWouldBring) {
   EXPECT_EQ(files[0].held_back[0].why, HeldBack::kBringsFinding);
   EXPECT_TRUE(files[0].held_back[0].brings.starts_with("mesh-"));
   EXPECT_TRUE(files[0].settled);
+}
+
+/// A tetrahedron as ASCII STL, without its last face.
+std::string open_tetrahedron() {
+  std::string text = "solid hull\n";
+  for (const char* face : {"0 0 0  0 1 0  1 0 0", "0 0 0  1 0 0  0 0 1", "0 0 0  0 0 1  0 1 0"}) {
+    std::istringstream numbers(face);
+    double x = 0;
+    double y = 0;
+    double z = 0;
+    text += "facet normal 0 0 0\nouter loop\n";
+    while (numbers >> x >> y >> z) text += fmt::format("vertex {} {} {}\n", x, y, z);
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid hull\n";
+}
+
+TEST(Fix, OfAnErrorMayRevealAWarning) {
+  MemoryDisk disk;
+  disk.put("a.sdf",
+           with_link("<collision name=\"c\"><geometry><mesh><uri>meshes/Hull.stl</uri></mesh>"
+                     "</geometry></collision>\n"));
+  disk.put("meshes/hull.stl", open_tetrahedron());
+  const Environment environment(disk, {});
+  const auto severities = [&](const std::string& bytes) {
+    rules::ValidateOptions options;
+    options.buffer = {"a.sdf", bytes};
+    Sources sources;
+    std::map<Severity, int> count;
+    for (const Diagnostic& found :
+         rules::validate(environment, options, sources).diagnostics.list())
+      ++count[found.severity];
+    return count;
+  };
+  const auto files = fix(disk, {.paths = {"a.sdf"}}, kUnsafe);
+  ASSERT_EQ(files.size(), 1U);
+  // The mesh that could not be found is open, which nobody could know before.
+  EXPECT_NE(files[0].after.find("meshes/hull.stl"), std::string::npos);
+  EXPECT_TRUE(files[0].held_back.empty());
+  EXPECT_LT(severities(files[0].after)[Severity::kError],
+            severities(files[0].before)[Severity::kError]);
+  EXPECT_GT(severities(files[0].after)[Severity::kWarning],
+            severities(files[0].before)[Severity::kWarning]);
 }
 
 /// A model that moves, with these parts of a link.

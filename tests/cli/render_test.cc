@@ -78,7 +78,7 @@ TEST_F(RenderCli, AllViewsAreOneSheet) {
   EXPECT_GE(picture("all.png").height, 100U);
 }
 
-TEST_F(RenderCli, AComparisonIsRedWhereModelsDiffer) {
+TEST_F(RenderCli, AComparisonIsBlueWhereOnlyColorsDiffer) {
   folder.put("same.sdf", model("0.8 0.1 0.1"));
   folder.put("blue.sdf", model("0.1 0.1 0.8"));
   const std::string options = " --view front --size 60x60 -o review.png";
@@ -86,7 +86,7 @@ TEST_F(RenderCli, AComparisonIsRedWhereModelsDiffer) {
   const auto third = [this] { return picture("review.png").at(2 * 68 + 30, 30); };
   EXPECT_EQ(third()[0], third()[1]);
   EXPECT_EQ(folder.rigor("render blue.sdf --compare box.sdf" + options).exit, 0);
-  EXPECT_GT(third()[0], third()[1] + 100);
+  EXPECT_GT(third()[2], third()[0] + 100);
 }
 
 TEST_F(RenderCli, AFolderIsASheetAndABrokenModelTakesNothingFromIt) {

@@ -345,9 +345,42 @@ TEST_F(SimulateCli, HtmlLoadsNothingAndNamesAreHarmless) {
   const Ran ran = simulate("hostile.sdf --format html");
   EXPECT_NE(ran.out.find("default-src 'none'"), std::string::npos);
   EXPECT_NE(ran.out.find("<svg"), std::string::npos);
-  EXPECT_EQ(ran.out.find("<img"), std::string::npos);
+  EXPECT_EQ(ran.out.find("<img src=x"), std::string::npos);
   EXPECT_EQ(ran.out.find("<script"), std::string::npos);
   EXPECT_EQ(ran.out.find("http"), ran.out.find("http-equiv")) << "nothing is loaded";
+}
+
+/// What a reader wants to know stands first: the image, the path, the verdict, the causes. The rest is folded.
+TEST_F(SimulateCli, HtmlBeginsWithTheImageTheVerdictAndTheCauses) {
+  // A pole that stands askew.
+  folder_.put(
+      "top.sdf",
+      "<sdf version='1.9'><model name='top'><link name='l'><pose>0 0 0 0.4 0 0</pose><inertial>"
+      "<pose>0 0 0.5 0 0 "
+      "0</pose><mass>1</mass><inertia><ixx>0.0835</ixx><iyy>0.0835</iyy><izz>0.0005</izz>"
+      "</inertia></inertial><collision name='c'><pose>0 0 0.5 0 0 0</pose><geometry><box>"
+      "<size>0.05 0.05 1</size></box></geometry></collision></link></model></sdf>");
+  const std::string page = simulate("top.sdf --format html").out;
+  const std::size_t path = page.find("<h2>top.sdf</h2>");
+  const std::size_t verdict = page.find("<span class=\"verdict fail\">fail</span>");
+  const std::size_t causes = page.find("<ol class=\"causes\">");
+  const std::size_t folded = page.find("<details");
+  const std::size_t plot = page.find("<svg");
+  ASSERT_NE(causes, std::string::npos) << page;
+  EXPECT_LT(path, verdict);
+  EXPECT_LT(verdict, causes);
+  EXPECT_LT(causes, folded);
+  EXPECT_LT(folded, plot);
+  EXPECT_NE(plot, std::string::npos);
+  EXPECT_EQ(page.find("<details open"), std::string::npos);
+  const std::string list = page.substr(causes, page.find("</ol>") - causes);
+  std::size_t items = 0;
+  for (std::size_t at = list.find("<li>"); at != std::string::npos; at = list.find("<li>", at + 1))
+    ++items;
+  EXPECT_GE(items, 1U);
+  EXPECT_LE(items, 3U);
+  const std::size_t picture = page.find("<img src=\"data:image/png");
+  EXPECT_TRUE(picture == std::string::npos || picture < path);
 }
 
 class SweepCli : public SimulateCli {

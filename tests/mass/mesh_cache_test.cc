@@ -70,7 +70,8 @@ class MeshCacheTest : public testing::Test {
   std::vector<Digest> keys() const {
     std::vector<Digest> keys;
     if (!fs::exists(folder_.path("cache"))) return keys;
-    for (const auto& entry : fs::directory_iterator(folder_.path("cache"))) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder_.path("cache"))) {
+      if (!entry.is_regular_file()) continue;
       const std::string name = entry.path().filename().string();
       Digest& key = keys.emplace_back();
       for (std::size_t i = 0; i < key.size(); ++i) {
@@ -186,6 +187,41 @@ TEST_F(MeshCacheTest, OthersFindOtherThings) {
   const MeshCache other(FolderStore(folder_.path("cache")), "another program", test::workers(),
                         kAnyMesh);
   EXPECT_FALSE(known(other.facts(disk, "meshes/box.obj", MeshDepth::kAll)));
+}
+
+TEST_F(MeshCacheTest, AFileIsReadOnceForItsDigestWhileItsStampIsTheSame) {
+  FileStamp stamp;
+  int asked = 0;
+  const MeshCache known(FolderStore(folder_.path("cache")), "a program", test::workers(), kAnyMesh,
+                        [&](const std::string&) {
+                          ++asked;
+                          return std::optional(stamp);
+                        });
+  const MemoryDisk disk(box_files());
+  const std::string found = all_of(known.facts(disk, "meshes/box.obj", MeshDepth::kAll));
+  EXPECT_EQ(found, all_of(find(box_files(), "meshes/box.obj")));
+  EXPECT_GT(asked, 1);
+  // Other bytes under the same stamp are taken for the same, so the digest is not made anew …
+  Files files = box_files();
+  files["meshes/box.obj"] += "f 1 2 3\n";
+  EXPECT_EQ(all_of(known.facts(MemoryDisk(files), "meshes/box.obj", MeshDepth::kAll)), found);
+  // … and under another they are not.
+  stamp.changed = 1;
+  EXPECT_NE(all_of(known.facts(MemoryDisk(files), "meshes/box.obj", MeshDepth::kAll)), found);
+}
+
+TEST(FileStamp, TellsAChangeAndSaysNothingOfWhatHasJustChanged) {
+  const test::Folder folder;
+  folder.put("a", "bytes");
+  EXPECT_FALSE(stamp_of(folder.path("a")));
+  EXPECT_FALSE(stamp_of(folder.path("missing")));
+  EXPECT_FALSE(stamp_of(folder.path("")));
+  // Older than the test.
+  const std::string old = RIGOR_TESTDATA "../LICENSE";
+  ASSERT_TRUE(stamp_of(old));
+  EXPECT_EQ(stamp_of(old), stamp_of(old));
+  EXPECT_EQ(stamp_of(old)->bytes, fs::file_size(old));
+  EXPECT_NE(stamp_of(old), stamp_of(RIGOR_TESTDATA "../README.md"));
 }
 
 TEST_F(MeshCacheTest, WhatIsSmallOrCannotBeReadIsNotKept) {

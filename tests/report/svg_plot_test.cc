@@ -37,5 +37,15 @@ TEST(SvgPlot, APathKeepsWhereItTurns) {
   EXPECT_EQ(std::count(line.begin(), line.end(), 'L'), 2) << line;
 }
 
+/// A robot that stands: the nanometres by which a solver moves it are a level line.
+TEST(SvgPlot, DoesNotBlowUpNoise) {
+  const std::vector<double> times{0, 1, 2, 3};
+  const std::string noise =
+      drawn(svg_plot({"Height", "m"}, times, {{"base", {0.1, 0.100000001, 0.0999999995, 0.1}}}));
+  const std::string constant =
+      drawn(svg_plot({"Height", "m"}, times, {{"base", {0.1, 0.1, 0.1, 0.1}}}));
+  EXPECT_EQ(noise, constant);
+}
+
 }  // namespace
 }  // namespace rigor::report

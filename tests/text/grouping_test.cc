@@ -4,6 +4,7 @@
 #include <rigor/text/grouping.h>
 
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -99,6 +100,29 @@ TEST(Grouping, TakesOutTheNamesOfTheSubjectOnly) {
             "the name '…' is reserved");
   EXPECT_EQ(without_names("it's 'a'", "arm/link a"), "it's '…'");
   EXPECT_EQ(without_names("'a", "arm/link a"), "'a");
+}
+
+/// Counting makes no groups, and says what the groups would.
+TEST(Grouping, CountsAreThoseOfTheGroups) {
+  Diagnostics list;
+  const Severity severities[] = {Severity::kError, Severity::kWarning, Severity::kInfo};
+  for (std::uint32_t i = 0; i < 60; ++i) {
+    Diagnostic finding =
+        finding_in(i % 7, i % 3 == 0 ? "no name" : "message " + std::to_string(i % 11));
+    finding.severity = severities[i % 3];
+    if (i % 13 == 0) finding.count = 4;
+    list.add(std::move(finding));
+  }
+  const Diagnostics groups = grouped(list);
+  for (const Diagnostics* each : std::initializer_list<const Diagnostics*>{&list, &groups}) {
+    const GroupCounts counts = count_groups(*each);
+    for (const Severity severity : severities) {
+      EXPECT_EQ(counts.by_severity[static_cast<std::size_t>(severity)], groups.count(severity));
+    }
+    EXPECT_EQ(counts.places, groups.places());
+    EXPECT_TRUE(counts.joined);
+  }
+  EXPECT_FALSE(count_groups({}).joined);
 }
 
 }  // namespace

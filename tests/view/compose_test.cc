@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <rigor/view/image/compose.h>
@@ -75,7 +76,10 @@ TEST(Compose, OnlyWhatDiffersIsRed) {
   after.at(2, 3) = kGreenPixel;
   after.at(5, 5)[2] = 249;  // nobody sees this
   EXPECT_EQ(count_differences(before, after), 1U);
-  const Picture red = difference(before, after);
+  const Picture grey = plain_picture(6, 6, kWhitePixel);
+  Picture grey_after = grey;
+  grey_after.at(2, 3) = kGreenPixel;
+  const Picture red = difference({before, after, grey, grey_after});
   for (std::uint32_t y = 0; y < 6; ++y) {
     for (std::uint32_t x = 0; x < 6; ++x) {
       const Pixel& p = red.at(x, y);
@@ -84,18 +88,44 @@ TEST(Compose, OnlyWhatDiffersIsRed) {
   }
   EXPECT_EQ(count_differences(before, before), 0U);
   EXPECT_EQ(count_differences(before, plain_picture(7, 6, kBluePixel)), 6U);
-  EXPECT_EQ(difference(before, plain_picture(7, 6, kBluePixel)).width, 7U);
+  const Picture wider = plain_picture(7, 6, kBluePixel);
+  EXPECT_EQ(difference({before, wider, before, wider}).width, 7U);
+  // With the same shapes it is blue.
+  const Picture blue = difference({before, after, grey, grey});
+  EXPECT_GT(blue.at(2, 3)[2], blue.at(2, 3)[0] + 100);
+  EXPECT_EQ(count_differences(blue, red), 1U);
 }
 
-TEST(Compose, LettersAreDifferent) {
-  std::set<std::array<std::uint8_t, kGlyphWidth>> glyphs;
-  for (char letter = ' '; letter <= '~'; ++letter) {
-    const auto columns = glyph(letter);
-    EXPECT_TRUE(glyphs.insert(columns).second) << letter;
-    for (const std::uint8_t column : columns) EXPECT_LT(column, 1U << kGlyphHeight);
+TEST(Compose, LettersAreDifferentAndOfOneSize) {
+  std::set<std::string> letters;
+  for (char c = ' '; c <= '~'; ++c) {
+    std::string shape;
+    for (const LetterSegment& s : letter(c).segments) {
+      shape += fmt::format("{} {} {} {}\n", s.x0, s.y0, s.x1, s.y1);
+      for (const double y : {s.y0, s.y1}) {
+        EXPECT_GE(y, -kDescent) << c;
+        EXPECT_LE(y, kCapHeight + 1) << c;
+      }
+      for (const double x : {s.x0, s.x1}) {
+        EXPECT_GE(x, 0) << c;
+        EXPECT_LT(x, letter(c).advance) << c;
+      }
+    }
+    EXPECT_TRUE(letters.insert(shape).second) << c;
+    EXPECT_EQ(shape.empty(), c == ' ');
   }
-  EXPECT_EQ(glyph('\xe9'), glyph('?'));
-  EXPECT_EQ(glyph('\n'), glyph('?'));
+  EXPECT_EQ(text_width("\xe9\n"), text_width("??"));
+  EXPECT_EQ(text_width(""), 0);
+}
+
+/// Half covered pixels are half dark: an edge has many shades.
+TEST(Compose, CaptionsHaveSmoothEdges) {
+  const Picture whole = sheet({{plain_picture(200, 10, kBluePixel), "robots/arm"}}, 1);
+  std::set<std::uint8_t> shades;
+  for (std::uint32_t y = 10; y < whole.height; ++y) {
+    for (std::uint32_t x = 0; x < whole.width; ++x) shades.insert(whole.at(x, y)[0]);
+  }
+  EXPECT_GT(shades.size(), 20U);
 }
 
 }  // namespace

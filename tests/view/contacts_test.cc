@@ -66,6 +66,16 @@ TEST(DrawnContacts, AreThoseOnTheGroundOrBelow) {
   EXPECT_TRUE(contacts_of(collision_of("<plane/>", "0 0 0 0 0 0")).empty());
 }
 
+/// A model whose feet are below the origin is set down on the lower foot: the other one hangs in the air.
+TEST(DrawnContacts, OfAModelBelowTheOriginAreThoseOfItsLowestShape) {
+  const auto contacts = [&](const std::string& other) {
+    return contacts_of(collision_of(kBlock, "0 0 -3 0 0 0") + "<collision name='d'><pose>0 0 " +
+                       other + " 0 0 0</pose><geometry>" + kBlock + "</geometry></collision>");
+  };
+  EXPECT_EQ(contacts("-2.9").size(), 4U);
+  EXPECT_EQ(contacts("-2.9995").size(), 8U);
+}
+
 TEST(DrawnContacts, AreFewWhereARoundThingLies) {
   expect_places(contacts_of(collision_of("<sphere><radius>0.5</radius></sphere>", "1 2 0.5 0 0 0")),
                 {{1, 2, 0}});

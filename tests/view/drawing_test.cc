@@ -220,6 +220,29 @@ TEST(Drawing, LaysTheGroundUnderTheModel) {
   }
 }
 
+TEST(Drawing, SetsAModelDownOnItsLowestPoint) {
+  const std::string box = "<box><size>1 1 1</size></box>";
+  const auto level = [&](const std::string& parts) {
+    return drawn_sdf(parts, {Layer::kVisual, Layer::kGround}).bodies.back().pose.translation.z;
+  };
+  EXPECT_NEAR(level(visual_of(box, "<pose>0 0 -2 0 0 0</pose>")), -2.5, 1e-9);
+  // What floats is drawn floating.
+  EXPECT_EQ(level(visual_of(box, "<pose>0 0 2 0 0 0</pose>")), 0);
+  // A floor of its own says where the ground is.
+  const double with_floor =
+      level(visual_of("<plane><normal>0 0 1</normal><size>9 9</size></plane>") +
+            visual_of(box, "<pose>0 0 -2 0 0 0</pose>"));
+  EXPECT_GE(with_floor, 0);
+  EXPECT_LT(with_floor, 0.01);
+  const Drawing world =
+      DrawnModel("w.sdf",
+                 {{"w.sdf", "<sdf version='1.9'><world name='w'><model name='m'><link name='l'>" +
+                                visual_of(box, "<pose>0 0 -2 0 0 0</pose>") +
+                                "</link></model></world></sdf>"}})
+          .draw({Layer::kVisual, Layer::kGround});
+  EXPECT_EQ(world.bodies.back().pose.translation.z, 0);
+}
+
 TEST(Drawing, SaysWhyAShapeIsNotDrawn) {
   const Drawing drawing = drawn_sdf(
       visual_of("<box><size>1 -1 1</size></box>") +

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -369,6 +370,29 @@ TEST_F(Trace, LinesThinnerThanAPixelAreWhole) {
       }
       EXPECT_GE(inked, 1) << upright << ' ' << i;
     }
+  }
+}
+
+/// Two bodies have a face in one place: which of them is seen is the same everywhere, or the image has speckles.
+TEST_F(Trace, OfFacesInOnePlaceOneIsSeen) {
+  for (const float opacity : {1.0F, 0.5F}) {
+    Drawing drawing;
+    drawing.bounds = bounds_around({}, 1);
+    const auto add = [&](const model::Vector3& at, Color color) {
+      color.a = opacity;
+      drawing.bodies.push_back(body_of(mesh::Box{{1, 1.5, 1}}, at, color));
+      // Other rotations round differently.
+      drawing.bodies.back().pose.rotation = model::from_rpy(0, 0, 1e-9);
+    };
+    add({0, 0, 0}, kTracedRed);
+    add({0.2, 0.1, 0}, kTracedBlue);
+    // From above, a square in the middle of both.
+    const Picture picture = traced(drawing, View::kTop);
+    std::set<Pixel> colors;
+    for (std::uint32_t y = 40; y < 60; ++y) {
+      for (std::uint32_t x = 65; x < 85; ++x) colors.insert(picture.at(x, y));
+    }
+    EXPECT_EQ(colors.size(), 1U) << opacity;
   }
 }
 

@@ -1,10 +1,16 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <deque>
 #include <exception>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -33,7 +39,7 @@ constexpr std::string_view kGreeting =
   expand, schema, resolve  xacro as plain XML; a format's elements; where a URI leads
 
   rigor validate my_robot                check every model and mesh in a folder
-  rigor simulate my_robot --test drive   `rigor COMMAND --help` begins with examples, too
+  rigor simulate my_robot --test drive   `rigor help COMMAND` begins with examples, too
 )";
 
 /// The first word that nobody declared, and what it was probably meant to be.
@@ -106,6 +112,23 @@ std::vector<std::unique_ptr<Command>> commands_for(std::string_view word) {
   return commands;
 }
 
+bool is_command(std::string_view word) {
+  return std::any_of(std::begin(kCommands), std::end(kCommands),
+                     [word](const CommandEntry& entry) { return entry.name == word; });
+}
+
+/// `help COMMAND` is `COMMAND --help`; of a word that is no command the word is left, and refused.
+void take_help(std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments.front() != "help") return;
+  arguments.erase(arguments.begin());
+  if (arguments.empty() || arguments.front().starts_with('-')) {
+    arguments.clear();
+  } else {
+    arguments.resize(1);
+    if (is_command(arguments.front())) arguments.emplace_back("--help");
+  }
+}
+
 bool is_template_argument(std::string_view word) {
   const std::size_t assign = word.find(":=");
   return assign != std::string_view::npos && assign > 0 && word[0] != '-' &&
@@ -121,6 +144,7 @@ void take_template_arguments(std::vector<std::string>& arguments) {
 }
 
 int run(std::vector<std::string> arguments) {
+  take_help(arguments);
   if (arguments.empty()) {
     write({0, {}}, kGreeting);
     return kClean;

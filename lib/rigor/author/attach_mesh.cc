@@ -4,11 +4,13 @@
 #include <rigor/author/attach_mesh.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 #include <variant>
 
 #include <rigor/author/shape_names.h>
+#include <rigor/mass/mesh/facts.h>
 #include <rigor/model/subject.h>
 #include <rigor/schema/suggest.h>
 #include <rigor/write/numbers.h>
@@ -44,6 +46,13 @@ Vector3 middle_of(const NewMesh& mesh) {
   if (!(b.min.x <= b.max.x)) return {};
   const Vector3 middle = 0.5 * b.min + 0.5 * b.max;
   return {mesh.scale.x * middle.x, mesh.scale.y * middle.y, mesh.scale.z * middle.z};
+}
+
+/// Sides of the bounds, m; zeros of a mesh without triangles.
+Vector3 scaled_size(const mesh::Bounds& bounds, const Vector3& scale) {
+  if (!(bounds.min.x <= bounds.max.x)) return {};
+  const Vector3 size = bounds.max - bounds.min;
+  return {std::abs(scale.x) * size.x, std::abs(scale.y) * size.y, std::abs(scale.z) * size.z};
 }
 
 std::string mesh_text(const std::string& uri, const Vector3& scale, PoseForm form) {
@@ -113,7 +122,8 @@ class Attacher {
  public:
   Attacher(const Environment& environment, const Sources& sources, const read::Loaded& loaded,
            const NewMesh& mesh)
-      : resolver_(environment.resolver),
+      : environment_(environment),
+        resolver_(environment.resolver),
         sources_(sources),
         file_(*loaded.file),
         root_(loaded.root),
@@ -153,6 +163,7 @@ class Attacher {
       if (!pose) return AttachProblem::kPose;
       append(result_.edits, *std::move(pose));
     }
+    compare_axes(part.geometry.shape);
     NewUri named = new_uri(resolver_, root_.format, file_.path, mesh_.path);
     append(result_.edits,
            geometry_edits(*file_.document, element, mesh_text(named.uri, mesh_.scale, form), form));
@@ -161,6 +172,25 @@ class Attacher {
     return AttachProblem::kNone;
   }
 
+  /// Of the shape, or of the mesh that it is, as that is scaled.
+  std::optional<Axis> axis_of(const model::Shape& shape) const {
+    const auto* old = std::get_if<model::Mesh>(&shape);
+    if (old == nullptr) return round_axis(shape);
+    const auto found = resolver_.resolve(old->uri.value, file_.path).path;
+    if (!found) return std::nullopt;
+    const mass::MeshFacts facts =
+        mass::mesh_facts(environment_.disk, *found, mass::MeshDepth::kFile, environment_.workers);
+    if (!facts.usable()) return std::nullopt;
+    return round_axis(scaled_size(facts.bounds, old->scale.value));
+  }
+
+  void compare_axes(const model::Shape& shape) {
+    const std::optional<Axis> now = round_axis(scaled_size(mesh_.bounds, mesh_.scale));
+    const std::optional<Axis> before = now ? axis_of(shape) : std::nullopt;
+    if (before && before != now) result_.mismatch = {*now, *before};
+  }
+
+  const Environment& environment_;
   const read::Resolver& resolver_;
   const Sources& sources_;
   const read::File& file_;

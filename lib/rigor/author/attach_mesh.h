@@ -20,6 +20,7 @@
 #include <vector>
 
 #include <rigor/author/mesh_uri.h>
+#include <rigor/author/round_axis.h>
 #include <rigor/mesh/triangle_mesh.h>
 #include <rigor/read/load.h>
 #include <rigor/rules/environment.h>
@@ -43,6 +44,12 @@ enum class AttachProblem : std::uint8_t {
   kCutDocument,
 };
 
+/// Both parts are round, and about different axes of the shape's frame: a wheel that lies on its side.
+struct AxisMismatch {
+  Axis mesh = Axis::kZ;
+  Axis shape = Axis::kZ;  ///< of the shape that the mesh replaces
+};
+
 struct AttachedMesh {
   AttachProblem problem = AttachProblem::kNone;
   std::vector<std::string> candidates;  ///< names that mean one shape each
@@ -51,6 +58,7 @@ struct AttachedMesh {
   std::string uri;
   std::optional<MeshCopy> copy;  ///< without which the URI leads nowhere
   std::vector<Edit> edits;
+  std::optional<AxisMismatch> mismatch;  ///< to be reported: the mesh keeps the pose of the shape
 };
 
 /// Candidates that are listed of a model in which nothing is like the name.

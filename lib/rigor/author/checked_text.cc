@@ -53,8 +53,7 @@ class Pairing {
       if (!is_new_[i] || finding.severity == Severity::kInfo) continue;
       if (before_.all_listed(finding)) change_.fresh.push_back(i);
     }
-    change_.brings =
-        change_.fresh.empty() ? grown() : after_.findings()[change_.fresh.front()].rule;
+    change_.brings = change_.fresh.empty() ? grown() : worst_fresh();
     return std::move(change_);
   }
 
@@ -92,8 +91,18 @@ class Pairing {
     }
   }
 
+  BroughtFinding worst_fresh() const {
+    BroughtFinding worst{after_.findings()[change_.fresh.front()].rule, Severity::kWarning};
+    for (const std::size_t fresh : change_.fresh) {
+      const Diagnostic& finding = after_.findings()[fresh];
+      if (finding.severity < worst.severity) worst = {finding.rule, finding.severity};
+    }
+    return worst;
+  }
+
   /// A rule that has more findings than before, if they are no mere infos.
-  std::optional<std::string_view> grown() const {
+  std::optional<BroughtFinding> grown() const {
+    std::optional<BroughtFinding> worst;
     std::map<std::pair<std::string_view, Severity>, std::size_t> counts;
     for (const Diagnostic& finding : before_.findings()) {
       counts[{finding.rule, finding.severity}] += finding.count;
@@ -101,10 +110,12 @@ class Pairing {
     for (const Diagnostic& finding : after_.findings()) {
       if (finding.severity == Severity::kInfo) continue;
       std::size_t& left = counts[{finding.rule, finding.severity}];
-      if (left < finding.count) return finding.rule;
-      left -= finding.count;
+      if (left < finding.count && (!worst || finding.severity < worst->severity)) {
+        worst = {finding.rule, finding.severity};
+      }
+      left -= std::min(left, finding.count);
     }
-    return std::nullopt;
+    return worst;
   }
 
   const CheckedText& before_;
@@ -126,6 +137,7 @@ CheckedText::CheckedText(const Environment& environment, const rules::ValidateOp
   result_ = rules::validate(environment, check, sources_);
   for (const Diagnostic& finding : findings()) {
     count_ += finding.count;
+    if (finding.severity == Severity::kError) errors_ += finding.count;
     if (finding.severity == Severity::kInfo) infos_ += finding.count;
     if (finding.count > 1) counted_.push_back(finding.rule);
   }

@@ -2,21 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A file's bytes and all that is said of them, to be held against what was said
-// before they were edited: no error and no warning may be found that was not
-// there.
+// before they were edited: what is found that was not there must be less severe
+// than what is gone.
 //
 //   const CheckedText before(environment, options, path, bytes);
 //   const CheckedText after(environment, options, path, *apply_edits(bytes,
-//   edits)); const FindingsChange change = compare(before, after, edits); if
-//   (!change.brings) keep(after);
+//   edits));
+//   const FindingsChange change = compare(before, after, edits);
+//   if (!change.brings) keep(after);
 
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include <rigor/rules/environment.h>
@@ -46,9 +47,9 @@ class CheckedText {
   std::size_t xml_faults() const { return xml_faults_; }
   /// Whether a rule found more than it lists.
   bool all_listed(const Diagnostic& finding) const;
-  /// Findings, those that are counted only among them: errors and warnings, and
-  /// all. A text with less of the first is better, whatever the infos say.
-  std::pair<std::size_t, std::size_t> count() const { return {count_ - infos_, count_}; }
+  /// Findings, those that are counted only among them: errors, errors and warnings, and all. A text with less of
+  /// the first is better, whatever else it has more of; and so on.
+  std::array<std::size_t, 3> count() const { return {errors_, count_ - infos_, count_}; }
 
  private:
   std::string path_;
@@ -59,7 +60,14 @@ class CheckedText {
   std::size_t xml_faults_ = 0;
   std::vector<std::string_view> counted_;  // rules and categories
   std::size_t count_ = 0;
+  std::size_t errors_ = 0;
   std::size_t infos_ = 0;
+};
+
+/// A finding that was not there before.
+struct BroughtFinding {
+  std::string_view rule;
+  Severity severity = Severity::kError;
 };
 
 /// What became of the findings.
@@ -67,9 +75,8 @@ struct FindingsChange {
   std::vector<bool> gone;  ///< of those before
   /// Errors and warnings after that were not there, of rules that list all.
   std::vector<std::size_t> fresh;
-  /// The rule of the first of them; else one of which there are more than
-  /// before.
-  std::optional<std::string_view> brings;
+  /// The first of the most severe of them; else of a rule of which there are more than before.
+  std::optional<BroughtFinding> brings;
 };
 
 /// A finding is the same as before when it stands where that stood, or says the

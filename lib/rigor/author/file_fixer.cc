@@ -158,12 +158,17 @@ std::optional<HeldBack> FileFixer::refused(const Candidates& candidates, const I
                                            const Trial& trial) const {
   const CheckedText& after = *trial.after;
   if (after.cut() || after.xml_faults() > state_->xml_faults()) return HeldBack::kNotXml;
-  if (trial.change.brings) return HeldBack::kBringsFinding;
-  const bool all_help = std::all_of(tried.begin(), tried.end(), [&](std::size_t i) {
+  const auto helps = [&](std::size_t i) {
     const Indices& findings = candidates[i].findings;
-    return std::any_of(findings.begin(), findings.end(),
-                       [&](std::size_t finding) { return trial.change.gone[finding]; });
-  });
+    return std::any_of(findings.begin(), findings.end(), [&](std::size_t finding) {
+      // Behind an error nobody looked for what is less than one.
+      const bool worth = !trial.change.brings ||
+                         state_->findings()[finding].severity < trial.change.brings->severity;
+      return trial.change.gone[finding] && worth;
+    });
+  };
+  const bool all_help = std::all_of(tried.begin(), tried.end(), helps);
+  if (!all_help && trial.change.brings) return HeldBack::kBringsFinding;
   if (!all_help || after.count() >= state_->count()) return HeldBack::kDoesNotHelp;
   return std::nullopt;
 }
@@ -197,7 +202,7 @@ void FileFixer::hold_back(const Candidate& candidate, const Trial& trial) {
   const Diagnostic& finding = state_->findings()[candidate.findings.front()];
   fixed_.held_back.push_back(held_back_fix(finding, *trial.refused));
   if (trial.refused == HeldBack::kBringsFinding) {
-    fixed_.held_back.back().brings = *trial.change.brings;
+    fixed_.held_back.back().brings = trial.change.brings->rule;
   }
 }
 

@@ -3,10 +3,10 @@
 //
 // Applies the fixes that findings come with, to files in memory: pass after
 // pass, until none is left that helps. A fix is done whole or not at all, and
-// kept only if what it fixes is gone and no error or warning is found that was
-// not there before; else it is undone. An info may come: of a value that nobody
-// read, nothing could be said. A file that ends to be XML somewhere is left
-// alone, but for fixes of just that.
+// kept only if what it fixes is gone and nothing as severe is found that was not
+// there before; else it is undone. What is less severe may come, and is reported:
+// of a mesh that was not found, nobody knew that it has a hole. A file that ends to
+// be XML somewhere is left alone, but for fixes of just that.
 //
 //   Sources sources;
 //   ValidateResult result = validate(environment, options, sources);
@@ -44,7 +44,7 @@ inline constexpr int kMostFixTrials = 100;
 
 /// Why a fix was not kept.
 enum class HeldBack : std::uint8_t {
-  kBringsFinding,  ///< that was not there before
+  kBringsFinding,  ///< that was not there before, and is as severe as what it fixes
   kDoesNotHelp,    ///< what it fixes is still found
   kNotXml,         ///< the file is not, or less than before, XML with it
   kNotTried,       ///< the trials were used up

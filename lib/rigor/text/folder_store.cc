@@ -4,14 +4,14 @@
 #include <rigor/text/folder_store.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
+#include <cerrno>
+#include <chrono>
 #include <filesystem>
-#include <mutex>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <rigor/text/disk.h>
@@ -21,15 +21,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Other files in the folder are let be.
+// Other files in the folder are left alone.
 constexpr std::string_view kEntryEnding = ".entry";
 
-// Behind the ending while it is written; what a run that was killed left behind is older than this.
-constexpr std::string_view kUnfinished = ".XXXXXX";
+// What has more behind the ending an older rigor had not finished; one that still runs may be about to.
 constexpr std::chrono::hours kAbandoned{1};
 
 // What an entry begins with; the digest of key and bytes follows, then the bytes.
 constexpr std::string_view kEntryMagic = "rigor2\n";
+
+// A part of the store is listed by one of so many writes into it, which the key decides: at 256 files a listing
+// takes half a millisecond, so a write some 15 µs more, whatever else goes on and without a common count.
+constexpr unsigned kWritesPerListing = 32;
+
+// Of its share: above the one a part is brought down to the other, so that many writes pass before more has to go,
+// and those between two listings still fit.
+constexpr std::size_t kFullEighths = 7;
+constexpr std::size_t kKeptEighths = 6;
+
+// However full a folder is, one write pays for no more than this. More is removed than is written between listings.
+constexpr std::size_t kMaxListed = 384;
+constexpr std::size_t kMaxRemoved = 64;
 
 std::string entry_head(const Digest& key, std::string_view bytes) {
   Hasher hasher;
@@ -47,44 +59,75 @@ bool write_entry(int file, std::string_view bytes) {
   return true;
 }
 
+/// A new file, never one that is there nor what a link leads to; -1 where there can be none.
+int make_entry(const std::string& path) {
+  constexpr int kTries = 3;  // without a folder; with what an earlier run left there; and in peace
+  for (int i = 0; i < kTries; ++i) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    if (file >= 0) return file;
+    if (errno == EEXIST) {
+      ::unlink(path.c_str());
+    } else if (errno == ENOENT) {
+      std::error_code error;
+      fs::create_directories(fs::path(path).parent_path(), error);
+    } else {
+      break;
+    }
+  }
+  return -1;
+}
+
 struct StoredEntry {
   fs::file_time_type time;
   fs::path path;
   std::uint64_t bytes = 0;
 };
 
-std::vector<StoredEntry> newest_first(const std::string& folder) {
+/// Entries in a folder; removes what was never finished.
+std::vector<StoredEntry> entries_in(const std::string& folder) {
   std::vector<StoredEntry> entries;
   std::error_code end;
   for (fs::directory_iterator it(folder, end), last; !end && it != last; it.increment(end)) {
     const std::string name = it->path().filename().string();
+    if (name.find(kEntryEnding) == std::string::npos) continue;
     std::error_code unknown;
     const fs::file_time_type time = it->last_write_time(unknown);
     const std::uint64_t bytes = unknown ? 0 : it->file_size(unknown);
-    if (unknown || name.find(kEntryEnding) == std::string::npos) continue;
+    if (unknown) continue;
     if (name.ends_with(kEntryEnding)) {
       entries.push_back({time, it->path(), bytes});
     } else if (fs::file_time_type::clock::now() - time > kAbandoned) {
       fs::remove(it->path(), unknown);
     }
+    if (entries.size() >= kMaxListed) break;
   }
-  std::sort(entries.begin(), entries.end(), [](const StoredEntry& a, const StoredEntry& b) {
-    return std::pair(b.time, b.path) < std::pair(a.time, a.path);
-  });
   return entries;
+}
+
+/// The oldest go first. What another process removed meanwhile is gone as well.
+void trim(std::vector<StoredEntry> entries, std::size_t max_count, std::uint64_t max_bytes) {
+  std::size_t count = entries.size();
+  std::uint64_t bytes = 0;
+  for (const StoredEntry& entry : entries) bytes += entry.bytes;
+  if (count <= max_count / 8 * kFullEighths && bytes <= max_bytes / 8 * kFullEighths) return;
+  std::sort(entries.begin(), entries.end(), [](const StoredEntry& a, const StoredEntry& b) {
+    return std::pair(a.time, a.path) < std::pair(b.time, b.path);
+  });
+  const std::size_t kept_count = max_count / 8 * kKeptEighths;
+  const std::uint64_t kept_bytes = max_bytes / 8 * kKeptEighths;
+  for (std::size_t i = 0; i < std::min(entries.size(), kMaxRemoved); ++i) {
+    if (count <= kept_count && bytes <= kept_bytes) return;
+    std::error_code ignored;
+    fs::remove(entries[i].path, ignored);
+    --count;
+    bytes -= entries[i].bytes;
+  }
 }
 
 }  // namespace
 
-struct FolderStore::Room {
-  std::mutex mutex;
-  bool known = false;
-  std::uint64_t bytes = 0;
-  std::size_t count = 0;
-};
-
 FolderStore::FolderStore(std::string folder, std::uint64_t max_bytes)
-    : folder_(std::move(folder)), max_bytes_(max_bytes), room_(std::make_shared<Room>()) {}
+    : folder_(std::move(folder)), max_part_bytes_(max_bytes / kParts) {}
 
 std::optional<std::string> FolderStore::get(const Digest& key) const {
   std::optional<std::string> entry = RealDisk().read(path_of(key), kMaxEntryBytes).bytes;
@@ -98,43 +141,33 @@ std::optional<std::string> FolderStore::get(const Digest& key) const {
 
 void FolderStore::put(const Digest& key, std::string_view bytes) const {
   const std::string entry = entry_head(key, bytes).append(bytes);
-  if (entry.size() > std::min(kMaxEntryBytes, max_bytes_)) return;
-  std::error_code error;
-  fs::create_directories(folder_, error);
-  std::string unfinished = path_of(key).append(kUnfinished);
-  const int file = ::mkstemp(unfinished.data());
+  if (entry.size() > std::min(kMaxEntryBytes, max_part_bytes_)) return;
+  const std::string path = path_of(key);
+  const int file = make_entry(path);
   if (file < 0) return;
   const bool written = write_entry(file, entry);
   const bool closed = ::close(file) == 0;
-  if (!written || !closed || std::rename(unfinished.c_str(), path_of(key).c_str()) != 0) {
-    ::unlink(unfinished.c_str());
+  if (!written || !closed) {
+    ::unlink(path.c_str());
     return;
   }
-  make_room(entry.size());
+  // A large entry is worth a listing of its own.
+  const bool large = entry.size() > max_part_bytes_ / (2 * kWritesPerListing);
+  if (large || key[1] % kWritesPerListing == 0) make_room(key);
+}
+
+std::string FolderStore::part_of(const Digest& key) const {
+  return folder_ + '/' + hex({static_cast<std::uint8_t>(key[0] % kParts)}).substr(0, 2);
 }
 
 std::string FolderStore::path_of(const Digest& key) const {
-  return folder_ + '/' + hex(key).append(kEntryEnding);
+  return part_of(key) + '/' + hex(key).append(kEntryEnding);
 }
 
-void FolderStore::make_room(std::uint64_t added) const {
-  const std::lock_guard lock(room_->mutex);
-  room_->bytes += added;
-  ++room_->count;
-  if (room_->known && room_->count <= kMaxEntries && room_->bytes <= max_bytes_) return;
-  room_->known = true;
-  room_->bytes = 0;
-  room_->count = 0;
-  for (const StoredEntry& entry : newest_first(folder_)) {
-    std::error_code ignored;
-    const bool fits = room_->count < kMaxEntries && room_->bytes + entry.bytes <= max_bytes_;
-    if (!fits) {
-      fs::remove(entry.path, ignored);
-      continue;
-    }
-    room_->bytes += entry.bytes;
-    ++room_->count;
-  }
+void FolderStore::make_room(const Digest& key) const {
+  trim(entries_in(part_of(key)), kMaxEntries / kParts, max_part_bytes_);
+  // Before entries were kept in parts they were kept here.
+  trim(entries_in(folder_), 0, 0);
 }
 
 }  // namespace rigor

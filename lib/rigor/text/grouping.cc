@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <iterator>
 #include <string_view>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -97,6 +98,18 @@ Diagnostics grouped(const Diagnostics& findings) {
   Grouping grouping;
   for (const Diagnostic& finding : findings.list()) grouping.add(finding);
   return grouping.take();
+}
+
+GroupCounts count_groups(const Diagnostics& findings) {
+  GroupCounts counts;
+  std::unordered_set<std::string> known;
+  for (const Diagnostic& finding : findings.list()) {
+    counts.places += finding.count + finding.others.size();
+    const bool is_new = finding.count != 1 || known.insert(cause_key(finding)).second;
+    counts.joined = counts.joined || !is_new || !finding.others.empty();
+    if (is_new) counts.by_severity[static_cast<std::size_t>(finding.severity)] += finding.count;
+  }
+  return counts;
 }
 
 Diagnostics ungrouped(const Diagnostics& groups) {

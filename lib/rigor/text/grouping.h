@@ -14,6 +14,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -41,6 +42,16 @@ class Grouping {
 
 /// In the order of their first places, places in the order of the list. To group twice changes nothing.
 Diagnostics grouped(const Diagnostics& findings);
+
+/// How many there are in such a list, for a summary.
+struct GroupCounts {
+  std::array<std::size_t, 3> by_severity{};  ///< those that are counted and not listed among them
+  std::size_t places = 0;
+  bool joined = false;  ///< some has several places
+};
+
+/// Of `grouped(findings)`, without making it.
+GroupCounts count_groups(const Diagnostics& findings);
 
 /// The findings before they were grouped: first those of the first group.
 Diagnostics ungrouped(const Diagnostics& groups);

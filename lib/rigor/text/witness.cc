@@ -9,10 +9,11 @@
 namespace rigor {
 namespace {
 
-Digest answer_to(const Disk& disk, Witness::Question question, const std::string& path) {
+Digest answer_to(const Disk& disk, Witness::Question question, const std::string& path,
+                 const ContentDigest& digest) {
   switch (question) {
     case Witness::Question::kContent:
-      if (const std::unique_ptr<OpenFile> file = disk.open(path)) return digest_of(*file);
+      if (const std::optional<Digest> content = digest(disk, path)) return *content;
       return digest_of(disk.read(path, 0).problem);
     case Witness::Question::kList: {
       std::string names;
@@ -26,9 +27,15 @@ Digest answer_to(const Disk& disk, Witness::Question question, const std::string
 
 }  // namespace
 
-bool still_so(const Disk& disk, const std::vector<Witness>& witnesses) {
-  return std::all_of(witnesses.begin(), witnesses.end(), [&disk](const Witness& witness) {
-    return answer_to(disk, witness.question, witness.path) == witness.answer;
+std::optional<Digest> read_digest(const Disk& disk, const std::string& path) {
+  const std::unique_ptr<OpenFile> file = disk.open(path);
+  return file ? std::optional(digest_of(*file)) : std::nullopt;
+}
+
+bool still_so(const Disk& disk, const std::vector<Witness>& witnesses,
+              const ContentDigest& digest) {
+  return std::all_of(witnesses.begin(), witnesses.end(), [&](const Witness& witness) {
+    return answer_to(disk, witness.question, witness.path, digest) == witness.answer;
   });
 }
 
@@ -62,7 +69,7 @@ std::vector<Witness> WitnessDisk::witnesses() const {
 /// Before the computation hears it: what changes in between is seen when it is asked again.
 void WitnessDisk::keep(Witness::Question question, const std::string& path) const {
   if (path == known_ || answers_.contains({question, path})) return;
-  answers_[{question, path}] = answer_to(disk_, question, path);
+  answers_[{question, path}] = answer_to(disk_, question, path, digest_);
 }
 
 }  // namespace rigor

@@ -12,7 +12,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,14 +36,23 @@ struct Witness {
   Digest answer = {};
 };
 
+/// The digest of a file's bytes, and nothing when it cannot be opened: for who knows some already.
+using ContentDigest =
+    std::function<std::optional<Digest>(const Disk& disk, const std::string& path)>;
+
+/// By reading all of them.
+std::optional<Digest> read_digest(const Disk& disk, const std::string& path);
+
 /// Whether all of them have the same answers now.
-bool still_so(const Disk& disk, const std::vector<Witness>& witnesses);
+bool still_so(const Disk& disk, const std::vector<Witness>& witnesses,
+              const ContentDigest& digest = read_digest);
 
 /// The disk behind it. For use by one thread; open files are as safe as the disk's own.
 class WitnessDisk final : public Disk {
  public:
   /// What is asked about `known` is not kept.
-  WitnessDisk(const Disk& disk, std::string known) : disk_(disk), known_(std::move(known)) {}
+  WitnessDisk(const Disk& disk, std::string known, ContentDigest digest = read_digest)
+      : disk_(disk), known_(std::move(known)), digest_(std::move(digest)) {}
 
   std::unique_ptr<OpenFile> open(const std::string& path) const override;
   ReadResult read(const std::string& path, std::uint64_t max_bytes) const override;
@@ -58,6 +69,7 @@ class WitnessDisk final : public Disk {
 
   const Disk& disk_;
   std::string known_;
+  ContentDigest digest_;
   mutable std::map<std::pair<Witness::Question, std::string>, Digest> answers_;
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <rigor/model/pose.h>
 
@@ -18,10 +19,9 @@ constexpr const char* kDeviceSettings = "threads=1,set_affinity=0,start_threads=
 /// Of the ground's radius: from here on it fades.
 constexpr double kGroundFades = 0.45;
 
-/// Of the distance: so much apart, two surfaces are in one place.
-constexpr double kInOnePlace = 1e-5;
-/// The cosine of 172°: from there on two surfaces face opposite ways.
+/// The cosine of 172°: from there on two surfaces face opposite ways; of 8°: up to there the same.
 constexpr double kOpposite = -0.99;
+constexpr double kSameWay = 0.99;
 
 /// Of the drawing's size: how far off its surface a shadow's ray begins.
 constexpr double kLift = 2e-5;
@@ -174,6 +174,8 @@ void Stage::place(const Body& body, std::uint32_t index) {
   embree_.commit_geometry(instance);
   embree_.attach_geometry(placed.glass ? glass_ : solid_, instance, index);
   embree_.release_geometry(instance);
+  may_coincide_ = may_coincide_ || placed_ > 0 || placed.looks.size() > 1;
+  ++placed_;
   has_glass_ = has_glass_ || placed.glass;
   has_marks_ = has_marks_ || placed.mark;
   if (placed.glass && !placed.ground) ground_is_all_glass_ = false;
@@ -303,8 +305,43 @@ struct Stage::OtherSide {
   }
 };
 
+/// Of surfaces in one place that face the same way, the first of the drawing: which of them Embree meets first is
+/// chance, another one in each pixel.
+struct Stage::FirstDrawn {
+  RTCIntersectContext embree;
+  const Stage* stage;
+  model::Vector3 facing;
+  Hit best;
+
+  static void keep(const RTCFilterFunctionNArguments* met) {
+    auto* self = reinterpret_cast<FirstDrawn*>(met->context);
+    const std::uint32_t body = RTCHitN_instID(met->hit, met->N, 0, 0);
+    const std::uint32_t triangle = RTCHitN_primID(met->hit, met->N, 0);
+    met->valid[0] = 0;  // so that the next is met, too
+    if (std::pair(body, triangle) >= std::pair(self->best.body, self->best.triangle)) return;
+    if (dot(self->stage->outward(body, triangle), self->facing) < kSameWay) return;
+    self->best = {
+        RTCRayN_tfar(met->ray, met->N, 0), body,           triangle, RTCHitN_u(met->hit, met->N, 0),
+        RTCHitN_v(met->hit, met->N, 0),    self->best.back};
+  }
+};
+
+Hit Stage::first_drawn(RTCScene scene, const Ray& ray, const Hit& hit) const {
+  if (!may_coincide_) return hit;
+  FirstDrawn first{coherent_rays(), this, outward(hit.body, hit.triangle), hit};
+  first.embree.filter = FirstDrawn::keep;
+  this->first(scene, first.embree, ray, hit.t * (1 - kInOnePlace), hit.t * (1 + kInOnePlace));
+  return first.best;
+}
+
 std::optional<Hit> Stage::first_front(RTCScene scene, const Ray& ray, double from,
                                       double to) const {
+  const std::optional<Hit> hit = nearest_front(scene, ray, from, to);
+  return hit ? std::optional(first_drawn(scene, ray, *hit)) : hit;
+}
+
+std::optional<Hit> Stage::nearest_front(RTCScene scene, const Ray& ray, double from,
+                                        double to) const {
   RTCIntersectContext plain = coherent_rays();
   const std::optional<Hit> hit = first(scene, plain, ray, from, to);
   if (!hit || !hit->back) return hit;

@@ -43,6 +43,9 @@ struct Hit {
   bool back = false;    ///< it is met from inside, as the triangle is wound
 };
 
+/// Of the distance: so much apart, two surfaces are in one place.
+inline constexpr double kInOnePlace = 1e-5;
+
 /// What is seen there.
 struct Touched {
   Paint paint;
@@ -66,7 +69,8 @@ class Stage {
   bool ground_is_all_glass() const { return ground_is_all_glass_; }
 
   /// The nearest. Of surfaces in one place that which faces the eye: exporters write a wall's two sides as
-  /// triangles of their own, each with its colour. Safe across threads, as all here.
+  /// triangles of their own, each with its colour; of those that face the same way the first of the drawing. Safe
+  /// across threads, as all here.
   std::optional<Hit> first_solid(const Ray& ray) const;
   /// The nearest from `from` to `to` along the ray.
   std::optional<Hit> first_glass(const Ray& ray, double from, double to) const;
@@ -112,9 +116,12 @@ class Stage {
   std::optional<Hit> first(RTCScene scene, RTCIntersectContext& context, const Ray& ray,
                            double from, double to) const;
   std::optional<Hit> first_front(RTCScene scene, const Ray& ray, double from, double to) const;
+  std::optional<Hit> nearest_front(RTCScene scene, const Ray& ray, double from, double to) const;
+  Hit first_drawn(RTCScene scene, const Ray& ray, const Hit& hit) const;
   /// Unit, as the triangle is wound; 0 where it has no area.
   model::Vector3 outward(std::uint32_t body, std::uint32_t triangle) const;
   struct OtherSide;
+  struct FirstDrawn;
   const Look& look_of(const Placed& placed, std::uint32_t triangle) const;
 
   const Embree& embree_;
@@ -125,6 +132,8 @@ class Stage {
   RTCDevice device_ = nullptr;
   RTCScene solid_ = nullptr;
   RTCScene glass_ = nullptr;
+  std::size_t placed_ = 0;     // bodies
+  bool may_coincide_ = false;  // there are several surfaces
   bool has_glass_ = false;
   bool has_marks_ = false;
   bool ground_is_all_glass_ = true;

@@ -155,7 +155,8 @@ class Tracer {
     for (int sheet = 0; sheet < kMaxSheets && front.opacity < 1 - kNothingLeft; ++sheet) {
       const std::optional<Hit> hit = stage_.first_glass(ray, from, farthest);
       if (!hit) break;
-      from = hit->t + std::max(1e-6 * hit->t, 1e-7 * stage_.size());
+      // Sheets in one place are one: which of them comes first is chance.
+      from = hit->t + std::max(2 * kInOnePlace * hit->t, 1e-7 * stage_.size());
       const bool hidden = hit->t > on_wall;
       if (hidden && !stage_.is_mark(*hit)) continue;
       const Touched touched = stage_.touched(*hit, ray);

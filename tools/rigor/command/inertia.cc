@@ -28,6 +28,10 @@ class InertiaCommand final : public Command {
     declare_mass(*app);
     declare_model(*app);
     a_.output.declare(*app, {"sdf", "urdf", "mjcf", "json", "text"});
+    app->get_option("--format")
+        ->description(
+            "What to print on stdout: of a shape sdf, urdf, mjcf, json or text; of a "
+            "model text or json");
     a_.search.declare(*app);
     return app;
   }

@@ -270,7 +270,7 @@ bool is_shape_name(const std::string& what) {
 }
 
 int run_solid_inertia(const InertiaArguments& a) try {
-  const std::vector<Target> targets = a.output.targets_of({"sdf", "urdf", "mjcf", "json"});
+  const std::vector<Target> targets = a.output.targets_of({"sdf", "urdf", "mjcf", "json", "text"});
   refuse_model_options(a);
   const WrittenPose X_LS = pose_of(a);
   const Solid solid = a.what == "mesh" ? mesh_solid(a) : primitive_solid(a);
@@ -282,8 +282,10 @@ int run_solid_inertia(const InertiaArguments& a) try {
   constexpr write::BlockFormat kFormats[] = {write::BlockFormat::kSdf, write::BlockFormat::kUrdf,
                                              write::BlockFormat::kMjcf};
   for (const Target& target : targets) {
-    if (target.format == 3) {
-      write(target, report::solid_json({body, solid.volume, mass / solid.volume}));
+    if (target.format >= std::size(kFormats)) {
+      const report::SolidInertia numbers{body, solid.volume, mass / solid.volume};
+      const bool json = target.format == std::size(kFormats);
+      write(target, json ? report::solid_json(numbers) : report::solid_text(numbers));
       continue;
     }
     const write::BlockFormat format = kFormats[target.format];

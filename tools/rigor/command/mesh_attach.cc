@@ -15,6 +15,7 @@
 #include <rigor/author/test_world.h>
 #include <rigor/mass/mesh/survey.h>
 #include <rigor/read/load.h>
+#include <rigor/report/number.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/text/path.h>
 
@@ -25,6 +26,8 @@
 
 namespace rigor::tool {
 namespace {
+
+constexpr int kAngleDigits = 8;
 
 std::string absolute(const std::string& path) {
   return std::filesystem::absolute(path).lexically_normal().generic_string();
@@ -59,6 +62,20 @@ std::pair<std::string, std::string> split_model(const std::string& text) {
     throw UsageError("--attach " + text + ": is MODEL::LINK::VISUAL, with MODEL a model's path");
   }
   return {text.substr(0, colons), text.substr(colons + 2)};
+}
+
+/// With the rotation that would bring the axes together.
+std::string mismatch_text(const author::AttachedMesh& done) {
+  const auto [mesh, shape] = *done.mismatch;
+  const model::Vector3 turn = author::turn_between(mesh, shape);
+  std::string text = report::printable(done.uri) + " is round about its " +
+                     author::to_letter(mesh) + " axis, the shape that it replaces about " +
+                     author::to_letter(shape) + ": rotate its pose by \"";
+  for (const double angle : {turn.x, turn.y, turn.z}) {
+    text += report::number(angle, kAngleDigits) + ' ';
+  }
+  text.back() = '"';
+  return text + " (roll, pitch, yaw)";
 }
 
 struct FileCopy {
@@ -106,6 +123,7 @@ class Attachment {
     replace_file(loaded_.file->path, *text);
     say("rigor: " + report::printable(done.subject) + " is now " + report::printable(done.uri) +
         ", in " + report::printable(loaded_.file->path));
+    if (done.mismatch) say("rigor: warning: " + mismatch_text(done));
   }
 
  private:

@@ -210,15 +210,23 @@ class Render final : public Command {
     const PictureOptions options = size({480, 400, 0});
     view::Picture before = painter.picture(old.drawing, *view, bounds, options);
     view::Picture after = painter.picture(now.drawing, *view, bounds, options);
+    const view::Picture grey_before =
+        painter.picture(view::in_grey(old.drawing), *view, bounds, options);
+    const view::Picture grey_after =
+        painter.picture(view::in_grey(now.drawing), *view, bounds, options);
     const std::size_t pixels = view::count_differences(before, after);
-    view::Picture red = view::difference(before, after);
-    write_picture(out_,
-                  view::sheet({{std::move(before), compare_},
-                               {std::move(after), now.path},
-                               {std::move(red), pixels == 0 ? "no difference" : "differences"}},
-                              3));
+    const bool shapes = view::count_differences(grey_before, grey_after) > 0;
+    view::Picture marked = view::difference({before, after, grey_before, grey_after});
+    const std::string what = pixels == 0 ? "no difference"
+                             : shapes    ? "red: shapes, blue: colors only"
+                                         : "blue: colors only";
+    write_picture(out_, view::sheet({{std::move(before), compare_},
+                                     {std::move(after), now.path},
+                                     {std::move(marked), what}},
+                                    3));
     say(pixels == 0 ? "rigor: the images are the same"
-                    : "rigor: the images differ in " + report::counted(pixels, "pixel"));
+                    : "rigor: the images differ in " + report::counted(pixels, "pixel") +
+                          (shapes ? "" : ", in their colors only"));
     return kClean;
   }
 

@@ -219,6 +219,11 @@ class Report final : public Command {
         model.told.not_simulated = "it has no links";
         continue;
       }
+      // A sensor that is a part of robots: it would fall through the ground, which says nothing of it.
+      if (model.loaded.root.collisions.empty()) {
+        model.told.not_simulated = "it has no collisions";
+        continue;
+      }
       prepared.push_back(simulator.prepare(model.loaded, {}));
       cases.push_back({&prepared.back(), {}});
       of_case.push_back(&model);

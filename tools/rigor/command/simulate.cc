@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,12 @@
 #include <rigor/report/terminal/summary.h>
 #include <rigor/rules/environment.h>
 #include <rigor/simulate/engine/ode_version.h>
+#include <rigor/view/image/picture.h>
+#include <rigor/view/trace.h>
 
 #include "command/command.h"
 #include "model/model_file.h"
+#include "model/render_model.h"
 #include "option/search.h"
 #include "option/selection.h"
 #include "option/simulation_options.h"
@@ -33,6 +37,9 @@ enum SimulationFormat : std::size_t { kPretty, kJson, kJsonl, kJunit, kCsv, kHtm
 /// Of so many cases at a time there is a scene in memory. Each is written when it is done; its
 /// trajectories stay only where a report besides the lines is asked for, which shows them.
 constexpr std::size_t kChunk = 64;
+
+/// On a page, each of some ten kilobytes.
+constexpr std::size_t kMostPictures = 64;
 
 class Simulate final : public Command {
  public:
@@ -165,7 +172,10 @@ class Simulate final : public Command {
       });
     }
     results.finish();
-    const report::SimulationReport report{done, sources};
+    const bool page = std::any_of(targets.begin(), targets.end(),
+                                  [](const Target& target) { return target.format == kHtml; });
+    const report::SimulationReport report{done, sources,
+                                          page ? pictures(done) : std::vector<std::string>()};
     for (const Target& target : targets) emit(target, report, lines);
     say(report::simulation_summary(report) + kept_words(results.kept(), failed_before));
     return fails ? kFindings : kClean;
@@ -236,6 +246,36 @@ class Simulate final : public Command {
     throw UsageError(
         model.loaded.file->path + ": there is no " + problem.what +
         did_you_mean(problem.name, {problem.candidates.begin(), problem.candidates.end()}));
+  }
+
+  /// Of the first models, each as it begins; none where none can be drawn.
+  std::vector<std::string> pictures(const std::vector<author::SimulatedModel>& done) const {
+    if (view::tracer().empty()) return {};
+    const RealDisk disk;
+    const Environment environment(disk, search_.paths());
+    ModelPainter painter(disk, environment);
+    std::map<std::string, std::string> known;
+    std::vector<std::string> all;
+    for (const author::SimulatedModel& model : done) {
+      if (!known.contains(model.path) && known.size() == kMostPictures) break;
+      const auto [entry, is_new] = known.try_emplace(model.path);
+      if (is_new) entry->second = picture(painter, model.path);
+      all.push_back(entry->second);
+    }
+    return all;
+  }
+
+  std::string picture(ModelPainter& painter, const std::string& path) const {
+    DrawnModel drawn =
+        painter.draw(path, choices_.joints(), {view::Layer::kVisual, view::Layer::kGround});
+    if (!drawn.problem.empty()) {
+      drawn =
+          painter.draw(path, choices_.joints(), {view::Layer::kCollision, view::Layer::kGround});
+    }
+    if (!drawn.problem.empty()) return {};
+    return view::to_png(
+        ModelPainter::picture(drawn.drawing, view::View::kPerspective,
+                              {report::kSimulatedPictureWidth, report::kSimulatedPictureHeight}));
   }
 
   /// What the summary and the exit code are made of; the rest is in the lines.

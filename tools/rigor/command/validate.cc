@@ -49,7 +49,7 @@ void conclude(const rules::ValidateResult& result) {
   std::string left_out = report::left_out(result);
   if (!left_out.empty()) left_out.pop_back();
   if (!left_out.empty()) say(left_out);
-  say(report::summary(report::grouped(result, report::GroupScope::kRun)));
+  say(report::summary_of_groups(result));
 }
 
 class Validate final : public Command {

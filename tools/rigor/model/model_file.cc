@@ -29,6 +29,23 @@ std::string model_named_by(const std::string& config, const read::ModelConfig& r
   return join_path(parent_path(config), entry->file.value);
 }
 
+constexpr std::size_t kMaxListed = 3;
+
+/// Its model.config, or the only model in it.
+std::string model_file_in(const Disk& disk, const std::string& folder) {
+  std::string config = join_path(folder, "model.config");
+  if (disk.kind(config) == PathKind::kFile) return config;
+  std::vector<std::string> found = model_paths(disk, {folder});
+  std::erase_if(found, [](const std::string& path) { return path.ends_with(".srdf"); });
+  if (found.empty()) throw UsageError(folder + ": no model in this folder");
+  if (found.size() == 1) return found.front();
+  std::string names;
+  for (std::size_t i = 0; i < std::min(found.size(), kMaxListed); ++i) names += ' ' + found[i];
+  throw UsageError(folder + ": " + report::counted(found.size(), "model") +
+                   " in this folder, and no model.config: name one," + names +
+                   (found.size() > kMaxListed ? " …" : ""));
+}
+
 /// Of a template with errors: the first of them.
 [[noreturn]] void refuse(const read::File& file, const Sources& sources) {
   for (const xacro::Fact& fact : file.expanded->expansion().facts) {
@@ -89,7 +106,7 @@ std::vector<std::string> model_paths(const Disk& disk, const std::vector<std::st
 const read::File& open_model(read::Workspace& workspace, const std::string& named) {
   const Disk& disk = workspace.disk();
   std::string path = named;
-  if (disk.kind(path) == PathKind::kFolder) path = join_path(path, "model.config");
+  if (disk.kind(path) == PathKind::kFolder) path = model_file_in(disk, path);
   if (disk.kind(path) == PathKind::kFile && file_name(path) == "model.config") {
     const read::File& config = workspace.open(path);
     if (config.document) path = model_named_by(path, read::read_model_config(*config.document));

@@ -17,7 +17,8 @@
 
 namespace rigor::tool {
 
-/// A file, or a folder with a model.config, which names one. A UsageError when it cannot be read.
+/// A file; a folder with a model.config, which names one; or a folder in which there is one model. A UsageError
+/// when it cannot be read, and of a folder with several.
 const read::File& open_model(read::Workspace& workspace, const std::string& path);
 
 /// The same, of a model whose text is to be edited: a UsageError when it is a template.

@@ -27,7 +27,7 @@ class RobotFiles {
         workspace_(workspace),
         surveys_(environment.disk, {.workers = &environment.workers}) {}
 
-  /// A file, or a folder with a model.config. A UsageError when it cannot be read.
+  /// What `open_model` takes. A UsageError when it cannot be read.
   read::Loaded load(const std::string& path);
 
   /// Of several models the one that is named; the only one whatever it is called. Nothing, and said on

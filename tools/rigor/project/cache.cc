@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include <rigor/report/tool.h>
+#include <rigor/text/file_stamp.h>
 #include <rigor/text/path.h>
 
 namespace rigor::tool {
@@ -50,7 +51,8 @@ void CacheOption::declare(CLI::App& app) {
 std::optional<mass::MeshCache> CacheOption::cache(const process::Workers& workers) const {
   const std::string folder = cache_folder();
   if (off_ || setting("RIGOR_CACHE") == "off" || folder.empty()) return std::nullopt;
-  return mass::MeshCache(FolderStore(folder), this_program(), workers);
+  return mass::MeshCache(FolderStore(folder), this_program(), workers,
+                         mass::MeshCache::kLeastTriangles, stamp_of);
 }
 
 }  // namespace rigor::tool

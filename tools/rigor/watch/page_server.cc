@@ -3,212 +3,48 @@
 
 #include "watch/page_server.h"
 
-#include <fcntl.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
+#include <dlfcn.h>
 
-#include <algorithm>
-#include <array>
-#include <cerrno>
-#include <chrono>
-#include <condition_variable>
-#include <deque>
-#include <mutex>
-#include <semaphore>
-#include <set>
+#include <filesystem>
 #include <system_error>
 #include <utility>
 
-#include <httplib.h>
+#include <rigor/process/worker_path.h>
 
 #include "command/command.h"
-#include "watch/socket_stream.h"
+#include "watch/page_site.h"
 
 namespace rigor::tool {
 namespace {
 
-/// Beside the listeners; a browser opens six.
-constexpr std::size_t kPageThreads = 8;
+/// The module is installed beside the worker; in a build, tests have links to the worker alone.
+std::string page_module() {
+  const process::WorkerProgram worker = process::find_worker();
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::canonical(worker.path.value_or(""), error);
+  return (program.parent_path() / kPageModule).string();
+}
 
-/// A listener that is gone is known by what cannot be sent to it.
-constexpr std::chrono::seconds kHeartbeat{5};
-constexpr std::string_view kBeat = ": here\n\n";
-
-/// Takes no more connections than it has threads: the rest wait in the system's own queue.
-class PageThreads final : public httplib::ThreadPool {
- public:
-  PageThreads() : httplib::ThreadPool(kThreads) {}
-
-  void enqueue(std::function<void()> connection) override {
-    free_.acquire();
-    httplib::ThreadPool::enqueue([this, connection = std::move(connection)] {
-      connection();
-      free_.release();
-    });
+std::unique_ptr<PageSite> open_site(std::uint16_t port) {
+  const std::string module = page_module();
+  // Never closed: its threads may outlast the server by a moment.
+  void* handle = ::dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* found = handle == nullptr ? nullptr : ::dlsym(handle, kOpenPageSite);
+  if (found == nullptr) {
+    const char* reason = ::dlerror();
+    throw UsageError("view --serve needs " + module + ": " + (reason ? reason : "not found"));
   }
-
- private:
-  static constexpr std::size_t kThreads = PageServer::kMaxListeners + kPageThreads;
-  std::counting_semaphore<kThreads> free_{kThreads};
-};
-
-void refuse(httplib::Response& response, int status, const char* reason) {
-  response.status = status;
-  response.set_content(std::to_string(status) + ' ' + reason + '\n', "text/plain; charset=utf-8");
+  try {
+    const auto open = reinterpret_cast<decltype(&rigor_open_page_site)>(found);
+    return std::unique_ptr<PageSite>(open(port));
+  } catch (const std::system_error& error) {
+    throw UsageError("--port " + std::to_string(port) + ": " + error.code().message());
+  }
 }
 
 }  // namespace
 
-class PageServer::Site final : public httplib::Server {
- public:
-  explicit Site(std::uint16_t port) {
-    using httplib::Request;
-    using httplib::Response;
-    new_task_queue = [] { return new PageThreads; };  // the server deletes it
-    // The library's own would share the port with whoever else asks for that.
-    set_socket_options([](socket_t socket) {
-      const int yes = 1;
-      ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-    });
-    set_default_headers({{"Cache-Control", "no-store"},
-                         {"X-Content-Type-Options", "nosniff"},
-                         {"X-Frame-Options", "DENY"},
-                         {"Cross-Origin-Resource-Policy", "same-origin"}});
-    set_pre_routing_handler([this](const Request& request, Response& response) {
-      return admit(request, response) ? HandlerResponse::Unhandled : HandlerResponse::Handled;
-    });
-    set_error_handler([](const Request&, Response& response) {
-      if (response.body.empty()) refuse(response, response.status, "Not Found");
-    });
-    Get("/", [this](const Request&, Response& response) {
-      response.set_content(asked().page, "text/html; charset=utf-8");
-    });
-    Get("/data", [this](const Request&, Response& response) {
-      response.set_content(asked().data, "application/json");
-    });
-    Get("/events", [this](const Request&, Response& response) { listen_to(response); });
-    errno = 0;
-    port_ = port == 0 ? bind_to_any_port("127.0.0.1") : bind_to_port("127.0.0.1", port) ? port : -1;
-    if (port_ < 0) {
-      const int error = errno != 0 ? errno : EADDRINUSE;
-      throw UsageError("--port " + std::to_string(port) + ": " +
-                       std::generic_category().message(error));
-    }
-  }
-
-  int port() const { return port_; }
-
-  void end() {
-    const std::lock_guard lock(mutex_);
-    listeners_.clear();
-    changed_.notify_all();
-    stop();
-  }
-
-  void publish(Content content) {
-    const std::lock_guard lock(mutex_);
-    content_ = std::move(content);
-    ++published_;
-  }
-
-  void tell(std::string event) {
-    const std::lock_guard lock(mutex_);
-    events_.push_back(std::move(event));
-    if (events_.size() > kMaxEvents) events_.pop_front();
-    ++told_;
-    changed_.notify_all();
-  }
-
- private:
-  /// One request a connection.
-  bool process_and_close_socket(socket_t socket) override {
-    ::fcntl(socket, F_SETFD, FD_CLOEXEC);
-    SocketStream stream(socket);
-    bool closed = false;
-    const bool answered = process_request(stream, true, closed, [](httplib::Request& request) {
-      // Nothing is gained by compressing what stays on this machine, and brotli takes seconds for it.
-      request.headers.erase("Accept-Encoding");
-      request.ranges.clear();
-    });
-    ::shutdown(socket, SHUT_WR);
-    // What was not read would end the connection at once, and with it what is on its way.
-    std::array<char, 4096> rest;
-    while (::recv(socket, rest.data(), rest.size(), MSG_DONTWAIT) > 0) {
-    }
-    ::close(socket);
-    return answered;
-  }
-
-  bool admit(const httplib::Request& request, httplib::Response& response) const {
-    const std::string host = request.get_header_value("Host");
-    const std::string port = ':' + std::to_string(port_);
-    if (request.get_header_value_count("Host") != 1) {
-      refuse(response, 400, "Bad Request");
-    } else if (host != "127.0.0.1" + port && host != "localhost" + port) {
-      refuse(response, 403, "Forbidden");
-    } else if (request.method != "GET") {
-      refuse(response, 405, "Method Not Allowed");
-    } else {
-      return true;
-    }
-    return false;
-  }
-
-  Content asked() {
-    const std::lock_guard lock(mutex_);
-    asked_for_ = published_;
-    return content_;
-  }
-
-  void listen_to(httplib::Response& response) {
-    const std::lock_guard lock(mutex_);
-    const std::uint64_t listener = next_listener_++;
-    listeners_.insert(listener);
-    if (listeners_.size() > kMaxListeners) {
-      listeners_.erase(listeners_.begin());
-      changed_.notify_all();
-    }
-    // Who asked for the page before the last change hears of it now.
-    const bool late = asked_for_ < published_ && told_ > 0;
-    response.set_content_provider(
-        "text/event-stream",
-        [this, listener, heard = told_ - (late ? 1 : 0), text = std::string(kBeat)](
-            std::size_t, httplib::DataSink& sink) mutable {
-          if (!sink.write(text.data(), text.size())) return false;
-          return wait_for_events(listener, heard, text);
-        },
-        [this, listener](bool) {
-          const std::lock_guard released(mutex_);
-          listeners_.erase(listener);
-        });
-  }
-
-  /// Into `text` what was told since; false when the listener is let go.
-  bool wait_for_events(std::uint64_t listener, std::uint64_t& heard, std::string& text) {
-    std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, kHeartbeat,
-                      [&] { return heard < told_ || !listeners_.contains(listener); });
-    if (!listeners_.contains(listener)) return false;
-    text = heard < told_ ? "" : kBeat;
-    const std::uint64_t first = told_ - events_.size();
-    for (heard = std::max(heard, first); heard < told_; ++heard) text += events_[heard - first];
-    return true;
-  }
-
-  int port_ = -1;
-  std::mutex mutex_;  // of all that follows
-  std::condition_variable changed_;
-  Content content_;
-  std::uint64_t published_ = 0;
-  std::uint64_t asked_for_ = 0;
-  std::deque<std::string> events_;  // the last that were told
-  std::uint64_t told_ = 0;
-  std::set<std::uint64_t> listeners_;  // the oldest first
-  std::uint64_t next_listener_ = 0;
-};
-
-PageServer::PageServer(std::uint16_t port) : site_(std::make_unique<Site>(port)) {}
+PageServer::PageServer(std::uint16_t port) : site_(open_site(port)) {}
 
 PageServer::~PageServer() = default;
 
@@ -216,7 +52,7 @@ std::string PageServer::address() const {
   return "http://127.0.0.1:" + std::to_string(site_->port()) + '/';
 }
 
-void PageServer::run() { site_->listen_after_bind(); }
+void PageServer::run() { site_->run(); }
 
 void PageServer::stop() { site_->end(); }
 

@@ -21,6 +21,8 @@
 
 namespace rigor::tool {
 
+class PageSite;
+
 class PageServer {
  public:
   /// What it answers.
@@ -56,8 +58,7 @@ class PageServer {
   void tell(std::string_view event, std::string_view data);
 
  private:
-  class Site;
-  std::unique_ptr<Site> site_;
+  std::unique_ptr<PageSite> site_;
 };
 
 }  // namespace rigor::tool

@@ -8,7 +8,7 @@
 
 namespace rigor::tool {
 
-class PageServer::Site {};
+class PageSite {};
 
 PageServer::PageServer(std::uint16_t) { refuse_without("cpp-httplib", "view --serve"); }
 PageServer::~PageServer() = default;

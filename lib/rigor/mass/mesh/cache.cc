@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <unordered_map>
 #include <utility>
 
 #include <rigor/mass/mesh/facts_code.h>
@@ -33,6 +34,14 @@ bool names_are_known(Format format) {
 /// Read by rigor itself; other formats by an importer.
 bool own_format(Format format) {
   return format == Format::kStlBinary || format == Format::kStlAscii || format == Format::kObj;
+}
+
+/// In a file of a format that rigor reads itself.
+std::uint64_t most_triangles(Format format, std::uint64_t bytes) {
+  // Of binary STL 50 bytes are one; of text "f 1 2 3" and half a "v 0 0 0" at least.
+  constexpr std::uint64_t kBinary = 50;
+  constexpr std::uint64_t kText = 8;
+  return bytes / (format == Format::kStlBinary ? kBinary : kText);
 }
 
 /// Buffers are read in the importer's process, where no witness sees it.
@@ -67,13 +76,54 @@ class MeshCache::Importer {
   std::string name_;
 };
 
+/// Of files' bytes, as long as the system says that they are the same.
+class MeshCache::Digests {
+ public:
+  explicit Digests(Stamp stamp) : stamp_(std::move(stamp)) {}
+
+  /// Nothing when the file cannot be opened.
+  std::optional<Digest> of(const Disk& disk, const std::string& path) {
+    // Before it is opened: else a link that changes in between gives one file's stamp to another's bytes.
+    const std::optional<FileStamp> before = stamp_ ? stamp_(path) : std::nullopt;
+    if (!before) return read_digest(disk, path);
+    {
+      const std::lock_guard lock(mutex_);
+      const auto found = known_.find(path);
+      if (found != known_.end() && found->second.stamp == *before) return found->second.digest;
+    }
+    const std::optional<Digest> digest = read_digest(disk, path);
+    // Replaced or written to while it was read: not what the stamp is of.
+    if (digest && stamp_(path) == before) {
+      const std::lock_guard lock(mutex_);
+      known_.insert_or_assign(path, Known{*before, *digest});
+    }
+    return digest;
+  }
+
+  /// For witnesses. It outlives what this gives.
+  ContentDigest function() {
+    return [this](const Disk& disk, const std::string& path) { return of(disk, path); };
+  }
+
+ private:
+  struct Known {
+    FileStamp stamp;
+    Digest digest = {};
+  };
+
+  Stamp stamp_;
+  std::mutex mutex_;
+  std::unordered_map<std::string, Known> known_;
+};
+
 MeshCache::MeshCache(FolderStore store, std::string program, const process::Workers& workers,
-                     std::uint64_t least)
+                     std::uint64_t least, Stamp stamp)
     : store_(std::move(store)),
       program_(std::move(program)),
       workers_(workers),
       least_(least),
-      importer_(std::make_shared<Importer>(workers)) {}
+      importer_(std::make_shared<Importer>(workers)),
+      digests_(std::make_shared<Digests>(std::move(stamp))) {}
 
 MeshFacts MeshCache::facts(const Disk& disk, const std::string& path, MeshDepth depth,
                            MeshReads* reads) const {
@@ -111,7 +161,7 @@ Found MeshCache::find(const Disk& disk, const std::string& path, std::string_vie
       if (found != nullptr && holds(disk, *known)) return std::move(*found);
     }
   }
-  const WitnessDisk asked(disk, path);
+  const WitnessDisk asked(disk, path, digests_->function());
   auto [found, whole] = find(asked);
   const bool small = own_format(found.format) && found.triangles < least_;
   if (!before || !whole || !found.usable() || small) return std::move(found);
@@ -128,13 +178,17 @@ std::optional<Digest> MeshCache::key(const Disk& disk, const std::string& path,
   if (!file || file->size() == 0 || file->size() > mesh::kMaxMeshBytes) return std::nullopt;
   const Format format = format_of_file(*file, path);
   if (!names_are_known(format)) return std::nullopt;
+  // Then it is not even looked up.
+  if (own_format(format) && most_triangles(format, file->size()) < least_) return std::nullopt;
   Hasher hasher;
   const auto add = [&hasher](std::string_view text) { hasher.add(digest_bytes(digest_of(text))); };
   add(kMeshFactsCode);
   add(program_);
   add(path);
   add(what);
-  hasher.add(digest_bytes(digest_of(*file)));
+  const std::optional<Digest> content = digests_->of(disk, path);
+  if (!content) return std::nullopt;
+  hasher.add(digest_bytes(*content));
   return hasher.digest();
 }
 
@@ -145,7 +199,8 @@ std::string MeshCache::importer_of(Format format) const {
 
 bool MeshCache::holds(const Disk& disk, const CachedMesh& entry) const {
   const Format format = std::visit([](const auto& found) { return found.format; }, entry.found);
-  return still_so(disk, entry.witnesses) && importer_of(format) == entry.importer;
+  return still_so(disk, entry.witnesses, digests_->function()) &&
+         importer_of(format) == entry.importer;
 }
 
 }  // namespace rigor::mass

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,6 +26,7 @@
 #include <rigor/process/workers.h>
 #include <rigor/text/digest.h>
 #include <rigor/text/disk.h>
+#include <rigor/text/file_stamp.h>
 #include <rigor/text/folder_store.h>
 #include <rigor/text/witness.h>
 
@@ -34,14 +36,18 @@ struct CachedMesh;
 
 class MeshCache {
  public:
-  /// Fewer triangles, in a format that rigor reads itself, are read as fast as they are looked up. Scenes
-  /// are kept whatever their size: importing one takes a process.
-  static constexpr std::uint64_t kLeastTriangles = 1000;
+  /// What the system says of the file at a path of the disk; see `stamp_of`.
+  using Stamp = std::function<std::optional<FileStamp>(const std::string& path)>;
+
+  /// Fewer triangles, in a format that rigor reads itself, are checked in some milliseconds, of which writing an
+  /// entry would take more than a twentieth. Scenes are kept whatever their size: importing one takes a process.
+  static constexpr std::uint64_t kLeastTriangles = 5000;
 
   /// `program` tells apart programs that may find something else in the same bytes. One of `workers`, which
-  /// outlive this, is asked which importer there is.
+  /// outlive this, is asked which importer there is. With `stamp`, for disks whose paths are the system's, a
+  /// file's bytes are read once for their digest; without, whenever it is asked for.
   MeshCache(FolderStore store, std::string program, const process::Workers& workers,
-            std::uint64_t least = kLeastTriangles);
+            std::uint64_t least = kLeastTriangles, Stamp stamp = {});
 
   /// What `mesh_facts` and `survey_mesh` give. Safe across threads.
   MeshFacts facts(const Disk& disk, const std::string& path, MeshDepth depth,
@@ -50,6 +56,7 @@ class MeshCache {
 
  private:
   class Importer;
+  class Digests;
 
   template <class Found, class Find>
   Found find(const Disk& disk, const std::string& path, std::string_view what,
@@ -64,6 +71,7 @@ class MeshCache {
   const process::Workers& workers_;
   std::uint64_t least_;
   std::shared_ptr<Importer> importer_;
+  std::shared_ptr<Digests> digests_;
 };
 
 /// An entry: what was found, and what it hangs on besides the mesh file.

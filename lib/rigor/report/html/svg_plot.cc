@@ -22,6 +22,9 @@ constexpr double kRight = 10;
 constexpr double kTop = 24;
 constexpr double kBottom = 24;
 
+/// m, rad, m/s or s: below this a solver's numbers say nothing.
+constexpr double kNoise = 1e-5;
+
 struct Range {
   double least = std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();
@@ -33,11 +36,11 @@ struct Range {
   }
   double span() const { return most - least; }
 
-  /// Never empty: a constant is drawn in the middle.
+  /// Never empty: a constant is drawn in the middle, and so is what differs from one by noise.
   void widen() {
     if (!(least <= most)) least = most = 0;
-    const double size = std::max({std::abs(least), std::abs(most), 1e-6});
-    if (span() > 1e-9 * size) return;
+    const double size = std::max({std::abs(least), std::abs(most), kNoise});
+    if (span() > kNoise * std::max(1.0, size)) return;
     least -= 0.5 * size;
     most += 0.5 * size;
   }

@@ -23,6 +23,8 @@ struct SolidInertia {
   double density = 0;         ///< kg/m³
 };
 
+/// For people: to `kSolidDigits` digits, with units.
+std::string solid_text(const SolidInertia& solid);
 std::string solid_json(const SolidInertia& solid);
 
 /// A model's sum, as it is written and as it would be with what is computed.

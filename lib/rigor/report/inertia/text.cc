@@ -23,6 +23,7 @@ using mass::MassFrom;
 using mass::MassProperties;
 
 constexpr int kInertiaDigits = 4;
+constexpr int kSolidDigits = 8;
 
 /// Rows of cells, padded to the width of their column.
 class Grid {
@@ -180,6 +181,20 @@ std::string stance_line(const mass::Stance& stance) {
 }
 
 }  // namespace
+
+std::string solid_text(const SolidInertia& solid) {
+  const mass::Inertia& tensor = solid.body.about_com;
+  const mass::PrincipalAxes principal = mass::principal_axes(tensor);
+  const auto shown = [](double value) { return number(value, kSolidDigits); };
+  return fmt::format(
+      "mass      {} kg\nvolume    {} m³\ndensity   {} kg/m³\ncenter    {} m\n"
+      "inertia   ixx {}  iyy {}  izz {}  ixy {}  ixz {}  iyz {} kg·m², about the center of mass\n"
+      "principal {}  {}  {} kg·m²\n",
+      shown(solid.body.mass), shown(solid.volume), shown(solid.density),
+      numbers(solid.body.com, kSolidDigits), shown(tensor.ixx), shown(tensor.iyy),
+      shown(tensor.izz), shown(tensor.ixy), shown(tensor.ixz), shown(tensor.iyz),
+      shown(principal.moments[0]), shown(principal.moments[1]), shown(principal.moments[2]));
+}
 
 std::string inertia_text(const InertiaTable& table) {
   Grid grid;

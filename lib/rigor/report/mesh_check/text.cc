@@ -146,15 +146,9 @@ std::string fit_text(const mesh::Fit& fit) {
                                     100 * fit.fill(), number(fit.deepest, kMeshDigits)));
 }
 
-}  // namespace
-
-std::string mesh_check_text(const MeshCheckReport& report, Color color) {
+/// What was done, and what came of it.
+std::string work_text(const MeshCheckReport& report, Color color) {
   std::string text;
-  for (const rules::CheckedMesh& mesh : report.result.meshes) text += mesh_text(mesh, color);
-  if (!report.result.diagnostics.list().empty()) {
-    text += '\n' + pretty(grouped(report.result.diagnostics), report.sources, color);
-  }
-  if (!report.steps.empty()) text += '\n';
   for (const author::MeshStep& step : report.steps) {
     text += fmt::format("  {}: {}\n", printable(step.name), step.what);
   }
@@ -166,6 +160,20 @@ std::string mesh_check_text(const MeshCheckReport& report, Color color) {
       text += fmt::format(", at most {} off (sampled)", number(*file.hausdorff, kMeshDigits));
     }
     text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string mesh_check_text(const MeshCheckReport& report, Color color) {
+  const bool works = !report.steps.empty() || report.fit || !report.written.empty();
+  std::string text = work_text(report, color);
+  // Of a run that makes something the meshes that were named are its sources.
+  if (works) text += '\n';
+  for (const rules::CheckedMesh& mesh : report.result.meshes) text += mesh_text(mesh, color);
+  if (!report.result.diagnostics.list().empty()) {
+    text += '\n' + pretty(grouped(report.result.diagnostics), report.sources, color);
   }
   return text;
 }

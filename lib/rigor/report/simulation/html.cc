@@ -1,38 +1,119 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include <fmt/core.h>
 
+#include <rigor/report/html/finding_list.h>
 #include <rigor/report/html/markup.h>
 #include <rigor/report/html/page.h>
+#include <rigor/report/places.h>
 #include <rigor/report/simulation/run.h>
 #include <rigor/report/simulation/simulation.h>
-#include <rigor/report/terminal/concise.h>
+#include <rigor/report/team/script.h>
+#include <rigor/report/terminal/printable.h>
+#include <rigor/report/terminal/summary.h>
 #include <rigor/report/tool.h>
+#include <rigor/text/base64.h>
 
 namespace rigor::report {
 namespace {
 
 using author::SimulatedModel;
 
-std::string model_section(const SimulatedModel& model, const Sources& sources) {
-  std::string out =
-      fmt::format("<h2>{} – {}</h2>\n", escaped(case_name(model)), verdict_html(model.verdict()));
+/// Findings that are told beside the image.
+constexpr std::size_t kCauses = 3;
+constexpr std::size_t kLongestCause = 400;
+
+constexpr std::string_view kSimulationStyle = R"(
+.facts>div{flex:1 1 24rem}.model:first-of-type{margin-top:1rem}.model h2{font-size:1.3rem}.causes{padding-left:1.2rem;margin:.5rem 0}
+.causes li{margin:.5rem 0;max-width:46rem}.causes small{display:block;font-size:.85rem}
+.verdict{font-size:1.1rem;font-weight:bold;border:1px solid currentColor;border-radius:.4rem;padding:.05rem .6rem}
+.runs{list-style:none;padding:0;margin:.6rem 0}.runs li{display:inline-block;margin-right:1.2rem}
+)";
+
+using Findings = std::vector<const Diagnostic*>;
+
+/// Those that name a cause come first, then the most severe.
+Findings causes_of(const SimulatedModel& model) {
+  Findings all;
+  for (const Diagnostic& each : model.diagnostics.list()) all.push_back(&each);
+  std::stable_sort(all.begin(), all.end(), [](const Diagnostic* a, const Diagnostic* b) {
+    const auto names_none = [](const Diagnostic* finding) { return finding->help.empty(); };
+    if (a->severity != b->severity) return a->severity < b->severity;
+    return names_none(a) < names_none(b);
+  });
+  all.resize(std::min(all.size(), kCauses));
+  return all;
+}
+
+std::string causes_html(const SimulatedModel& model) {
+  std::string items;
+  for (const Diagnostic* each : causes_of(model)) {
+    items +=
+        fmt::format("<li>{}<small class=\"soft\">{}</small></li>\n",
+                    escaped(printable(each->subject.empty() ? each->message
+                                                            : each->subject + ": " + each->message,
+                                      kLongestCause)),
+                    escaped(printable(help_of(*each), kLongestCause)));
+  }
+  return items.empty() ? "" : "<ol class=\"causes\">\n" + items + "</ol>\n";
+}
+
+std::string runs_html(const std::vector<simulate::Run>& runs) {
+  std::string items;
+  for (const simulate::Run& run : runs) {
+    items += fmt::format("<li>{} {}</li>", escaped(run.test), verdict_html(run.verdict));
+  }
+  return items.empty() ? "" : "<ul class=\"runs\">" + items + "</ul>\n";
+}
+
+std::string picture_html(const std::string& png) {
+  if (png.empty()) return {};
+  return fmt::format(
+      "<img src=\"data:image/png;base64,{}\" alt=\"The model as it begins\" width=\"{}\" "
+      "height=\"{}\"/>",
+      base64(png), kSimulatedPictureWidth, kSimulatedPictureHeight);
+}
+
+std::string model_section(const SimulatedModel& model, const std::string& png, Places& places) {
+  const std::vector<simulate::Run>& runs = model.simulation.runs;
+  std::string out = fmt::format(
+      "<section class=\"model\">\n<div class=\"facts\">{}<div>\n<h2>{}</h2>\n<p><span "
+      "class=\"verdict {}\">{}</span></p>\n{}{}</div></div>\n",
+      picture_html(png), escaped(printable(case_name(model))), to_string(model.verdict()),
+      to_string(model.verdict()), runs_html(runs), causes_html(model));
   if (model.untested()) out += "<p>Nothing was tested.</p>\n";
-  const std::string findings = concise(model.diagnostics, sources);
-  if (!findings.empty()) out += "<pre>" + escaped(findings) + "</pre>\n";
-  for (const simulate::Run& run : model.simulation.runs) out += run_html(model.scene, run);
-  for (const std::string& why : model.left_out) out += "<p>left out: " + escaped(why) + "</p>\n";
-  return out;
+  Findings findings;
+  for (const Diagnostic& each : model.diagnostics.list()) findings.push_back(&each);
+  if (!findings.empty()) {
+    out +=
+        fmt::format("<details><summary>{}, with their places</summary>\n{}</details>\n",
+                    counted(findings.size(), "finding"), finding_list(findings, places, "#rule-"));
+  }
+  for (const simulate::Run& run : runs) out += run_html(model.scene, run);
+  for (const std::string& why : model.left_out) {
+    out += "<p>left out: " + escaped(printable(why)) + "</p>\n";
+  }
+  return out + "</section>\n";
 }
 
 }  // namespace
 
 std::string simulation_html(const SimulationReport& report) {
-  std::string out = begin_page({.title = "rigor simulate"}) +
-                    fmt::format("<h1>{}</h1>\n<p>{} {}</p>\n", escaped(simulation_summary(report)),
-                                kToolName, tool_version());
-  for (const SimulatedModel& model : report.models) out += model_section(model, report.sources);
+  const std::string style = std::string(team_report_style()).append(kSimulationStyle);
+  std::string out = begin_page({.title = "rigor simulate", .style = style, .images = "data:"}) +
+                    fmt::format("<h1>{}</h1>\n<p class=\"soft\">{} {}</p>\n",
+                                escaped(simulation_summary(report)), kToolName, tool_version());
+  Places places(report.sources);
+  for (std::size_t i = 0; i < report.models.size(); ++i) {
+    const bool drawn = i < report.pictures.size();
+    out += model_section(report.models[i], drawn ? report.pictures[i] : "", places);
+  }
   return out + end_page();
 }
 

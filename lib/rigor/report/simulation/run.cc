@@ -119,16 +119,15 @@ std::string verdict_html(simulate::Verdict verdict) {
 }
 
 std::string run_html(const simulate::Scene& scene, const simulate::Run& run) {
-  std::string out = fmt::format("<h3>{} – {}</h3>\n<p>{} s in {} steps, seed {}", escaped(run.test),
-                                verdict_html(run.verdict), number(run.record.end_time),
-                                run.record.steps, run.seed);
+  std::string out = fmt::format(
+      "<details class=\"run\"><summary>{} – {}: {} s in {} steps, seed {}", escaped(run.test),
+      verdict_html(run.verdict), number(run.record.end_time), run.record.steps, run.seed);
   for (const simulate::Confirmation& each : run.confirmations) {
     out += fmt::format("; with {}: {}", escaped(each.what), verdict_html(each.verdict));
   }
   if (!run.record.message.empty()) out += "; " + escaped(run.record.message);
-  return out + "</p>\n" + plots(scene, run) + "<details><summary>" +
-         std::to_string(run.metrics.size()) + " metrics</summary>" + metric_table(run) +
-         "</details>\n";
+  return out + "</summary>\n" + plots(scene, run) + "<h4>" + std::to_string(run.metrics.size()) +
+         " metrics</h4>" + metric_table(run) + "</details>\n";
 }
 
 }  // namespace rigor::report

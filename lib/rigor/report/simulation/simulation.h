@@ -12,6 +12,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,13 @@ namespace rigor::report {
 struct SimulationReport {
   const std::vector<author::SimulatedModel>& models;
   const Sources& sources;
+  /// Images of the models for a page, as PNG, in the same order; empty without one, or shorter.
+  std::vector<std::string> pictures = {};
 };
+
+/// Of such an image, in pixels.
+inline constexpr std::uint32_t kSimulatedPictureWidth = 480;
+inline constexpr std::uint32_t kSimulatedPictureHeight = 360;
 
 /// A finding each as `validate` prints it, then a table of runs and what they measured; of several
 /// models a table with a line for each.
@@ -37,7 +44,8 @@ std::string simulation_line(const author::SimulatedModel& model, const Sources& 
 std::string simulation_junit(const SimulationReport& report);
 /// The trajectories: a row each 10 ms, of each run.
 std::string simulation_csv(const SimulationReport& report);
-/// One page that loads nothing: verdicts, plots, paths.
+/// One page that loads nothing. Of each model first its image, its path, the verdict and the findings that say most
+/// of why; all else is folded.
 std::string simulation_html(const SimulationReport& report);
 
 /// Its path, and of a point of a grid which one: "cart.sdf [friction=0.2 seed=1]".

@@ -44,6 +44,17 @@ std::string severities(std::size_t errors, std::size_t warnings) {
   return counted(errors, "error") + ", " + counted(warnings, "warning");
 }
 
+/// "default" is what worlds are called.
+bool is_name(std::string_view name) { return !name.empty() && name != "default"; }
+
+/// "my_robot/model.sdf": so many files are called model.sdf that this alone is no name.
+std::string file_with_folder(const std::string& path) {
+  const std::string_view folder = file_name(parent_path(path));
+  const std::string file(file_name(path));
+  return folder.empty() || folder == "." || folder == ".." ? file
+                                                           : std::string(folder) + '/' + file;
+}
+
 std::size_t count_of(const std::vector<const Diagnostic*>& findings, Severity severity) {
   std::size_t count = 0;
   for (const Diagnostic* each : findings) count += each->severity == severity ? each->count : 0;
@@ -139,7 +150,7 @@ TeamReportRow TeamReport::row_of(const ReportedModel& model, const std::string& 
   const rules::FileSummary& file = validation_.result.files[model.file];
   const std::vector<const Diagnostic*> findings = findings_of(validation_, model.file);
   TeamReportRow row{.link = one_file() ? "#model-" + slug : "models/" + slug + ".html",
-                    .name = model.name.empty() ? std::string(file_name(file.path)) : model.name,
+                    .name = is_name(model.name) ? model.name : file_with_folder(file.path),
                     .path = printable(file.path),
                     .format = format_text(file),
                     .visual = triangles_of(model, false, options_.budget),

@@ -82,10 +82,10 @@ std::string mesh_table(std::vector<MeshUse> meshes) {
                    [](const MeshUse& a, const MeshUse& b) { return a.triangles > b.triangles; });
   const auto over = static_cast<std::size_t>(std::count_if(meshes.begin(), meshes.end(), is_over));
   std::string out = fmt::format(
-      "<details{}><summary>{}{}</summary><div class=\"wide\"><table><tr><th>Mesh</th><th>Used "
+      "<details><summary>{}{}</summary><div class=\"wide\"><table><tr><th>Mesh</th><th>Used "
       "as</th>"
       "<th class=\"n\">Triangles</th><th class=\"n\">Budget</th><th></th></tr>\n",
-      over > 0 ? " open=\"open\"" : "", counted(meshes.size(), "mesh", "meshes"),
+      counted(meshes.size(), "mesh", "meshes"),
       over > 0 ? fmt::format(", {} over the budget of a mesh", over) : "");
   for (const MeshUse& use : meshes) {
     const std::string times = use.times > 1 ? fmt::format(", {} times", use.times) : "";

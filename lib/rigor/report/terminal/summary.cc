@@ -10,12 +10,15 @@
 #include <fmt/core.h>
 
 #include <rigor/report/terminal/printable.h>
+#include <rigor/text/grouping.h>
 
 namespace rigor::report {
 namespace {
 
 /// Files named one by one at most; a tree of templates would fill the screen.
 constexpr std::size_t kMostNamed = 10;
+
+constexpr Severity kSeverities[] = {Severity::kError, Severity::kWarning, Severity::kInfo};
 
 /// What was met but not checked: whole files, and includes inside files that were.
 struct NotChecked {
@@ -51,19 +54,34 @@ std::string not_looked_at(const NotChecked& found) {
   return parts.empty() ? "" : "; " + joined(parts, " and ") + " skipped";
 }
 
-}  // namespace
-
-std::string findings(const Diagnostics& diagnostics) {
+std::string counts_text(const GroupCounts& counts) {
   std::vector<std::string> parts;
-  for (const Severity severity : {Severity::kError, Severity::kWarning, Severity::kInfo}) {
-    const std::size_t count = diagnostics.count(severity);
+  for (const Severity severity : kSeverities) {
+    const std::size_t count = counts.by_severity[static_cast<std::size_t>(severity)];
     if (count > 0) parts.push_back(counted(count, to_string(severity)));
   }
   if (parts.empty()) return ", no problems";
-  const std::size_t places = diagnostics.places();
-  const bool grouped = std::any_of(diagnostics.list().begin(), diagnostics.list().end(),
-                                   [](const Diagnostic& each) { return !each.others.empty(); });
-  return ": " + joined(parts, ", ") + (grouped ? " at " + counted(places, "place") : "");
+  return ": " + joined(parts, ", ") +
+         (counts.joined ? " at " + counted(counts.places, "place") : "");
+}
+
+std::string files_text(const rules::ValidateResult& result, const std::string& findings) {
+  if (result.files.empty()) return "no files checked" + not_looked_at(not_checked(result));
+  return counted(result.files.size(), "file") + " checked" + findings +
+         not_looked_at(not_checked(result));
+}
+
+}  // namespace
+
+std::string findings(const Diagnostics& diagnostics) {
+  GroupCounts counts;
+  for (const Severity severity : kSeverities) {
+    counts.by_severity[static_cast<std::size_t>(severity)] = diagnostics.count(severity);
+  }
+  counts.places = diagnostics.places();
+  counts.joined = std::any_of(diagnostics.list().begin(), diagnostics.list().end(),
+                              [](const Diagnostic& each) { return !each.others.empty(); });
+  return counts_text(counts);
 }
 
 std::string counted(std::size_t count, std::string_view noun, std::string_view plural) {
@@ -74,9 +92,11 @@ std::string counted(std::size_t count, std::string_view noun, std::string_view p
 }
 
 std::string summary(const rules::ValidateResult& result) {
-  if (result.files.empty()) return "no files checked" + not_looked_at(not_checked(result));
-  return counted(result.files.size(), "file") + " checked" + findings(result.diagnostics) +
-         not_looked_at(not_checked(result));
+  return files_text(result, findings(result.diagnostics));
+}
+
+std::string summary_of_groups(const rules::ValidateResult& result) {
+  return files_text(result, counts_text(count_groups(result.diagnostics)));
 }
 
 std::string left_out(const rules::ValidateResult& result) {

@@ -16,6 +16,8 @@ namespace rigor::report {
 
 /// Without a line break.
 std::string summary(const rules::ValidateResult& result);
+/// The same of findings that are not grouped yet, as if they were.
+std::string summary_of_groups(const rules::ValidateResult& result);
 
 /// A line for each file that was met and not checked, such as a template, and why; the first few of
 /// many. Includes that were not followed are findings of their own.

@@ -7,7 +7,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -94,14 +93,16 @@ void check_prefixed(xml::Element element, xml::Element parent, Context& context)
 void check(const model::Root& /*root*/, Context& context) {
   if (!context.is_urdf() && !context.is_sdf()) return;
   const std::string_view format = dialect_format(context);
-  const Names parents = schema::dialect_parents(format);
-  const std::unordered_set<std::string_view> with_names(parents.begin(), parents.end());
+  const Names sections = schema::dialect_sections(format);
+  const auto is_section = [&sections](std::string_view name) {
+    return std::binary_search(sections.begin(), sections.end(), name);
+  };
   const xml::Document& document = context.document();
   for (std::uint32_t i = 1; i < document.element_count(); ++i) {
     const xml::Element element = document.element(i);
     const auto parent = element.parent();
     const bool prefixed = element.name().find(':') != std::string_view::npos;
-    if (!parent || (!prefixed && with_names.count(element.name()) == 0)) continue;
+    if (!parent || (!prefixed && !is_section(element.name()))) continue;
     if (!schema::find_dialect(format, parent->name(), element.name())) {
       if (prefixed) check_prefixed(element, *parent, context);
       continue;

@@ -89,6 +89,8 @@ void Canvas::add(Body body) {
     return;
   }
   if (!body.mesh->triangles.empty()) {
+    const bool shape = body.layer == Layer::kVisual || body.layer == Layer::kCollision;
+    if (shape) lowest_shape_ = std::min(lowest_shape_, bounds->min.z);
     for (const Vector3& corner : {bounds->min, bounds->max}) {
       widen(drawing_.bounds, corner);
       note(body.link, corner);

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -42,6 +43,8 @@ class Canvas {
 
   std::vector<Body>& bodies() { return drawing_.bodies; }
   const mesh::Bounds& bounds() const { return drawing_.bounds; }
+  /// m, in the frame of the world: of visuals and collisions but planes; infinite when there are none.
+  double lowest_shape() const { return lowest_shape_; }
   /// Of all bodies, those that were put off as well.
   void bound_all();
 
@@ -55,6 +58,7 @@ class Canvas {
   Drawing drawing_{.bounds = mesh::bounds_of({})};
   std::map<std::uint32_t, mesh::Bounds> models_;  // by the index of an outermost model
   std::set<const mesh::TriangleMesh*> meshes_;
+  double lowest_shape_ = HUGE_VAL;
   std::size_t triangles_ = 0;  // of `meshes_`
   std::size_t places_ = 0;
 };

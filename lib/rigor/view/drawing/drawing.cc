@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <memory>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -153,17 +155,25 @@ class Draftsman {
     shift = std::clamp(middle, -free, free);
   }
 
+  /// m. A model alone is set down on its lowest point, as `simulate` does it; a world, and a model with a floor of
+  /// its own, say where the ground is.
+  double ground_level() const {
+    if (!root_.worlds.empty() || !planes_.empty()) return 0;
+    return std::min(0.0, canvas_.lowest_shape());
+  }
+
   void add_ground(Drawing& drawing) const {
     const Grid grid = grid_under(drawing.bounds);
     Mark mark = ground_mark(grid);
     Body body{.layer = Layer::kGround, .name = "ground", .mesh = std::move(mark.mesh)};
     body.surfaces = std::move(mark.surfaces);
     body.pose.translation = ground_origin(grid);
+    body.pose.translation.z = ground_level();
     const bool covered = std::any_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
       const Pose& pose = drawing.bodies[plane.body].pose;
-      return std::abs(pose.translation.z) < kAbovePlane * grid.step;
+      return std::abs(pose.translation.z - ground_level()) < kAbovePlane * grid.step;
     });
-    if (covered) body.pose.translation.z = kAbovePlane * grid.step;
+    if (covered) body.pose.translation.z += kAbovePlane * grid.step;
     drawing.bodies.push_back(std::move(body));
   }
 
@@ -188,6 +198,23 @@ std::optional<Layer> layer_named(std::string_view name) {
 }
 
 std::vector<std::string_view> layer_names() { return {kLayerNames.begin(), kLayerNames.end()}; }
+
+Drawing in_grey(Drawing drawing) {
+  std::map<const mesh::TriangleMesh*, std::shared_ptr<const mesh::TriangleMesh>> plain;
+  for (Body& body : drawing.bodies) {
+    if (body.layer != Layer::kVisual) continue;
+    for (Surface& surface : body.surfaces) surface = {{.a = surface.color.a}};
+    if (body.mesh->corners.colors.empty()) continue;
+    std::shared_ptr<const mesh::TriangleMesh>& mesh = plain[body.mesh.get()];
+    if (!mesh) {
+      mesh::TriangleMesh copy = *body.mesh;
+      copy.corners.colors.clear();
+      mesh = std::make_shared<const mesh::TriangleMesh>(std::move(copy));
+    }
+    body.mesh = mesh;
+  }
+  return drawing;
+}
 
 Drawing draw(const model::Root& root, const model::Frames& frames, const Sources& sources,
              const Files& files, const DrawingOptions& options) {

@@ -123,6 +123,9 @@ struct DrawingOptions {
   std::set<Layer> layers{Layer::kVisual, Layer::kGround};
 };
 
+/// The same with all visuals grey, as opaque as they are: its shapes alone.
+Drawing in_grey(Drawing drawing);
+
 /// Everything of the file at the poses of `frames`. Of static models neither inertia nor centre of mass is shown.
 /// The root and its sources are as `read::load` made them.
 Drawing draw(const model::Root& root, const model::Frames& frames, const Sources& sources,

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -31,13 +32,19 @@ constexpr double kAsLow = 1e-4;
 constexpr std::array<std::array<double, 2>, 8> kOutward{
     {{2, 1}, {1, 2}, {-1, 2}, {-2, 1}, {-2, -1}, {-1, -2}, {1, -2}, {2, -1}}};
 
-/// The outermost of the lowest of them, each once; none when those are above the ground.
-std::vector<Vector3> points_on_ground(const std::vector<Vector3>& points) {
-  double lowest = kTouches;
+double lowest_of(const std::vector<Vector3>& points) {
+  double lowest = HUGE_VAL;
   for (const Vector3& p : points) lowest = std::min(lowest, p.z);
+  return lowest;
+}
+
+/// The outermost of the lowest of them, each once; none when those are above the ground.
+std::vector<Vector3> points_on_ground(const std::vector<Vector3>& points, double ground) {
+  const double touches = ground + kTouches;
+  const double lowest = std::min(touches, lowest_of(points));
   std::array<const Vector3*, kOutward.size()> outermost{};
   for (const Vector3& p : points) {
-    if (!(p.z <= std::min(lowest + kAsLow, kTouches))) continue;
+    if (!(p.z <= std::min(lowest + kAsLow, touches))) continue;
     for (std::size_t i = 0; i < kOutward.size(); ++i) {
       const auto reach = [&](const Vector3& q) {
         return kOutward[i][0] * q.x + kOutward[i][1] * q.y;
@@ -65,30 +72,39 @@ Vector3 middle_of_common_box(const mesh::Bounds& a, const mesh::Bounds& b) {
 void MarkPainter::draw_contacts() {
   const Mark mark = contact_mark();
   note_places();
+  std::map<std::uint32_t, std::vector<Vector3>> points;
+  // A model alone is set down on its lowest point.
+  double ground = 0;
   for (std::uint32_t i = 0; i < root_.collisions.size(); ++i) {
-    touch_ground(Id<model::Collision>{i}, mark);
+    points[i] = points_of(Id<model::Collision>{i});
+    if (root_.worlds.empty()) ground = std::min(ground, lowest_of(points[i]));
+  }
+  for (const auto& [i, places] : points) {
+    for (const Vector3& p : points_on_ground(places, ground)) {
+      const model::Collision& collision = root_.collisions[i];
+      Body body{.layer = Layer::kContacts, .link = collision.link, .where = collision.site.tag};
+      body.name = name_of(root_, collision.link) + "/contact with the ground";
+      body.pose.translation = p;
+      add_mark(std::move(body), mark, kContactRadius);
+    }
   }
   touch_each_other(mark);
 }
 
-void MarkPainter::touch_ground(Id<model::Collision> id, const Mark& mark) {
+/// Of what may come to lie on the ground; none of what is static.
+std::vector<Vector3> MarkPainter::points_of(Id<model::Collision> id) {
   const model::Collision& collision = root_[id];
   const auto X_WC = frames_.pose(id);
-  if (!X_WC || !collision.link || model::is_static(root_, root_[collision.link].model)) return;
+  if (!X_WC || !collision.link || model::is_static(root_, root_[collision.link].model)) return {};
   const FoundShape found = finder_.find(collision.geometry);
-  if (!found.mesh || found.plane || !canvas_.may_look_at(found.mesh->positions.size())) return;
+  if (!found.mesh || found.plane || !canvas_.may_look_at(found.mesh->positions.size())) return {};
   const model::Pose X_WS = compose(*X_WC, found.offset);
   const Vector3& s = found.scale;
   std::vector<Vector3> points;
   for (const Vector3& p : found.mesh->positions) {
     points.push_back(transform(X_WS, {s.x * p.x, s.y * p.y, s.z * p.z}));
   }
-  for (const Vector3& p : points_on_ground(points)) {
-    Body body{.layer = Layer::kContacts, .link = collision.link, .where = collision.site.tag};
-    body.name = name_of(root_, collision.link) + "/contact with the ground";
-    body.pose.translation = p;
-    add_mark(std::move(body), mark, kContactRadius);
-  }
+  return points;
 }
 
 void MarkPainter::touch_each_other(const Mark& mark) {

@@ -11,6 +11,8 @@
 
 #include <string>
 
+#include <vector>
+
 #include <rigor/mass/mass_properties.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
@@ -38,7 +40,7 @@ class MarkPainter {
   void draw_frames();
   void draw_axes();
   void draw_contacts();
-  void touch_ground(model::Id<model::Collision> id, const Mark& mark);
+  std::vector<model::Vector3> points_of(model::Id<model::Collision> id);
   void touch_each_other(const Mark& mark);
   void add_mark(Body body, const Mark& mark, double share);
   void note_places();

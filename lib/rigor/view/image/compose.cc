@@ -13,13 +13,14 @@ namespace rigor::view {
 namespace {
 
 constexpr std::uint32_t kGap = 8;
-/// Points of a letter are so many pixels.
-constexpr std::uint32_t kPoint = 2;
-constexpr std::uint32_t kLetterWidth = (kGlyphWidth + 1) * kPoint;
-constexpr std::uint32_t kCaptionHeight = (kGlyphHeight + 4) * kPoint;
+/// Pixels to a unit of letters: capitals are 12 pixels high.
+constexpr double kLetterScale = 1.2;
+constexpr std::uint32_t kCaptionHeight = 22;
+constexpr double kCaptionBaseline = 16;
 constexpr Pixel kPaper{255, 255, 255, 255};
 constexpr Pixel kInk{60, 60, 64, 255};
-constexpr Pixel kDiffering{224, 24, 24, 255};
+constexpr Pixel kOtherShape{224, 24, 24, 255};
+constexpr Pixel kOtherColor{70, 120, 235, 255};
 /// Of 255: what the eye does not see does not differ.
 constexpr int kSameColour = 4;
 
@@ -29,11 +30,35 @@ void paste(const Picture& from, Picture& into, std::uint32_t left, std::uint32_t
   }
 }
 
-void put_letter(char letter, Picture& into, std::uint32_t left, std::uint32_t top) {
-  const auto columns = glyph(letter);
-  for (std::uint32_t y = 0; y < kGlyphHeight * kPoint; ++y) {
-    for (std::uint32_t x = 0; x < kGlyphWidth * kPoint; ++x) {
-      if ((columns[x / kPoint] >> (y / kPoint) & 1U) != 0) into.at(left + x, top + y) = kInk;
+/// From the middle of a pixel to a stroke, in units of letters.
+double distance_to(const LetterSegment& s, double x, double y) {
+  const double dx = s.x1 - s.x0;
+  const double dy = s.y1 - s.y0;
+  const double square = dx * dx + dy * dy;
+  const double along =
+      square > 0 ? std::clamp(((x - s.x0) * dx + (y - s.y0) * dy) / square, 0.0, 1.0) : 0;
+  return std::hypot(x - s.x0 - along * dx, y - s.y0 - along * dy);
+}
+
+/// `left` (pixels) is where the letter begins. A pixel is as dark as the pen covers it.
+void put_letter(const Letter& letter, Picture& into, double left, std::uint32_t top) {
+  const auto first = static_cast<std::uint32_t>(std::max(0.0, std::floor(left) - 1));
+  const double end = left + letter.advance * kLetterScale;
+  for (std::uint32_t y = top; y < std::min(top + kCaptionHeight, into.height); ++y) {
+    for (std::uint32_t x = first; x < into.width && x < end; ++x) {
+      double distance = HUGE_VAL;
+      for (const LetterSegment& segment : letter.segments) {
+        distance =
+            std::min(distance, distance_to(segment, (x + 0.5 - left) / kLetterScale,
+                                           (kCaptionBaseline + top - y - 0.5) / kLetterScale));
+      }
+      const double covered = 0.5 + (kPenWidth / 2 - distance) * kLetterScale;
+      if (covered <= 0) continue;
+      const double share = std::min(covered, 1.0);
+      Pixel& pixel = into.at(x, y);
+      for (std::size_t i = 0; i < 3; ++i) {
+        pixel[i] = static_cast<std::uint8_t>(std::lround(pixel[i] + share * (kInk[i] - pixel[i])));
+      }
     }
   }
 }
@@ -44,14 +69,18 @@ void put_caption(std::string text, Picture& into, std::uint32_t left, std::uint3
                  std::uint32_t width) {
   // A letter of several bytes is one '?'.
   std::erase_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; });
-  const std::size_t room = width / kLetterWidth;
-  if (text.size() > room) text = text.substr(text.size() - room);
-  if (room > 4 && text.size() == room) text.replace(0, 2, "..");
-  const auto taken = static_cast<std::uint32_t>(text.size()) * kLetterWidth;
-  std::uint32_t x = left + (width - taken) / 2;
-  for (const char letter : text) {
-    put_letter(letter, into, x, top);
-    x += kLetterWidth;
+  const double room = width / kLetterScale;
+  std::string shown = text;
+  while (!text.empty() && text_width(shown) > room) {
+    text.erase(0, 1);
+    shown = ".." + text;
+  }
+  if (text.empty()) return;
+  double x = left + (width - text_width(shown) * kLetterScale) / 2;
+  for (const char c : shown) {
+    const Letter drawn = letter(c);
+    put_letter(drawn, into, x, top);
+    x += drawn.advance * kLetterScale;
   }
 }
 
@@ -71,6 +100,12 @@ Pixel paled(const Pixel& pixel) {
 
 const Pixel* pixel_at(const Picture& picture, std::uint32_t x, std::uint32_t y) {
   return x < picture.width && y < picture.height ? &picture.at(x, y) : nullptr;
+}
+
+bool pixel_differs(const Picture& before, const Picture& after, std::uint32_t x, std::uint32_t y) {
+  const Pixel* old = pixel_at(before, x, y);
+  const Pixel* now = pixel_at(after, x, y);
+  return !old || !now || differs(*old, *now);
 }
 
 }  // namespace
@@ -99,7 +134,7 @@ Picture sheet(const std::vector<Tile>& tiles, std::size_t columns) {
     const auto top = static_cast<std::uint32_t>(i / columns * (row_height + kGap));
     const Picture& picture = tiles[i].picture;
     paste(picture, whole, left + (width - picture.width) / 2, top);
-    if (captions) put_caption(tiles[i].caption, whole, left, top + height + 2 * kPoint, width);
+    if (captions) put_caption(tiles[i].caption, whole, left, top + height, width);
   }
   return whole;
 }
@@ -110,15 +145,19 @@ std::size_t columns_for(std::size_t count, std::uint32_t width, std::uint32_t he
   return std::clamp<std::size_t>(static_cast<std::size_t>(std::lround(ideal)), 1, count);
 }
 
-Picture difference(const Picture& before, const Picture& after) {
+Picture difference(const Compared& pictures) {
+  const Picture& before = pictures.before;
+  const Picture& after = pictures.after;
   Picture result{std::max(before.width, after.width), std::max(before.height, after.height), {}};
   result.pixels.resize(std::size_t{result.width} * result.height);
   for (std::uint32_t y = 0; y < result.height; ++y) {
     for (std::uint32_t x = 0; x < result.width; ++x) {
-      const Pixel* old = pixel_at(before, x, y);
       const Pixel* now = pixel_at(after, x, y);
-      const bool same = old && now && !differs(*old, *now);
-      result.at(x, y) = same ? paled(*now) : kDiffering;
+      if (pixel_differs(pictures.grey_before, pictures.grey_after, x, y)) {
+        result.at(x, y) = kOtherShape;
+      } else {
+        result.at(x, y) = pixel_differs(before, after, x, y) ? kOtherColor : paled(*now);
+      }
     }
   }
   return result;
@@ -128,9 +167,7 @@ std::size_t count_differences(const Picture& before, const Picture& after) {
   std::size_t count = 0;
   for (std::uint32_t y = 0; y < std::max(before.height, after.height); ++y) {
     for (std::uint32_t x = 0; x < std::max(before.width, after.width); ++x) {
-      const Pixel* old = pixel_at(before, x, y);
-      const Pixel* now = pixel_at(after, x, y);
-      count += !old || !now || differs(*old, *now) ? 1 : 0;
+      count += pixel_differs(before, after, x, y) ? 1 : 0;
     }
   }
   return count;
