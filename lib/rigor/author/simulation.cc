@@ -117,6 +117,7 @@ void Simulator::run(const std::vector<SimulationCase>& cases,
     const PreparedModel& model = *cases[i].model;
     simulate::Planned planned = planned_in(result.scene, model);
     result.left_out = std::move(planned.left_out);
+    result.notes = std::move(planned.notes);
     result.problems = std::move(planned.problems);
     tasks.push_back({result.scene, model.causes, std::move(planned.scenarios), model.wheels,
                      result.scene.solver});

@@ -67,6 +67,7 @@ struct SimulatedModel {
   simulate::Scene scene;
   simulate::Simulation simulation;
   std::vector<std::string> left_out;            ///< tests that make no sense for the model, and why
+  std::vector<std::string> notes;               ///< what was chosen for the user, and why
   std::vector<simulate::PlanProblem> problems;  ///< names of the plan that are nothing in the model
   bool blocked = false;                         ///< it could not be simulated: the findings say why
   Diagnostics diagnostics;

@@ -15,6 +15,7 @@
 #include <rigor/simulate/confirm.h>
 #include <rigor/simulate/metric/assertion.h>
 #include <rigor/simulate/metric/parts.h>
+#include <rigor/simulate/mount.h>
 #include <rigor/simulate/stage.h>
 
 namespace rigor::simulate {
@@ -31,9 +32,14 @@ process::Request request_of(const RunOrder& order) {
   return run_request(stage(order.task->scene, *order.scenario), *order.scenario, order.settings);
 }
 
+std::vector<Metric> metrics_in(const Task& task, const Scenario& scenario, const Record& record) {
+  if (scenario.base == Base::kFree) return metrics_of(task.scene, scenario, record, task.wheels);
+  return metrics_of(mounted(task.scene, scenario.base), scenario, record, task.wheels);
+}
+
 Run judged_run(const RunOrder& order, Record record) {
   Run run{.test = order.scenario->name, .seed = order.settings.seed, .scenario = *order.scenario};
-  run.metrics = metrics_of(order.task->scene, *order.scenario, record, order.task->wheels);
+  run.metrics = metrics_in(*order.task, *order.scenario, record);
   run.record = std::move(record);
   if (was_stopped(run.record)) run.verdict = Verdict::kInvalid;
   return run;
@@ -57,11 +63,15 @@ void add_comparison(const Scene& scene, std::string_view id, const Record& other
 }
 
 void add_comparisons(const Scene& scene, const std::vector<Again>& agains, Run& run) {
-  add_comparison(scene, "dt.sensitivity", agains[kHalfStep].record, run);
-  add_comparison(scene, "solver.agreement", agains[kOtherSolver].record, run);
-  if (agains.size() <= kOtherSolver + 1) return;
+  if (agains.size() > kHalfStep) {
+    add_comparison(scene, "dt.sensitivity", agains[kHalfStep].record, run);
+  }
+  if (agains.size() > kOtherSolver) {
+    add_comparison(scene, "solver.agreement", agains[kOtherSolver].record, run);
+  }
+  if (agains.size() <= kHalfStep + 1) return;
   double spread = 0;
-  for (std::size_t seed = kOtherSolver + 1; seed < agains.size(); ++seed) {
+  for (std::size_t seed = kHalfStep + 1; seed < agains.size(); ++seed) {
     spread = std::max(spread, difference_of(scene, run.record, agains[seed].record));
   }
   add_difference(scene, "seed.spread", spread, run);
@@ -125,8 +135,7 @@ struct TaskRun {
   std::size_t task = 0;
   Run run;
   std::vector<Variant> variants;  ///< none when it is believed
-  std::vector<Again> agains;      ///< of the first variants
-  std::size_t awaited = 0;        ///< how many of these have not ended
+  std::vector<Again> agains;      ///< of the first variants; the last may be on its way
 };
 
 /// Runs what the tasks ask for, and hands over each task when the last of its runs is believed.
@@ -145,7 +154,7 @@ class Runs {
       left_.push_back(task.scenarios.size());
       for (const Scenario& scenario : task.scenarios) {
         waiting_.push_back({runs_.size(), std::nullopt});
-        runs_.push_back({{&task, &scenario, settings_in(scenario, task.solver)}, i, {}, {}, {}, 0});
+        runs_.push_back({{&task, &scenario, settings_in(scenario, task.solver)}, i, {}, {}, {}});
       }
     }
     total_ = runs_.size();
@@ -184,14 +193,12 @@ class Runs {
     if (options_.progress) options_.progress(ended_, total_);
     if (job.variant) {
       one.agains[*job.variant] = again_of(one, *job.variant, record_of(result));
-      --one.awaited;
     } else {
       one.run = judged_run(one.order, record_of(result));
       if (options_.confirm == Confirm::kFailures && to_be_confirmed(one.run)) {
         one.variants = variants_of(one.order.settings);
       }
     }
-    if (one.awaited > 0) return;
     if (!one.variants.empty() && ask_again(job.run)) return;
     conclude(one);
   }
@@ -199,7 +206,7 @@ class Runs {
   static Again again_of(const TaskRun& one, std::size_t variant, Record record) {
     const Task& task = *one.order.task;
     Again again{one.variants[variant], std::move(record), {}, false};
-    again.metrics = metrics_of(task.scene, *one.order.scenario, again.record, task.wheels);
+    again.metrics = metrics_in(task, *one.order.scenario, again.record);
     again.stopped = was_stopped(again.record);
     return again;
   }
@@ -208,11 +215,11 @@ class Runs {
   bool ask_again(std::size_t run) {
     TaskRun& one = runs_[run];
     const std::size_t first = one.agains.size();
-    one.awaited = next_of(one.agains, one.run);
-    one.agains.resize(first + one.awaited);
-    total_ += one.awaited;
-    for (std::size_t i = one.agains.size(); i-- > first;) waiting_.push_front({run, i});
-    return one.awaited > 0;
+    if (next_of(one.agains, one.run) == Next::kNone) return false;
+    one.agains.emplace_back();
+    ++total_;
+    waiting_.push_front({run, first});
+    return true;
   }
 
   void conclude(TaskRun& one) {

@@ -7,9 +7,8 @@
 //                                              {}, environment.workers);
 //   if (results.front().verdict == Verdict::kFail) say(results.front().runs.front().facts);
 //
-// A failure is confirmed before it is believed: the same test with half the step and with the other
-// solver, and with two other seeds where these do not settle it. What most of the runs do not show is
-// called the solver's. Each run is a worker process's; this function uses no threads and has at most
+// A failure is confirmed before it is believed: the same test with the other solver, and where that does not
+// show it with half the step. What two of the three do not show is called the solver's. Each run is a worker process's; this function uses no threads and has at most
 // `jobs` under way at a time, whichever task they are of. Those that a failure is confirmed by go before those of
 // later tasks, so that a task that was begun is soon done.
 

@@ -21,6 +21,7 @@ namespace {
 constexpr std::string_view kSolverNames[] = {"quick", "dantzig"};
 constexpr std::string_view kProfileNames[] = {"rigor", "gazebo"};
 constexpr std::string_view kMeshesNames[] = {"auto", "triangles", "hull"};
+constexpr std::string_view kBaseNames[] = {"auto", "fixed", "free", "hang"};
 constexpr std::string_view kCommandNames[] = {"effort", "velocity", "position"};
 
 /// Scenario files are written by hand.
@@ -122,6 +123,12 @@ void SimulationChoices::declare(CLI::App& app) {
       ->type_name("JOINT,...")
       ->delimiter(',')
       ->allow_extra_args(false);
+  offer(app.add_option(
+            "--base", base_,
+            "Base of a robot that nothing holds: auto (the default: free where it stands or "
+            "rolls, else held), fixed to the ground, free, or hang, held without ground"),
+        kBaseNames)
+      ->type_name("HOW");
   app.add_option("--joint", joints_, "Initial position of a joint, rad or m")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
@@ -165,6 +172,12 @@ void SimulationChoices::declare(CLI::App& app) {
 simulate::Plan SimulationChoices::plan(const Disk& disk) const {
   simulate::Plan plan;
   plan.wheels = wheels_;
+  if (!base_.empty()) {
+    constexpr simulate::BaseOption kBases[] = {
+        simulate::BaseOption::kAuto, simulate::BaseOption::kFixed, simulate::BaseOption::kFree,
+        simulate::BaseOption::kHang};
+    plan.base = kBases[choice("--base value", base_, kBaseNames)];
+  }
   const auto& known = simulate::kTestNames;
   for (const std::string& test : tests_) {
     if (test == "all") {

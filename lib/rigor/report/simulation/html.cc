@@ -22,6 +22,7 @@ std::string model_section(const SimulatedModel& model, const Sources& sources) {
   const std::string findings = concise(model.diagnostics, sources);
   if (!findings.empty()) out += "<pre>" + escaped(findings) + "</pre>\n";
   for (const simulate::Run& run : model.simulation.runs) out += run_html(model.scene, run);
+  for (const std::string& note : model.notes) out += "<p>" + escaped(note) + "</p>\n";
   for (const std::string& why : model.left_out) out += "<p>left out: " + escaped(why) + "</p>\n";
   return out;
 }

@@ -27,7 +27,8 @@ void add_controller_margin(MetricSheet& sheet) {
   Peak margin;
   for (const Command& command : sheet.scenario.commands) {
     const SceneJoint& joint = sheet.scene.joints[command.joint];
-    if (!command.gains || joint.axes.size() != 1) continue;
+    const bool steps = command.gains && command.control == Control::kExplicit;
+    if (!steps || joint.axes.size() != 1) continue;
     const double inertia = effective_inertia(sheet.scene, joint);
     margin.see(command.gains->d * step / inertia, command.joint, 0);
   }

@@ -41,9 +41,6 @@ constexpr double kHoldDamping = 0.7;
 /// How far the load may bend it: gains are raised until it is less.
 constexpr double kHoldSag = 0.005;  // rad, m
 
-/// Of kd·h/I, which is unstable at 2: gains beyond would be the test's fault.
-constexpr double kHoldMargin = 0.25;
-
 struct SweepRange {
   double lower, upper, speed;
 };
@@ -102,12 +99,15 @@ void add_stand(std::uint32_t joint, double begin, double end, Scenario& scenario
       {.joint = joint, .kind = CommandKind::kVelocity, .value = 0, .begin = begin, .end = end});
 }
 
-Gains hold_gains(const Scene& scene, const JointLoads& loads, const SceneJoint& joint) {
+/// No gain that asks for all of the effort before the load's own sag: with less there is nothing to add, and a
+/// real controller would only swing between the two.
+Gains hold_gains(const JointLoads& loads, const SceneJoint& joint) {
   const double inertia = loads.inertia(joint);
+  const double effort = joint.axes[0].effort;
   Gains gains;
-  gains.p = std::max(inertia * kHoldFrequency * kHoldFrequency, loads.weight(joint) / kHoldSag);
-  const double most = kHoldMargin * effective_inertia(scene, joint) / scene.solver.step;
-  gains.d = std::min(2 * kHoldDamping * std::sqrt(gains.p * inertia), most);
+  gains.p = std::max(inertia * kHoldFrequency * kHoldFrequency, loads.standing(joint) / kHoldSag);
+  if (effort > 0) gains.p = std::min(gains.p, effort / kHoldSag);
+  gains.d = 2 * kHoldDamping * std::sqrt(gains.p * inertia);
   return gains;
 }
 
@@ -151,7 +151,8 @@ MadeTest make_hold(const Scene& scene, const DriveTrain& wheels) {
                                  .kind = CommandKind::kPosition,
                                  .value = std::clamp(axis.start, axis.lower, axis.upper),
                                  .end = kHoldTime,
-                                 .gains = hold_gains(scene, loads, scene.joints[j])});
+                                 .gains = hold_gains(loads, scene.joints[j]),
+                                 .control = Control::kImplicit});
   }
   if (scenario.commands.empty()) return {{}, "no joint can be held"};
   add_drive(wheels, 0, 0, {"", 0, kHoldTime}, 0, scenario);
