@@ -44,6 +44,7 @@ struct SimulationOptions {
   SolverChoice solver;
   simulate::Confirm confirm = simulate::Confirm::kFailures;
   unsigned jobs = 1;
+  double budget = simulate::kInfinity;  ///< s of CPU time, a model and case
   std::function<void(std::size_t, std::size_t)> progress;
 };
 
@@ -100,6 +101,7 @@ class Simulator {
   simulate::Planned planned(const SimulationCase& one) const;
 
  private:
+  void advise_inertias(const read::Loaded& loaded, simulate::Facts& causes) const;
   simulate::Planned planned_in(const simulate::Scene& scene, const PreparedModel& model) const;
   SimulatedModel start(const SimulationCase& one) const;
   Diagnostics told(const SimulationCase& one, const simulate::Facts& facts) const;

@@ -73,14 +73,16 @@ void blame_solver(Metric& metric) {
 }  // namespace
 
 std::vector<Variant> variants_of(const SolverSettings& settings) {
+  using Other = Variant::Other;
   const bool quick = settings.solver == Solver::kQuick;
-  std::vector<Variant> variants{{quick ? "dantzig" : "quick", settings},
-                                {"half the step", settings}};
-  variants[kOtherSolver].settings.solver = quick ? Solver::kDantzig : Solver::kQuick;
-  variants[kHalfStep].settings.step /= 2;
+  Variant solver{Other::kSolver, quick ? "dantzig" : "quick", settings};
+  solver.settings.solver = quick ? Solver::kDantzig : Solver::kQuick;
+  Variant half{Other::kStep, "half the step", settings};
+  half.settings.step /= 2;
+  std::vector<Variant> variants{quick ? solver : half, quick ? half : solver};
   for (std::uint64_t i = 1; i <= 2; ++i) {
     // Dantzig's does not draw numbers: seeds are those of the iterative solver.
-    Variant seeded{"seed " + std::to_string(settings.seed + i), settings};
+    Variant seeded{Other::kSeed, "seed " + std::to_string(settings.seed + i), settings};
     seeded.settings.solver = Solver::kQuick;
     seeded.settings.seed += i;
     variants.push_back(std::move(seeded));

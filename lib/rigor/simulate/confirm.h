@@ -21,13 +21,14 @@
 namespace rigor::simulate {
 
 struct Variant {
+  enum class Other : std::uint8_t { kSolver, kStep, kSeed };
+  Other other = Other::kSolver;
   std::string what;  ///< "dantzig", "half the step", "seed 1"
   SolverSettings settings;
 };
 
-/// The other solver, half the step, and two other seeds of the iterative one, in this order.
-inline constexpr std::size_t kOtherSolver = 0;
-inline constexpr std::size_t kHalfStep = 1;
+/// The other solver and half the step (the exact solver's first, where the run had it), then two other seeds of
+/// the iterative one.
 inline constexpr std::size_t kVariants = 4;
 std::vector<Variant> variants_of(const SolverSettings& settings);
 

@@ -42,6 +42,9 @@ struct Task {
 struct SimulateOptions {
   Confirm confirm = Confirm::kFailures;
   unsigned jobs = 1;
+  /// s of CPU time of workers, a task: what it does not suffice for is left out, and said. What is left out
+  /// depends on the machine.
+  double budget = kInfinity;
   /// Called here after each run, for progress: done, of how many that are known of.
   std::function<void(std::size_t, std::size_t)> progress = {};
 };
@@ -69,6 +72,7 @@ struct Run {
 struct Simulation {
   Verdict verdict = Verdict::kPass;  ///< the worst of the runs': invalid, fail, solver, warn, pass
   std::vector<Run> runs;
+  std::vector<std::string> left_out;  ///< what the budget did not suffice for
 };
 
 /// In the order of the tasks; the same for any number of jobs.

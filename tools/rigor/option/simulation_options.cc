@@ -30,6 +30,10 @@ constexpr std::uint64_t kMaxScenarioBytes = std::uint64_t{1} << 20U;
 /// How long a command is given when nobody says, s.
 constexpr double kCommandDuration = 5;
 
+/// s of CPU time a model: a wait that a person takes. And less than a run's least makes no sense.
+constexpr double kBudget = 20;
+constexpr double kLeastBudget = 1;
+
 /// A step command makes wheels spin: a second of ramp is what the tests take too.
 constexpr double kCommandRamp = 1;
 
@@ -166,6 +170,12 @@ void SimulationChoices::declare(CLI::App& app) {
   app.add_option("-j,--jobs", jobs_, "Runs at a time (1); 0 means as many as there are cores")
       ->type_name("N")
       ->group(many);
+  app.add_option(
+         "--budget", budget_,
+         "CPU time for each model, s (20): what it does not suffice for is left out, and said; "
+         "0 means no limit")
+      ->type_name("S")
+      ->group(many);
   shard_.declare(app, "Only this part of the cases", many);
 }
 
@@ -247,6 +257,9 @@ author::SimulationOptions SimulationChoices::options(const Disk& disk) const {
     options.solver.gravity = model::Vector3{numbers[0], numbers[1], numbers[2]};
   }
   if (no_confirm_) options.confirm = simulate::Confirm::kNo;
+  const double budget = budget_.empty() ? kBudget : finite_number("--budget", budget_);
+  if (budget < 0) throw UsageError("--budget " + budget_ + ": must not be negative");
+  if (budget > 0) options.budget = std::max(budget, kLeastBudget);
   if (!jobs_.empty()) {
     options.jobs = static_cast<unsigned>(whole_number("--jobs", jobs_, 0, 1024));
     if (options.jobs == 0) options.jobs = std::max(1U, std::thread::hardware_concurrency());

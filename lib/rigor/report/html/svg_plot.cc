@@ -22,6 +22,11 @@ constexpr double kRight = 10;
 constexpr double kTop = 24;
 constexpr double kBottom = 24;
 
+/// What a plot shows is in m, rad, s: below this nothing of a robot is worth a look.
+constexpr double kLeastSize = 1e-3;
+/// Of the largest value: rounding and a solver's last digits are smaller.
+constexpr double kNoise = 1e-4;
+
 struct Range {
   double least = std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();
@@ -33,13 +38,14 @@ struct Range {
   }
   double span() const { return most - least; }
 
-  /// Never empty: a constant is drawn in the middle.
+  /// Never empty, nor so narrow that noise fills it: a constant is a level line in the middle.
   void widen() {
     if (!(least <= most)) least = most = 0;
-    const double size = std::max({std::abs(least), std::abs(most), 1e-6});
-    if (span() > 1e-9 * size) return;
-    least -= 0.5 * size;
-    most += 0.5 * size;
+    const double size = std::max({std::abs(least), std::abs(most), kLeastSize});
+    if (span() > kNoise * size) return;
+    const double middle = (least + most) / 2;
+    least = middle - 0.5 * size;
+    most = middle + 0.5 * size;
   }
 };
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <rigor/simulate/joint_load.h>
+#include <rigor/simulate/metric/parts.h>
 
 namespace rigor::simulate {
 namespace {
@@ -111,25 +112,76 @@ Gains hold_gains(const JointLoads& loads, const SceneJoint& joint) {
   return gains;
 }
 
+/// When each joint is swept. One after the other; but joints on different branches of a base that is held do not
+/// feel each other and go at the same time, unless links may touch or a joint moves others along.
+class SweepSchedule {
+ public:
+  explicit SweepSchedule(const Scene& scene)
+      : carried_(scene), busy_(scene.bodies.size(), 0), serial_(is_serial(scene)) {}
+
+  /// From `earliest` on.
+  double begin_of(const SceneJoint& joint, double earliest) const {
+    double begin = std::max(earliest, serial_ ? latest_ : 0);
+    if (serial_) return begin;
+    for (const std::uint32_t body : carried_.by(joint.child)) begin = std::max(begin, busy_[body]);
+    return begin;
+  }
+
+  void take(const SceneJoint& joint, double end) {
+    latest_ = std::max(latest_, end);
+    if (serial_) return;
+    for (const std::uint32_t body : carried_.by(joint.child)) busy_[body] = end;
+  }
+
+  double end() const { return latest_; }
+
+ private:
+  static bool is_serial(const Scene& scene) {
+    std::vector<bool> hangs(scene.bodies.size());
+    for (const SceneJoint& joint : scene.joints) {
+      if (!joint.mimics.empty() || joint.type == model::JointType::kGearbox) return true;
+      if (joint.child >= hangs.size()) continue;
+      if (hangs[joint.child]) return true;  // a loop
+      hangs[joint.child] = true;
+    }
+    for (const SceneBody& body : scene.bodies) {
+      if (body.self_collide) return true;
+    }
+    for (std::uint32_t m = 0; m < scene.models.size(); ++m) {
+      if (stands_free(scene, m)) return true;
+    }
+    return false;
+  }
+
+  CarriedBodies carried_;
+  std::vector<double> busy_;  // s, of each body: until when a joint that carries it is swept
+  double latest_ = 0;
+  bool serial_;
+};
+
 }  // namespace
 
 MadeTest make_joint_sweep(const Scene& scene, const DriveTrain& wheels) {
   const std::vector<std::uint32_t> joints = joints_to_move(scene, wheels);
   if (joints.empty()) return {{}, "no joint can be moved by itself"};
   Scenario scenario{.name = "joint-sweep", .spawn = Spawn::kOnGround};
-  double time = settling_time(scene) / 2;
-  scenario.phases.push_back({"settle", 0, time});
+  const double settled = settling_time(scene) / 2;
+  scenario.phases.push_back({"settle", 0, settled});
   std::vector<Phase> swept;
+  SweepSchedule schedule(scene);
   for (const std::uint32_t j : joints) {
     const SweepRange range = sweep_range(scene, scene.joints[j]);
     const double start = std::clamp(scene.joints[j].axes[0].start, range.lower, range.upper);
-    const double begin = time;
+    const double begin = schedule.begin_of(scene.joints[j], settled);
+    double time = begin;
     time = add_stroke(j, start, range.lower, range.speed, time, scenario);
     time = add_stroke(j, range.lower, range.upper, range.speed, time, scenario);
     time = add_stroke(j, range.upper, start, range.speed, time, scenario);
     swept.push_back({"sweep " + scene.joints[j].name, begin, time});
-    if (time > kSweepMost) break;
+    schedule.take(scene.joints[j], time);
+    if (schedule.end() > kSweepMost) break;
   }
+  const double time = schedule.end();
   scenario.duration = time;
   scenario.phases.insert(scenario.phases.end(), swept.begin(), swept.end());
   for (std::size_t i = 0; i < joints.size(); ++i) {
