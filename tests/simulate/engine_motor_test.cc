@@ -45,6 +45,43 @@ TEST(Engine, ASlidersSpeedIsAsSeenFromItsTurningSide) {
   EXPECT_NEAR(engine.state().axes[0].velocity, 0.5, 1e-12);
 }
 
+/// A ball of 2 kg, 0.5 m beside a hinge on the world's side.
+Scene lever() {
+  Scene scene = hand::scene();
+  add_body(scene, hand::ball_mass(2, 0.05), {0.5, 0, 1});
+  add_joint(scene, JointType::kRevolute, kWorld, 0, {0, 0, 1}, {{0, 1, 0}});
+  return scene;
+}
+
+// At rest the spring bears the weight: k q = m g l cos q. 1,000 times too stiff for an explicit one.
+TEST(Engine, AServoSagsAsASpringAndIsStableHoweverStiff) {
+  const Scene scene = lever();
+  for (const double k : {400.0, 4e7}) {
+    Engine engine(scene, hand::stiff());
+    for (int i = 0; i < 3000; ++i) {
+      engine.set_servo(
+          0, 0, {.stiffness = k, .damping = k / 20, .error = -engine.state().axes[0].position});
+      engine.step(Forces::kAsked);
+    }
+    const double q = engine.state().axes[0].position;
+    EXPECT_NEAR(k * q, 2 * 9.8 * 0.5 * std::cos(q), 0.02) << k;
+    EXPECT_NEAR(engine.state().axes[0].velocity, 0, 1e-6) << k;
+  }
+}
+
+TEST(Engine, AServoGivesNoMoreThanItsEffort) {
+  const Scene scene = lever();
+  Engine engine(scene, hand::stiff());
+  for (int i = 0; i < 100; ++i) {
+    engine.set_servo(
+        0, 0,
+        {.stiffness = 1e5, .damping = 1e3, .error = -engine.state().axes[0].position, .effort = 3});
+    engine.step(Forces::kAsked);
+  }
+  EXPECT_NEAR(std::abs(engine.state().axes[0].effort), 3, 1e-6);
+  EXPECT_GT(engine.state().axes[0].position, 0.1);  // it falls
+}
+
 // What a motor puts in is what the two have more, also while they turn.
 TEST(Engine, AMotorsWorkIsTheEnergyThatComesIn) {
   const Scene scene = sliding_pair();

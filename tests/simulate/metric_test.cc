@@ -182,6 +182,8 @@ TEST(Metric, NeverSettlingIsToldEvenInAShortRun) {
   Case one("settle");
   one.record.measures.settle_time = kInfinity;
   const Metric metric = one.metric("settle.time");
+  ASSERT_TRUE(metric.fact);
+  EXPECT_EQ(metric.warn, metric.fact->limit);  // the table and the finding speak of one limit
   EXPECT_EQ(metric.verdict, Verdict::kWarn);
   ASSERT_TRUE(metric.fact);
   EXPECT_EQ(metric.fact->kind, FactKind::kNeverSettles);

@@ -99,22 +99,45 @@ TEST(Simulate, WhatTookTooLongHasNoVote) {
   EXPECT_EQ(next_of({agains[0], agains[1]}, failed_run()), Next::kVariant);
 }
 
-/// A box that begins in the ground is shown by the other solver: that is all that is asked.
-TEST(Simulate, AFaultOfTheModelsNeedsOneRunMore) {
+Scene box_in_the_ground() {
   Scene scene = hand::scene();
   hand::add_body(scene, hand::box_mass(6, {0.2, 0.2, 0.2}), {0, 0, 0.05});
   scene.shapes.push_back(
       {.name = "b::c", .body = 0, .kind = mesh::Box{{0.2, 0.2, 0.2}}, .extent = 0.2});
+  return scene;
+}
+
+Simulation simulated_within(double budget) {
+  const Scene scene = box_in_the_ground();
   const DriveTrain wheels;
   const Facts causes;
   const Task task{
       scene, causes, {*make_test("settle", scene, wheels).scenario}, wheels, scene.solver};
-  const std::vector<Simulation> result = simulate::simulate({task}, {}, test::workers());
-  const simulate::Run& run = result[0].runs[0];
+  return simulate::simulate({task}, {.budget = budget}, test::workers())[0];
+}
+
+/// A box that begins in the ground is shown by the other solver: that is all that is asked.
+TEST(Simulate, AFaultOfTheModelsNeedsOneRunMore) {
+  const Simulation result = simulated_within(kInfinity);
+  const simulate::Run& run = result.runs[0];
   EXPECT_EQ(run.verdict, Verdict::kFail);
   ASSERT_EQ(run.confirmations.size(), 1U);
   EXPECT_EQ(run.confirmations[0].what, "dantzig");
   EXPECT_TRUE(run.confirmations[0].agrees);
+}
+
+TEST(Simulate, WhatTheBudgetDoesNotSufficeForIsLeftOutAndSaid) {
+  const Simulation none = simulated_within(0.5);
+  EXPECT_TRUE(none.runs.empty());
+  ASSERT_EQ(none.left_out.size(), 1U);
+  EXPECT_EQ(none.left_out[0].substr(0, 8), "settle: ");
+  // The first run leaves less than the second one needs.
+  const Simulation unconfirmed = simulated_within(1);
+  ASSERT_EQ(unconfirmed.runs.size(), 1U);
+  EXPECT_EQ(unconfirmed.verdict, Verdict::kWarn);
+  ASSERT_EQ(unconfirmed.left_out.size(), 1U);
+  EXPECT_EQ(unconfirmed.left_out[0].substr(0, 24), "confirmation of settle: ");
+  EXPECT_EQ(simulated_within(kInfinity).verdict, Verdict::kFail);
 }
 
 /// What comes apart where the run itself did not is the other solver's own trouble: it has no say.
@@ -145,8 +168,10 @@ TEST(Simulate, VariantsDifferInOneThingEach) {
   const std::vector<Variant> variants = variants_of({.step = 0.002, .seed = 7});
   ASSERT_EQ(variants.size(), 4U);
   EXPECT_EQ(variants[0].what, "dantzig");
-  EXPECT_EQ(variants[kHalfStep].settings.step, 0.001);
-  EXPECT_EQ(variants[kOtherSolver].settings.solver, Solver::kDantzig);
+  EXPECT_EQ(variants[0].settings.solver, Solver::kDantzig);
+  EXPECT_EQ(variants[1].settings.step, 0.001);
+  // The exact solver has half the step with itself first: it has no other luck than its step.
+  EXPECT_EQ(variants_of({.solver = Solver::kDantzig})[0].what, "half the step");
   EXPECT_EQ(variants[2].settings.seed, 8U);
   EXPECT_EQ(variants[3].settings.seed, 9U);
   EXPECT_EQ(variants[3].settings.step, 0.002);

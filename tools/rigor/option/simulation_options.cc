@@ -114,7 +114,7 @@ void SimulationChoices::declare(CLI::App& app) {
       ->type_name("NAME,...")
       ->delimiter(',')
       ->allow_extra_args(false);
-  app.add_option("--scenario", scenarios_, "A scenario of your own (see docs/simulate.md)")
+  app.add_option("--scenario", scenarios_, "A scenario of your own (see docs/scenarios.md)")
       ->type_name("FILE")
       ->allow_extra_args(false);
   app.add_option("--command", commands_,
