@@ -91,7 +91,7 @@ TEST_F(SimulateCli, AFaultOfSeveralTestsIsSaidOnce) {
 TEST_F(SimulateCli, ABaseIsHeldAsAsked) {
   const json run = simulated("crate.sdf --base fixed")["runs"][0];
   EXPECT_EQ(run["base"], "fixed");
-  EXPECT_EQ(simulate("crate.sdf --base nailed").code, 2);
+  EXPECT_EQ(simulate("crate.sdf --base nailed").exit, 2);
   const json left = simulated("crate.sdf --base hang --test push")["left_out"];
   EXPECT_EQ(left, json({"push: its base is held, as --base says"}));
 }

@@ -143,6 +143,20 @@ double JointLoads::weight(const SceneJoint& joint) const {
   return std::abs(gravity_effort(joint, 0));
 }
 
+double JointLoads::standing_inertia(const SceneJoint& joint) const {
+  const Vector3& axis = joint.axes[0].direction_W;
+  const bool slides = joint.type == model::JointType::kPrismatic;
+  const double g = length(scene_.gravity);
+  double sum = inertia(joint);
+  for (const std::uint32_t b : carried_.by(joint.child)) {
+    const Foot& foot = feet_[b];
+    if (!foot.stands || !(g > 0)) continue;
+    const Vector3 lever = cross(axis, foot.middle_W - joint.anchor_W);
+    sum += length(foot.force_W) / g * (slides ? 1 : dot(lever, lever));
+  }
+  return sum;
+}
+
 double JointLoads::sweep_effort(const SceneJoint& joint, const SweepMotion& motion) const {
   const SceneAxis& axis = joint.axes[0];
   const auto load = [&](double position) { return gravity_effort(joint, position - axis.start); };

@@ -66,6 +66,10 @@ class JointLoads {
   /// with the same share of the model's weight. So the knee of a leg bears the robot.
   double standing(const SceneJoint& joint) const;
 
+  /// kg·m² (of a slider kg): of all that hangs on the joint, and of what stands on it: each body that touches
+  /// the ground carries its share of the mass, as far from the axis as the ground is.
+  double standing_inertia(const SceneJoint& joint) const;
+
   /// N·m (of a slider N): the most that a motor has to give for it, with all else held as at the start:
   /// against gravity, to start and stop, against friction and damping.
   double sweep_effort(const SceneJoint& joint, const SweepMotion& motion) const;

@@ -18,6 +18,9 @@ namespace {
 /// Of the scene's size: feet are not drawn to the same height, and a robot sinks onto all of them.
 constexpr double kFeetSlack = 0.01;
 
+/// A slope of 1 in 20 throws it over: that is balancing, as a biped on two points does, and not standing.
+constexpr double kStandAngle = 0.05;  // rad
+
 std::uint32_t free_model(const Scene& scene) {
   for (std::uint32_t m = 0; m < scene.models.size(); ++m) {
     if (stands_free(scene, m)) return m;
@@ -43,7 +46,7 @@ bool has_any_shape(const Scene& scene, std::uint32_t model) {
 bool stands_by_itself(const Scene& scene, std::uint32_t model) {
   const double slack = std::max(kFootSlack, kFeetSlack * scene.size);
   const std::vector<Vector3> corners = footprint_at_start(scene, model, slack);
-  return corners.size() >= 3 && tip_angle(scene, model, corners).angle > 0;
+  return corners.size() >= 3 && tip_angle(scene, model, corners).angle > kStandAngle;
 }
 
 bool is_to_be_bolted(const Scene& scene, std::uint32_t model, const DriveTrain& wheels) {
@@ -68,6 +71,8 @@ MountChoice choose_mount(std::string_view test, const Scene& scene, const DriveT
   if (!scene.alone || !wheels.empty()) return {};
   const std::uint32_t model = free_model(scene);
   if (model == kWorld || !has_joint_to_move(scene, model)) return {};
+  const bool drives = test == "drive" || test == "turn" || test == "brake";
+  if (drives) return {};  // without wheels there is another reason to leave it out
   if (test == "joint-sweep") return {Base::kHang, "how it stands is no matter of its joints"};
   // What nothing can hold falls, and is to be said so.
   if (test == "settle" && !has_any_shape(scene, model)) return {};

@@ -34,7 +34,7 @@ MountChoice choose_mount(std::string_view test, const Scene& scene, const DriveT
 /// Whether a test asks how a model stands or drives, and so makes no sense of one whose base is held.
 bool needs_free_base(std::string_view test);
 
-/// Whether its center of mass is above a support of some width, at the start. Level ground is assumed under
+/// Whether its center of mass is above a support of some width, at the start, and does not only balance there. Level ground is assumed under
 /// its lowest point; what is within a hundredth of the scene's size above it touches it once it has settled.
 bool stands_by_itself(const Scene& scene, std::uint32_t model);
 

@@ -16,7 +16,7 @@
 namespace rigor::simulate {
 namespace {
 
-/// Of the joint's velocity limit; and what is taken where there is none.
+/// Of the joint's velocity limit; and what is taken at most.
 constexpr double kSweepShare = 0.25;
 constexpr double kSweepTurn = 1;           // rad/s
 constexpr double kSweepSlideShare = 0.25;  // of the scene's size, a second
@@ -59,7 +59,8 @@ SweepRange sweep_range(const Scene& scene, const SceneJoint& joint) {
   }
   const bool limited = std::isfinite(axis.velocity) && axis.velocity > 0;
   const double usual = slides ? kSweepSlideShare * scene.size : kSweepTurn;
-  range.speed = limited ? kSweepShare * axis.velocity : usual;
+  // Many files write 1000 rad/s for "no limit".
+  range.speed = limited ? std::min(kSweepShare * axis.velocity, usual) : usual;
   const double needed = (range.upper - range.lower) / kStrokeMost;
   range.speed = std::max(range.speed, limited ? std::min(needed, axis.velocity) : needed);
   return range;
@@ -103,7 +104,7 @@ void add_stand(std::uint32_t joint, double begin, double end, Scenario& scenario
 /// No gain that asks for all of the effort before the load's own sag: with less there is nothing to add, and a
 /// real controller would only swing between the two.
 Gains hold_gains(const JointLoads& loads, const SceneJoint& joint) {
-  const double inertia = loads.inertia(joint);
+  const double inertia = loads.standing_inertia(joint);
   const double effort = joint.axes[0].effort;
   Gains gains;
   gains.p = std::max(inertia * kHoldFrequency * kHoldFrequency, loads.standing(joint) / kHoldSag);
