@@ -243,7 +243,7 @@ TEST(Simulate, ATaskIsHandedOverWhenItIsDone) {
                        EXPECT_EQ(result.runs.size(), task == 1 ? 0U : 1U);
                        EXPECT_EQ(result.verdict, task == 1 ? Verdict::kPass : Verdict::kFail);
                      });
-  // A failure is run three times: as asked for, with half the step and by the other solver.
+  // A failure is run twice: as asked for, and by the other solver.
   EXPECT_EQ(tasks, (std::vector<std::size_t>{1, 0, 2}));
   EXPECT_EQ(ended_before, (std::vector<std::size_t>{0, 2, 4}));
 }
