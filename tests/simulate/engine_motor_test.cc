@@ -84,7 +84,8 @@ TEST(Engine, AServoGivesNoMoreThanItsEffort) {
         {.stiffness = 1e5, .damping = 1e3, .error = -engine.state().axes[0].position, .effort = 3});
     engine.step(Forces::kAsked);
   }
-  EXPECT_NEAR(std::abs(engine.state().axes[0].effort), 3, 1e-6);
+  // Read off the joint's force, whose lever is that of the step before.
+  EXPECT_NEAR(std::abs(engine.state().axes[0].effort), 3, 0.01);
   // It falls with (m g l - 3)/(m l² + 2/5 m r²) for a tenth of a second.
   EXPECT_NEAR(engine.state().axes[0].position, 0.5 * (9.8 - 3) / 0.502 * 0.01, 0.001);
 }
