@@ -63,6 +63,9 @@ TEST(Mount, WheelsWorldsAndWhatNoJointMovesStandByThemselves) {
   EXPECT_EQ(choose_mount("settle", object, {}).base, Base::kFree);
   Scene bolted = mounted(lamp(kSameSide), Base::kFixed);
   EXPECT_EQ(choose_mount("joint-sweep", bolted, {}).base, Base::kFree);
+  // Over the edge of the table that it is bolted to.
+  bolted.bodies[1].X_WB.translation.z = -0.1;
+  EXPECT_EQ(choose_mount("settle", bolted, {}).base, Base::kHang);
 }
 
 TEST(Mount, AnArmIsToBeBoltedAndALegIsNot) {

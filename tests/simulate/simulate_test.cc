@@ -74,11 +74,13 @@ TEST(Simulate, RunsAreMadeUntilTwoAgree) {
     std::vector<bool> shown;
     Next next;
   };
-  for (const Shown& c : std::vector<Shown>{{{}, Next::kVariant},
-                                           {{true}, Next::kNone},
-                                           {{false}, Next::kVariant},
-                                           {{false, true}, Next::kNone},
-                                           {{false, false}, Next::kNone}}) {
+  for (const Shown& c :
+       std::vector<Shown>{{{}, Next::kVariant},
+                          {{true}, Next::kNone},
+                          {{false}, Next::kVariant},
+                          {{false, true}, Next::kVariant},  // of how much is chance
+                          {{false, true, false}, Next::kNone},
+                          {{false, false}, Next::kNone}}) {
     std::vector<Again> agains;
     for (const bool shown : c.shown) agains.push_back(again_that_shows(shown));
     EXPECT_EQ(next_of(agains, run), c.next) << c.shown.size();

@@ -42,6 +42,7 @@ struct Votes {
 
   bool open() const { return showing < 2 && lacking < 2; }
   bool denied() const { return lacking > showing; }
+  bool disputed() const { return showing > 1 && lacking > 0; }
 };
 
 template <class Shows>
@@ -102,7 +103,13 @@ Next next_of(const std::vector<Again>& agains, const Run& run) {
       std::any_of(run.metrics.begin(), run.metrics.end(), [&](const Metric& metric) {
         return metric.verdict == Verdict::kFail && votes_for(agains, run, metric).open();
       });
-  return any_open ? Next::kVariant : Next::kNone;
+  // Where the other solver and half the step disagree a seed says how much is chance. It changes no verdict.
+  const bool any_disputed =
+      agains.size() == 2 &&
+      std::any_of(run.metrics.begin(), run.metrics.end(), [&](const Metric& metric) {
+        return metric.verdict == Verdict::kFail && votes_for(agains, run, metric).disputed();
+      });
+  return any_open || any_disputed ? Next::kVariant : Next::kNone;
 }
 
 void confirm(const std::vector<Again>& agains, Run& run) {

@@ -43,7 +43,7 @@ struct Again {
 /// Whether it did not come to its end, for reasons other than what moved.
 bool was_stopped(const Record& record);
 
-/// Whether the next of the variants could change a verdict.
+/// Whether the next of the variants could change a verdict, or say how much is chance.
 enum class Next : std::uint8_t { kNone, kVariant };
 Next next_of(const std::vector<Again>& agains, const Run& run);
 

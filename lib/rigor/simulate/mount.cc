@@ -35,6 +35,15 @@ bool has_joint_to_move(const Scene& scene, std::uint32_t model) {
   });
 }
 
+/// An arm that the world holds stands on a table of which the file says nothing: its ground is not ours.
+bool reaches_below_ground(const Scene& scene) {
+  for (std::uint32_t m = 0; m < scene.models.size(); ++m) {
+    const bool moves = !scene.models[m].is_static && has_joint_to_move(scene, m);
+    if (moves && lowest_of_model(scene, m) < -kFootSlack) return true;
+  }
+  return false;
+}
+
 bool has_any_shape(const Scene& scene, std::uint32_t model) {
   return std::any_of(scene.shapes.begin(), scene.shapes.end(), [&](const SceneShape& shape) {
     return shape.body < scene.bodies.size() && scene.bodies[shape.body].model == model;
@@ -70,6 +79,9 @@ bool needs_free_base(std::string_view test) {
 MountChoice choose_mount(std::string_view test, const Scene& scene, const DriveTrain& wheels) {
   if (!scene.alone || !wheels.empty()) return {};
   const std::uint32_t model = free_model(scene);
+  if (model == kWorld && reaches_below_ground(scene)) {
+    return {Base::kHang, "it is fixed to the world and reaches below its base"};
+  }
   if (model == kWorld || !has_joint_to_move(scene, model)) return {};
   const bool drives = test == "drive" || test == "turn" || test == "brake";
   if (drives) return {};  // without wheels there is another reason to leave it out

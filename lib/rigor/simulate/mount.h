@@ -28,7 +28,7 @@ struct MountChoice {
 
 /// What `--base auto` means in a test. Free: a world's models, what rolls, what no joint moves, and what
 /// stands. Else a base hangs: in joint-sweep always, in settle and hold when the center of mass is not above
-/// what the robot stands on.
+/// what the robot stands on. What the world holds already has no ground where it reaches below z = 0.
 MountChoice choose_mount(std::string_view test, const Scene& scene, const DriveTrain& wheels);
 
 /// Whether a test asks how a model stands or drives, and so makes no sense of one whose base is held.
