@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Simulates every model of a folder of sets and prints the table of docs/simulate-in-the-wild.md.
 
-    tools/wild_simulate.py build/release/rigor --corpus DIR [--results FILE]
+    tools/wild_simulate.py build/release/rigor --corpus DIR [--results FILE] [--test NAME,...] [--only FILE]
 
---results keeps a line of JSON for each file: what rigor said, its CPU time and memory.
+--test runs other tests than the default one, --only the models that a file lists, a path a line. --results keeps a line of JSON for each file: what rigor said, its CPU time and memory.
 """
 
 import argparse
@@ -28,9 +28,9 @@ def models(corpus, name):
                 yield os.path.relpath(os.path.join(folder, file), corpus)
 
 
-def simulated(program, corpus, path, search):
+def simulated(program, corpus, path, search, tests):
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    command = [program, "simulate", path, "--format", "jsonl", "--fail-on", "never"] + search
+    command = [program, "simulate", path, "--format", "jsonl", "--fail-on", "never"] + tests + search
     done = subprocess.run(command, cwd=corpus, capture_output=True, check=False)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
@@ -43,14 +43,21 @@ def main():
     parser.add_argument("rigor")
     parser.add_argument("--corpus", required=True)
     parser.add_argument("--results")
+    parser.add_argument("--test")
+    parser.add_argument("--only")
     options = parser.parse_args()
     program = os.path.abspath(options.rigor)
+    tests = ["--test", options.test] if options.test else []
+    only = None
+    if options.only:
+        with open(options.only, encoding="utf-8") as file:
+            only = {line.strip() for line in file}
     table, rows = collections.defaultdict(collections.Counter), []
     for name in sorted(os.listdir(options.corpus)):
-        paths = list(models(options.corpus, name))
+        paths = [path for path in models(options.corpus, name) if only is None or path in only]
         search = wild.search_path(options.corpus, name) if paths else []
         for path in paths:
-            row = simulated(program, options.corpus, path, search)
+            row = simulated(program, options.corpus, path, search, tests)
             rows.append(row)
             verdict = row["said"]["verdict"] if row["said"] else "no answer"
             table[name][verdict] += 1

@@ -76,6 +76,26 @@ TEST_F(SimulateCli, ASaneModelPasses) {
   EXPECT_EQ(ran.err, "1 model: 1 pass\n");
 }
 
+/// Two crates in one that overlap in every test.
+TEST_F(SimulateCli, AFaultOfSeveralTestsIsSaidOnce) {
+  std::string text = kCrate;
+  const std::string pose = "<pose>0 0 0.1 0 0 0</pose>";
+  text.replace(text.find(pose), pose.size(), "<pose>0 0 0.05 0 0 0</pose>");
+  folder_.put("sunk.sdf", text);
+  const json found = simulated("sunk.sdf --test settle,drop,push,settle")["diagnostics"];
+  std::size_t sunk = 0;
+  for (const json& each : found) sunk += each["rule"] == "simulate-spawned-in-ground" ? 1 : 0;
+  EXPECT_EQ(sunk, 1U);
+}
+
+TEST_F(SimulateCli, ABaseIsHeldAsAsked) {
+  const json run = simulated("crate.sdf --base fixed")["runs"][0];
+  EXPECT_EQ(run["base"], "fixed");
+  EXPECT_EQ(simulate("crate.sdf --base nailed").exit, 2);
+  const json left = simulated("crate.sdf --base hang --test push")["left_out"];
+  EXPECT_EQ(left, json({"push: its base is held, as --base says"}));
+}
+
 TEST_F(SimulateCli, ASliderIsToldInMeters) {
   std::string text = kSlider;
   text.replace(text.find("<lower>-5"), 9, "<lower>0.5");

@@ -5,6 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
+#include "support/corpus.h"
+
 namespace rigor::config {
 namespace {
 
@@ -123,6 +127,19 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"[[step]]\nuntil = 1\n[[assert]]\nposition = \"a\"\naxis = \"yaw\"\nmax = 1\n", 3,
             "x, y or z"},
         Bad{"[[step]\n", 1, ""}));
+
+/// The example of the page is read without a problem, and has what the page says of it.
+TEST(Scenario, ThatOfTheDocsIsRead) {
+  const std::string page = test::read_file(std::string(RIGOR_SOURCE_DIR) + "/docs/scenarios.md");
+  const std::string fence = "```toml\n";
+  const std::size_t begin = page.find(fence) + fence.size();
+  const ScenarioFile file =
+      read_scenario("a.toml", page.substr(begin, page.find("```", begin) - begin));
+  for (const Problem& problem : file.problems)
+    ADD_FAILURE() << problem.line << ": " << problem.message;
+  EXPECT_EQ(file.steps.size(), 3U);
+  EXPECT_EQ(file.asserts.size(), 3U);
+}
 
 }  // namespace
 }  // namespace rigor::config

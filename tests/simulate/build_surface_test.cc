@@ -45,6 +45,16 @@ TEST(BuildSurface, OfSdf) {
   EXPECT_EQ(s.max_contacts, 4);
 }
 
+/// SDFormat: "in the collision's local reference frame". A quarter turn about z makes -x of its y.
+TEST(BuildSurface, TheFirstFrictionDirectionIsInTheCollisionsFrame) {
+  const std::string turned =
+      replaced(kSurfaceSdf, "<geometry>", "<pose>0 0 0 0 0 1.5707963267948966</pose><geometry>");
+  const ContactSurface s = only_surface(built(replaced(turned, "0x0f", "15")));
+  EXPECT_NEAR(s.fdir1.x, -1, 1e-12);
+  EXPECT_NEAR(s.fdir1.y, 0, 1e-12);
+  EXPECT_NEAR(s.fdir1.z, 0, 1e-12);
+}
+
 TEST(BuildSurface, DefaultsAreSdfs) {
   const ContactSurface s = only_surface(
       built("<sdf version=\"1.6\"><model name=\"m\"><link name=\"a\"><collision name=\"c\">"

@@ -37,6 +37,39 @@ std::string box_of_link(const std::string& inside = {}) {
          (inside.empty() ? "<box><size>1 2 3</size></box>" : inside) + "</geometry></collision>";
 }
 
+constexpr const char* kCartUrdf = R"(<robot name="cart">
+  <link name="wheel"><inertial><mass value="9"/>
+    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>
+    <collision><geometry><sphere radius="0.1"/></geometry></collision>
+    <collision><geometry><sphere radius="0.2"/></geometry></collision></link>
+  <link name="body"><inertial><mass value="1"/>
+    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
+  <joint name="axle" type="continuous"><parent link="body"/><child link="wheel"/><axis xyz="0 1 0"/>
+  </joint></robot>)";
+
+/// Tilt and creep are the base's: a wheel that comes first in the file turns over as it rolls.
+TEST(Build, TheBaseIsTheRootOfTheTreeAndNotTheFirstLink) {
+  const Built b = built(kCartUrdf);
+  ASSERT_LT(b.scene.models[0].base, b.scene.bodies.size());
+  EXPECT_EQ(b.scene.bodies[b.scene.models[0].base].name, "cart::body");
+}
+
+/// Of two that no joint carries the one with more on it.
+TEST(Build, OfSeveralRootsTheHeaviestTreeIsTheBase) {
+  const Built b = built(model_of(link_text("lid", kKilogram) + link_text("pot", kKilogram) +
+                                 link_text("handle", kKilogram) +
+                                 "<joint name=\"j\" type=\"revolute\"><parent>pot</parent>"
+                                 "<child>handle</child><axis><xyz>0 0 1</xyz></axis></joint>"));
+  EXPECT_EQ(b.scene.bodies[b.scene.models[0].base].name, "m::pot");
+}
+
+TEST(Build, CollisionsWithoutANameAreCounted) {
+  const Built b = built(kCartUrdf);
+  ASSERT_EQ(b.scene.shapes.size(), 2U);
+  EXPECT_EQ(b.scene.shapes[0].name, "cart::wheel::#1");
+  EXPECT_EQ(b.scene.shapes[1].name, "cart::wheel::#2");
+}
+
 TEST(BuildWorld, IsTheSameWithoutWhatWouldHaveToBeDownloaded) {
   const std::string uri = "https://fuel.gazebosim.org/1.0/openrobotics/models/sun";
   const std::string include = "<include><uri>" + uri + "</uri></include>";

@@ -45,6 +45,51 @@ TEST(Engine, ASlidersSpeedIsAsSeenFromItsTurningSide) {
   EXPECT_NEAR(engine.state().axes[0].velocity, 0.5, 1e-12);
 }
 
+simulate::SolverSettings exact() {
+  simulate::SolverSettings settings = hand::stiff();
+  settings.solver = simulate::Solver::kDantzig;
+  return settings;
+}
+
+/// A ball of 2 kg, 0.5 m beside a hinge on the world's side.
+Scene lever() {
+  Scene scene = hand::scene();
+  add_body(scene, hand::ball_mass(2, 0.05), {0.5, 0, 1});
+  add_joint(scene, JointType::kRevolute, kWorld, 0, {0, 0, 1}, {{0, 1, 0}});
+  return scene;
+}
+
+// At rest the spring bears the weight: k q = m g l cos q. The stiffer is beyond what an explicit one can be.
+TEST(Engine, AServoSagsAsASpringAndIsStableHoweverStiff) {
+  const Scene scene = lever();
+  for (const double k : {400.0, 4e5}) {
+    Engine engine(scene, exact());
+    for (int i = 0; i < 3000; ++i) {
+      engine.set_servo(
+          0, 0, {.stiffness = k, .damping = k / 20, .error = -engine.state().axes[0].position});
+      engine.step(Forces::kAsked);
+    }
+    const double q = engine.state().axes[0].position;
+    EXPECT_NEAR(k * q, 2 * 9.8 * 0.5 * std::cos(q), 0.02) << k;
+    EXPECT_NEAR(engine.state().axes[0].velocity, 0, 1e-6) << k;
+  }
+}
+
+TEST(Engine, AServoGivesNoMoreThanItsEffort) {
+  const Scene scene = lever();
+  Engine engine(scene, exact());
+  for (int i = 0; i < 100; ++i) {
+    engine.set_servo(
+        0, 0,
+        {.stiffness = 1e5, .damping = 1e3, .error = -engine.state().axes[0].position, .effort = 3});
+    engine.step(Forces::kAsked);
+  }
+  // Read off the joint's force, whose lever is that of the step before.
+  EXPECT_NEAR(std::abs(engine.state().axes[0].effort), 3, 0.01);
+  // It falls with (m g l - 3)/(m l² + 2/5 m r²) for a tenth of a second.
+  EXPECT_NEAR(engine.state().axes[0].position, 0.5 * (9.8 - 3) / 0.502 * 0.01, 0.001);
+}
+
 // What a motor puts in is what the two have more, also while they turn.
 TEST(Engine, AMotorsWorkIsTheEnergyThatComesIn) {
   const Scene scene = sliding_pair();

@@ -26,7 +26,7 @@ inline const std::string kSuiteFolder = std::string(RIGOR_TESTDATA) + "simulate/
 struct SuiteCase {
   std::string file;  ///< "faults/sunk-5-cm.sdf"
   std::string test;
-  std::string expected;              ///< "pass", "warn", "fail", "invalid": or worse
+  std::string expected;              ///< "pass", "warn", "solver", "fail", "invalid": or worse
   std::vector<std::string> planted;  ///< scoped names of which one must be named
   std::string what;
 

@@ -147,6 +147,22 @@ TEST(Metric, OfARobotThatGoesBackwards) {
   EXPECT_EQ(one.metric("drive.ratio").verdict, Verdict::kFail);
 }
 
+/// Wheels on two axles: what ODE's pyramid of friction holds is no failure of the robot's.
+TEST(Metric, ASkidThatThePyramidHoldsIsAWarning) {
+  Case one("turn");
+  one.wheels.left.push_back(one.wheels.left.front());
+  one.wheels.left.back().centre_W.x -= 0.3;
+  PhaseMeasures& spin = one.phase("spin");
+  spin.axis_path = {-13, 13};
+  spin.yaw_path[0] = 0;
+  const Metric metric = one.metric("turn.spin");
+  EXPECT_EQ(metric.value, 1);
+  EXPECT_EQ(metric.verdict, Verdict::kWarn);
+  ASSERT_TRUE(metric.fact);
+  EXPECT_FALSE(metric.fact->severe);
+  EXPECT_NE(metric.fact->help.find("pyramid"), std::string::npos);
+}
+
 TEST(Metric, ATurnMayBeOffByTheWheelsWidth) {
   Case one("turn");
   PhaseMeasures& spin = one.phase("spin");
@@ -182,6 +198,8 @@ TEST(Metric, NeverSettlingIsToldEvenInAShortRun) {
   Case one("settle");
   one.record.measures.settle_time = kInfinity;
   const Metric metric = one.metric("settle.time");
+  ASSERT_TRUE(metric.fact);
+  EXPECT_EQ(metric.warn, metric.fact->limit);  // the table and the finding speak of one limit
   EXPECT_EQ(metric.verdict, Verdict::kWarn);
   ASSERT_TRUE(metric.fact);
   EXPECT_EQ(metric.fact->kind, FactKind::kNeverSettles);

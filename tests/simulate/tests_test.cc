@@ -216,7 +216,37 @@ TEST(Tests, HoldHasGainsThatTheLoadHardlyBends) {
   // The crate's own, about the hinge's line 0.25 m above its middle: 4 + 100 · 0.0625.
   EXPECT_NEAR(effective_inertia(scene, scene.joints[0]), 1 / (1 / 0.18 + 1 / 10.25), 1e-12);
   EXPECT_LE(load / hold.commands[0].gains->p, 0.005 + 1e-12);
-  EXPECT_LE(hold.commands[0].gains->d * 0.001, 0.25 * 0.18);
+  EXPECT_EQ(hold.commands[0].control, Control::kImplicit);
+}
+
+/// The stiffest spring that asks for all of the effort at 5 mrad.
+TEST(Tests, HoldHasGainsThatTheEffortCanCarry) {
+  Scene scene = crate_with_pole();
+  scene.joints[0].axes[0].effort = 0.1;
+  const Scenario hold = made_test("hold", scene);
+  EXPECT_NEAR(hold.commands[0].gains->p, 0.1 / 0.005, 1e-9);
+}
+
+/// A table of 10 kg on a hinged leg of no weight, its foot 0.3 m beside the hinge, and on a fixed foot: each bears
+/// half of it.
+TEST(Tests, ALegBearsWhatStandsOnIt) {
+  Scene scene;
+  scene.size = 1;
+  scene.models.push_back({.name = "table", .base = 0});
+  SceneBody table;
+  table.name = "table::top";
+  table.X_WB.translation = {0, 0, 0.5};
+  table.mass = {10, {}, {1, 0, 0, 1, 0, 1}};
+  SceneBody leg;
+  leg.name = "table::leg";
+  leg.X_WB.translation = {0.3, 0, 0.05};
+  leg.mass = {1e-9, {}, {1e-12, 0, 0, 1e-12, 0, 1e-12}};
+  scene.bodies = {table, leg};
+  scene.shapes = {shape_of(0, mesh::Sphere{0.05}, {{-0.3, 0, -0.45}, {}}),
+                  shape_of(1, mesh::Sphere{0.05})};
+  scene.joints.push_back(hinge("table::knee", 0, 1, {0, 0, 0.5}, {0, 1, 0}));
+  EXPECT_NEAR(JointLoads(scene).standing(scene.joints[0]), 0.3 * 10 * 9.8 / 2, 1e-6);
+  EXPECT_NEAR(JointLoads(scene).weight(scene.joints[0]), 0, 1e-6);
 }
 
 /// A body on two joints hangs on what bears them once, and a ring of joints has an end.

@@ -47,6 +47,26 @@ TEST(Wheels, AReversedAxisHasTheOtherSign) {
   EXPECT_EQ(train.right.at(0).sign, -1);
 }
 
+/// A model that is drawn along its y faces the way that a positive velocity rolls it: nothing else is said of it.
+TEST(Wheels, OfAModelDrawnAlongYThePositiveVelocityIsAhead) {
+  Scene scene = tutorial_robot();
+  const Pose turn{{}, model::from_rpy(0, 0, -std::numbers::pi / 2)};
+  for (SceneBody& body : scene.bodies)
+    body.X_WB.translation = transform(turn, body.X_WB.translation);
+  for (std::size_t b = 1; b < scene.bodies.size(); ++b) {
+    scene.bodies[b].X_WB.rotation = turn.rotation * scene.bodies[b].X_WB.rotation;
+  }
+  for (SceneJoint& joint : scene.joints) {
+    joint.anchor_W = transform(turn, joint.anchor_W);
+    joint.axes[0].direction_W = rotate(turn.rotation, joint.axes[0].direction_W);
+  }
+  const DriveTrain train = find_wheels(scene, {});  // forward was y, and every wheel reversed
+  EXPECT_NEAR(train.forward_W.y, -1, 1e-12);
+  ASSERT_FALSE(train.left.empty() || train.right.empty());
+  EXPECT_EQ(train.left[0].sign, 1);
+  EXPECT_EQ(train.right[0].sign, 1);
+}
+
 TEST(Wheels, ForwardIsTheModelsXEvenWhenItIsTurned) {
   Scene scene = tutorial_robot();
   const Pose turn{{}, model::from_rpy(0, 0, 2.5)};

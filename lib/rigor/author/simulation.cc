@@ -3,9 +3,12 @@
 
 #include <rigor/author/simulation.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
+#include <rigor/author/model_inertia.h>
+#include <rigor/mass/mesh/survey.h>
 #include <rigor/rules/runner.h>
 #include <rigor/rules/suppression.h>
 #include <rigor/simulate/advice/advice.h>
@@ -24,6 +27,76 @@ rules::Selection simulation_rules(const rules::Selection& chosen) {
 }
 
 bool is_cause(const simulate::Fact& fact) { return fact.kind >= simulate::FactKind::kCauseInertia; }
+
+bool is_about_inertia(const simulate::Fact& cause) {
+  return cause.kind == simulate::FactKind::kCauseInertia ||
+         cause.kind == simulate::FactKind::kCauseDefaultInertia;
+}
+
+constexpr const char* kInertiaToCompare =
+    "compare its inertia with that of its CAD model; `rigor inertia MODEL --only all --diff` shows "
+    "what its "
+    "shapes would give";
+constexpr const char* kInertiaByHand =
+    "take its inertia from its CAD model: its shapes do not give one";
+constexpr const char* kInertiaOfTemplate =
+    "correct its inertia in the template; `rigor inertia MODEL` shows what its shapes give";
+
+/// A fact of a run with the causes that follow it, and the tests that showed it.
+struct ShownFact {
+  simulate::Fact fact;
+  std::vector<simulate::Fact> causes;
+  std::vector<std::string> tests;
+};
+
+bool is_same_fault(const simulate::Fact& a, const simulate::Fact& b) {
+  return a.kind == b.kind && a.subject == b.subject && a.name == b.name;
+}
+
+/// "settle", "settle and drop", "settle, drop and hold".
+std::string in_a_row(const std::vector<std::string>& words) {
+  std::string row;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) row += i + 1 == words.size() ? " and " : ", ";
+    row += words[i];
+  }
+  return row;
+}
+
+/// What several runs show is said once, as the worst of them shows it, with the names of all.
+Facts facts_of_all(const std::vector<simulate::Run>& runs) {
+  std::vector<ShownFact> shown;
+  for (const simulate::Run& run : runs) {
+    ShownFact* last = nullptr;
+    for (const simulate::Fact& fact : run.facts) {
+      if (is_cause(fact) && last != nullptr) {
+        const auto same = [&](const simulate::Fact& known) { return is_same_fault(known, fact); };
+        if (std::none_of(last->causes.begin(), last->causes.end(), same)) {
+          last->causes.push_back(fact);
+        }
+        continue;
+      }
+      auto known = std::find_if(shown.begin(), shown.end(), [&](const ShownFact& each) {
+        return is_same_fault(each.fact, fact);
+      });
+      if (known == shown.end()) {
+        shown.push_back({fact, {}, {}});
+        known = shown.end() - 1;
+      } else if (fact.severe && !known->fact.severe) {
+        known->fact = fact;
+      }
+      if (!fact.test.empty()) known->tests.push_back(fact.test);
+      last = is_cause(fact) ? nullptr : &*known;
+    }
+  }
+  Facts facts;
+  for (ShownFact& each : shown) {
+    each.fact.test = in_a_row(each.tests);
+    facts.push_back(std::move(each.fact));
+    facts.insert(facts.end(), each.causes.begin(), each.causes.end());
+  }
+  return facts;
+}
 
 /// What is behind a finding: the places as labels, the words and each remedy once as help.
 class Causes {
@@ -72,7 +145,31 @@ PreparedModel Simulator::prepare(const read::Loaded& loaded,
   if (model.made.blocked() || scene.bodies.empty()) return model;
   model.wheels = simulate::find_wheels(scene, options_.plan.wheels);
   model.causes = simulate::causes_in(scene, files.input(), model.wheels);
+  advise_inertias(loaded, model.causes);
   return model;
+}
+
+/// The help of a cause in a link's inertia names `rigor inertia --write`. That is tried here: where it would write
+/// nothing, the help is another.
+void Simulator::advise_inertias(const read::Loaded& loaded, Facts& causes) const {
+  if (std::none_of(causes.begin(), causes.end(), is_about_inertia)) return;
+  if (loaded.file->expanded) {
+    for (simulate::Fact& cause : causes) {
+      if (is_about_inertia(cause)) cause.help = kInertiaOfTemplate;
+    }
+    return;
+  }
+  mass::MeshSurveys surveys(environment_.disk, {.workers = &environment_.workers});
+  const ModelInertia table = model_inertia(environment_, sources_, loaded, surveys, {});
+  for (simulate::Fact& cause : causes) {
+    if (!is_about_inertia(cause)) continue;
+    const auto row = std::find_if(
+        table.links.begin(), table.links.end(),
+        [&](const LinkInertia& link) { return loaded.root[link.link].name.span == cause.where; });
+    const bool known = row != table.links.end();
+    if (known && row->chosen) continue;
+    cause.help = known && row->computed ? kInertiaToCompare : kInertiaByHand;
+  }
 }
 
 /// What can be said before anything is run.
@@ -89,8 +186,14 @@ SimulatedModel Simulator::start(const SimulationCase& one) const {
 simulate::Planned Simulator::planned_in(const simulate::Scene& scene,
                                         const PreparedModel& model) const {
   if (model.made.blocked()) return {};
-  if (!scene.bodies.empty()) return scenarios_of(options_.plan, scene, model.wheels);
   simulate::Planned planned;
+  if (!scene.bodies.empty()) {
+    planned = scenarios_of(options_.plan, scene, model.wheels);
+    for (simulate::Scenario& scenario : planned.scenarios) {
+      if (options_.solver.solver) scenario.solver = options_.solver.solver;
+    }
+    return planned;
+  }
   for (const std::string& test : options_.plan.tests) {
     if (test != "settle") planned.left_out.push_back(test + ": nothing moves");
   }
@@ -117,12 +220,16 @@ void Simulator::run(const std::vector<SimulationCase>& cases,
     const PreparedModel& model = *cases[i].model;
     simulate::Planned planned = planned_in(result.scene, model);
     result.left_out = std::move(planned.left_out);
+    result.notes = std::move(planned.notes);
     result.problems = std::move(planned.problems);
     tasks.push_back({result.scene, model.causes, std::move(planned.scenarios), model.wheels,
                      result.scene.solver});
   }
-  simulate::simulate(tasks, {options_.confirm, options_.jobs, options_.progress},
+  simulate::simulate(tasks, {options_.confirm, options_.jobs, options_.budget, options_.progress},
                      environment_.workers, [&](std::size_t i, simulate::Simulation simulation) {
+                       auto& left_out = results[i].left_out;
+                       left_out.insert(left_out.end(), simulation.left_out.begin(),
+                                       simulation.left_out.end());
                        results[i].simulation = std::move(simulation);
                        conclude(cases[i], results[i]);
                        done(i, std::move(results[i]));
@@ -166,9 +273,7 @@ Diagnostics Simulator::told(const SimulationCase& one, const Facts& facts) const
 
 void Simulator::conclude(const SimulationCase& one, SimulatedModel& result) const {
   result.diagnostics = told(one, one.model->made.facts);
-  for (const simulate::Run& run : result.simulation.runs) {
-    result.diagnostics.take(told(one, run.facts));
-  }
+  result.diagnostics.take(told(one, facts_of_all(result.simulation.runs)));
   // What the engine cannot take was not simulated: no comment makes that well.
   const auto& document = one.model->loaded.file->document;
   if (document && !result.blocked) {

@@ -44,6 +44,7 @@ struct SimulationOptions {
   SolverChoice solver;
   simulate::Confirm confirm = simulate::Confirm::kFailures;
   unsigned jobs = 1;
+  double budget = simulate::kInfinity;  ///< s of CPU time, a model and case
   std::function<void(std::size_t, std::size_t)> progress;
 };
 
@@ -67,6 +68,7 @@ struct SimulatedModel {
   simulate::Scene scene;
   simulate::Simulation simulation;
   std::vector<std::string> left_out;            ///< tests that make no sense for the model, and why
+  std::vector<std::string> notes;               ///< what was chosen for the user, and why
   std::vector<simulate::PlanProblem> problems;  ///< names of the plan that are nothing in the model
   bool blocked = false;                         ///< it could not be simulated: the findings say why
   Diagnostics diagnostics;
@@ -99,6 +101,7 @@ class Simulator {
   simulate::Planned planned(const SimulationCase& one) const;
 
  private:
+  void advise_inertias(const read::Loaded& loaded, simulate::Facts& causes) const;
   simulate::Planned planned_in(const simulate::Scene& scene, const PreparedModel& model) const;
   SimulatedModel start(const SimulationCase& one) const;
   Diagnostics told(const SimulationCase& one, const simulate::Facts& facts) const;

@@ -106,6 +106,10 @@ void Commander::reach_position(Told& told, Engine& engine, const AxisState& axis
     return;
   }
   const Gains& gains = *command.gains;
+  if (command.control == Control::kImplicit) {
+    engine.set_servo(told.joint, told.axis, {gains.p, gains.d, error, rate, command.effort});
+    return;
+  }
   const double most = std::min(command.effort, written.effort);
   const double integral = told.integral + error * step_;
   const double wanted = gains.p * error + gains.i * integral + gains.d * (rate - axis.velocity);

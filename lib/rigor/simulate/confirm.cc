@@ -16,33 +16,41 @@ bool fails(const std::vector<Metric>& metrics, const Metric& same) {
   });
 }
 
-/// A run that was stopped, or that exploded, shows no less than a failure that comes later.
+bool came_apart(const Record& record) {
+  return record.end == Record::End::kNotFinite || record.end == Record::End::kFarAway;
+}
+
+/// A run that was stopped, or that came apart, shows no less than a failure that comes later.
 bool shows(const Again& again, const Metric& failure) {
-  return again.stopped || fails(again.metrics, failure) ||
-         again.record.end == Record::End::kNotFinite || again.record.end == Record::End::kFarAway;
+  return again.stopped || came_apart(again.record) || fails(again.metrics, failure);
 }
 
 /// The exact solver's time grows with the cube of the contacts: what it did not get to, it did not see.
-bool has_a_say(const Again& again, const Run& run) {
+bool is_in_time(const Again& again, const Run& run) {
   return again.record.end != Record::End::kOutOfTime || was_stopped(run.record);
 }
 
-/// What the runs of a failure say, the first among those that show it.
+/// The exact solver comes apart on contacts that the iterative one takes.
+bool has_a_say(const Again& again, const Run& run) {
+  return is_in_time(again, run) && (!came_apart(again.record) || came_apart(run.record));
+}
+
+/// What the runs of a failure say, the first among those that show it. Two that agree are enough.
 struct Votes {
   std::size_t showing = 1;
   std::size_t lacking = 0;
 
-  /// Most lack it, even if all of `left` showed it.
-  bool deny(std::size_t left) const { return lacking > showing + left; }
-  /// As many show it, even if all of `left` lacked it.
-  bool believe(std::size_t left) const { return lacking + left <= showing; }
+  bool open() const { return showing < 2 && lacking < 2; }
+  bool denied() const { return lacking > showing; }
+  bool disputed() const { return showing > 1 && lacking > 0; }
 };
 
 template <class Shows>
 Votes votes_of(const std::vector<Again>& agains, const Run& run, const Shows& shows_it) {
   Votes votes;
   for (const Again& again : agains) {
-    if (has_a_say(again, run)) ++(shows_it(again) ? votes.showing : votes.lacking);
+    if (!has_a_say(again, run) || !votes.open()) continue;
+    ++(shows_it(again) ? votes.showing : votes.lacking);
   }
   return votes;
 }
@@ -66,14 +74,16 @@ void blame_solver(Metric& metric) {
 }  // namespace
 
 std::vector<Variant> variants_of(const SolverSettings& settings) {
+  using Other = Variant::Other;
   const bool quick = settings.solver == Solver::kQuick;
-  std::vector<Variant> variants{{"half the step", settings},
-                                {quick ? "dantzig" : "quick", settings}};
-  variants[0].settings.step /= 2;
-  variants[1].settings.solver = quick ? Solver::kDantzig : Solver::kQuick;
+  Variant solver{Other::kSolver, quick ? "dantzig" : "quick", settings};
+  solver.settings.solver = quick ? Solver::kDantzig : Solver::kQuick;
+  Variant half{Other::kStep, "half the step", settings};
+  half.settings.step /= 2;
+  std::vector<Variant> variants{quick ? solver : half, quick ? half : solver};
   for (std::uint64_t i = 1; i <= 2; ++i) {
     // Dantzig's does not draw numbers: seeds are those of the iterative solver.
-    Variant seeded{"seed " + std::to_string(settings.seed + i), settings};
+    Variant seeded{Other::kSeed, "seed " + std::to_string(settings.seed + i), settings};
     seeded.settings.solver = Solver::kQuick;
     seeded.settings.seed += i;
     variants.push_back(std::move(seeded));
@@ -86,17 +96,20 @@ bool was_stopped(const Record& record) {
          record.end == Record::End::kOutOfTime;
 }
 
-std::size_t next_of(const std::vector<Again>& agains, const Run& run) {
-  if (agains.size() <= kOtherSolver) return kOtherSolver + 1 - agains.size();
-  if (agains.size() >= kVariants) return 0;
-  const std::size_t left = kVariants - agains.size();
-  const auto open = [&](const Votes& votes) { return !votes.deny(left) && !votes.believe(left); };
+Next next_of(const std::vector<Again>& agains, const Run& run) {
+  if (agains.size() >= kVariants) return Next::kNone;
   const bool any_open =
-      (was_stopped(run.record) && open(votes_for_stop(agains, run))) ||
+      (was_stopped(run.record) && votes_for_stop(agains, run).open()) ||
       std::any_of(run.metrics.begin(), run.metrics.end(), [&](const Metric& metric) {
-        return metric.verdict == Verdict::kFail && open(votes_for(agains, run, metric));
+        return metric.verdict == Verdict::kFail && votes_for(agains, run, metric).open();
       });
-  return any_open ? 1 : 0;
+  // Where the other solver and half the step disagree a seed says how much is chance. It changes no verdict.
+  const bool any_disputed =
+      agains.size() == 2 &&
+      std::any_of(run.metrics.begin(), run.metrics.end(), [&](const Metric& metric) {
+        return metric.verdict == Verdict::kFail && votes_for(agains, run, metric).disputed();
+      });
+  return any_open || any_disputed ? Next::kVariant : Next::kNone;
 }
 
 void confirm(const std::vector<Again>& agains, Run& run) {
@@ -105,13 +118,13 @@ void confirm(const std::vector<Again>& agains, Run& run) {
   for (const Again& again : agains) {
     Confirmation confirmation{.what = again.variant.what,
                               .agrees = stopped && again.stopped,
-                              .in_time = has_a_say(again, run)};
+                              .in_time = is_in_time(again, run)};
     for (const Metric& metric : again.metrics) {
       confirmation.verdict = worse(confirmation.verdict, metric.verdict);
     }
     if (again.stopped) confirmation.verdict = Verdict::kInvalid;
     for (const Metric& metric : run.metrics) {
-      if (metric.verdict != Verdict::kFail || !confirmation.in_time) continue;
+      if (metric.verdict != Verdict::kFail || !has_a_say(again, run)) continue;
       if (shows(again, metric)) {
         confirmation.agrees = true;
       } else {
@@ -121,12 +134,12 @@ void confirm(const std::vector<Again>& agains, Run& run) {
     run.confirmations.push_back(std::move(confirmation));
   }
   for (Metric& metric : run.metrics) {
-    if (metric.verdict == Verdict::kFail && votes_for(agains, run, metric).deny(0)) {
+    if (metric.verdict == Verdict::kFail && votes_for(agains, run, metric).denied()) {
       blame_solver(metric);
     }
   }
   if (!stopped) return;
-  run.verdict = votes_for_stop(agains, run).deny(0) ? Verdict::kSolver : Verdict::kInvalid;
+  run.verdict = votes_for_stop(agains, run).denied() ? Verdict::kSolver : Verdict::kInvalid;
 }
 
 double difference_of(const Scene& scene, const Record& a, const Record& b) {

@@ -1,8 +1,9 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Whether a failure is the model's or the solver's: the same run again with other settings, and what
-// most of the runs show. For sources of this room.
+// Whether a failure is the model's or the solver's: the same run again with the other solver, and where that
+// lacks it with half the step. What two of these three show is believed: seeds share the run's solver and
+// its step, so they are asked only where one of the others has nothing to say. For sources of this room.
 //
 //   const std::vector<Variant> variants = variants_of(settings);
 //   std::vector<Again> agains;
@@ -11,6 +12,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -19,13 +21,14 @@
 namespace rigor::simulate {
 
 struct Variant {
-  std::string what;  ///< "half the step", "dantzig", "seed 1"
+  enum class Other : std::uint8_t { kSolver, kStep, kSeed };
+  Other other = Other::kSolver;
+  std::string what;  ///< "dantzig", "half the step", "seed 1"
   SolverSettings settings;
 };
 
-/// Half the step, the other solver, and two other seeds of the iterative one, in this order.
-inline constexpr std::size_t kHalfStep = 0;
-inline constexpr std::size_t kOtherSolver = 1;
+/// The other solver and half the step (the exact solver's first, where the run had it), then two other seeds of
+/// the iterative one.
 inline constexpr std::size_t kVariants = 4;
 std::vector<Variant> variants_of(const SolverSettings& settings);
 
@@ -40,13 +43,13 @@ struct Again {
 /// Whether it did not come to its end, for reasons other than what moved.
 bool was_stopped(const Record& record);
 
-/// How many of the variants that are left to run at once; 0 when the rest could change no verdict. Half
-/// the step and the other solver come first; seeds, one at a time, where those two disagree.
-std::size_t next_of(const std::vector<Again>& agains, const Run& run);
+/// Whether the next of the variants could change a verdict, or say how much is chance.
+enum class Next : std::uint8_t { kNone, kVariant };
+Next next_of(const std::vector<Again>& agains, const Run& run);
 
-/// Writes the confirmations into the run. A metric whose failure most of the runs do not share becomes
-/// `solver`, with a fact of kind kSolverDiffers that names it; the same for a run that was stopped. One
-/// that took too long, where the run itself did not, has no say.
+/// Writes the confirmations into the run. A metric whose failure two runs lack, and not two of those with a
+/// say show, becomes `solver`, with a fact of kind kSolverDiffers that names it; the same for a run that was
+/// stopped. One that took too long, or that came apart where the run itself did not, has no say.
 void confirm(const std::vector<Again>& agains, Run& run);
 
 /// How far the ends of two runs are apart: of models' bases, as a share of the scene's size or of the

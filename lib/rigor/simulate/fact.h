@@ -109,6 +109,7 @@ struct Fact {
   bool slides = false;  ///< it is about a joint that does: m for rad, N for N·m
   std::string test;     ///< in which it was seen; empty before any run
   bool severe = true;   ///< a fail (or invalid), not a warn
+  std::string help;     ///< what to do, in place of the kind's own words
 };
 
 using Facts = std::vector<Fact>;

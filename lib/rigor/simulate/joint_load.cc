@@ -7,8 +7,15 @@
 #include <cmath>
 #include <numbers>
 
+#include <rigor/simulate/metric/parts.h>
+#include <rigor/simulate/reach.h>
+#include <rigor/simulate/wheels.h>
+
 namespace rigor::simulate {
 namespace {
+
+/// Of the scene's size: feet are not drawn to the same height.
+constexpr double kFootRise = 0.01;
 
 /// kg·m² (of a slider kg): how a body resists the axis when everything else gives way.
 double own_inertia(const Scene& scene, const SceneJoint& joint, std::uint32_t b) {
@@ -62,6 +69,48 @@ JointLoads::JointLoads(const Scene& scene) : scene_(scene), carried_(scene) {
   for (const SceneBody& body : scene.bodies) {
     in_W_.push_back(mass::transformed(body.X_WB, body.mass));
   }
+  find_feet();
+}
+
+void JointLoads::find_feet() {
+  feet_.resize(scene_.bodies.size());
+  const double slack = std::max(kTouchGap, kFootRise * scene_.size);
+  for (std::uint32_t m = 0; m < scene_.models.size(); ++m) {
+    if (!stands_free(scene_, m)) continue;
+    const double ground = lowest_of_model(scene_, m) + slack;
+    std::vector<Vector3> sum(feet_.size());
+    std::vector<double> points(feet_.size());
+    for (const SceneShape& shape : scene_.shapes) {
+      if (shape.body >= feet_.size() || scene_.bodies[shape.body].model != m) continue;
+      for (const Vector3& point : low_points(scene_, shape, ground)) {
+        sum[shape.body] = sum[shape.body] + point;
+        points[shape.body] += 1;
+      }
+    }
+    Vector3 weight;
+    double touching = 0;
+    for (std::size_t b = 0; b < feet_.size(); ++b) {
+      const SceneBody& body = scene_.bodies[b];
+      if (body.model == m && body.gravity) weight = weight + body.mass.mass * scene_.gravity;
+      touching += points[b] > 0 ? 1 : 0;
+    }
+    for (std::size_t b = 0; b < feet_.size(); ++b) {
+      if (points[b] > 0) feet_[b] = {true, (1 / points[b]) * sum[b], (-1 / touching) * weight};
+    }
+  }
+}
+
+double JointLoads::standing(const SceneJoint& joint) const {
+  const Vector3& axis = joint.axes[0].direction_W;
+  const bool slides = joint.type == model::JointType::kPrismatic;
+  double effort = gravity_effort(joint, 0);
+  for (const std::uint32_t b : carried_.by(joint.child)) {
+    const Foot& foot = feet_[b];
+    if (!foot.stands) continue;
+    effort +=
+        dot(axis, slides ? foot.force_W : cross(foot.middle_W - joint.anchor_W, foot.force_W));
+  }
+  return std::abs(effort);
 }
 
 double JointLoads::inertia(const SceneJoint& joint) const {
@@ -92,6 +141,20 @@ double JointLoads::gravity_effort(const SceneJoint& joint, double moved) const {
 
 double JointLoads::weight(const SceneJoint& joint) const {
   return std::abs(gravity_effort(joint, 0));
+}
+
+double JointLoads::standing_inertia(const SceneJoint& joint) const {
+  const Vector3& axis = joint.axes[0].direction_W;
+  const bool slides = joint.type == model::JointType::kPrismatic;
+  const double g = length(scene_.gravity);
+  double sum = inertia(joint);
+  for (const std::uint32_t b : carried_.by(joint.child)) {
+    const Foot& foot = feet_[b];
+    if (!foot.stands || !(g > 0)) continue;
+    const Vector3 lever = cross(axis, foot.middle_W - joint.anchor_W);
+    sum += length(foot.force_W) / g * (slides ? 1 : dot(lever, lever));
+  }
+  return sum;
 }
 
 double JointLoads::sweep_effort(const SceneJoint& joint, const SweepMotion& motion) const {

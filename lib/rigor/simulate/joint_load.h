@@ -61,16 +61,33 @@ class JointLoads {
   /// N·m (of a slider N): what gravity asks of the joint at the start.
   double weight(const SceneJoint& joint) const;
 
+  /// N·m (of a slider N): what the joint has to hold at the start: the weight of what hangs on it, and of a
+  /// model that stands by itself what the ground pushes up with where that touches it, each body that does
+  /// with the same share of the model's weight. So the knee of a leg bears the robot.
+  double standing(const SceneJoint& joint) const;
+
+  /// kg·m² (of a slider kg): of all that hangs on the joint, and of what stands on it: each body that touches
+  /// the ground carries its share of the mass, as far from the axis as the ground is.
+  double standing_inertia(const SceneJoint& joint) const;
+
   /// N·m (of a slider N): the most that a motor has to give for it, with all else held as at the start:
   /// against gravity, to start and stop, against friction and damping.
   double sweep_effort(const SceneJoint& joint, const SweepMotion& motion) const;
 
  private:
   double gravity_effort(const SceneJoint& joint, double moved) const;
+  void find_feet();
 
   const Scene& scene_;
   CarriedBodies carried_;
   std::vector<mass::MassProperties> in_W_;  // of each body, at the start
+
+  struct Foot {
+    bool stands = false;  // it touches the ground, of a model that nothing else holds
+    Vector3 middle_W;     // of what touches
+    Vector3 force_W;      // N, what the ground pushes with
+  };
+  std::vector<Foot> feet_;  // of each body
 };
 
 }  // namespace rigor::simulate

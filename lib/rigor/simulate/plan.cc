@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
+#include <rigor/simulate/mount.h>
 #include <rigor/simulate/test/tests.h>
 
 namespace rigor::simulate {
@@ -157,21 +159,95 @@ class Planner {
   Scenario scenario_;
 };
 
+/// The tests that a base is held in, by why.
+class MountNotes {
+ public:
+  void add(const std::string& test, const std::string& why) {
+    const auto same = [&](const auto& known) { return known.first == why; };
+    const auto known = std::find_if(tests_.begin(), tests_.end(), same);
+    if (known == tests_.end()) {
+      tests_.emplace_back(why, test);
+    } else {
+      known->second += ", " + test;
+    }
+  }
+
+  std::vector<std::string> in_words() const {
+    std::vector<std::string> notes;
+    for (const auto& [why, tests] : tests_) {
+      notes.push_back(tests + ": its base is held in place, without ground: " + why +
+                      " (--base free lets it stand or fall)");
+    }
+    return notes;
+  }
+
+ private:
+  std::vector<std::pair<std::string, std::string>> tests_;
+};
+
+/// The exact solver's time grows with the cube of the rows, the iterative one's in proportion: without contacts
+/// they meet at some 200 (measured on robots of 6 to 40 joints), and below the exact one is faster.
+constexpr std::size_t kExactRows = 200;
+constexpr std::size_t kRowsOfJoint = 6;  // of a hinge 5, and its motor
+
+bool is_better_solved_exactly(const Scene& scene) {
+  return kRowsOfJoint * (scene.joints.size() + 1) <= kExactRows &&
+         std::none_of(scene.bodies.begin(), scene.bodies.end(),
+                      [](const SceneBody& body) { return body.self_collide; });
+}
+
+/// The base for a test as it was asked for, or chosen.
+MountChoice mount_of(const Plan& plan, std::string_view test, const Scene& scene,
+                     const DriveTrain& wheels) {
+  switch (plan.base) {
+    case BaseOption::kFixed: return {Base::kFixed, {}};
+    case BaseOption::kHang: return {Base::kHang, {}};
+    case BaseOption::kFree: return {};
+    case BaseOption::kAuto: break;
+  }
+  return choose_mount(test, scene, wheels);
+}
+
+/// Why a test of how a model stands makes no sense; nothing where it does.
+std::string why_not_free(const std::string& test, const MountChoice& mount) {
+  if (!needs_free_base(test) || mount.base == Base::kFree) return {};
+  return mount.why.empty() ? "its base is held, as --base says" : mount.why;
+}
+
+void add_test(const Plan& plan, const std::string& test, const Scene& scene,
+              const DriveTrain& wheels, MountNotes& notes, Planned& planned) {
+  const MountChoice mount = mount_of(plan, test, scene, wheels);
+  const std::string why_not = why_not_free(test, mount);
+  MadeTest made =
+      why_not.empty() ? make_test(test, mounted(scene, mount.base), wheels) : MadeTest{{}, why_not};
+  if (!made.scenario) {
+    planned.left_out.push_back(test + ": " + made.why_not);
+    return;
+  }
+  made.scenario->base = mount.base;
+  if (mount.base == Base::kHang && is_better_solved_exactly(scene)) {
+    made.scenario->solver = Solver::kDantzig;
+  }
+  if (!mount.why.empty()) notes.add(test, mount.why);
+  planned.scenarios.push_back(std::move(*made.scenario));
+}
+
 }  // namespace
 
 Planned scenarios_of(const Plan& plan, const Scene& scene, const DriveTrain& wheels) {
   Planned planned;
+  MountNotes notes;
   for (const std::string& test : plan.tests) {
-    MadeTest made = make_test(test, scene, wheels);
-    if (made.scenario) {
-      planned.scenarios.push_back(std::move(*made.scenario));
-    } else {
-      planned.left_out.push_back(test + ": " + made.why_not);
-    }
+    add_test(plan, test, scene, wheels, notes, planned);
   }
+  planned.notes = notes.in_words();
   Planner planner(scene, planned);
   for (const std::string& name : plan.wheels) planner.need_joint(name);
   for (const config::ScenarioFile& file : plan.scenarios) planner.add(file);
+  for (Scenario& scenario : planned.scenarios) {
+    if (plan.base == BaseOption::kFixed) scenario.base = Base::kFixed;
+    if (plan.base == BaseOption::kHang) scenario.base = Base::kHang;
+  }
   return planned;
 }
 

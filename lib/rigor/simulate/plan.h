@@ -10,6 +10,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,14 @@
 
 namespace rigor::simulate {
 
+/// How models are kept up that nothing holds; kAuto as mount.h chooses, test by test.
+enum class BaseOption : std::uint8_t { kAuto, kFixed, kFree, kHang };
+
 struct Plan {
   std::vector<std::string> tests;  ///< of kTestNames
   std::vector<config::ScenarioFile> scenarios;
   std::vector<std::string> wheels;  ///< joints that are; found when empty
+  BaseOption base = BaseOption::kAuto;
 };
 
 /// A name that is nothing in the scene.
@@ -36,6 +41,7 @@ struct PlanProblem {
 struct Planned {
   std::vector<Scenario> scenarios;
   std::vector<std::string> left_out;  ///< tests that make no sense for the scene, and why
+  std::vector<std::string> notes;  ///< what was chosen for the user: of whose base is held, and why
   std::vector<PlanProblem> problems;  ///< the invocation is wrong
 };
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
+#include <ctime>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -139,14 +141,24 @@ class Recorder {
   std::vector<Vector3> starts_;
 };
 
+/// s: what a worker that crashed is taken to have used. Most do so at once.
+constexpr double kCrashTime = 1;
+
+/// After the record, as it lies in memory: both ends are of one build.
+std::string encode_seconds(double seconds) {
+  return {reinterpret_cast<const char*>(&seconds), sizeof seconds};
+}
+
 /// In the worker.
 process::Reply run_requested(const std::string& bytes, const process::Ask& /*ask*/) {
   const std::optional<RunRequest> request = decode_run(bytes);
   if (!request) throw std::invalid_argument("the scene is damaged");
+  const std::clock_t begin = std::clock();
   const Record record = run(request->scene, request->scenario, request->settings);
+  const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   // ODE does not come back from an error within a step.
   const bool refused = record.end == Record::End::kRefused;
-  return {encode(record),
+  return {encode(record) + encode_seconds(seconds),
           refused ? process::Reply::Then::kRetire : process::Reply::Then::kServeAgain};
 }
 
@@ -205,10 +217,23 @@ Record record_of(const process::RequestResult& result) {
   record.end = result.end == End::kOutOfTime ? Record::End::kOutOfTime : Record::End::kCrashed;
   record.message = describe(result, kRunLimits);
   if (result.end != End::kDone) return record;
-  std::optional<Record> whole = decode(result.bytes);
+  const std::size_t size = result.bytes.size();
+  std::optional<Record> whole;
+  if (size > sizeof(double)) {
+    whole = decode(std::string_view(result.bytes).substr(0, size - sizeof(double)));
+  }
   if (whole) return *std::move(whole);
   record.message = "handed over a damaged record";
   return record;
+}
+
+double cpu_seconds_of(const process::RequestResult& result, double most) {
+  using End = process::RequestResult::End;
+  if (result.end == End::kOutOfTime) return most;
+  double seconds = std::min(most, kCrashTime);
+  if (result.end != End::kDone || result.bytes.size() < sizeof seconds) return seconds;
+  std::memcpy(&seconds, result.bytes.data() + result.bytes.size() - sizeof seconds, sizeof seconds);
+  return std::min(seconds, most);
 }
 
 }  // namespace rigor::simulate

@@ -19,11 +19,11 @@
 #include <string_view>
 #include <vector>
 
-#include <rigor/simulate/engine/state.h>
-#include <rigor/simulate/metric/measure.h>
 #include <rigor/process/request.h>
 #include <rigor/process/serve.h>
 #include <rigor/process/workers.h>
+#include <rigor/simulate/engine/state.h>
+#include <rigor/simulate/metric/measure.h>
 #include <rigor/simulate/scenario.h>
 #include <rigor/simulate/scene/scene.h>
 
@@ -77,6 +77,9 @@ Record run_isolated(const Scene& scene, const Scenario& scenario, const SolverSe
 process::Request run_request(const Scene& scene, const Scenario& scenario,
                              const SolverSettings& settings);
 Record record_of(const process::RequestResult& result);
+
+/// s of CPU time that it took; `most` where it was ended for it.
+double cpu_seconds_of(const process::RequestResult& result, double most);
 
 /// What a worker has to serve for these.
 process::Service run_service();

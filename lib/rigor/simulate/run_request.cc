@@ -38,8 +38,8 @@ struct RunRequestFields {
       auto& [name, begin, end] = whole;
       archive(name, begin, end);
     } else if constexpr (std::is_same_v<Kind, Command>) {
-      auto& [joint, axis, kind, value, begin, end, ramp, gains, effort] = whole;
-      archive(joint, axis, kind, value, begin, end, ramp, gains, effort);
+      auto& [joint, axis, kind, value, begin, end, ramp, gains, control, effort] = whole;
+      archive(joint, axis, kind, value, begin, end, ramp, gains, control, effort);
     } else if constexpr (std::is_same_v<Kind, Push>) {
       auto& [body, impulse_W, p_BP, at] = whole;
       archive(body, impulse_W, p_BP, at);
@@ -56,10 +56,10 @@ struct RunRequestFields {
               max_contacts, stiffness, seed);
     } else {
       static_assert(std::is_same_v<Kind, Scenario>);
-      auto& [name, duration, phases, commands, pushes, tilts, assertions, spawn, drop, gravity,
-             ground, ground_mu, gravity_W, step, solver] = whole;
-      archive(name, duration, phases, commands, pushes, tilts, assertions, spawn, drop, gravity,
-              ground, ground_mu, gravity_W, step, solver);
+      auto& [name, duration, phases, commands, pushes, tilts, assertions, spawn, drop, base,
+             gravity, ground, ground_mu, gravity_W, step, solver] = whole;
+      archive(name, duration, phases, commands, pushes, tilts, assertions, spawn, drop, base,
+              gravity, ground, ground_mu, gravity_W, step, solver);
     }
   }
 

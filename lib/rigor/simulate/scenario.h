@@ -22,6 +22,10 @@ namespace rigor::simulate {
 
 enum class CommandKind : std::uint8_t { kEffort, kVelocity, kPosition };
 
+/// How a controller works: a real one sees where the joint was a step ago, and is unstable beyond a gain; one
+/// that is solved together with the motion is stable with any, as a spring is.
+enum class Control : std::uint8_t { kExplicit, kImplicit };
+
 /// Of a position command. Per rad (or m) of error, of its integral, of its rate.
 struct Gains {
   double p = 0;
@@ -41,7 +45,8 @@ struct Command {
   double ramp = 0;   ///< s
   /// None: a position is reached by a motor, as exactly as the joint's effort allows.
   std::optional<Gains> gains;
-  double effort = kInfinity;  ///< N·m, N; the axis' own limit holds too
+  Control control = Control::kExplicit;  ///< of gains; an implicit controller has no `i`
+  double effort = kInfinity;             ///< N·m, N; the axis' own limit holds too
 };
 
 /// At a moment, N·s in W at a point of the body.
@@ -72,6 +77,10 @@ enum class Spawn : std::uint8_t {
   kAsWritten,
 };
 
+/// What keeps a model up that nothing holds: the ground alone, the world that its base is bolted to where it
+/// stands, or the same without any ground.
+enum class Base : std::uint8_t { kFree, kFixed, kHang };
+
 /// `metric` of the run, or a pose or joint at a time, lies between two numbers.
 struct Assertion {
   std::string name;
@@ -92,6 +101,7 @@ struct Scenario {
   std::vector<Assertion> assertions;
   Spawn spawn = Spawn::kAsWritten;
   double drop = 0;  ///< m above where it is spawned
+  Base base = Base::kFree;
   bool gravity = true;
   bool ground = true;  ///< of a file with a model at the top, where the scene has none of its own
   double ground_mu = 1;

@@ -15,10 +15,14 @@
 #include <rigor/simulate/confirm.h>
 #include <rigor/simulate/metric/assertion.h>
 #include <rigor/simulate/metric/parts.h>
+#include <rigor/simulate/mount.h>
 #include <rigor/simulate/stage.h>
 
 namespace rigor::simulate {
 namespace {
+
+/// s: with less left nothing is begun. A worker's limit is in whole seconds.
+constexpr double kLeastBudget = 1;
 
 /// A scenario of a task with settings, to be run in a worker.
 struct RunOrder {
@@ -31,9 +35,14 @@ process::Request request_of(const RunOrder& order) {
   return run_request(stage(order.task->scene, *order.scenario), *order.scenario, order.settings);
 }
 
+std::vector<Metric> metrics_in(const Task& task, const Scenario& scenario, const Record& record) {
+  if (scenario.base == Base::kFree) return metrics_of(task.scene, scenario, record, task.wheels);
+  return metrics_of(mounted(task.scene, scenario.base), scenario, record, task.wheels);
+}
+
 Run judged_run(const RunOrder& order, Record record) {
   Run run{.test = order.scenario->name, .seed = order.settings.seed, .scenario = *order.scenario};
-  run.metrics = metrics_of(order.task->scene, *order.scenario, record, order.task->wheels);
+  run.metrics = metrics_in(*order.task, *order.scenario, record);
   run.record = std::move(record);
   if (was_stopped(run.record)) run.verdict = Verdict::kInvalid;
   return run;
@@ -57,14 +66,19 @@ void add_comparison(const Scene& scene, std::string_view id, const Record& other
 }
 
 void add_comparisons(const Scene& scene, const std::vector<Again>& agains, Run& run) {
-  add_comparison(scene, "dt.sensitivity", agains[kHalfStep].record, run);
-  add_comparison(scene, "solver.agreement", agains[kOtherSolver].record, run);
-  if (agains.size() <= kOtherSolver + 1) return;
-  double spread = 0;
-  for (std::size_t seed = kOtherSolver + 1; seed < agains.size(); ++seed) {
-    spread = std::max(spread, difference_of(scene, run.record, agains[seed].record));
+  std::optional<double> spread;
+  for (const Again& again : agains) {
+    switch (again.variant.other) {
+      case Variant::Other::kStep: add_comparison(scene, "dt.sensitivity", again.record, run); break;
+      case Variant::Other::kSolver:
+        add_comparison(scene, "solver.agreement", again.record, run);
+        break;
+      case Variant::Other::kSeed:
+        spread = std::max(spread.value_or(0), difference_of(scene, run.record, again.record));
+        break;
+    }
   }
-  add_difference(scene, "seed.spread", spread, run);
+  if (spread) add_difference(scene, "seed.spread", *spread, run);
 }
 
 /// Two facts with the same are told once.
@@ -77,6 +91,15 @@ void add_once(Facts& facts, const Fact& fact, const std::string& test) {
   if (std::any_of(facts.begin(), facts.end(), same)) return;
   facts.push_back(fact);
   facts.back().test = test;
+}
+
+/// What nobody had time to confirm is not called a failure.
+void call_unconfirmed(Run& run) {
+  for (Metric& metric : run.metrics) {
+    if (metric.verdict != Verdict::kFail) continue;
+    metric.verdict = Verdict::kWarn;
+    metric.fact->severe = false;
+  }
 }
 
 /// The verdict, and what is to be said about it, each fact with what is likely to be behind it.
@@ -125,8 +148,9 @@ struct TaskRun {
   std::size_t task = 0;
   Run run;
   std::vector<Variant> variants;  ///< none when it is believed
-  std::vector<Again> agains;      ///< of the first variants
-  std::size_t awaited = 0;        ///< how many of these have not ended
+  std::vector<Again> agains;      ///< of the first variants; the last may be on its way
+  bool left_out = false;          ///< there was no time for it
+  bool unconfirmed = false;       ///< or none to confirm it
 };
 
 /// Runs what the tasks ask for, and hands over each task when the last of its runs is believed.
@@ -143,9 +167,11 @@ class Runs {
       const Task& task = tasks_[i];
       first_.push_back(runs_.size());
       left_.push_back(task.scenarios.size());
+      spent_.push_back(0);
       for (const Scenario& scenario : task.scenarios) {
         waiting_.push_back({runs_.size(), std::nullopt});
-        runs_.push_back({{&task, &scenario, settings_in(scenario, task.solver)}, i, {}, {}, {}, 0});
+        runs_.push_back(
+            {{&task, &scenario, settings_in(scenario, task.solver)}, i, {}, {}, {}, false, false});
       }
     }
     total_ = runs_.size();
@@ -167,14 +193,44 @@ class Runs {
   };
 
   std::optional<process::Request> next() {
-    if (waiting_.empty()) return std::nullopt;
-    const Job job = waiting_.front();
-    waiting_.pop_front();
-    started_.push_back(job);
-    const TaskRun& one = runs_[job.run];
-    RunOrder order = one.order;
-    if (job.variant) order.settings = one.variants[*job.variant].settings;
-    return request_of(order);
+    while (!waiting_.empty()) {
+      const Job job = waiting_.front();
+      waiting_.pop_front();
+      const TaskRun& one = runs_[job.run];
+      const double left = options_.budget - spent_[one.task];
+      if (left < kLeastBudget) {
+        skip(job);
+        continue;
+      }
+      started_.push_back(job);
+      RunOrder order = one.order;
+      if (job.variant) order.settings = one.variants[*job.variant].settings;
+      process::Request request = request_of(order);
+      if (left < request.limits.cpu_seconds) {
+        request.limits.cpu_seconds = static_cast<unsigned>(left);
+      }
+      return request;
+    }
+    return std::nullopt;
+  }
+
+  /// The task has used up its time.
+  void skip(const Job& job) {
+    TaskRun& one = runs_[job.run];
+    if (job.variant) {
+      one.agains.pop_back();
+      one.unconfirmed = true;
+    } else {
+      one.left_out = true;
+    }
+    ++ended_;
+    conclude(one);
+  }
+
+  /// Whether it was ended since no more time was left to its task.
+  bool is_over_budget(const TaskRun& one, const Record& record) const {
+    return record.end == Record::End::kOutOfTime &&
+           options_.budget - spent_[one.task] < kLeastBudget;
   }
 
   void ended(std::size_t number, const process::RequestResult& result) {
@@ -182,16 +238,22 @@ class Runs {
     TaskRun& one = runs_[job.run];
     ++ended_;
     if (options_.progress) options_.progress(ended_, total_);
+    if (options_.budget < kInfinity) {
+      spent_[one.task] += cpu_seconds_of(result, options_.budget - spent_[one.task]);
+    }
+    Record record = record_of(result);
+    if (is_over_budget(one, record)) {
+      --ended_;  // skip counts it
+      return skip(job);
+    }
     if (job.variant) {
-      one.agains[*job.variant] = again_of(one, *job.variant, record_of(result));
-      --one.awaited;
+      one.agains[*job.variant] = again_of(one, *job.variant, std::move(record));
     } else {
-      one.run = judged_run(one.order, record_of(result));
+      one.run = judged_run(one.order, std::move(record));
       if (options_.confirm == Confirm::kFailures && to_be_confirmed(one.run)) {
         one.variants = variants_of(one.order.settings);
       }
     }
-    if (one.awaited > 0) return;
     if (!one.variants.empty() && ask_again(job.run)) return;
     conclude(one);
   }
@@ -199,7 +261,7 @@ class Runs {
   static Again again_of(const TaskRun& one, std::size_t variant, Record record) {
     const Task& task = *one.order.task;
     Again again{one.variants[variant], std::move(record), {}, false};
-    again.metrics = metrics_of(task.scene, *one.order.scenario, again.record, task.wheels);
+    again.metrics = metrics_in(task, *one.order.scenario, again.record);
     again.stopped = was_stopped(again.record);
     return again;
   }
@@ -208,11 +270,11 @@ class Runs {
   bool ask_again(std::size_t run) {
     TaskRun& one = runs_[run];
     const std::size_t first = one.agains.size();
-    one.awaited = next_of(one.agains, one.run);
-    one.agains.resize(first + one.awaited);
-    total_ += one.awaited;
-    for (std::size_t i = one.agains.size(); i-- > first;) waiting_.push_front({run, i});
-    return one.awaited > 0;
+    if (next_of(one.agains, one.run) == Next::kNone) return false;
+    one.agains.emplace_back();
+    ++total_;
+    waiting_.push_front({run, first});
+    return true;
   }
 
   void conclude(TaskRun& one) {
@@ -222,7 +284,8 @@ class Runs {
       add_comparisons(task.scene, one.agains, one.run);
       one.agains.clear();  // trajectories
     }
-    conclude_run(task.scene, task.causes, one.run);
+    if (one.unconfirmed) call_unconfirmed(one.run);
+    if (!one.left_out) conclude_run(task.scene, task.causes, one.run);
     --left_[one.task];
     if (left_[one.task] == 0) hand_over(one.task);
   }
@@ -230,13 +293,28 @@ class Runs {
   void hand_over(std::size_t task) {
     Simulation simulation;
     for (std::size_t i = 0; i < tasks_[task].scenarios.size(); ++i) {
-      simulation.runs.push_back(std::move(runs_[first_[task] + i].run));
+      TaskRun& one = runs_[first_[task] + i];
+      const std::string& test = one.order.scenario->name;
+      if (one.left_out) {
+        simulation.left_out.push_back(test + ": " + budget_words());
+        continue;
+      }
+      if (one.unconfirmed) {
+        simulation.left_out.push_back("confirmation of " + test + ": " + budget_words() +
+                                      "; its failures are warnings");
+      }
+      simulation.runs.push_back(std::move(one.run));
     }
     add_unexplained(tasks_[task].causes, simulation);
     for (const Run& run : simulation.runs) {
       simulation.verdict = worse(simulation.verdict, run.verdict);
     }
     done_(task, std::move(simulation));
+  }
+
+  std::string budget_words() const {
+    return "over the budget of " + std::to_string(static_cast<long>(options_.budget)) +
+           " s of CPU time (--budget)";
   }
 
   const std::vector<Task>& tasks_;
@@ -246,6 +324,7 @@ class Runs {
   std::vector<TaskRun> runs_;       // task by task
   std::vector<std::size_t> first_;  // of each task, among the runs
   std::vector<std::size_t> left_;   // of each task: runs to be concluded
+  std::vector<double> spent_;       // of each task: s of CPU time
   std::deque<Job> waiting_;
   std::vector<Job> started_;
   std::size_t ended_ = 0;

@@ -7,9 +7,8 @@
 //                                              {}, environment.workers);
 //   if (results.front().verdict == Verdict::kFail) say(results.front().runs.front().facts);
 //
-// A failure is confirmed before it is believed: the same test with half the step and with the other
-// solver, and with two other seeds where these do not settle it. What most of the runs do not show is
-// called the solver's. Each run is a worker process's; this function uses no threads and has at most
+// A failure is confirmed before it is believed: the same test with the other solver, and where that does not
+// show it with half the step. What two of the three do not show is called the solver's. Each run is a worker process's; this function uses no threads and has at most
 // `jobs` under way at a time, whichever task they are of. Those that a failure is confirmed by go before those of
 // later tasks, so that a task that was begun is soon done.
 
@@ -43,6 +42,9 @@ struct Task {
 struct SimulateOptions {
   Confirm confirm = Confirm::kFailures;
   unsigned jobs = 1;
+  /// s of CPU time of workers, a task: what it does not suffice for is left out, and said. What is left out
+  /// depends on the machine.
+  double budget = kInfinity;
   /// Called here after each run, for progress: done, of how many that are known of.
   std::function<void(std::size_t, std::size_t)> progress = {};
 };
@@ -70,6 +72,7 @@ struct Run {
 struct Simulation {
   Verdict verdict = Verdict::kPass;  ///< the worst of the runs': invalid, fail, solver, warn, pass
   std::vector<Run> runs;
+  std::vector<std::string> left_out;  ///< what the budget did not suffice for
 };
 
 /// In the order of the tasks; the same for any number of jobs.

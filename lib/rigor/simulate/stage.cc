@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <rigor/simulate/model_groups.h>
+#include <rigor/simulate/mount.h>
 #include <rigor/simulate/reach.h>
 
 namespace rigor::simulate {
@@ -51,7 +52,9 @@ Scene stage(const Scene& scene, const Scenario& scenario) {
     by[i] = (down ? -lowest[i] : 0) + scenario.drop;
   }
   raise_stage_models(staged, groups, by);
-  if (scene.alone && scenario.ground) add_stage_ground(staged, scenario.ground_mu);
+  if (scenario.base != Base::kFree) staged = mounted(staged, scenario.base);
+  if (scene.alone && scenario.ground && scenario.base != Base::kHang)
+    add_stage_ground(staged, scenario.ground_mu);
   return staged;
 }
 

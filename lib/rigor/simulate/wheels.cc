@@ -162,6 +162,18 @@ Vector3 forward_across(const Vector3& axis, const Quaternion& R_WB) {
   return ahead < 0 ? -1 * forward : forward;
 }
 
+/// Ahead is x by convention (REP 103). Of a model that is drawn along its y nothing says which way it faces: it is
+/// the way that most wheels roll when they are told a positive velocity.
+bool faces_backward(const Scene& scene, const std::vector<Wheel>& wheels, const Vector3& forward_W,
+                    const Quaternion& R_WB) {
+  if (std::abs(dot(forward_W, rotate(R_WB, {1, 0, 0}))) > kAcrossCosine) return false;
+  int ahead = 0;
+  for (const Wheel& wheel : wheels) {
+    ahead += dot(cross(axis_of(scene, wheel), {0, 0, 1}), forward_W) < 0 ? -1 : 1;
+  }
+  return ahead < 0;
+}
+
 void sort_into_sides(const Scene& scene, std::vector<Wheel> wheels, DriveTrain& train) {
   const Vector3 to_left = cross({0, 0, 1}, train.forward_W);
   double least = kInfinity;
@@ -258,6 +270,7 @@ DriveTrain find_wheels(const Scene& scene, const std::vector<std::string>& named
   const Quaternion R_WB =
       base < scene.bodies.size() ? scene.bodies[base].X_WB.rotation : Quaternion{};
   train.forward_W = forward_across(rolling_axis(scene, wheels.front()), R_WB);
+  if (faces_backward(scene, wheels, train.forward_W, R_WB)) train.forward_W = -1 * train.forward_W;
   sort_into_sides(scene, wheels, train);
   add_casters(scene, lowest, train);
   add_steering(scene, lowest, train);

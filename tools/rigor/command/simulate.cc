@@ -217,8 +217,13 @@ class Simulate final : public Command {
     }
     const author::SimulationCase& ours = all[kept.one.index];
     std::vector<std::string> tests;
+    // The budget may have left some out.
     for (const simulate::Scenario& each : simulator.planned(ours).scenarios) {
-      tests.push_back(each.name);
+      const bool was_run =
+          std::find(kept.tests.begin(), kept.tests.end(), each.name) != kept.tests.end();
+      if (was_run || kept.tests.size() >= simulator.planned(ours).scenarios.size()) {
+        tests.push_back(each.name);
+      }
     }
     const std::string theirs_words = about(kept.model, kept.one.id, kept.tests);
     const std::string ours_words = about(ours.model->loaded.file->path, ours.one.id, tests);

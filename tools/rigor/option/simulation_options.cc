@@ -21,6 +21,7 @@ namespace {
 constexpr std::string_view kSolverNames[] = {"quick", "dantzig"};
 constexpr std::string_view kProfileNames[] = {"rigor", "gazebo"};
 constexpr std::string_view kMeshesNames[] = {"auto", "triangles", "hull"};
+constexpr std::string_view kBaseNames[] = {"auto", "fixed", "free", "hang"};
 constexpr std::string_view kCommandNames[] = {"effort", "velocity", "position"};
 
 /// Scenario files are written by hand.
@@ -28,6 +29,10 @@ constexpr std::uint64_t kMaxScenarioBytes = std::uint64_t{1} << 20U;
 
 /// How long a command is given when nobody says, s.
 constexpr double kCommandDuration = 5;
+
+/// s of CPU time a model: a wait that a person takes. And less than a run's least makes no sense.
+constexpr double kBudget = 20;
+constexpr double kLeastBudget = 1;
 
 /// A step command makes wheels spin: a second of ramp is what the tests take too.
 constexpr double kCommandRamp = 1;
@@ -109,7 +114,7 @@ void SimulationChoices::declare(CLI::App& app) {
       ->type_name("NAME,...")
       ->delimiter(',')
       ->allow_extra_args(false);
-  app.add_option("--scenario", scenarios_, "A scenario of your own (see docs/simulate.md)")
+  app.add_option("--scenario", scenarios_, "A scenario of your own (see docs/scenarios.md)")
       ->type_name("FILE")
       ->allow_extra_args(false);
   app.add_option("--command", commands_,
@@ -122,6 +127,12 @@ void SimulationChoices::declare(CLI::App& app) {
       ->type_name("JOINT,...")
       ->delimiter(',')
       ->allow_extra_args(false);
+  offer(app.add_option(
+            "--base", base_,
+            "Base of a robot that nothing holds: auto (the default: free where it stands or "
+            "rolls, else held), fixed to the ground, free, or hang, held without ground"),
+        kBaseNames)
+      ->type_name("HOW");
   app.add_option("--joint", joints_, "Initial position of a joint, rad or m")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
@@ -159,12 +170,24 @@ void SimulationChoices::declare(CLI::App& app) {
   app.add_option("-j,--jobs", jobs_, "Runs at a time (1); 0 means as many as there are cores")
       ->type_name("N")
       ->group(many);
+  app.add_option(
+         "--budget", budget_,
+         "CPU time for each model, s (20): what it does not suffice for is left out, and said; "
+         "0 means no limit")
+      ->type_name("S")
+      ->group(many);
   shard_.declare(app, "Only this part of the cases", many);
 }
 
 simulate::Plan SimulationChoices::plan(const Disk& disk) const {
   simulate::Plan plan;
   plan.wheels = wheels_;
+  if (!base_.empty()) {
+    constexpr simulate::BaseOption kBases[] = {
+        simulate::BaseOption::kAuto, simulate::BaseOption::kFixed, simulate::BaseOption::kFree,
+        simulate::BaseOption::kHang};
+    plan.base = kBases[choice("--base value", base_, kBaseNames)];
+  }
   const auto& known = simulate::kTestNames;
   for (const std::string& test : tests_) {
     if (test == "all") {
@@ -234,6 +257,9 @@ author::SimulationOptions SimulationChoices::options(const Disk& disk) const {
     options.solver.gravity = model::Vector3{numbers[0], numbers[1], numbers[2]};
   }
   if (no_confirm_) options.confirm = simulate::Confirm::kNo;
+  const double budget = budget_.empty() ? kBudget : finite_number("--budget", budget_);
+  if (budget < 0) throw UsageError("--budget " + budget_ + ": must not be negative");
+  if (budget > 0) options.budget = std::max(budget, kLeastBudget);
   if (!jobs_.empty()) {
     options.jobs = static_cast<unsigned>(whole_number("--jobs", jobs_, 0, 1024));
     if (options.jobs == 0) options.jobs = std::max(1U, std::thread::hardware_concurrency());

@@ -22,8 +22,11 @@ constexpr double kRight = 10;
 constexpr double kTop = 24;
 constexpr double kBottom = 24;
 
-/// m, rad, m/s or s: below this a solver's numbers say nothing.
+/// What a plot shows is in m, rad, s: below this nothing of a robot is worth a look.
+constexpr double kLeastSize = 1e-3;
+/// m, rad, m/s or s, and a share of the largest value: rounding and a solver's last digits are smaller.
 constexpr double kNoise = 1e-5;
+constexpr double kNoiseShare = 1e-4;
 
 struct Range {
   double least = std::numeric_limits<double>::infinity();
@@ -36,13 +39,14 @@ struct Range {
   }
   double span() const { return most - least; }
 
-  /// Never empty: a constant is drawn in the middle, and so is what differs from one by noise.
+  /// Never empty, nor so narrow that noise fills it: a constant is a level line in the middle.
   void widen() {
     if (!(least <= most)) least = most = 0;
-    const double size = std::max({std::abs(least), std::abs(most), kNoise});
-    if (span() > kNoise * std::max(1.0, size)) return;
-    least -= 0.5 * size;
-    most += 0.5 * size;
+    const double size = std::max({std::abs(least), std::abs(most), kLeastSize});
+    if (span() > std::max(kNoise, kNoiseShare * size)) return;
+    const double middle = (least + most) / 2;
+    least = middle - 0.5 * size;
+    most = middle + 0.5 * size;
   }
 };
 

@@ -96,6 +96,9 @@ std::string model_section(const SimulatedModel& model, const std::string& png, P
                     counted(findings.size(), "finding"), finding_list(findings, places, "#rule-"));
   }
   for (const simulate::Run& run : runs) out += run_html(model.scene, run);
+  for (const std::string& note : model.notes) {
+    out += "<p>" + escaped(printable(note)) + "</p>\n";
+  }
   for (const std::string& why : model.left_out) {
     out += "<p>left out: " + escaped(printable(why)) + "</p>\n";
   }

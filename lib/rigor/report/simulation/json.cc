@@ -32,6 +32,15 @@ std::string_view kind_name(simulate::CommandKind kind) {
   return {};
 }
 
+std::string_view base_name(simulate::Base base) {
+  switch (base) {
+    case simulate::Base::kFree: return "free";
+    case simulate::Base::kFixed: return "fixed";
+    case simulate::Base::kHang: return "hang";
+  }
+  return {};
+}
+
 Json command_of(const simulate::Command& command, const simulate::Scene& scene) {
   Json json = {{"joint", scene.joints[command.joint].name},
                {"axis", command.axis},
@@ -79,6 +88,7 @@ Json run_of(const simulate::Run& run, const simulate::Scene& scene) {
   }
   return {{"test", run.test},
           {"seed", run.seed},
+          {"base", base_name(run.scenario.base)},
           {"verdict", to_string(run.verdict)},
           {"duration", finite(run.record.end_time)},
           {"steps", run.record.steps},
@@ -92,11 +102,9 @@ Json run_of(const simulate::Run& run, const simulate::Scene& scene) {
 Json model_of(const SimulatedModel& model, const Sources& sources) {
   Json runs = Json::array();
   for (const simulate::Run& run : model.simulation.runs) runs.push_back(run_of(run, model.scene));
-  return {{"model", model.path},
-          {"verdict", to_string(model.verdict())},
-          {"runs", std::move(runs)},
-          {"left_out", model.left_out},
-          {"diagnostics", diagnostics_of(model.diagnostics, sources)}};
+  return {{"model", model.path},     {"verdict", to_string(model.verdict())},
+          {"runs", std::move(runs)}, {"left_out", model.left_out},
+          {"notes", model.notes},    {"diagnostics", diagnostics_of(model.diagnostics, sources)}};
 }
 
 Json case_of(const SimulatedModel& model) {

@@ -47,7 +47,7 @@ std::string amount(double value, std::string_view unit) {
 
 std::string metric_line(const simulate::Metric& metric, Color color) {
   const auto& limit = metric.verdict == Verdict::kFail ? metric.fail : metric.warn;
-  std::string line = fmt::format("             {}{:<24}{}", verdict_cell(metric.verdict, color),
+  std::string line = fmt::format("              {}{:<24}{}", verdict_cell(metric.verdict, color),
                                  metric.id, amount(metric.value, metric.unit));
   if (limit) line += fmt::format(" (limit {})", amount(*limit, metric.unit));
   return line + '\n';
@@ -71,13 +71,13 @@ std::string confirmations_line(const simulate::Run& run) {
   for (const simulate::Confirmation& each : run.confirmations) {
     line += fmt::format("{}{}: {}", line.empty() ? "" : ", ", each.what, confirmation_words(each));
   }
-  return line.empty() ? line : fmt::format("             run again with {}\n", line);
+  return line.empty() ? line : fmt::format("              run again with {}\n", line);
 }
 
 std::string run_lines(const simulate::Run& run, Color color) {
   std::string name = run.test;
   if (run.seed != 0) name += fmt::format(" #{}", run.seed);
-  std::string out = fmt::format("  {:<11}{}{} s in {} steps, {}\n", name,
+  std::string out = fmt::format("  {:<11} {}{} s in {} steps, {}\n", name,
                                 verdict_cell(run.verdict, color), number(run.record.end_time),
                                 run.record.steps, counted(run.metrics.size(), "metric"));
   for (const simulate::Metric& metric : run.metrics) {
@@ -92,8 +92,11 @@ std::string model_lines(const SimulatedModel& model, Color color) {
                   paint(to_string(model.verdict()), paint_of_verdict(model.verdict()), color),
                   model.untested() ? ", but nothing was tested" : "");
   for (const simulate::Run& run : model.simulation.runs) out += run_lines(run, color);
+  for (const std::string& note : model.notes) {
+    out += fmt::format("  note        {}\n", printable(note));
+  }
   for (const std::string& why : model.left_out) {
-    out += fmt::format("  left out   {}\n", printable(why));
+    out += fmt::format("  left out    {}\n", printable(why));
   }
   return out;
 }

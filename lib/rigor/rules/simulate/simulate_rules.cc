@@ -40,11 +40,14 @@ std::string message_of(const simulate::Fact& fact, const Row& row) {
 void check(const simulate::Fact& fact, Context& context) {
   const Row& row = row_of<simulate::Fact>(fact, kTables);
   std::string message = message_of(fact, row);
-  if (row.help.empty() && !fact.test.empty()) message += ", in the test " + fact.test;
+  if (row.help.empty() && !fact.test.empty()) {
+    const bool several = fact.test.find(" and ") != std::string::npos;
+    message += (several ? ", in the tests " : ", in the test ") + fact.test;
+  }
   context.report({.where = fact.where,
                   .message = std::move(message),
                   .subject = fact.subject,
-                  .help = std::string(row.help)});
+                  .help = fact.help.empty() ? std::string(row.help) : fact.help});
 }
 
 }  // namespace simulation

@@ -12,6 +12,7 @@
 
 #include <rigor/simulate/footprint.h>
 #include <rigor/simulate/metric/parts.h>
+#include <rigor/simulate/mount.h>
 #include <rigor/simulate/reach.h>
 
 namespace rigor::simulate {
@@ -46,6 +47,8 @@ void add_top_heavy(Causes& causes, std::uint32_t m) {
   const Scene& scene = causes.scene;
   const std::vector<Vector3> corners = footprint_at_start(scene, m, kFootSlack);
   if (corners.size() < 3) return;
+  // Nobody lowers the center of mass of an arm: it is bolted to something.
+  if (is_to_be_bolted(scene, m, causes.wheels)) return;
   const double angle = tip_angle(scene, m, corners).angle;
   if (angle >= kTopHeavyAngle) return;
   const double weight = angle > 0 ? kTopHeavyAngle / angle : kInfinity;

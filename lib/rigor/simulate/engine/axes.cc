@@ -166,6 +166,24 @@ void EngineJoints::set_motor(std::uint32_t joint, std::uint32_t axis, double vel
   c.command = Coordinate::Command::kMotor;
   c.told = velocity;
   c.most = std::min(effort, c.written.effort);
+  c.give = 0;
+  turn_on(c, joint);
+}
+
+/// With k and d of a step h, the effort k (e - h v) + d (r - v) of the speed v that the step ends with: a motor
+/// of speed (k e + d r)/(d + h k) that gives way by 1/(d + h k).
+void EngineJoints::set_servo(std::uint32_t joint, std::uint32_t axis, const Servo& servo) {
+  Coordinate& c = at(joint, axis);
+  const double firmness = servo.damping + step_ * servo.stiffness;
+  c.command = Coordinate::Command::kMotor;
+  c.told =
+      firmness > 0 ? (servo.stiffness * servo.error + servo.damping * servo.rate) / firmness : 0;
+  c.most = firmness > 0 ? std::min(servo.effort, c.written.effort) : 0;
+  c.give = firmness > 0 ? 1 / firmness : 0;
+  turn_on(c, joint);
+}
+
+void EngineJoints::turn_on(Coordinate& c, std::uint32_t joint) {
   update(c);
   if (c.joint == nullptr || feedback_[joint] != nullptr) return;
   feedback_[joint] = std::make_unique<dJointFeedback>();
@@ -204,7 +222,7 @@ void EngineJoints::use_slot(Coordinate& c) const {
     const bool presses =
         stop.side != 0 && (locked || c.told * stop.side > 0 || stop.beyond > kStopSlack);
     c.drives = !presses;
-    set_ode_motor(c, c.told, presses ? 0 : c.most, cfm_);
+    set_ode_motor(c, c.told, presses ? 0 : c.most, std::max(cfm_, c.give));
     if (has_stops(axis)) set_ode_stops(c, presses ? 0 : stop.side);
   } else if (axis.friction > 0) {
     set_ode_motor(c, 0, axis.friction, cfm_);

@@ -188,6 +188,10 @@ void Engine::set_effort(std::uint32_t joint, std::uint32_t axis, double effort) 
   world_->joints.set_effort(joint, axis, effort);
 }
 
+void Engine::set_servo(std::uint32_t joint, std::uint32_t axis, const Servo& servo) {
+  world_->joints.set_servo(joint, axis, servo);
+}
+
 void Engine::set_motor(std::uint32_t joint, std::uint32_t axis, double velocity, double effort) {
   world_->joints.set_motor(joint, axis, velocity, effort);
 }

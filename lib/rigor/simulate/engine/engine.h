@@ -31,6 +31,15 @@ class EngineError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A spring and a damper that pull an axis to where it is told to be.
+struct Servo {
+  double stiffness = 0;  ///< N·m/rad, N/m
+  double damping = 0;    ///< N·m·s/rad, N·s/m
+  double error = 0;      ///< rad, m: how far it is to go
+  double rate = 0;       ///< rad/s, m/s: how fast the place moves
+  double effort = kInfinity;
+};
+
 /// Whether contacts' forces are asked for: they cost a little.
 enum class Forces : std::uint8_t { kNone, kAsked };
 
@@ -46,6 +55,9 @@ class Engine {
   /// the velocity with at most `effort`, and takes the place of the axis' friction meanwhile.
   void set_effort(std::uint32_t joint, std::uint32_t axis, double effort);
   void set_motor(std::uint32_t joint, std::uint32_t axis, double velocity, double effort);
+  /// Implicit: its force is that of the place and speed at the end of the step, so it is stable however stiff.
+  /// To be told again before each step.
+  void set_servo(std::uint32_t joint, std::uint32_t axis, const Servo& servo);
   void release(std::uint32_t joint, std::uint32_t axis);
 
   /// During the next step.

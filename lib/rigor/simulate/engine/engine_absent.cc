@@ -21,6 +21,7 @@ Engine::~Engine() = default;
 // There is no engine to call them on.
 void Engine::set_effort(std::uint32_t, std::uint32_t, double) {}
 void Engine::set_motor(std::uint32_t, std::uint32_t, double, double) {}
+void Engine::set_servo(std::uint32_t, std::uint32_t, const Servo&) {}
 void Engine::release(std::uint32_t, std::uint32_t) {}
 void Engine::push(std::uint32_t, const Vector3&, const Vector3&) {}
 void Engine::set_gravity(const Vector3&) {}

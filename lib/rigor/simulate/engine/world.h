@@ -164,8 +164,9 @@ struct Coordinate {
   SceneAxis written;
 
   Command command = Command::kNone;
-  double told = 0;      ///< effort, or velocity
-  double most = 0;      ///< effort of the motor
+  double told = 0;  ///< effort, or velocity
+  double most = 0;  ///< effort of the motor
+  double give = 0;  ///< of the motor: rad/s per N·m that it gives way by; 0: what the solver gives
   bool busy = false;    ///< something is to be done before each step
   bool damps = false;   ///< by the motor's slot
   bool drives = false;  ///< a command has the motor's slot, and no stop is pressed against
@@ -181,6 +182,7 @@ class EngineJoints {
 
   void set_effort(std::uint32_t joint, std::uint32_t axis, double effort);
   void set_motor(std::uint32_t joint, std::uint32_t axis, double velocity, double effort);
+  void set_servo(std::uint32_t joint, std::uint32_t axis, const Servo& servo);
   void release(std::uint32_t joint, std::uint32_t axis);
 
   /// Before a step: forces and motors. After it (or before the first): positions, speeds, efforts.
@@ -223,6 +225,7 @@ class EngineJoints {
                         const SceneAxis& axis) const;
 
   Coordinate& at(std::uint32_t joint, std::uint32_t axis);
+  void turn_on(Coordinate& c, std::uint32_t joint);
   void update(Coordinate& c) const;
   void use_slot(Coordinate& c) const;
   void apply(Coordinate& c) const;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include <rigor/simulate/footprint.h>
 #include <rigor/simulate/joint_load.h>
@@ -19,6 +20,9 @@ namespace {
 /// All of a joint's effort, but for rounding.
 constexpr double kAllEffort = 0.999;
 
+/// "sweep robot::elbow": the phase in which the test joint-sweep moves that joint.
+constexpr std::string_view kSweepPhase = "sweep ";
+
 /// Of its way: a joint that is stopped, or too weak to get there.
 constexpr double kMissed = 0.01;
 
@@ -27,7 +31,8 @@ void add_controller_margin(MetricSheet& sheet) {
   Peak margin;
   for (const Command& command : sheet.scenario.commands) {
     const SceneJoint& joint = sheet.scene.joints[command.joint];
-    if (!command.gains || joint.axes.size() != 1) continue;
+    const bool steps = command.gains && command.control == Control::kExplicit;
+    if (!steps || joint.axes.size() != 1) continue;
     const double inertia = effective_inertia(sheet.scene, joint);
     margin.see(command.gains->d * step / inertia, command.joint, 0);
   }
@@ -55,12 +60,13 @@ struct Sweep {
   SweepMotion motion{.least = kInfinity, .most = -kInfinity};
 };
 
-/// What a phase of a joint-sweep told to a joint.
-Sweep swept_in(const Scenario& scenario, const Phase& phase) {
+/// What a phase of a joint-sweep told to its joint. Phases of other joints may be at the same time.
+Sweep swept_in(const Scene& scene, const Scenario& scenario, const Phase& phase) {
   Sweep sweep;
+  const std::string_view swept = std::string_view(phase.name).substr(kSweepPhase.size());
   for (const Command& command : scenario.commands) {
     const bool inside = command.begin >= phase.begin && command.end <= phase.end;
-    if (!inside) continue;
+    if (!inside || scene.joints[command.joint].name != swept) continue;
     SweepMotion& motion = sweep.motion;
     if (command.kind == CommandKind::kPosition) {
       sweep.joint = command.joint;
@@ -114,8 +120,8 @@ void add_sweep_metrics(MetricSheet& sheet) {
   bool exhausted = false;
   for (std::size_t i = 0; i < sheet.scenario.phases.size(); ++i) {
     const Phase& phase = sheet.scenario.phases[i];
-    if (!phase.name.starts_with("sweep ")) continue;
-    const Sweep sweep = swept_in(sheet.scenario, phase);
+    if (!phase.name.starts_with(kSweepPhase)) continue;
+    const Sweep sweep = swept_in(sheet.scene, sheet.scenario, phase);
     const PhaseMeasures& seen = sheet.record.measures.phases[i];
     if (sweep.joint == kWorld || seen.steps == 0) continue;
     const std::uint32_t axis = first[sweep.joint];

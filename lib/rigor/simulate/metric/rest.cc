@@ -44,6 +44,7 @@ void add_settle_time(MetricSheet& sheet) {
   fact.limit = phases[0].end - kSettleHold;
   fact.test = sheet.scenario.name;
   fact.severe = false;
+  metric.warn = fact.limit;  // the table and the finding speak of one limit
   metric.verdict = Verdict::kWarn;
   metric.fact = std::move(fact);
 }

@@ -282,6 +282,7 @@ SceneResult build_scene(const SceneInput& input, const SceneOptions& options) {
   if (!is_blocked(draft.facts)) {  // else defaults stand where numbers are missing
     add_bodies(draft);
     add_joints(draft);
+    choose_bases(draft);
     add_shapes(draft);
     finish(draft);
   }

@@ -103,6 +103,7 @@ void check_numbers(SceneDraft& draft);  // numbers.cc
 void add_physics(SceneDraft& draft);    // physics.cc
 void add_bodies(SceneDraft& draft);     // body.cc
 void add_joints(SceneDraft& draft);     // joint.cc
+void choose_bases(SceneDraft& draft);   // base.cc
 void add_shapes(SceneDraft& draft);     // shape.cc
 
 /// `<surface>` of a collision, or what the blocks of its link say.

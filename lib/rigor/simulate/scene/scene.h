@@ -69,8 +69,9 @@ using SceneShapeKind = std::variant<mesh::Box, mesh::Sphere, mesh::Cylinder, mes
 struct ContactSurface {
   double mu = 1;
   double mu2 = 1;
-  Vector3
-      fdir1;  ///< of the first friction direction, in the shape's link; zero lets the engine choose
+  /// The first friction direction, in the shape's link (a file writes it in the collision's frame); zero lets
+  /// the engine choose.
+  Vector3 fdir1;
   double slip1 = 0;  ///< (m/s)/N
   double slip2 = 0;
   double restitution = 0;
@@ -163,7 +164,9 @@ struct SceneJoint {
 
 struct SceneModel {
   std::string name;
-  std::uint32_t base = kWorld;  ///< body of its canonical link; the world's for a static model
+  /// The body that no joint of the model carries (of several the one that carries the most): tilt, creep and
+  /// way are this body's. Where there is none, that of its canonical link; the world's for a static model.
+  std::uint32_t base = kWorld;
   bool is_static = false;
   model::Id<model::Model> id;
   Span where;

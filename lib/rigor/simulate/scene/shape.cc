@@ -63,7 +63,10 @@ std::string_view primitive_name(const mesh::Primitive& primitive) {
 class ShapeBuilder {
  public:
   explicit ShapeBuilder(SceneDraft& draft)
-      : draft_(draft), scene_(draft.scene), meshes_(draft.input.load_mesh) {}
+      : draft_(draft),
+        scene_(draft.scene),
+        meshes_(draft.input.load_mesh),
+        counted_(draft.root.links.size()) {}
 
   void build() {
     const model::Root& root = draft_.root;
@@ -80,7 +83,7 @@ class ShapeBuilder {
     shape_.link = draft_.link_of[collision_->link.value];
     const SceneLink& link = scene_.links[shape_.link];
     shape_.body = link.body;
-    shape_.name = scoped_name(draft_.root, id);
+    shape_.name = callable_name(id, ++counted_[collision_->link.value]);
     shape_.where = collision_->geometry.site.name;
     if (shape_.where.nowhere()) shape_.where = collision_->site.name;
     if (collision_->pose.relative_to.value.empty()) {
@@ -92,13 +95,24 @@ class ShapeBuilder {
     } else {
       return say(FactKind::kUnreadable, collision_->pose.relative_to.span, "no pose");
     }
+    const Quaternion R_BC =
+        shape_.X_BS.rotation;  // a mesh may be replaced by a shape that is turned
     for (const model::Site& more : collision_->geometry.more) {
       say(FactKind::kShapeIgnored, more.name, "a second shape");
     }
     if (std::visit([this](const auto& shape) { return make(shape); }, collision_->geometry.shape)) {
       shape_.surface = surface_of(draft_, *collision_);
+      // SDFormat: "in the collision's local reference frame".
+      Vector3& fdir1 = shape_.surface.fdir1;
+      fdir1 = rotate(conjugate(link.X_BL.rotation), rotate(R_BC, fdir1));
       scene_.shapes.push_back(shape_);
     }
+  }
+
+  /// URDF's collisions need no name: "#2" is the second one of its link.
+  std::string callable_name(model::Id<model::Collision> id, std::size_t number) const {
+    if (!collision_->name.value.empty()) return scoped_name(draft_.root, id);
+    return scoped_name(draft_.root, collision_->link) + "::#" + std::to_string(number);
   }
 
   // Each says whether there is a shape.
@@ -318,6 +332,7 @@ class ShapeBuilder {
   SceneDraft& draft_;
   Scene& scene_;
   MeshShapes meshes_;
+  std::vector<std::size_t> counted_;  // collisions so far, of each link
   const model::Collision* collision_ = nullptr;
   SceneShape shape_;
 };

@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+
+#include <rigor/simulate/round_shape.h>
 
 namespace rigor::simulate {
 namespace {
@@ -17,12 +20,41 @@ constexpr double kCruise = 3;      // s, at full speed
 constexpr double kTurnCruise = 2;  // s
 constexpr double kHalt = 0.5;      // s, from full speed to none
 
+constexpr double kParallel = 0.98;  // cosine: axes of the wheels of one robot
+
 std::string no_wheels(const DriveTrain& wheels) {
   if (wheels.named) {
     return "none of the joints named as wheels is a hinge with a level axis and a round collision";
   }
   return "no wheels found: there is no hinge without limits whose axis is level and that carries a "
          "round collision which reaches the ground";
+}
+
+/// "right_wheel": the joint's own name.
+std::string_view own_name(std::string_view scoped) {
+  const std::size_t at = scoped.rfind("::");
+  return at == std::string_view::npos ? scoped : scoped.substr(at + 2);
+}
+
+/// Why the wheels that were found are all on one side; often another has limits, which no wheel has.
+std::string one_sided(const Scene& scene, const DriveTrain& wheels) {
+  const std::string found = "all of its wheels are on one side";
+  const Vector3& axis =
+      scene.joints[wheels.left.empty() ? wheels.right.front().joint : wheels.left.front().joint]
+          .axes[0]
+          .direction_W;
+  for (const SceneJoint& joint : scene.joints) {
+    if (joint.type != model::JointType::kRevolute || joint.model != wheels.model) continue;
+    if (can_turn_over(joint) || std::abs(dot(joint.axes[0].direction_W, axis)) < kParallel)
+      continue;
+    const auto rolls = [&](const SceneShape& shape) {
+      return shape.body == joint.child && round_about(scene, shape, joint.axes[0].direction_W);
+    };
+    if (std::none_of(scene.shapes.begin(), scene.shapes.end(), rolls)) continue;
+    return found + "; joint '" + std::string(own_name(joint.name)) +
+           "' has limits, so it is not taken for one (`--wheels` names them)";
+  }
+  return found;
 }
 
 Scenario settled_first(std::string name, const Scene& scene) {
@@ -73,7 +105,7 @@ MadeTest make_turn(const Scene& scene, const DriveTrain& wheels) {
   if (wheels.empty()) return {{}, no_wheels(wheels)};
   if (!wheels.steering.empty())
     return {{}, "it steers by turning wheels, not by its sides' speeds"};
-  if (!wheels.steers()) return {{}, "its wheels are on one side only"};
+  if (!wheels.steers()) return {{}, one_sided(scene, wheels)};
   Scenario scenario = settled_first("turn", scene);
   const double settled = scenario.phases.front().end;
   const Phase arc{"arc", settled, settled + kRamp + kTurnCruise};

@@ -11,11 +11,12 @@
 #include <vector>
 
 #include <rigor/simulate/joint_load.h>
+#include <rigor/simulate/metric/parts.h>
 
 namespace rigor::simulate {
 namespace {
 
-/// Of the joint's velocity limit; and what is taken where there is none.
+/// Of the joint's velocity limit; and what is taken at most.
 constexpr double kSweepShare = 0.25;
 constexpr double kSweepTurn = 1;           // rad/s
 constexpr double kSweepSlideShare = 0.25;  // of the scene's size, a second
@@ -41,9 +42,6 @@ constexpr double kHoldDamping = 0.7;
 /// How far the load may bend it: gains are raised until it is less.
 constexpr double kHoldSag = 0.005;  // rad, m
 
-/// Of kd·h/I, which is unstable at 2: gains beyond would be the test's fault.
-constexpr double kHoldMargin = 0.25;
-
 struct SweepRange {
   double lower, upper, speed;
 };
@@ -61,7 +59,8 @@ SweepRange sweep_range(const Scene& scene, const SceneJoint& joint) {
   }
   const bool limited = std::isfinite(axis.velocity) && axis.velocity > 0;
   const double usual = slides ? kSweepSlideShare * scene.size : kSweepTurn;
-  range.speed = limited ? kSweepShare * axis.velocity : usual;
+  // Many files write 1000 rad/s for "no limit".
+  range.speed = limited ? std::min(kSweepShare * axis.velocity, usual) : usual;
   const double needed = (range.upper - range.lower) / kStrokeMost;
   range.speed = std::max(range.speed, limited ? std::min(needed, axis.velocity) : needed);
   return range;
@@ -102,14 +101,64 @@ void add_stand(std::uint32_t joint, double begin, double end, Scenario& scenario
       {.joint = joint, .kind = CommandKind::kVelocity, .value = 0, .begin = begin, .end = end});
 }
 
-Gains hold_gains(const Scene& scene, const JointLoads& loads, const SceneJoint& joint) {
-  const double inertia = loads.inertia(joint);
+/// No gain that asks for all of the effort before the load's own sag: with less there is nothing to add, and a
+/// real controller would only swing between the two.
+Gains hold_gains(const JointLoads& loads, const SceneJoint& joint) {
+  const double inertia = loads.standing_inertia(joint);
+  const double effort = joint.axes[0].effort;
   Gains gains;
-  gains.p = std::max(inertia * kHoldFrequency * kHoldFrequency, loads.weight(joint) / kHoldSag);
-  const double most = kHoldMargin * effective_inertia(scene, joint) / scene.solver.step;
-  gains.d = std::min(2 * kHoldDamping * std::sqrt(gains.p * inertia), most);
+  gains.p = std::max(inertia * kHoldFrequency * kHoldFrequency, loads.standing(joint) / kHoldSag);
+  if (effort > 0) gains.p = std::min(gains.p, effort / kHoldSag);
+  gains.d = 2 * kHoldDamping * std::sqrt(gains.p * inertia);
   return gains;
 }
+
+/// When each joint is swept. One after the other; but joints on different branches of a base that is held do not
+/// feel each other and go at the same time, unless links may touch or a joint moves others along.
+class SweepSchedule {
+ public:
+  explicit SweepSchedule(const Scene& scene)
+      : carried_(scene), busy_(scene.bodies.size(), 0), serial_(is_serial(scene)) {}
+
+  /// From `earliest` on.
+  double begin_of(const SceneJoint& joint, double earliest) const {
+    double begin = std::max(earliest, serial_ ? latest_ : 0);
+    if (serial_) return begin;
+    for (const std::uint32_t body : carried_.by(joint.child)) begin = std::max(begin, busy_[body]);
+    return begin;
+  }
+
+  void take(const SceneJoint& joint, double end) {
+    latest_ = std::max(latest_, end);
+    if (serial_) return;
+    for (const std::uint32_t body : carried_.by(joint.child)) busy_[body] = end;
+  }
+
+  double end() const { return latest_; }
+
+ private:
+  static bool is_serial(const Scene& scene) {
+    std::vector<bool> hangs(scene.bodies.size());
+    for (const SceneJoint& joint : scene.joints) {
+      if (!joint.mimics.empty() || joint.type == model::JointType::kGearbox) return true;
+      if (joint.child >= hangs.size()) continue;
+      if (hangs[joint.child]) return true;  // a loop
+      hangs[joint.child] = true;
+    }
+    for (const SceneBody& body : scene.bodies) {
+      if (body.self_collide) return true;
+    }
+    for (std::uint32_t m = 0; m < scene.models.size(); ++m) {
+      if (stands_free(scene, m)) return true;
+    }
+    return false;
+  }
+
+  CarriedBodies carried_;
+  std::vector<double> busy_;  // s, of each body: until when a joint that carries it is swept
+  double latest_ = 0;
+  bool serial_;
+};
 
 }  // namespace
 
@@ -117,19 +166,23 @@ MadeTest make_joint_sweep(const Scene& scene, const DriveTrain& wheels) {
   const std::vector<std::uint32_t> joints = joints_to_move(scene, wheels);
   if (joints.empty()) return {{}, "no joint can be moved by itself"};
   Scenario scenario{.name = "joint-sweep", .spawn = Spawn::kOnGround};
-  double time = settling_time(scene) / 2;
-  scenario.phases.push_back({"settle", 0, time});
+  const double settled = settling_time(scene) / 2;
+  scenario.phases.push_back({"settle", 0, settled});
   std::vector<Phase> swept;
+  SweepSchedule schedule(scene);
   for (const std::uint32_t j : joints) {
     const SweepRange range = sweep_range(scene, scene.joints[j]);
     const double start = std::clamp(scene.joints[j].axes[0].start, range.lower, range.upper);
-    const double begin = time;
+    const double begin = schedule.begin_of(scene.joints[j], settled);
+    double time = begin;
     time = add_stroke(j, start, range.lower, range.speed, time, scenario);
     time = add_stroke(j, range.lower, range.upper, range.speed, time, scenario);
     time = add_stroke(j, range.upper, start, range.speed, time, scenario);
     swept.push_back({"sweep " + scene.joints[j].name, begin, time});
-    if (time > kSweepMost) break;
+    schedule.take(scene.joints[j], time);
+    if (schedule.end() > kSweepMost) break;
   }
+  const double time = schedule.end();
   scenario.duration = time;
   scenario.phases.insert(scenario.phases.end(), swept.begin(), swept.end());
   for (std::size_t i = 0; i < joints.size(); ++i) {
@@ -151,7 +204,8 @@ MadeTest make_hold(const Scene& scene, const DriveTrain& wheels) {
                                  .kind = CommandKind::kPosition,
                                  .value = std::clamp(axis.start, axis.lower, axis.upper),
                                  .end = kHoldTime,
-                                 .gains = hold_gains(scene, loads, scene.joints[j])});
+                                 .gains = hold_gains(loads, scene.joints[j]),
+                                 .control = Control::kImplicit});
   }
   if (scenario.commands.empty()) return {{}, "no joint can be held"};
   add_drive(wheels, 0, 0, {"", 0, kHoldTime}, 0, scenario);

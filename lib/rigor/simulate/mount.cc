@@ -1,0 +1,113 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/simulate/mount.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include <rigor/simulate/footprint.h>
+#include <rigor/simulate/joint_load.h>
+#include <rigor/simulate/metric/parts.h>
+#include <rigor/simulate/reach.h>
+
+namespace rigor::simulate {
+namespace {
+
+/// Of the scene's size: feet are not drawn to the same height, and a robot sinks onto all of them.
+constexpr double kFeetSlack = 0.01;
+
+/// A slope of 1 in 20 throws it over: that is balancing, as a biped on two points does, and not standing.
+constexpr double kStandAngle = 0.05;  // rad
+
+std::uint32_t free_model(const Scene& scene) {
+  for (std::uint32_t m = 0; m < scene.models.size(); ++m) {
+    if (stands_free(scene, m)) return m;
+  }
+  return kWorld;
+}
+
+bool has_joint_to_move(const Scene& scene, std::uint32_t model) {
+  return std::any_of(scene.joints.begin(), scene.joints.end(), [&](const SceneJoint& joint) {
+    return can_be_told(joint) && joint.child < scene.bodies.size() &&
+           scene.bodies[joint.child].model == model;
+  });
+}
+
+/// An arm that the world holds stands on a table of which the file says nothing: its ground is not ours.
+bool reaches_below_ground(const Scene& scene) {
+  for (std::uint32_t m = 0; m < scene.models.size(); ++m) {
+    const bool moves = !scene.models[m].is_static && has_joint_to_move(scene, m);
+    if (moves && lowest_of_model(scene, m) < -kFootSlack) return true;
+  }
+  return false;
+}
+
+bool has_any_shape(const Scene& scene, std::uint32_t model) {
+  return std::any_of(scene.shapes.begin(), scene.shapes.end(), [&](const SceneShape& shape) {
+    return shape.body < scene.bodies.size() && scene.bodies[shape.body].model == model;
+  });
+}
+
+}  // namespace
+
+bool stands_by_itself(const Scene& scene, std::uint32_t model) {
+  const double slack = std::max(kFootSlack, kFeetSlack * scene.size);
+  const std::vector<Vector3> corners = footprint_at_start(scene, model, slack);
+  return corners.size() >= 3 && tip_angle(scene, model, corners).angle > kStandAngle;
+}
+
+bool is_to_be_bolted(const Scene& scene, std::uint32_t model, const DriveTrain& wheels) {
+  if (!wheels.empty() || !has_joint_to_move(scene, model)) return false;
+  if (!stands_by_itself(scene, model)) return true;
+  const LowestPoints lowest(scene);
+  const double ground = lowest.of_model[model] + std::max(kFootSlack, kFeetSlack * scene.size);
+  for (std::uint32_t b = 0; b < scene.bodies.size(); ++b) {
+    const bool other = scene.bodies[b].model == model && b != scene.models[model].base;
+    if (other && lowest.of_body[b] <= ground) return false;
+  }
+  return true;
+}
+
+bool needs_free_base(std::string_view test) {
+  constexpr std::array<std::string_view, 6> kTests{"drop",  "drive", "turn",
+                                                   "brake", "push",  "tilt-table"};
+  return std::find(kTests.begin(), kTests.end(), test) != kTests.end();
+}
+
+MountChoice choose_mount(std::string_view test, const Scene& scene, const DriveTrain& wheels) {
+  if (!scene.alone || !wheels.empty()) return {};
+  const std::uint32_t model = free_model(scene);
+  if (model == kWorld && reaches_below_ground(scene)) {
+    return {Base::kHang, "it is fixed to the world and reaches below its base"};
+  }
+  if (model == kWorld || !has_joint_to_move(scene, model)) return {};
+  const bool drives = test == "drive" || test == "turn" || test == "brake";
+  if (drives) return {};  // without wheels there is another reason to leave it out
+  if (test == "joint-sweep") return {Base::kHang, "how it stands is no matter of its joints"};
+  // What nothing can hold falls, and is to be said so.
+  if (test == "settle" && !has_any_shape(scene, model)) return {};
+  if (stands_by_itself(scene, model)) return {};
+  return {Base::kHang, "its center of mass is not above what it stands on"};
+}
+
+Scene mounted(const Scene& scene, Base base) {
+  Scene held = scene;
+  if (base == Base::kFree) return held;
+  for (std::uint32_t m = 0; m < scene.models.size(); ++m) {
+    if (!stands_free(scene, m)) continue;
+    const std::uint32_t body = scene.models[m].base;
+    SceneJoint joint;
+    joint.name = scene.bodies[body].name + "::mount";
+    joint.type = model::JointType::kFixed;
+    joint.child = body;
+    joint.anchor_W = transform(scene.bodies[body].X_WB, scene.bodies[body].mass.com);
+    joint.model = m;
+    joint.where = scene.bodies[body].where;
+    held.joints.push_back(std::move(joint));
+  }
+  return held;
+}
+
+}  // namespace rigor::simulate
