@@ -20,7 +20,7 @@ struct TemplateCandidate {
   bool named = false;
   bool is_robot = false;
   bool ok = false;
-  bool broken = false;                // no XML: nobody can tell what it was to be
+  bool broken = false;                // no XML: it is unknown what it was to be
   std::string left_out;               // why a robot is none that can be checked by itself
   std::vector<std::string> includes;  // absolute, all that was read below it
   const TemplateCandidate* includer = nullptr;
