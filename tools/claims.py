@@ -6,12 +6,18 @@
     tools/claims.py            check, and print what does not hold
     tools/claims.py --write    write docs/claims.md
 
-Needs check_urdf (liburdfdom-tools), libsdformat 12 (libsdformat12-12), assimp 5 (libassimp5) and xmllint
-(libxml2-utils). Each judge runs in a process of its own, since some of them crash or do not return.
+Needs check_urdf (liburdfdom-tools), libsdformat 12 (libsdformat12-12), assimp 5 (libassimp5), MuJoCo 2.2.2
+(libmujoco2.2.2), xmllint (libxml2-utils) and, for MuJoCo 3.3.8, node and the package mujoco-js 0.0.7 in
+node_modules of the working folder. What is missing is named, and its claims are not checked. Each judge runs
+in a process of its own, since some of them crash or do not return.
 """
 
 import argparse
+import functools
+import os
 import pathlib
+import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -37,6 +43,28 @@ scene = library.aiImportFile(sys.argv[1].encode(), 8)
 print(library.aiGetErrorString().decode())
 sys.exit(0 if scene else 1)
 """
+MUJOCO = """
+import ctypes, sys
+library = ctypes.CDLL("libmujoco.so.2.2.2")
+library.mj_loadXML.restype = ctypes.c_void_p
+error = ctypes.create_string_buffer(1000)
+model = library.mj_loadXML(sys.argv[1].encode(), None, error, 1000)
+print(error.value.decode())
+sys.exit(0 if model else 1)
+"""
+NEWER_MUJOCO = """
+import load from 'mujoco-js';
+import {readdirSync, readFileSync} from 'node:fs';
+import {basename, dirname, join} from 'node:path';
+const mujoco = await load();
+const path = process.argv.at(-1);
+for (const name of readdirSync(dirname(path))) mujoco.FS.writeFile('/' + name, readFileSync(join(dirname(path), name)));
+try {
+  mujoco.MjModel.loadFromXML('/' + basename(path));
+} catch {
+  process.exit(1);
+}
+"""
 PYTHON = """
 import sys, xml.etree.ElementTree
 try:
@@ -50,10 +78,12 @@ JUDGES = {
     "libsdformat 12.3": [sys.executable, "-c", SDFORMAT],
     "libsdformat 12.3 (print)": [sys.executable, "-c", SDFORMAT_PRINT],
     "assimp 5.2.5": [sys.executable, "-c", ASSIMP],
+    "MuJoCo 2.2.2": [sys.executable, "-c", MUJOCO],
+    "MuJoCo 3.3.8": ["node", "--input-type=module", "-e", NEWER_MUJOCO],
     "Python 3.11 (expat)": [sys.executable, "-c", PYTHON],
     "libxml2 (xmllint)": ["xmllint", "--noout"],
 }
-URDFDOM, SDF, SDF_PRINT, ASSIMP_5, EXPAT, LIBXML2 = JUDGES
+URDFDOM, SDF, SDF_PRINT, ASSIMP_5, MUJOCO_2, MUJOCO_3, EXPAT, LIBXML2 = JUDGES
 
 LINK = '<link name="a"/>'
 BARE = '<link name="l"/>'
@@ -115,7 +145,78 @@ ACCEPTS, REJECTS, HANGS, REPORTS = "accepts", "rejects", "does not return", "acc
 LIMIT = '<axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="1" velocity="1"/>'
 DECLARED = '<?xml version="1.0"?>'
 
-# rule, claim, judge, ending, text, what the judge does
+
+
+def arm(inertial=BODY, axis='<axis xyz="0 0 1"/>', link="", more=""):
+    """A link that a continuous joint moves."""
+    return robot(f'<link name="a"/><link name="b">{inertial}{link}</link><joint name="j" type="continuous">'
+                 f'<parent link="a"/><child link="b"/>{axis}</joint>{more}')
+
+
+def collided(geometry):
+    return arm(link=f"<collision><geometry>{geometry}</geometry></collision>")
+
+
+def stl(triangles, promised=None):
+    """A binary STL of triangles of nine numbers each."""
+    facets = b"".join(struct.pack("<12fH", 0, 0, 0, *triangle, 0) for triangle in triangles)
+    return bytes(80) + struct.pack("<I", len(triangles) if promised is None else promised) + facets
+
+
+O, X, Y, Z = (0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)
+TETRAHEDRON = [O + Y + X, O + X + Z, O + Z + Y, X + Y + Z]
+MESH = collided('<mesh filename="a.stl"/>')
+ASCII_STL = "solid a\n" + "".join(
+    "facet normal 0 0 0\nouter loop\n" + "".join(f"vertex {t[i]} {t[i + 1]} {t[i + 2]}\n" for i in (0, 3, 6))
+    + "endloop\nendfacet\n" for t in TETRAHEDRON) + "endsolid a\n"
+TWO_PARENTS = robot(f'<link name="a"/><link name="b">{BODY}</link><link name="c">{BODY}</link>' + "".join(
+    f'<joint name="{p}{c}" type="continuous"><parent link="{p}"/><child link="{c}"/><axis xyz="0 0 1"/></joint>'
+    for p, c in ("ab", "ac", "bc")))
+
+
+def of_engines(rule, subject, text, expected, engines=(MUJOCO_2, MUJOCO_3), ending="urdf", files=None):
+    """The same claim of several engines."""
+    return [(rule, f"{engine.split(' ')[0]} {expected} {subject}", engine, ending, text, expected, files or {})
+            for engine in engines]
+
+
+ENGINE_CLAIMS = [claim for claims in [
+    of_engines("axis-zero", "a zero axis", arm(axis='<axis xyz="0 0 0"/>'), REJECTS),
+    of_engines("inertia-triangle-inequality", "1 + 1 < 3", arm(BODY.replace('izz="1"', 'izz="3"')), REJECTS),
+    of_engines("inertia-not-positive-definite", "a negative moment", arm(BODY.replace('ixx="1"', 'ixx="-1"')), REJECTS),
+    of_engines("inertia-singular", "a moving body without a moment",
+               arm(BODY.replace('"1" iyy="1" izz="1"', '"0" iyy="0" izz="0"')), REJECTS),
+    of_engines("moving-link-massless", "a moving link without mass", arm(""), REJECTS),
+    of_engines("two-parents", "a link with two parents", TWO_PARENTS, REJECTS),
+    of_engines("size-not-positive", "a size of zero", collided('<sphere radius="0"/>'), REJECTS),
+    of_engines("mimic-not-in-mujoco", "a mimic of a joint that does not exist", arm(axis='<axis xyz="0 0 1"/><mimic joint="k"/>'),
+               ACCEPTS),
+    of_engines("plane-on-moving-link", "a plane on a moving body",
+               '<mujoco><worldbody><body><joint/><geom type="plane" size="1 1 1"/><geom size="1"/></body></worldbody></mujoco>',
+               REJECTS, ending="xml"),
+    of_engines("sdf-not-imported", "an SDF", model(BARE), REJECTS, ending="xml"),
+    of_engines("mesh-not-beside-urdf", "a mesh beside the file, by its bare name",
+               collided('<mesh filename="package://p/meshes/a.stl"/>'), ACCEPTS, files={"a.stl": stl(TETRAHEDRON)}),
+    of_engines("mesh-format-not-in-mujoco", "Collada", collided('<mesh filename="a.dae"/>'), REJECTS,
+               (MUJOCO_2, MUJOCO_3), files={"a.dae": collada("").encode()}),
+    of_engines("mesh-ascii-stl", "an STL in text", MESH, REJECTS, files={"a.stl": ASCII_STL.encode()}),
+    of_engines("mesh-mujoco-faces", "an STL of 200,001 facets", MESH, REJECTS,
+               files={"a.stl": stl(TETRAHEDRON * 50001)}),
+    of_engines("mesh-not-finite", "a vertex that is nan", MESH, REJECTS,
+               files={"a.stl": stl(TETRAHEDRON + [(float("nan"),) * 9])}),
+    of_engines("mesh-trailing-bytes", "an STL with bytes after its facets", MESH, REJECTS,
+               files={"a.stl": stl(TETRAHEDRON) + b"more"}),
+    of_engines("mesh-truncated", "an STL that is cut off", MESH, REJECTS,
+               files={"a.stl": stl(TETRAHEDRON, 5)}),
+    of_engines("mesh-empty", "an STL without facets", MESH, REJECTS, files={"a.stl": stl([])}),
+    of_engines("mesh-too-few-vertices", "a mesh of three vertices", MESH, ACCEPTS, (MUJOCO_2,), files={"a.stl": stl([O + X + Y])}),
+    of_engines("mesh-too-few-vertices", "a mesh of three vertices", MESH, REJECTS, (MUJOCO_3,),
+               files={"a.stl": stl([O + X + Y])}),
+    of_engines("mesh-flat", "a mesh without volume", MESH, REJECTS,
+               files={"a.stl": stl([O + X + Y, X + (1, 1, 0) + Y])}),
+] for claim in claims]
+
+# rule, claim, judge, ending, text, what the judge does, files beside it
 CLAIMS = [
     ("axis-zero", "urdfdom accepts a zero axis", URDFDOM, "urdf", joint('<axis xyz="0 0 0"/>', "continuous"), ACCEPTS),
     ("axis-zero", "libsdformat rejects a zero axis", SDF, "sdf", sdf_joint("<axis><xyz>0 0 0</xyz></axis>"), REJECTS),
@@ -237,13 +338,27 @@ CLAIMS = [
     ("xml-empty", "Python's parser rejects an empty file", EXPAT, "urdf", "", REJECTS),
 ]
 
-SECONDS = 5
+SECONDS = 20
 
 
-def verdict(judge, ending, text):
+@functools.cache
+def is_installed(judge):
+    """Whether the judge can be asked; libraries that are missing show in what they say of a file."""
+    program = JUDGES[judge][0]
+    if judge == MUJOCO_3:
+        return os.path.isdir("node_modules/mujoco-js") and shutil.which(program) is not None
+    if program != sys.executable:
+        return shutil.which(program) is not None
+    run = subprocess.run(JUDGES[judge] + ["/dev/null"], capture_output=True, text=True)
+    return "cannot open shared object" not in run.stderr
+
+
+def verdict(judge, ending, text, files):
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / f"model.{ending}"
         path.write_text(text)
+        for name, data in files.items():
+            (path.parent / name).write_bytes(data)
         try:
             run = subprocess.run(JUDGES[judge] + [str(path)], capture_output=True, text=True, timeout=SECONDS)
         except subprocess.TimeoutExpired:
@@ -259,9 +374,11 @@ HEAD = """# What the rules claim of consumers
 Generated by `tools/claims.py --write`; do not edit.
 
 Each row was checked by running the consumer on a file that has the defect and nothing else wrong. What libsdformat 12 does with every
-example of every rule is in `testdata/compat`, and tests hold it. Claims about consumers that are not in this table (Gazebo, Drake,
-MuJoCo, DART, Bullet, Isaac Sim, RViz, MoveIt) were taken from their sources and documentation, or from the tests of this repository that run them
-(`tests/convert`, `tests/simulate`).
+example of every rule is in `testdata/compat`, and tests hold it.
+
+Not checked by a run, but taken from sources and documentation: what the pages say of Gazebo and Gazebo classic beyond libsdformat, of
+Bullet, Drake, DART (but for `tests/convert` and `tests/simulate`), ODE, KDL, RViz, MoveIt, ros_control, ros2_control, Isaac Sim, Ogre and of
+libsdformat 13 and later.
 
 | rule | claim | consumer | what it does |
 |---|---|---|---|
@@ -272,14 +389,20 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--write", action="store_true", help="write docs/claims.md")
     options = parser.parse_args()
-    rows, wrong = [], 0
-    for rule, claim, judge, ending, text, expected in CLAIMS:
-        found = verdict(judge, ending, text)
+    rows, wrong, absent = [], 0, set()
+    for rule, claim, judge, ending, text, expected, *files in sorted(
+            CLAIMS + ENGINE_CLAIMS, key=lambda row: (row[0], list(JUDGES).index(row[2]))):
+        if not is_installed(judge):
+            absent.add(judge)
+            continue
+        found = verdict(judge, ending, text, files[0] if files else {})
         if found != expected:
             wrong += 1
             print(f"{rule}: {claim}: {judge} {found}", file=sys.stderr)
         rows.append(f"| `{rule}` | {claim} | {judge} | {found} |\n")
-    if options.write and not wrong:
+    for judge in sorted(absent):
+        print(f"{judge} is not installed", file=sys.stderr)
+    if options.write and not wrong and not absent:
         (ROOT / "docs" / "claims.md").write_text(HEAD + "".join(rows))
     print(f"{len(rows)} claims, {wrong} do not hold")
     return 1 if wrong else 0

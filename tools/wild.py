@@ -1,15 +1,18 @@
 #!/usr/bin/env python3
 # Copyright 2026 The rigor authors
 # SPDX-License-Identifier: Apache-2.0
-"""Draws what the rules say of real models for people to judge, and writes docs/rules-in-the-wild.md.
+"""Draws findings on real models for people to judge, and writes docs/rules-in-the-wild.md.
 
-    tools/wild.py build/release/rigor --corpus DIR draw [--rule RULE] [--count N]
-    tools/wild.py build/release/rigor --corpus DIR todo
-    tools/wild.py build/release/rigor --corpus DIR page
+    tools/wild.py collect build/release/rigor hits.json --corpus DIR...
+    tools/wild.py draw hits.json [--from N] [--count N] [--todo]
+    tools/wild.py robot hits.json PATH
+    tools/wild.py page hits.json
 
-DIR holds a folder for each set of models. `draw` shows ten hits of each rule of the severity error and five
-of each warning, with their lines; `todo` lists those of them that nobody has judged; `page` writes the page
-from testdata/wild/judgements.tsv and changes.md. --hits FILE keeps what rigor says, until rigor is newer.
+Each DIR holds a folder for each collection of models. `collect` keeps what rigor finds in them. `draw` prints
+the drawn hits (110 errors, 150 warnings, 40 infos) with their source lines; `robot` prints what is shown of one
+model by default. A hit is a finding at its first place. `page` writes the page from testdata/wild/judgements.tsv
+(three verdicts and a remark for each hit), robots.tsv (the same question for each finding on ten robots) and
+changes.md.
 """
 
 import argparse
@@ -22,25 +25,24 @@ import subprocess
 import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-JUDGEMENTS = os.path.join(ROOT, "testdata", "wild", "judgements.tsv")
-CHANGES = os.path.join(ROOT, "testdata", "wild", "changes.md")
+WILD = os.path.join(ROOT, "testdata", "wild")
 PAGE = os.path.join(ROOT, "docs", "rules-in-the-wild.md")
-DRAWN = {"error": 10, "warning": 5, "info": 5}
-BAR = {"error": 95, "warning": 80}  # the share of hits that must be right, in per cent
-SEVERITIES = ["error", "warning", "info"]
-MODELS = (".sdf", ".world", ".urdf")
+SEED = "rigor"
+DRAWN = {"error": 110, "warning": 150, "info": 40}
+QUESTIONS = {"claim": 99, "severity": 95, "reason": 95}  # with the share that must be right, in percent
+MODELS = (".sdf", ".world", ".urdf", ".xacro")
 CONTEXT = 4  # lines before and after a hit
 
-# What a hit is known by: lines stay where they are, messages get better.
+# A hit is known by its place: lines stay where they are, messages get better.
 Key = collections.namedtuple("Key", "rule path line")
 
 
 def hash_of(*parts):
-    return hashlib.sha256("".join(str(part) for part in parts).encode()).hexdigest()
+    return hashlib.sha256("\0".join(str(part) for part in (SEED, *parts)).encode()).hexdigest()
 
 
 def search_path(corpus, name):
-    """Options that let the files of a set find each other, as their users would have them set."""
+    """Options that let the files of a collection find each other, as their users would have them set."""
     root = os.path.join(corpus, name)
     models, packages, named = collections.Counter(), {}, {}
     wanted = set()
@@ -58,8 +60,10 @@ def search_path(corpus, name):
                     if found:
                         packages.setdefault(found.group(1), folder)
                 wanted |= set(re.findall(r"package://([^/\s\"'<>]+)", content))
+                wanted |= set(re.findall(r"\$\(find ([^)\s]+)\)", content))
     paths = [root] + sorted(models, key=lambda path: (-models[path], path))
-    paths.append(os.path.join(corpus, "gazebo_models"))
+    if os.path.isdir(os.path.join(corpus, "gazebo_models")):
+        paths.append(os.path.join(corpus, "gazebo_models"))
     options = [word for path in paths for word in ("--model-path", os.path.relpath(path, corpus))]
     for package in sorted(wanted):
         where = packages.get(package) or named.get(package)
@@ -70,220 +74,231 @@ def search_path(corpus, name):
     return options
 
 
-def run_rigor(program, corpus):
-    """All diagnostics and the number of files, set by set."""
-    hits, files, sets = [], 0, 0
-    names = sorted(name for name in os.listdir(corpus) if os.path.isdir(os.path.join(corpus, name)))
-    for name in names:
-        command = [program, "validate", name, "--isolated", "--no-gitignore", "--format", "json",
-                   "--fail-on", "never"] + search_path(corpus, name)
-        done = subprocess.run(command, cwd=corpus, capture_output=True, check=False)
-        if done.returncode == 2 and b"holds no" in done.stderr:
-            continue  # no model in it
-        if done.returncode != 0:
-            sys.exit(f"{' '.join(command)}: exit code {done.returncode}\n{done.stderr.decode()}")
-        said = json.loads(done.stdout)
-        files += said["summary"]["files"]
-        sets += 1
-        for found in said["diagnostics"]:
-            for place in [found, *found.get("places", [])]:
-                hits.append({field: place.get(field, found[field]) for field in
-                             ("rule", "category", "severity", "message", "path", "line")})
-    return {"sets": sets, "files": files, "hits": hits}
+def collect(options):
+    """All findings, collection by collection."""
+    findings, files, collections_read = [], 0, 0
+    for corpus in options.corpus:
+        for name in sorted(os.listdir(corpus)):
+            if not os.path.isdir(os.path.join(corpus, name)):
+                continue
+            command = [os.path.abspath(options.rigor), "validate", name, "--isolated", "--no-gitignore",
+                       "--format", "json", "--fail-on", "never"] + search_path(corpus, name)
+            done = subprocess.run(command, cwd=corpus, capture_output=True, check=False)
+            if done.returncode == 2 and b"holds no" in done.stderr:
+                continue  # no model in it
+            if done.returncode != 0:
+                sys.exit(f"{' '.join(command)}: exit code {done.returncode}\n{done.stderr.decode()}")
+            report = json.loads(done.stdout)
+            files += report["summary"]["files"]
+            collections_read += 1
+            for finding in report["diagnostics"]:
+                findings.append({field: finding[field] for field in
+                                 ("rule", "severity", "message", "path", "line", "why", "help")}
+                                | {"corpus": corpus, "places": len(finding["places"]) + 1})
+    with open(options.hits, "w", encoding="utf-8") as file:
+        json.dump({"collections": collections_read, "files": files, "findings": findings}, file)
 
 
-def all_hits(options):
-    kept = options.hits
-    if kept and os.path.exists(kept) and os.path.getmtime(kept) > os.path.getmtime(options.rigor):
-        with open(kept, encoding="utf-8") as file:
-            return json.load(file)
-    found = run_rigor(os.path.abspath(options.rigor), options.corpus)
-    if kept:
-        with open(kept, "w", encoding="utf-8") as file:
-            json.dump(found, file)
-    return found
+def read_hits(path):
+    with open(path, encoding="utf-8") as file:
+        return json.load(file)
 
 
 def key_of(hit):
     return Key(hit["rule"], hit["path"], str(hit["line"] or "-"))
 
 
-def by_rule(found):
-    rules = collections.defaultdict(list)
-    for hit in found["hits"]:
-        rules[hit["rule"]].append(hit)
-    return dict(sorted(rules.items()))
+def in_rounds(hits, group):
+    """One hit of each group, round after round, all in an order that only the seed and the hits decide."""
+    groups = collections.defaultdict(list)
+    for hit in hits:
+        groups[group(hit)].append(hit)
+    order = sorted(groups, key=lambda name: hash_of(name, key_of(groups[name][0]).rule))
+    rounds = max(map(len, groups.values()), default=0)
+    return [groups[name][i] for i in range(rounds) for name in order if i < len(groups[name])]
 
 
-def severity_of(hits):
-    return min((hit["severity"] for hit in hits), key=SEVERITIES.index)
+def draw(findings):
+    """The hits to judge: of each severity one of each rule, round after round, from as many collections as can be."""
+    drawn = []
+    for severity, count in DRAWN.items():
+        first = {}
+        for hit in sorted(findings, key=lambda hit: hash_of(*key_of(hit))):
+            if hit["severity"] == severity:
+                first.setdefault(key_of(hit), hit)  # two on one line are judged together
+        rules = collections.defaultdict(list)
+        for hit in first.values():
+            rules[hit["rule"]].append(hit)
+        mixed = [hit for hits in rules.values() for hit in in_rounds(hits, lambda hit: hit["path"].split("/")[0])]
+        drawn += in_rounds(mixed, lambda hit: hit["rule"])[:count]
+    return drawn
 
 
-def draw(hits, count):
-    """`count` hits of one rule in an order that only the hits decide: one of each file, round after round."""
-    files, seen = collections.defaultdict(list), set()
-    for hit in sorted(hits, key=lambda hit: hash_of(hit["rule"], hit["path"], hit["line"], hit["message"])):
-        if key_of(hit) not in seen:  # two on one line are judged together
-            seen.add(key_of(hit))
-            files[hit["path"]].append(hit)
-    order = sorted(files, key=lambda path: hash_of("rigor", hits[0]["rule"], path))
-    rounds = max(len(of_file) for of_file in files.values())
-    drawn = [files[path][i] for i in range(rounds) for path in order if i < len(files[path])]
-    return drawn[:count]
-
-
-def judgements():
-    """What people said of each hit; the last word counts."""
-    judged = {}
-    with open(JUDGEMENTS, encoding="utf-8") as table:
-        for number, line in enumerate(table, 1):
+def table(name, columns):
+    """The rows of a table of testdata/wild, each verdict as yes or no."""
+    path = os.path.join(WILD, name)
+    rows = []
+    with open(path, encoding="utf-8") as file:
+        for number, line in enumerate(file, 1):
             if line.startswith("#") or not line.strip():
                 continue
             fields = line.rstrip("\n").split("\t")
-            if len(fields) != 5 or fields[3] not in ("right", "wrong"):
-                sys.exit(f"{JUDGEMENTS}:{number}: not `rule path line right|wrong remark`")
-            judged[Key(*fields[:3])] = (fields[3] == "right", fields[4])
-    return judged
+            if len(fields) != len(columns):
+                sys.exit(f"{path}:{number}: not `{' '.join(columns)}`")
+            rows.append(dict(zip(columns, fields)))
+    return rows
 
 
-def checkers(corpus):
-    """What the official checkers say of each file, where the corpus comes with that."""
-    path = os.path.join(corpus, "MANIFEST.tsv")
-    if not os.path.exists(path):
-        return {}
-    with open(path, encoding="utf-8") as table:
-        names = table.readline().rstrip("\n").split("\t")
-        rows = [dict(zip(names, line.rstrip("\n").split("\t"))) for line in table]
-    told = ("sdf12_verdict", "sdf12_first_message", "check_urdf")
-    return {row["path"]: " | ".join(row[name] for name in told if row.get(name)) for row in rows}
+def judgements():
+    rows = table("judgements.tsv", ("rule", "path", "line", *QUESTIONS, "remark"))
+    for row in rows:
+        for question in QUESTIONS:
+            if row[question] not in ("yes", "no"):
+                sys.exit(f"judgements.tsv: {row['path']}:{row['line']}: {question} is not yes or no")
+    return {Key(row["rule"], row["path"], row["line"]): row for row in rows}
 
 
-def show(hit, corpus, told, judged):
-    key = key_of(hit)
-    print(f"\n{hit['path']}:{key.line}: {hit['message']}")
-    if told.get(hit["path"]):
-        print(f"  [checkers: {told[hit['path']]}]")
-    if key in judged:
-        print(f"  [judged {'right' if judged[key][0] else 'wrong'}: {judged[key][1]}]")
+def show(number, hit):
+    print(f"\n#{number} {hit['severity']} {hit['rule']} ({hit['places']} places)")
+    print(f"{hit['path']}:{hit['line'] or '-'}: {hit['message']}")
+    print(f"  why: {hit['why']}\n  help: {hit['help']}")
     if hit["line"]:
-        with open(os.path.join(corpus, hit["path"]), encoding="utf-8", errors="replace") as text:
+        with open(os.path.join(hit["corpus"], hit["path"]), encoding="utf-8", errors="replace") as text:
             lines = text.read().split("\n")
         first = max(0, hit["line"] - 1 - CONTEXT)
         for number, line in enumerate(lines[first:hit["line"] + CONTEXT], first + 1):
             print(f"  {'>' if number == hit['line'] else ' '}{number:6} {line.rstrip()[:160]}")
 
 
-def print_drawn(options, found):
-    told = checkers(options.corpus)
-    judged = judgements() if os.path.exists(JUDGEMENTS) else {}
-    for rule, hits in by_rule(found).items():
-        severity = severity_of(hits)
-        if options.rule not in (None, rule) or (severity == "info" and options.rule is None):
-            continue
-        print(f"\n=== {severity} {rule}: {len(hits)} hits in {len({hit['path'] for hit in hits})} files")
-        for hit in draw(hits, options.count or DRAWN[severity]):
-            show(hit, options.corpus, told, judged)
+def print_drawn(options):
+    known = judgements() if options.todo else {}
+    drawn = draw(read_hits(options.hits)["findings"])
+    for number, hit in list(enumerate(drawn))[options.first:][:options.count]:
+        if key_of(hit) not in known:
+            show(number, hit)
 
 
-def print_todo(found):
-    judged = judgements()
-    for rule, hits in by_rule(found).items():
-        severity = severity_of(hits)
-        if severity == "info":
-            continue
-        for hit in draw(hits, DRAWN[severity]):
-            if key_of(hit) not in judged:
-                print(f"{severity}: {hit['path']}:{key_of(hit).line}: {hit['message']} [{rule}]")
-        right = verdicts(hits, judged)
-        if right and 100 * sum(right) < BAR[severity] * len(right):
-            print(f"{severity}: {rule}: only {sum(right)} of {len(right)} right", file=sys.stderr)
+def print_robot(options):
+    for number, hit in enumerate(read_hits(options.hits)["findings"]):
+        if hit["path"].startswith(options.path) and hit["severity"] != "info":
+            show(number, hit)
 
 
-def verdicts(hits, judged):
-    return [judged[key][0] for key in sorted({key_of(hit) for hit in hits}) if key in judged]
+def share(rows, question):
+    right = sum(row[question] == "yes" for row in rows)
+    return f"{right} of {len(rows)} ({100 * right / len(rows):.1f} %)" if rows else "–"
 
 
-def write_page(found):
-    judged = judgements()
-    rules = by_rule(found)
-    kept = {key_of(hit) for hits in rules.values() if severity_of(hits) != "info" for hit in hits}
-    gone = sum(key not in kept for key in judged)
-    of_copy = sum(bool(re.search("this copy|copy used here", remark)) and key in kept
-                  for key, (_, remark) in judged.items())
-    counts = collections.Counter(hit["severity"] for hit in found["hits"])
-    rows = collections.defaultdict(list)
-    totals = {severity: [0, 0] for severity in SEVERITIES}
-    for rule, hits in rules.items():
-        severity = severity_of(hits)
-        if severity == "info":
-            continue
-        right = verdicts(hits, judged)
-        totals[severity][0] += sum(right)
-        totals[severity][1] += len(right)
-        share = f"{100 * sum(right) / len(right):.0f} %" if right else "–"
-        files = len({hit["path"] for hit in hits})
-        rows[hits[0]["category"]].append((SEVERITIES.index(severity), rule,
-                                          f"| `{rule}` | {severity} | {len(hits):,} | {files:,} | {len(right)} | {share} |"))
-    lines = []
-    for category in sorted(rows):
-        lines += [f"### {category}", "", "| rule | severity | hits | files | judged | right |", "|---|---|---:|---:|---:|---:|"]
-        lines += [row for _, _, row in sorted(rows[category])] + [""]
-    with open(CHANGES, encoding="utf-8") as file:
+def robots_table():
+    """What is shown of each robot by default, and how much of it the maintainer would act on."""
+    robots = collections.defaultdict(list)
+    for row in table("robots.tsv", ("robot", "rule", "line", "act", "remark")):
+        robots[row["robot"]].append(row)
+    lines = ["| robot | findings | acted on | not acted on |", "|---|---:|---:|---|"]
+    for robot, rows in robots.items():
+        idle = "; ".join(f"`{row['rule']}`: {row['remark']}" for row in rows if row["act"] == "no")
+        lines.append(f"| {robot} | {len(rows)} | {sum(row['act'] == 'yes' for row in rows)} | {idle} |")
+    every = [row for rows in robots.values() for row in rows]
+    lines.append(f"| all | {len(every)} | {share(every, 'act')} | |")
+    return "\n".join(lines)
+
+
+def write_page(options):
+    kept = read_hits(options.hits)
+    drawn = draw(kept["findings"])
+    known = judgements()
+    todo = [key_of(hit) for hit in drawn if key_of(hit) not in known]
+    if todo:
+        sys.exit(f"{len(todo)} of the drawn hits are not judged, {' '.join(todo[0])} for one")
+    for question, limit in QUESTIONS.items():
+        right = sum(known[key_of(hit)][question] == "yes" for hit in drawn)
+        if 100 * right < limit * len(drawn):
+            print(f"{question}: {right} of {len(drawn)} is less than {limit} %", file=sys.stderr)
+    counts = collections.Counter(hit["severity"] for hit in kept["findings"])
+    places = sum(hit["places"] for hit in kept["findings"])
+    totals, rules = [], collections.defaultdict(list)
+    for severity in DRAWN:
+        rows = [known[key_of(hit)] for hit in drawn if hit["severity"] == severity]
+        totals.append(f"| {severity} | {counts[severity]:,} | {len(rows)} | "
+                      + " | ".join(share(rows, question) for question in QUESTIONS) + " |")
+    rows = [known[key_of(hit)] for hit in drawn]
+    totals.append(f"| all | {len(kept['findings']):,} | {len(rows)} | "
+                  + " | ".join(share(rows, question) for question in QUESTIONS) + " |")
+    for hit in drawn:
+        rules[hit["severity"], hit["rule"]].append(known[key_of(hit)])
+    by_rule = []
+    for (severity, rule), rows in sorted(rules.items(), key=lambda item: (list(DRAWN).index(item[0][0]), item[0][1])):
+        right = [sum(row[question] == "yes" for row in rows) for question in QUESTIONS]
+        by_rule.append(f"| `{rule}` | {severity} | {len(rows)} | " + " | ".join(map(str, right)) + " |")
+    wrong = [f"- `{row['rule']}` at {row['path']}:{row['line']}: {row['remark']}" for hit in drawn
+             for row in [known[key_of(hit)]] if any(row[question] == "no" for question in QUESTIONS)]
+    with open(os.path.join(WILD, "changes.md"), encoding="utf-8") as file:
         changes = file.read().strip()
-    error, warning = totals["error"], totals["warning"]
-    page = f"""# What the rules say of real models
+    newline = "\n"
+    page = f"""# The rules on real models
 
 Generated by `tools/wild.py`; do not edit.
 
-`rigor validate` with the default rules, meshes opened, over {found["files"]:,} files of {found["sets"]} public collections, none of which was written for rigor:
-{counts["error"]:,} errors, {counts["warning"]:,} warnings and {counts["info"]:,} infos. Includes and meshes are looked up as the users of each collection have them.
+`rigor validate` with the default rules over {kept["files"]:,} files of {kept["collections"]} public collections, none of which was written for rigor, finds
+{counts["error"]:,} errors, {counts["warning"]:,} warnings and {counts["info"]:,} infos, at {places:,} places. Includes, packages and meshes are resolved as the users of
+each collection have them.
 
-Of each rule that fires, ten hits were drawn for an error and five for a warning (or all, where there are fewer), the order decided by hashes of rule, file,
-line and message, and from as many files as can be. Each was read in its file and judged:
+{len(drawn)} of these findings were drawn by a fixed seed: of each severity one of each rule, round after round, from as many collections as can
+be. So a rule that fires once weighs as much as one that fires in every file. Each was read in its source, and three questions were asked:
 
-- An error is right when a consumer that the rule's page names rejects the model, crashes on it or misreads it, and line and message say where and what.
-- A warning is right when the author of the file would agree that it is a mistake worth mending, not merely that the sentence is true.
+- *Claim*: what the message states is true of this file.
+- *Severity*: an error if a default target (Gazebo, ROS) rejects, crashes on or misreads the file in a way that changes the robot; a warning if the
+  author of a file that is meant to work would mend it (some are tests with planted mistakes); else an info.
+- *Reason*: the printed `why` and `help` fit this case (format, version, consumer, value), not merely the rule.
 
-Of the errors judged {share_of(error)} are right, of the warnings {share_of(warning)}. What an error rule says must be right in 95 % of the hits, a warning in
-80 %; what fell short was changed until it did not, and then other hits were drawn and judged.
-`testdata/wild/judgements.tsv` holds all judgements with a remark. Of {gone} of them the hits are gone since the rule was changed, are infos, or come with a `--target` only; they are not
-counted. Some files name meshes, textures and models that their collection has and the copy used here was not given, for their size. What is said of those is
-counted as right ({of_copy} of the judgements), and the remark says so.
+| | findings | drawn | claim true | severity right | reason fitting |
+|---|---:|---:|---:|---:|---:|
+{newline.join(totals)}
 
-{chr(10).join(lines).rstrip()}
+`testdata/wild/judgements.tsv` holds all judgements with remarks. Some files name meshes and textures that their collection has and the copy used here
+lacks, for their size; what is reported of those is counted as right, and the remark says so. Where a remark says "not counted anew", the number
+was taken from rigor, and only what it says of it was judged.
 
-## What was changed because of it
+## Judged wrong
+
+{newline.join(wrong) or "None."}
+
+## Ten robots
+
+What `rigor validate` shows by default (errors and warnings, causes not places) of the robots of ten authors, and what their maintainers would
+act on. What is reported of meshes and textures that the copy used here lacks is left out.
+
+{robots_table()}
 
 {changes}
+
+## By rule
+
+| rule | severity | drawn | claim | severity | reason |
+|---|---|---:|---:|---:|---:|
+{newline.join(by_rule)}
 """
     with open(PAGE, "w", encoding="utf-8") as file:
         file.write(page)
 
 
-def share_of(total):
-    right, judged = total
-    return f"{right} of {judged} ({100 * right / judged:.1f} %)" if judged else "none"
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("rigor", help="the program")
-    parser.add_argument("--corpus", required=True, help="a folder with a folder for each set of models")
-    parser.add_argument("--hits", help="a file to keep what rigor says in")
     commands = parser.add_subparsers(dest="command", required=True)
-    drawing = commands.add_parser("draw", help="show hits to judge")
-    drawing.add_argument("--rule", help="of this rule only")
-    drawing.add_argument("--count", type=int, help="so many of each rule")
-    commands.add_parser("todo", help="list drawn hits that nobody judged")
-    commands.add_parser("page", help="write docs/rules-in-the-wild.md")
+    collecting = commands.add_parser("collect", help="run rigor over the collections and keep its findings")
+    collecting.add_argument("rigor", help="the program")
+    drawing = commands.add_parser("draw", help="print drawn hits")
+    robot = commands.add_parser("robot", help="print what is shown of one model")
+    page = commands.add_parser("page", help="write docs/rules-in-the-wild.md")
+    for command in (collecting, drawing, robot, page):
+        command.add_argument("hits", help="the file with the findings")
+    collecting.add_argument("--corpus", action="append", required=True, help="a folder with a folder for each collection")
+    drawing.add_argument("--from", dest="first", type=int, default=0, metavar="N", help="skip N hits")
+    drawing.add_argument("--count", type=int, default=25, metavar="N", help="print N hits")
+    drawing.add_argument("--todo", action="store_true", help="only those that are not judged")
+    robot.add_argument("path", help="the file or folder, as reports name it")
     options = parser.parse_args()
-    found = all_hits(options)
-    if options.command == "draw":
-        print_drawn(options, found)
-    elif options.command == "todo":
-        print_todo(found)
-    else:
-        write_page(found)
+    {"collect": collect, "draw": print_drawn, "robot": print_robot, "page": write_page}[options.command](options)
 
 
 if __name__ == "__main__":

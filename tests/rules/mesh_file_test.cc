@@ -406,6 +406,18 @@ TEST(MeshFileRules, SliversAreToldOfAFileByItself) {
   EXPECT_EQ(told_in_model("mesh-sliver", facts, Role::kCollision), Strings());
 }
 
+TEST(MeshFileRules, OneSliverInThousandsOfFacetsContradictsNoNormal) {
+  mass::MeshFacts facts = with_shape();
+  facts.asset.stl.emplace();
+  facts.asset.stl->facets = 35022;
+  facts.asset.stl->contrary_normals.add(17);
+  EXPECT_EQ(findings(facts), Strings());
+  for (int i = 0; i < 35; ++i) facts.asset.stl->contrary_normals.add(18);
+  const Strings found = findings(facts);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(found[0].starts_with("mesh-normals-contradict: 36 of 35022 facets")) << found[0];
+}
+
 TEST(MeshFileRules, VerticesThatNoTriangleUses) {
   mass::MeshFacts facts = with_shape();
   facts.shape->topology.unreferenced = 1;

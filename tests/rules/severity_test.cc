@@ -102,7 +102,8 @@ TEST(Severity, OfSizesGoesByWhetherTheyCollide) {
 TEST(Severity, OfTextBehindANumberIsSmallForZeros) {
   EXPECT_EQ(in_sdf("value-trailing-text", boxed("<mass>1</mass><pose>0 0 0 0 0 0</pose>")),
             kNothing);
-  EXPECT_EQ(in_sdf("value-trailing-text", boxed("<mass>1kg</mass>")), kOneError);
+  EXPECT_EQ(in_sdf("value-trailing-text", boxed("<mass>1kg</mass>")), kOneWarning);
+  EXPECT_EQ(in_sdf("value-trailing-text", boxed("<mass>1g</mass>")), kOneError);
   const std::string camera =
       "<link name='l'><sensor name='s' type='camera'><camera><image><width>WIDTH</width>"
       "<height>480</height></image></camera></sensor></link>";

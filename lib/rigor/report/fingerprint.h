@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What tells a service that a finding is the one it was told of before, although lines were added above.
+// What tells a service that a finding is the one it received before, although lines were added above.
 //
 //   const std::vector<std::string> ids = finding_ids(validation);  // as many as there are findings
 //   line_hashes(bytes, {12}).at(12);  // "271789c17abda88f:1"
@@ -20,7 +20,7 @@
 namespace rigor::report {
 
 /// For each finding 32 hexadecimal digits, no two the same, from its rule, its file, the entity it is
-/// about and its message without the numbers. Equal ones are told apart by their order in the file.
+/// about and its message without the numbers. Equal ones are distinguished by their order in the file.
 std::vector<std::string> finding_ids(const Validation& validation);
 
 /// GitHub's hash of lines, by number from 1: a polynomial in 37, modulo 2^64, over the 100 UTF-16 units from

@@ -11,7 +11,7 @@
 namespace rigor::report {
 namespace {
 
-/// Sine of the pitch from which on roll and yaw are told apart by rounding errors only.
+/// Sine of the pitch from which on roll and yaw are distinguished by rounding errors only.
 constexpr double kGimbalSine = 1 - 1e-12;
 
 }  // namespace

@@ -18,7 +18,7 @@
 namespace rigor::rules {
 namespace {
 
-/// Problems of a file that are told: whoever has more gave the wrong file.
+/// Problems of a file that are reported: more of them mean the wrong file.
 constexpr std::size_t kMostBaselineProblems = 10;
 
 /// More findings than any file has; sums of such counts still fit.

@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include <rigor/mass/link_body.h>
@@ -17,11 +18,12 @@
 #include <rigor/read/values.h>
 #include <rigor/rules/names.h>
 #include <rigor/rules/package/assets.h>
+#include <rigor/rules/package/uris.h>
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/place.h>
 #include <rigor/rules/sdformat_robot.h>
-#include <rigor/rules/package/uris.h>
 #include <rigor/rules/xml/xacro.h>
+#include <rigor/text/grouping.h>
 #include <rigor/text/path.h>
 
 namespace rigor::rules {
@@ -30,6 +32,9 @@ namespace {
 
 /// A message quotes values; one of a megabyte helps nobody. Longer than any sentence we write.
 constexpr std::size_t kLongestMessage = 1000;
+
+/// Places of one cause cost a line each in a report, so that more of them are listed than of causes.
+constexpr std::size_t kPlacesPerCause = 10;
 
 constexpr std::string_view kLeftoverXacro = "xml-leftover-xacro";
 
@@ -46,7 +51,9 @@ std::string shortened(std::string message) {
 struct Context::Found {
   /// The findings of a rule: how many, and what says how many are not listed.
   struct Tally {
-    std::size_t found = 0;
+    std::size_t listed = 0;
+    std::size_t counted = 0;
+    std::unordered_set<std::string> causes;  // of those listed
     Diagnostic rest;
   };
   std::unordered_map<std::string_view, Tally> tallies;  // by rule
@@ -57,7 +64,7 @@ struct Context::Found {
   std::optional<SdformatRobot> sdformat_robot;
   std::map<std::pair<const model::Link*, mass::From>, mass::LinkBody> bodies;
   std::vector<std::optional<mass::Verdict>> verdicts;  // by the link's index
-  std::set<std::tuple<std::string_view, std::string, std::string>> told_of_meshes;
+  std::set<std::tuple<std::string_view, std::string, std::string>> reported_of_meshes;
 };
 
 Context::Context(const Inputs& inputs, Diagnostics& diagnostics)
@@ -83,7 +90,7 @@ Severity Context::severity_of(const Finding& finding) const {
   return severity == Severity::kError ? Severity::kWarning : severity;
 }
 
-Diagnostic Context::told_by_rule(const Finding& finding) const {
+Diagnostic Context::diagnostic_of(const Finding& finding) const {
   Diagnostic diagnostic;
   diagnostic.rule = rule_;
   diagnostic.category = category_;
@@ -109,18 +116,12 @@ Span Context::written(Span where) const {
 void Context::report(Finding finding) {
   finding.where = written(finding.where);
   for (Label& label : finding.related) label.where = written(label.where);
-  // What xacro was to write is told by that rule, and nothing else of it is known.
+  // What xacro was to write is reported by that rule, and nothing else of it is known.
   const bool is_about_xacro = category_ == to_string(Category::kXacro) || rule_ == kLeftoverXacro;
   if (!is_about_xacro && has_xacro(bytes(finding.where))) return;
-  if (!mesh_.empty() && !found_->told_of_meshes.insert({rule_, mesh_, finding.message}).second)
+  if (!mesh_.empty() && !found_->reported_of_meshes.insert({rule_, mesh_, finding.message}).second)
     return;
-  Found::Tally& tally = found_->tallies[rule_];
-  if (++tally.found > inputs_.most_listed) {
-    if (tally.found == inputs_.most_listed + 1) tally.rest = told_by_rule(finding);
-    tally.rest.severity = std::min(tally.rest.severity, severity_of(finding));  // the gravest
-    return;
-  }
-  Diagnostic diagnostic = told_by_rule(finding);
+  Diagnostic diagnostic = diagnostic_of(finding);
   diagnostic.message = shortened(std::move(finding.message));
   diagnostic.subject =
       finding.subject.empty() ? subject_at(finding.where) : std::move(finding.subject);
@@ -131,13 +132,39 @@ void Context::report(Finding finding) {
                                                              : mesh_ + '\n' + diagnostic.message;
   diagnostic.why = std::move(finding.why);
   if (finding.fix) diagnostic.fixes.push_back(std::move(*finding.fix));
-  diagnostics_.add(std::move(diagnostic));
+  list_or_count(std::move(diagnostic));
+}
+
+void Context::list_or_count(Diagnostic diagnostic) {
+  Found::Tally& tally = found_->tallies[rule_];
+  std::string cause = cause_of(diagnostic);
+  const bool is_new = tally.causes.count(cause) == 0;
+  const bool is_listed = is_new ? tally.causes.size() < inputs_.most_listed
+                                : tally.listed < kPlacesPerCause * inputs_.most_listed;
+  if (is_listed) {
+    ++tally.listed;
+    if (is_new) tally.causes.insert(std::move(cause));
+    diagnostics_.add(std::move(diagnostic));
+    return;
+  }
+  const Severity severity = diagnostic.severity;
+  if (tally.counted++ == 0) {
+    tally.rest = Diagnostic{};
+    tally.rest.rule = diagnostic.rule;
+    tally.rest.category = diagnostic.category;
+    tally.rest.page_why = diagnostic.page_why;
+    tally.rest.page_help = diagnostic.page_help;
+    tally.rest.severity = severity;
+    tally.rest.where = diagnostic.where;
+    tally.rest.path = diagnostic.path;
+  }
+  tally.rest.severity = std::min(tally.rest.severity, severity);  // the gravest
 }
 
 void Context::report_counted() {
   for (auto& [rule, tally] : found_->tallies) {
-    if (tally.found <= inputs_.most_listed) continue;
-    tally.rest.count = tally.found - inputs_.most_listed;
+    if (tally.counted == 0) continue;
+    tally.rest.count = tally.counted;
     tally.rest.message = "from here on " + std::to_string(tally.rest.count) +
                          " more of this kind are counted and not listed";
     diagnostics_.add(std::move(tally.rest));

@@ -95,8 +95,9 @@ class Context {
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
 
-  /// Lists the first `most_listed` of a rule, and counts the others. Of what was left for xacro only
-  /// that is told. What a rule says of a mesh file is told once, however many shapes use it.
+  /// Lists the first `most_listed` causes of a rule, each with its places up to ten times as many in all,
+  /// and counts the others. Of what was left for xacro only
+  /// that is reported. What a rule says of a mesh file is reported once, however many shapes use it.
   void report(Finding finding);
   /// Says how many findings of each rule were counted only; when all checks are done.
   void report_counted();
@@ -181,7 +182,8 @@ class Context {
  private:
   struct Found;  ///< what was asked for so far, and what each rule reported
 
-  Diagnostic told_by_rule(const Finding& finding) const;
+  Diagnostic diagnostic_of(const Finding& finding) const;
+  void list_or_count(Diagnostic diagnostic);
   Severity severity_of(const Finding& finding) const;
   std::string subject_at(Span where) const;
   Span written(Span where) const;

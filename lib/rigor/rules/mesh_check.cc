@@ -99,7 +99,7 @@ class MeshRun {
     return document && document->complete() && loaded.root.format != model::Format::kUnknown;
   }
 
-  /// Nobody knows which meshes such a file would name.
+  /// It is unknown which meshes such a file would name.
   void tell_unread(const read::Loaded& loaded) {
     const Diagnostics found = reading_.run(environment_, sources_, loaded, Meshes{});
     for (const Diagnostic& one : found.list()) {

@@ -42,7 +42,7 @@ inline std::string subject_of(const Named& named) {
   return subject;
 }
 
-/// Things among which names are told apart: all that one element holds.
+/// Things among which names are distinguished: all that one element holds.
 struct NameScope {
   std::string_view of;  ///< the element's name: "model"
   std::vector<Named> members;

@@ -111,7 +111,7 @@ struct MeshUse {
 };
 
 /// A mesh file, by itself or as a model places it. Of several uses with the same role and scale the
-/// first is asked: what is wrong with a file is told once.
+/// first is asked: what is wrong with a file is reported once.
 struct MeshFile {
   const mass::MeshFacts& facts;
   const MeshUse* use = nullptr;  ///< null when the file is checked by itself

@@ -4,6 +4,7 @@
 #include <rigor/rules/runner.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <set>
 #include <string>
 #include <tuple>
@@ -64,6 +65,33 @@ std::string_view first_sentence(std::string_view prose) {
   return prose;
 }
 
+bool names_any(std::string_view sentence, std::initializer_list<std::string_view> names) {
+  return std::any_of(names.begin(), names.end(), [sentence](std::string_view name) {
+    return sentence.find(name) != sentence.npos;
+  });
+}
+
+/// The first sentence, unless it is about readers of the other format, and a later one about those of this.
+std::string_view sentence_for(model::Format format, std::string_view prose) {
+  const bool urdf = format == model::Format::kUrdf;
+  const auto is_about = [](std::string_view sentence, bool of_urdf) {
+    return of_urdf ? names_any(sentence, {"urdfdom", "URDF", "RViz", "MuJoCo", "Drake", "Gazebo"})
+                   : names_any(sentence, {"libsdformat", "SDF", "Gazebo"});
+  };
+  const std::string_view first = first_sentence(prose);
+  if (is_about(first, urdf) || !is_about(first, !urdf)) return first;
+  for (std::string_view rest = prose; rest.size() > first_sentence(rest).size();) {
+    rest.remove_prefix(first_sentence(rest).size() + 1);
+    const std::string_view next = first_sentence(rest);
+    if (is_about(next, urdf)) return next;
+  }
+  return first;
+}
+
+PageInBrief brief_of(const Rule& rule, model::Format format) {
+  return {sentence_for(format, rule.why), sentence_for(format, rule.what_to_do)};
+}
+
 const schema::Schema* schema_of(const Environment& environment, model::Format format) {
   if (format == model::Format::kSdf) return &environment.sdf;
   if (format == model::Format::kUrdf) return &environment.urdf;
@@ -103,13 +131,8 @@ void Runner::add(const Rule& rule, Severity severity, Compat compat, Grading gra
     std::visit(
         [&](const auto& one) {
           std::get<Slot<std::decay_t<decltype(one)>>>(slots_).push_back(
-              {{rule.name,
-                to_string(rule.category),
-                {first_sentence(rule.why), first_sentence(rule.what_to_do)},
-                severity,
-                compat,
-                grading,
-                rule.formats,
+              {{rule.name, to_string(rule.category), brief_of(rule, model::Format::kSdf),
+                brief_of(rule, model::Format::kUrdf), severity, compat, grading, rule.formats,
                 rule.refused},
                one});
         },
@@ -181,11 +204,12 @@ class Runner::Walk {
     if (document->complete()) check_model();
   }
 
-  /// Whether the rule has a say in this file, which its findings are then told of.
+  /// Whether the rule has a say in this file, which its findings are then reported of.
   bool begin(const Active& active) {
     const model::Format format = loaded_.root.format;
     if (!applies(active.formats, format)) return false;
-    context_.begin_rule(active.rule, active.category, active.severity, active.page);
+    const PageInBrief& page = format == model::Format::kUrdf ? active.in_urdf : active.in_sdf;
+    context_.begin_rule(active.rule, active.category, active.severity, page);
     if (active.grading == Grading::kHeld) context_.hold_severity();
     if (active.compat == Compat::kSdformat) context_.judge_by(refusal_in(active.refused, format));
     return true;
@@ -211,7 +235,7 @@ class Runner::Walk {
     }
   }
 
-  /// The entities that the file itself holds; what it includes is told when that is checked.
+  /// The entities that the file itself holds; what it includes is reported when that is checked.
   template <class Entity>
   void entities(const std::vector<Entity>& list) {
     std::vector<const Entity*> own;

@@ -72,7 +72,8 @@ class Runner {
   struct Active {
     std::string_view rule;
     std::string_view category;
-    PageInBrief page;
+    PageInBrief in_sdf;  ///< what the page says first of files of that format
+    PageInBrief in_urdf;
     Severity severity;
     Compat compat;
     Grading grading;

@@ -57,7 +57,7 @@ class SdformatConversion {
       : root_(root), robot_(root.models.front()) {
     result_.parts.resize(robot_.links.size());
     children_.resize(robot_.links.size());
-    parents_.resize(robot_.links.size(), kNobody);
+    parents_.resize(robot_.links.size(), kUnchecked);
     result_.known = connect(frames);
   }
 
@@ -71,13 +71,13 @@ class SdformatConversion {
   }
 
  private:
-  static constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
+  static constexpr std::size_t kUnchecked = static_cast<std::size_t>(-1);
 
   /// Whether the links are a tree. Loops beside it hang on nothing, and urdfdom does not see them.
   bool connect(const model::Frames& frames) {
     const Tree tree = tree_of(root_, frames, robot_);
     if (!tree.complete) return false;
-    std::vector<std::size_t> place(root_.links.size(), kNobody);
+    std::vector<std::size_t> place(root_.links.size(), kUnchecked);
     for (std::size_t i = 0; i < robot_.links.size(); ++i) place[robot_.links[i].value] = i;
     std::size_t roots = 0;
     for (std::size_t i = 0; i < tree.parents.size(); ++i) {
@@ -134,7 +134,7 @@ class SdformatConversion {
   void leave_out() {
     std::vector<bool> reached(robot_.links.size(), false);
     for (const std::size_t link : order_) {
-      if (parents_[link] != kNobody && !reached[parents_[link]]) continue;
+      if (parents_[link] != kUnchecked && !reached[parents_[link]]) continue;
       Part& part = result_.parts[link];
       const bool is_world = name(link) == "world";
       if (!is_world && (!part.has_inertial || !(std::abs(part.body.mass) > kNoMass))) continue;

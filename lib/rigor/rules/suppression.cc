@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t kNoCover = static_cast<std::size_t>(-1);
 
 /// Unknown names of a file that come with others that may be meant: each is compared with all rules, and
-/// whoever has more of them needs no help with their spelling.
+/// more of them need no help with their spelling.
 constexpr std::size_t kMostSuppressionsSuggested = 100;
 
 bool ends_line(char c) { return c == '\n' || c == '\r'; }
@@ -47,7 +47,7 @@ Seen seen_by_validate(const Rule& rule, MeshPolicy meshes) {
     return std::holds_alternative<CheckOf<MeshFile>>(check);
   });
   if (of_files) return Seen::kNotAll;
-  // These ask what meshes enclose, which cannot be told of one that is not opened or cannot be read.
+  // These ask what meshes enclose, which cannot be reported of one that is not opened or cannot be read.
   if (rule.category != Category::kMesh && rule.category != Category::kInertia) return Seen::kAll;
   return meshes == MeshPolicy::kOpen ? Seen::kUnlessMeshesAreInDoubt : Seen::kNotAll;
 }
@@ -274,7 +274,7 @@ bool Suppressions::covers(std::string_view name, const Diagnostic& diagnostic) {
 SuppressionFacts Suppressions::facts(const Registry& registry, const Runner& runner,
                                      MeshPolicy meshes) const {
   if (comments_.empty()) return faults_;
-  // Whether it can be told of a rule or of a category that it was suppressed in vain.
+  // Whether it can be reported of a rule or of a category that it was suppressed in vain.
   std::map<std::string_view, bool> tells;
   for (const Rule& rule : registry.rules()) {
     const Seen seen = seen_by_validate(rule, meshes);
@@ -282,7 +282,7 @@ SuppressionFacts Suppressions::facts(const Registry& registry, const Runner& run
         seen == Seen::kAll || (seen == Seen::kUnlessMeshesAreInDoubt && !meshes_in_doubt_);
     const bool tell = complete_ && all && runner.runs(rule.name);
     tells.emplace(rule.name, tell);
-    // Nobody covers a whole category for the sake of a consumer that is not asked for.
+    // No author covers a whole category for the sake of a consumer that is not asked for.
     if (!rule.targets.empty() && !runner.runs(rule.name)) continue;
     const auto [category, is_new] = tells.emplace(to_string(rule.category), tell);
     category->second = category->second && tell;

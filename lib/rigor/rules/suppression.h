@@ -8,7 +8,7 @@
 //
 // `ignore` covers the next sibling element and all it contains, `ignore-next` that element's own start
 // tag, `file-ignore` before the root the whole file. A rule's name or a category's may stand there. Those that
-// cover nothing are found, and told by the rule `unused-suppression`.
+// cover nothing are found, and reported by the rule `unused-suppression`.
 //
 //   Suppressions suppressions(document);
 //   Diagnostics left = suppressions.uncovered(std::move(found));

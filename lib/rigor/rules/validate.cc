@@ -161,7 +161,8 @@ class Run {
     Diagnostics diagnostics;
     Suppressions suppressions;
     std::size_t errors = 0;   ///< of the file itself
-    std::string first_error;  ///< its message
+    std::string first_error;  ///< its message; rather of one that keeps the file from loading
+    std::string_view first_error_rule;
     Span first_error_where;
     std::vector<NotLookedAt> not_looked_at;
     std::vector<Included> includes;
@@ -200,7 +201,7 @@ class Run {
       checked.diagnostics.take(errors_of_includes(path, checked));
       checked.diagnostics.take(errors_of_suppressions(path, checked));
     }
-    if (checked.is_template) drop_told(checked.diagnostics);
+    if (checked.is_template) drop_reported(checked.diagnostics);
     checked.diagnostics.sort();
     checked.summary.index = index;
     checked.summary.first_finding = result_.diagnostics.list().size();
@@ -210,12 +211,13 @@ class Run {
   }
 
   /// Robots share files of macros: what one showed there, the next need not repeat.
-  void drop_told(Diagnostics& found) {
+  void drop_reported(Diagnostics& found) {
     Diagnostics fresh;
     for (const Diagnostic& each : found.list()) {
       const std::string path =
           each.where.nowhere() ? each.path : std::string(sources_.path(each.where.source));
-      if (told_.insert({each.rule, path, each.where.begin, each.where.end, each.message}).second)
+      if (reported_.insert({each.rule, path, each.where.begin, each.where.end, each.message})
+              .second)
         fresh.add(each);
     }
     found = std::move(fresh);
@@ -239,9 +241,12 @@ class Run {
     checked.diagnostics = checked.suppressions.uncovered(
         checked.runner->run(environment_, sources_, loaded, meshes_));
     for (const Diagnostic& found : checked.diagnostics.list()) {
-      if (found.severity != Severity::kError || told_by_includer(found.rule)) continue;
-      if (checked.errors == 0) {
+      if (found.severity != Severity::kError || reported_by_includer(found.rule)) continue;
+      constexpr std::string_view kShapeMissing = "mesh-not-found";
+      const bool graver = checked.first_error_rule == kShapeMissing && found.rule != kShapeMissing;
+      if (checked.errors == 0 || graver) {
         checked.first_error = found.message;
+        checked.first_error_rule = found.rule;
         checked.first_error_where = found.where;
       }
       checked.errors += found.count;
@@ -265,7 +270,7 @@ class Run {
     }
   }
 
-  /// With each of its sets of arguments; told as one file.
+  /// With each of its sets of arguments; reported as one file.
   void check_template(const std::string& path, const read::File& first, Checked& checked) {
     checked.is_template = true;
     checked.source = first.source;
@@ -290,7 +295,7 @@ class Run {
     }
   }
 
-  /// `arguments` are told with what is found, where they are not those that are given to all.
+  /// `arguments` are reported with what is found, where they are not those that are given to all.
   void check_expansion(const read::File& file, const std::string& arguments, Checked& checked,
                        TemplateFindings& findings) {
     // A file of macros that a hook names by itself is no robot without links.
@@ -319,20 +324,20 @@ class Run {
     if (file.expanded)
       found = uncovered_where_written(std::move(found), file.expanded->expansion(), sources_);
     if (arguments.empty()) return findings.add(std::move(found));
-    Diagnostics told;
+    Diagnostics reported;
     for (Diagnostic each : found.list()) {
       each.related.push_back({{}, "found with " + arguments});
-      told.add(std::move(each));
+      reported.add(std::move(each));
     }
-    findings.add(std::move(told));
+    findings.add(std::move(reported));
   }
 
   /// Where the includes of a file lead, its includers are led too, and say so.
-  static bool told_by_includer(std::string_view rule) {
+  static bool reported_by_includer(std::string_view rule) {
     return rule == "include-cycle" || rule == "include-too-large";
   }
 
-  /// What is wrong inside an included file is told when that file is checked; the includer gets one
+  /// What is wrong inside an included file is reported when that file is checked; the includer gets one
   /// finding that points there.
   Diagnostics errors_of_includes(const std::string& path, Checked& checked) {
     read::File bare;  // these facts need nothing of what the file holds
@@ -357,7 +362,7 @@ class Run {
         checked.runner->run(environment_, sources_, about, Meshes{})));
   }
 
-  /// A file at fault is told at the first include that leads to it, with how many do.
+  /// A file at fault is reported at the first include that leads to it, with how many do.
   static Diagnostics each_once(const Diagnostics& found) {
     std::map<std::string_view, std::size_t> times;
     for (const Diagnostic& diagnostic : found.list()) ++times[diagnostic.message];
@@ -427,7 +432,7 @@ class Run {
       part_of_;  // robots, by the path of a template that they include
   std::map<std::string, std::vector<read::TemplateArguments>> arguments_;  // sets, by path
   std::set<std::tuple<std::string_view, std::string, std::uint32_t, std::uint32_t, std::string>>
-      told_;
+      reported_;
   ValidateResult result_;
 };
 

@@ -37,8 +37,9 @@ std::vector<std::string_view> names_in(std::string_view subject) {
   return names;
 }
 
-/// What findings of one cause share.
-std::string cause_key(const Diagnostic& finding) {
+}  // namespace
+
+std::string cause_of(const Diagnostic& finding) {
   std::string key(finding.rule);
   key.append(1, '\0').append(to_string(finding.severity)).append(1, '\0');
   if (!finding.cause.empty()) return key.append("cause").append(1, '\0').append(finding.cause);
@@ -50,8 +51,6 @@ std::string cause_key(const Diagnostic& finding) {
              ? key + finding.path
              : key + std::to_string(static_cast<std::uint32_t>(finding.where.source));
 }
-
-}  // namespace
 
 std::string without_names(const std::string& message, std::string_view subject) {
   std::string out;
@@ -74,7 +73,7 @@ std::string without_names(const std::string& message, std::string_view subject) 
 
 void Grouping::add(const Diagnostic& finding) {
   if (finding.count == 1) {
-    const auto [entry, is_new] = known_.try_emplace(cause_key(finding), groups_.size());
+    const auto [entry, is_new] = known_.try_emplace(cause_of(finding), groups_.size());
     if (!is_new) {
       std::vector<Diagnostic>& others = groups_[entry->second].others;
       others.push_back(finding);

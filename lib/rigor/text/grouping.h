@@ -25,6 +25,9 @@
 
 namespace rigor {
 
+/// What findings of one group share, and those of no other group.
+std::string cause_of(const Diagnostic& finding);
+
 /// Groups findings as they come.
 class Grouping {
  public:

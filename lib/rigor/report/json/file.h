@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A file that was checked as JSON, the same wherever one is told of.
+// A file that was checked as JSON, the same in every report.
 
 #pragma once
 

@@ -99,13 +99,13 @@ std::string_view sarif_level(Severity severity) {
 }
 
 SarifRules sarif_rules(const Validation& validation) {
-  std::set<std::string_view> told;
+  std::set<std::string_view> reported;
   for (const Diagnostic& diagnostic : validation.result.diagnostics.list()) {
-    told.insert(diagnostic.rule);
+    reported.insert(diagnostic.rule);
   }
   SarifRules rules;
   for (const rules::Rule& rule : validation.registry.rules()) {
-    if (!is_of_files(rule) && !told.contains(rule.name)) continue;
+    if (!is_of_files(rule) && !reported.contains(rule.name)) continue;
     rules.index.emplace(rule.name, rules.index.size());
     rules.descriptors.push_back(descriptor_of(rule));
   }

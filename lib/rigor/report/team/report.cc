@@ -73,7 +73,7 @@ std::string rule_entry(const rules::Rule& rule) {
 std::string files_left_out(const rules::ValidateResult& result) {
   std::string items;
   for (const rules::NotLookedAt& item : result.not_looked_at) {
-    if (!item.index) continue;  // told with its file
+    if (!item.index) continue;  // reported with its file
     items += fmt::format("<li>{}: {}</li>\n", escaped(item.path), escaped(printable(item.what)));
   }
   return items.empty() ? "" : "<h2>Skipped files</h2>\n<ul>\n" + items + "</ul>\n";

@@ -59,7 +59,7 @@ struct TopModel {
   Totals totals;
 };
 
-/// All that is told of a file with models, besides its findings.
+/// All that is reported of a file with models, besides its findings.
 struct ReportedModel {
   std::size_t file = 0;  ///< index in the files of the validation
   std::string name;      ///< of the model, or of the world around several

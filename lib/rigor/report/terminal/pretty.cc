@@ -163,10 +163,10 @@ std::string pretty(const Diagnostics& diagnostics, const Sources& sources, Color
 std::string pretty_with_reasons(const Diagnostics& diagnostics, const Sources& sources,
                                 Color color) {
   Places places(sources);
-  std::set<std::string_view> told;
+  std::set<std::string_view> reported;
   std::string out;
   for (const Diagnostic& diagnostic : diagnostics.list()) {
-    const bool first = told.insert(diagnostic.rule).second;
+    const bool first = reported.insert(diagnostic.rule).second;
     out += Block(diagnostic, places, color, first ? Page::kShown : Page::kHidden).text();
   }
   return out;

@@ -77,7 +77,7 @@ std::span<const Row> joint_rows() {
       {.rule = {"convert-axis-unit", NoteKind::kAxisUnit, Severity::kInfo},
        .message = "axis {written} is written as a unit vector",
        .summary = "an axis was made a unit vector",
-       .why = "Gazebo normalises axes; some readers of URDF do not, and would move a prismatic "
+       .why = "Gazebo normalizes axes; some readers of URDF do not, and would move a prismatic "
               "joint twice as far along an axis of length 2.",
        .what_to_do = "Nothing: the axis is the same."},
       {.rule = {"convert-axis-zero", NoteKind::kAxisZero, Severity::kError},

@@ -25,8 +25,9 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "an include names a placement frame and no pose",
-      .why = "The pose of the include is where the placement frame is put. libsdformat rejects the "
-             "file: \"<pose> is required when specifying the placement_frame element\".",
+      .why =
+          "libsdformat rejects the file: \"<pose> is required when specifying the placement_frame "
+          "element\". The pose of the include is where the placement frame is put.",
       .what_to_do = "Write the pose; 0 0 0 0 0 0 puts the frame at the origin.",
       .checks = {on<model::Include>(check)},
   };

@@ -49,9 +49,9 @@ Rule rule() {
       .name = "pose-looks-like-degrees",
       .severity = Severity::kWarning,
       .summary = "an angle of a pose looks like degrees",
-      .why = "Angles are in radians unless degrees=\"true\" is set (SDF 1.9 and later). Read as "
-             "radians, 90 is more than fourteen turns: the part is rotated wrongly, and no "
-             "consumer warns.",
+      .why = "Read as radians, 90 is more than fourteen turns: the part is rotated wrongly, and no "
+             "consumer warns. Angles are in radians unless degrees=\"true\" is set (SDF 1.9 and "
+             "later).",
       .what_to_do = "Convert the angle to radians, or write degrees=\"true\" in an SDF 1.9 pose.",
       .checks = on_poses<check_pose>(),
   };

@@ -27,8 +27,8 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kSafe,
       .summary = "a quaternion pose has degrees=\"true\"",
-      .why = "A quaternion has no unit. libsdformat rejects the file: degrees=\"true\" does not "
-             "apply to quaternions.",
+      .why = "libsdformat rejects the file: degrees=\"true\" does not apply to quaternions. A "
+             "quaternion has no unit.",
       .what_to_do = "Take degrees=\"true\" out, or write roll, pitch and yaw.",
       .checks = on_poses<check_pose>(),
   };

@@ -43,8 +43,8 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kSafe,
       .summary = "the quaternion of a pose is zero",
-      .why = "A rotation is a quaternion of length one. libsdformat takes the zero one for no "
-             "rotation silently.",
+      .why = "libsdformat takes the zero one for no rotation silently. A rotation is a quaternion "
+             "of length one.",
       .what_to_do = "Write 0 0 0 1 where nothing is turned; w comes last.",
       .checks = on_poses<check_pose>(),
   };

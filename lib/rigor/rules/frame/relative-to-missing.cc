@@ -11,7 +11,7 @@
 namespace rigor::rules::relative_to_missing {
 
 /// libsdformat looks for the frames of models, links, joints and frames while it loads, and for those of
-/// all else when somebody asks.
+/// all else when it is asked for them.
 bool refused(const model::FrameProblem& problem, const Context& context) {
   const auto pose = context.document().element_at(problem.where.begin);
   const auto owner = pose ? pose->parent() : std::nullopt;
@@ -26,6 +26,10 @@ void check(const model::FrameProblem& problem, Context& context) {
       problem, "the pose is relative to '" + problem.name + "', which does not exist in this scope",
       context);
   finding.refused = refused(problem, context);
+  finding.why = finding.refused
+                    ? "libsdformat rejects the file: without the frame there is no pose."
+                    : "Gazebo prints an error and takes the numbers relative to the element that "
+                      "the pose is in, so the part is in another place than meant.";
   context.report(std::move(finding));
 }
 

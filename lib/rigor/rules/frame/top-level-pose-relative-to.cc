@@ -13,7 +13,7 @@ constexpr int kSince = 7;
 void check(const model::Model& model, Context& context) {
   if (model.parent || model.world || context.root().version < kSince) return;
   const model::Field<std::string>& frame = model.pose.relative_to;
-  // Other names are told as the nothing, or the circle, that they are.
+  // Other names are reported as the nothing, or the circle, that they are.
   if (!frame.written || frame.value != "world") return;
   context.report(
       {.where = frame.span,

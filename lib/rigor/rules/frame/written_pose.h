@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The numbers of a pose as they stand in the file, before anybody converts or normalises them.
+// The numbers of a pose as they stand in the file, before they are converted or normalized.
 
 #pragma once
 

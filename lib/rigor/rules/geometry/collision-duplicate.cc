@@ -43,7 +43,7 @@ struct Describe {
     file = s.uri.value + '\n' + s.submesh.value + (s.center.value ? "\ncentred" : "");
     return !s.uri.value.empty();
   }
-  /// Of the others two in one place are no likely slip, or not told apart by so little.
+  /// Of the others two in one place are no likely slip, or not distinguished by so little.
   template <class Other>
   bool operator()(const Other&) {
     return false;
@@ -89,9 +89,9 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a link has the same collision shape twice in the same place",
-      .why = "It was copied and not moved. Both are there: contacts count twice, so they are twice "
-             "as stiff and cost twice the time; where the mass is computed from the shapes, it "
-             "counts twice as well. The part that the copy was meant for has none.",
+      .why = "Both are there: contacts count twice, so they are twice as stiff and cost twice the "
+             "time; where the mass is computed from the shapes, it counts twice as well. It was "
+             "copied and not moved. The part that the copy was meant for has none.",
       .what_to_do = "Give the copy its own pose and size, or remove it.",
       .checks = {on<model::Link>(check)},
   };

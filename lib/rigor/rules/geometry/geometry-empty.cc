@@ -18,7 +18,8 @@ void check(const Part& part, Context& context) {
                   .message = other.nowhere() ? "the geometry holds no shape"
                                              : "<" + std::string(context.bytes(other)) +
                                                    "> is no shape of URDF",
-                  .subject = context.subject(part)});
+                  .subject = context.subject(part),
+                  .help = other.nowhere() ? "" : "use box, cylinder, sphere or mesh"});
 }
 
 Rule rule() {
@@ -27,7 +28,8 @@ Rule rule() {
       .severity = Severity::kError,
       .summary = "a <geometry> holds no shape",
       .why = "urdfdom stops reading the link with an error: this part and all that follow are not "
-             "there, first the visuals, then the collisions. libsdformat accepts it for nothing.",
+             "there, first the visuals, then the collisions. libsdformat accepts it, and the part "
+             "has no shape.",
       .what_to_do = "Add a shape, or remove the visual or collision. Where nothing is meant, SDF "
                     "has <empty/>.",
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},

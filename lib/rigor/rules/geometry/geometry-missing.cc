@@ -11,7 +11,7 @@ namespace rigor::rules::geometry_missing {
 template <class Part>
 void check(const Part& part, Context& context) {
   if (part.geometry.written) return;
-  // A misspelt <geometry> is told as an unknown element; a plugin may draw the visual.
+  // A misspelt <geometry> is reported as an unknown element; a plugin may draw the visual.
   if (has_near_child(part.site, "geometry", context) ||
       has_near_child(part.site, "plugin", context) || has_xacro_child(part.site, context)) {
     return;

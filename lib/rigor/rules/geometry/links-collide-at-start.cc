@@ -26,10 +26,10 @@ Rule rule() {
       .name = "links-collide-at-start",
       .severity = Severity::kWarning,
       .summary = "links of a model that may collide with itself overlap",
-      .why = "With <self_collide> the links of a model collide, except those that a joint "
-             "connects. Two that overlap at the start are pushed apart at the first step: the "
-             "model jumps, or does not settle as long as a joint keeps them there. Primitive "
-             "shapes are checked, meshes are skipped.",
+      .why = "Two that overlap at the start are pushed apart at the first step: the model jumps, "
+             "or does not settle as long as a joint keeps them there. With <self_collide> the "
+             "links of a model collide, except those that a joint connects. Primitive shapes are "
+             "checked, meshes are skipped.",
       .what_to_do =
           "Make the collisions smaller, or move them apart; or take <self_collide> from the links.",
       .checks = {on<model::Root>(check)},

@@ -26,8 +26,8 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the normal of a plane is zero",
-      .why = "The normal defines which side is up. Normalized, zero becomes NaN or stays zero, and "
-             "nothing rests on the plane.",
+      .why = "Normalized, zero becomes NaN or stays zero, and nothing rests on the plane. The "
+             "normal defines which side is up.",
       .what_to_do = "Write the direction the plane faces; 0 0 1 for a floor.",
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };

@@ -41,8 +41,8 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a plane collides on a link that moves",
-      .why = "A plane is a half space: all below it is solid. ODE knows no plane that moves with a "
-             "body, MuJoCo rejects one, and a ground that is not static falls.",
+      .why = "ODE knows no plane that moves with a body, MuJoCo rejects one, and a ground that is "
+             "not static falls. A plane is a half space: all below it is solid.",
       .what_to_do =
           "Add <static>true</static> to the model when it is the ground, else use a thin box.",
       .checks = {on<model::Collision>(check)},

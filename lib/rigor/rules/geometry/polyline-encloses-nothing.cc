@@ -12,7 +12,7 @@
 
 namespace rigor::rules::polyline_encloses_nothing {
 
-// Whether its sides cross takes the square of their number: here some milliseconds. Nobody writes more
+// Whether its sides cross takes the square of their number: here some milliseconds. No author writes more
 // by hand, and no program crosses its own lines.
 constexpr std::size_t kMostSides = 1000;
 
@@ -21,7 +21,7 @@ void check(const Part& part, Context& context) {
   const auto* line = std::get_if<model::Polyline>(&part.geometry.shape);
   if (line == nullptr || line->points.size() > kMostSides || line->height.value <= 0) return;
   const auto& points = line->points;
-  // What cannot be read is told by the schema's rules.
+  // What cannot be read is reported by the schema's rules.
   if (!std::all_of(points.begin(), points.end(), [](const auto& p) { return p.written; })) return;
   std::string what;
   if (points.size() < 3) {
@@ -43,9 +43,9 @@ Rule rule() {
       .severity = Severity::kError,
       .formats = Formats::kSdf,
       .summary = "the outline of a <polyline> has too few points, or crosses itself",
-      .why = "Gazebo cuts the outline into triangles and extrudes them. Of fewer than three "
-             "points, or where sides cross, none or wrong ones come out: the shape has holes, or "
-             "is not there.",
+      .why = "Of fewer than three points, or where sides cross, none or wrong ones come out: the "
+             "shape has holes, or is not there. Gazebo cuts the outline into triangles and "
+             "extrudes them.",
       .what_to_do = "Write the corners one after another in the order in which they follow each "
                     "other round the outline. A hole is a second <polyline> in the same geometry.",
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},

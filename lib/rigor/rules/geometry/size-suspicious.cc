@@ -18,7 +18,7 @@ struct Unit {
   const char* name;
   double meter;
 };
-constexpr Unit kUnits[] = {{"millimetres", 0.001}, {"centimetres", 0.01}};
+constexpr Unit kUnits[] = {{"millimeters", 0.001}, {"centimeters", 0.01}};
 
 std::string meant(double size) {
   for (const Unit& unit : kUnits) {
@@ -48,8 +48,8 @@ Rule rule() {
       .name = "size-suspicious",
       .severity = Severity::kWarning,
       .summary = "a shape of a link that moves is larger than 100 m",
-      .why = "Sizes are in meters. A part of 300 mm that was written as 300 is as large as a "
-             "stadium: it throws all else about, and no camera sees its outside.",
+      .why = "A part of 300 mm that was written as 300 is as large as a stadium: it throws all "
+             "else about, and no camera sees its outside. Sizes are in meters.",
       .what_to_do = "Write the size in meters. Static models are not checked.",
       .checks = {on<model::Collision>(check), on<model::Visual>(check)},
   };

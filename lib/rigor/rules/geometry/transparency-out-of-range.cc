@@ -37,9 +37,8 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the transparency of a visual is below 0 or above 1",
-      .why =
-          "The opacity is 1 minus the transparency. Above 1 nothing is left of the visual; below 0 "
-          "the number means nothing. Mostly it is in per cent, or the opacity was meant.",
+      .why = "Above 1 nothing is left of the visual; below 0 the number means nothing. The opacity "
+             "is 1 minus the transparency. Mostly it is in per cent, or the opacity was meant.",
       .what_to_do = "Write a number from 0 to 1; half transparent is 0.5.",
       .checks = {on<model::Visual>(check)},
   };

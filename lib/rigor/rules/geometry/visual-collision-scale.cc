@@ -154,10 +154,9 @@ Rule rule() {
       .name = "visual-collision-scale",
       .severity = Severity::kWarning,
       .summary = "a link's collision is the visual in another scale",
-      .why =
-          "Both have the same proportions, and one is 10, 100, 1000 or 25.4 times as large: a unit "
-          "or a scale was put right in one of them only. The robot then touches what it does not "
-          "reach, or reaches through what it touches. Two different meshes are not compared.",
+      .why = "The robot touches what it does not reach, or reaches through what it touches. Both "
+             "have the same proportions, and one is 10, 100, 1000 or 25.4 times as large: a unit "
+             "or a scale was put right in one of them only. Two different meshes are not compared.",
       .what_to_do = "Write the size or the mesh's <scale> of the wrong one as in the other.",
       .checks = {on<model::Link>(check), on<MeshFile>(check_mesh)},
   };

@@ -25,7 +25,9 @@ bool turns_round(const model::Joint& joint) {
   if (joint.type != model::JointType::kRevolute) return false;
   const model::Axis& axis = joint.axes.front();
   if (!axis.lower.written || !axis.upper.written) return true;
-  return axis.upper.value - axis.lower.value > 2 * std::numbers::pi;
+  // An arm's wrist may turn twice round; what rolls has no limits, or thousands of turns.
+  constexpr double kFewTurns = 10 * 2 * std::numbers::pi;
+  return axis.upper.value - axis.lower.value > kFewTurns;
 }
 
 /// The link's only collision, when that is a disk.
@@ -72,9 +74,10 @@ Rule rule() {
       .severity = Severity::kWarning,
       .summary = "a wheel's joint axis is not the axis of its shape",
       .why =
-          "A joint without limits turns a flat cylinder through its middle, but about another line "
-          "than the cylinder's. The wheel tumbles like a coin, or wobbles: it lifts the robot, or "
-          "does not roll. Mostly the axis is right for another frame: up to SDF 1.4 it is in the "
+          "The wheel tumbles like a coin, or wobbles: it lifts the robot, or does not roll. A "
+          "joint "
+          "without limits rotates a flat cylinder through its middle, but about another line than "
+          "the cylinder's. Mostly the axis is right for another frame: up to SDF 1.4 it is in the "
           "model's, from 1.5 on in the joint's; or the cylinder was turned and the axis not.",
       .what_to_do = "Write the axis along the cylinder's z, in the frame that the axis is in; "
                     "`rigor inspect` prints both in one frame.",

@@ -67,7 +67,7 @@ void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
   const model::Inertial& inertial = link.inertial;
   const model::Vector3& com = inertial.pose.pose.value.translation;
   if (!inertial.pose.pose.written || com == model::Vector3{} || mass::is_automatic(link)) return;
-  if (!inertial.mass.written || !inertial.tensor_written) return;  // told elsewhere
+  if (!inertial.mass.written || !inertial.tensor_written) return;  // reported elsewhere
   if (!(inertial.mass.value > kLeast) || !is_dynamic(link, context)) return;
   const auto breaks = [&com](const Outline& outline) {
     const Outside out = outside(com, outline);
@@ -95,11 +95,11 @@ Rule rule() {
       .name = "center-of-mass-outside-shapes",
       .severity = Severity::kInfo,
       .summary = "a link's center of mass is outside all of its shapes",
-      .why = "No body has its center of mass outside its convex hull. Mostly it was written in the "
-             "frame of the model, of the mesh or of the joint, or for the link on the other side; "
-             "the simulated body then swings about a point in the air, and falls over where the "
-             "real one does not. It is a warning when the distance exceeds the size of the link, "
-             "or when the point fits once a coordinate changes its sign.",
+      .why = "The simulated body swings about a point in the air, and falls over where the real "
+             "one does not. No body has its center of mass outside its convex hull. Mostly it was "
+             "written in the frame of the model, of the mesh or of the joint, or for the link on "
+             "the other side. It is a warning when the distance exceeds the size of the link, or "
+             "when the point fits once a coordinate changes its sign.",
       .what_to_do = "Give it in the link's frame. Suppress the finding where the shapes are "
                     "simpler than the body. `rigor inertia MODEL` shows the center of mass of the "
                     "shapes.",

@@ -109,9 +109,9 @@ Rule rule() {
       .name = "density-too-high",
       .severity = Severity::kWarning,
       .summary = "mass exceeds the density of any material in the link's shapes",
-      .why = "Either the mass is in grams, or the sizes or a mesh are in the wrong unit, or the "
-             "shapes represent a much larger body. Contacts of such a link are hard to solve: it "
-             "penetrates what it rests on. A cube or sphere of up to 5 cm is taken for a marker: "
+      .why = "Contacts of such a link are hard to solve: it penetrates what it rests on. Either "
+             "the mass is in grams, or the sizes or a mesh are in the wrong unit, or the shapes "
+             "represent a much larger body. A cube or sphere of up to 5 cm is taken for a marker: "
              "that is an info.",
       .what_to_do = "Give the mass in kilograms and the shapes the size of the body, in meters.",
       .checks = {on<model::Root>(check)},

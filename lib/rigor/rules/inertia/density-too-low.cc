@@ -45,8 +45,8 @@ Rule rule() {
       .name = "density-too-low",
       .severity = Severity::kInfo,
       .summary = "a link weighs less than its shapes would have of any solid material",
-      .why = "A mass of 1 kg is what templates hold. A body that is far too light is thrown about "
-             "by whatever touches it, and rests badly beneath a heavy one.",
+      .why = "A body that is far too light is thrown about by whatever touches it, and rests badly "
+             "beneath a heavy one. A mass of 1 kg is what templates hold.",
       .what_to_do = "Weigh the body, or let `rigor inertia MODEL --density KG_PER_M3` compute its "
                     "mass. What is hollow or blown up may be right as it is.",
       .checks = {on<model::Link>(check)},

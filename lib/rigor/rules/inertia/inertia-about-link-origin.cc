@@ -29,9 +29,9 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "an inertia tensor is about the link's origin instead of the center of mass",
-      .why = "SDF and URDF want the tensor about the center of mass, and consumers move it from "
-             "there themselves (parallel axes). One that is about the origin already is moved "
-             "twice, so that the link rotates too sluggishly. CAD programs print both.",
+      .why = "A tensor about the origin of the link is moved twice, so that the link rotates too "
+             "sluggishly. SDF and URDF want the tensor about the center of mass, and consumers "
+             "move it from there themselves (parallel axes). CAD programs print both.",
       .what_to_do =
           "Take the tensor about the center of mass: from ixx subtract m (y² + z²), to ixy add m x "
           "y, and so on. `rigor inertia MODEL --write` computes it from the shapes.",

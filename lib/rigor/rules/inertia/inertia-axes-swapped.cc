@@ -48,9 +48,9 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "moments of inertia are swapped between axes",
-      .why = "Formulas for a cylinder or a box assume its length along one axis; when the shape is "
-             "rotated, or the formula has other axes, the moments must be permuted. Otherwise a "
-             "wheel rotates about its axle with the moment of another axis.",
+      .why = "The link rotates about each axis with the moment of another one. Formulas for a "
+             "cylinder or a box assume its length along one axis; when the shape is rotated, or "
+             "the formula has other axes, the moments must be permuted.",
       .what_to_do = "Exchange the moments.",
       .checks = {on<model::Link>(check)},
   };

@@ -54,7 +54,7 @@ Spreads spreads(const model::Inertial& inertial, const Context& context) {
   return result;
 }
 
-/// Of a model without joints nobody notices how hard it turns, unless it is far off.
+/// Without joints the moments have little effect, unless they are far off.
 constexpr double kFree = 2;
 
 double leniency(const model::Link& link, const Context& context) {
@@ -94,7 +94,7 @@ Box box_around(const Outline& outline) {
 }
 
 /// Whether another rule says what is wrong with the tensor.
-bool told_elsewhere(const model::Link& link, const Box& box, Context& context) {
+bool reported_elsewhere(const model::Link& link, const Box& box, Context& context) {
   constexpr mass::Inertia kIdentity{1, 0, 0, 1, 0, 1};
   const double mass = link.inertial.mass.value;
   const mass::Inertia tensor = mass::tensor(link.inertial);
@@ -118,7 +118,7 @@ void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
   const auto outline = outline_that_breaks(link, groups, context, breaks);
   if (!outline) return;
   const Box box = box_around(*outline);
-  if (told_elsewhere(link, box, context)) return;
+  if (reported_elsewhere(link, box, context)) return;
   const Spread& worst = *impossible(all, *outline, most);
   const double extent = outline->extent(worst.axis_L);
   context.report(

@@ -48,7 +48,7 @@ void check(const model::Link& link, Context& context) {
   if (!context.verdict(link).possible() || mass::trace(tensor) == 0 || tensor == kIdentity) return;
   const auto share = share_of_solid(link, mass, tensor, context);
   if (!share || plausible(*share)) return;
-  if (mistaken_tensor(link, context).mistake != TensorMistake::kNone) return;  // told there
+  if (mistaken_tensor(link, context).mistake != TensorMistake::kNone) return;  // reported there
   const double solid = mass::trace(tensor) / *share;
   const double factor = std::max(*share, 1 / *share);
   context.report({.where = link.inertial.tensor_site.name,
@@ -59,6 +59,9 @@ void check(const model::Link& link, Context& context) {
                   .subject = context.subject(link),
                   .help = help_for(tensor, *share),
                   .fix = fix_from_shapes(link, context),
+                  .why = *share > 1 ? "The link rotates as sluggishly as a much larger or heavier "
+                                      "body would."
+                                    : "Joints with such small moments make a simulation unstable.",
                   .severity = is_for_bullet(context) ? Severity::kInfo : Severity::kWarning});
 }
 
@@ -68,10 +71,11 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "moments of inertia do not fit the mass and the shapes of the link",
-      .why = "The link's shapes are all boxes, spheres, closed meshes and the like, so the moments "
-             "of a solid of the same mass are known. Hollow bodies have up to three times as much; "
-             "a factor of ten and more is mostly an error of units. Moments that are too small "
-             "make a simulation unstable, those that are too large make it sluggish. Bullet "
+      .why = "Moments that are too small make a simulation unstable, those that are too large make "
+             "it sluggish. The link's shapes are all boxes, spheres, closed meshes and the like, "
+             "so the moments of a solid of the same mass are known. Hollow bodies have up to three "
+             "times as much; "
+             "a factor of ten and more is mostly an error of units. Bullet "
              "computes tensors from the collisions: in a model with Bullet's own elements this is "
              "an info.",
       .what_to_do = "`rigor inertia MODEL` shows the moments of the link's shapes in kg·m², and "

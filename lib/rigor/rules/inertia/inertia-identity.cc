@@ -45,8 +45,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "inertia tensor is the identity",
-      .why = "Ones on the diagonal are the placeholder of templates. The link then rotates far too "
-             "slowly or too fast, and controllers are tuned to that. Where the body may have such "
+      .why = "The link rotates far too slowly or too fast, and controllers are tuned to that. "
+             "Ones on the diagonal are the placeholder of templates. Where the body may have such "
              "moments, up to a factor of ten, it is an info.",
       .what_to_do = "`rigor inertia MODEL --write` computes the moments that the mass has in the "
                     "link's shapes.",

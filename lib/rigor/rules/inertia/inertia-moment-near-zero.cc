@@ -58,6 +58,9 @@ void check(const model::Link& link, Context& context) {
   const double share = same_of(along, inertial, moment) / mass::trace(along);
   const double written = moment->value / mass::trace(mass::tensor(inertial));
   if (!(share > kOff * written)) return;
+  // Where it is about what the shapes have, the other two are wrong: inertia-geometry-mismatch.
+  const double expected = same_of(along, inertial, moment) * inertial.mass.value / solid->mass;
+  if (!(expected > kOff * moment->value)) return;
   context.report({.where = moment->span,
                   .message = fmt::format("the moment {:.4g} kg·m² is near zero beside the other "
                                          "two: the link's shapes have {:.2g} times as much",

@@ -43,8 +43,8 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .summary = "an entry of an inertia tensor is infinite or not a number",
-      .why = "libsdformat rejects nan and lets inf pass; urdfdom drops the inertial. No simulator "
-             "can use the tensor.",
+      .why = "libsdformat rejects nan and lets inf pass. urdfdom drops the inertial with an error. "
+             "No simulator can use the tensor.",
       .what_to_do = "Write the moment in kg·m². A link that must not turn is fixed to the world, "
                     "or made kinematic.",
       .checks = {on<model::Link>(check)},

@@ -44,8 +44,9 @@ Rule rule() {
       .fix = FixGrade::kUnsafe,
       .summary = "an inertia tensor is not positive definite",
       .why =
-          "About some axis the body would turn against a push. libsdformat rejects the model "
-          "without a number (error 18); urdfdom accepts it, and Drake and MuJoCo reject the robot.",
+          "libsdformat (Gazebo), Drake and MuJoCo reject the model, libsdformat without naming the "
+          "number (error 18). About some axis the body would turn against a push. urdfdom does not "
+          "check it.",
       .what_to_do = "Compute the tensor again from the mass and the shapes. Mind the order ixx ixy "
                     "ixz iyy iyz izz and the units.",
       .checks = {on<model::Link>(check)},

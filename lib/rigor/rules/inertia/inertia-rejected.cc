@@ -12,7 +12,7 @@
 namespace rigor::rules::inertia_rejected {
 
 /// Whether another rule finds something in what the link itself says.
-bool told_of_itself(const model::Link& link, const Context& context) {
+bool is_reported_itself(const model::Link& link, const Context& context) {
   const model::Inertial& i = link.inertial;
   if (!i.written) return false;
   if (i.mass.written && !(i.mass.value >= 0 && std::isfinite(i.mass.value))) return true;
@@ -31,7 +31,7 @@ void report_refused(const model::Link& link, std::string_view why, Context& cont
 
 void check(const model::Link& link, Context& context) {
   if (!context.is_sdf() || !link.inertial.written) return;
-  if (!refuses_inertia(link, context) || told_of_itself(link, context)) return;
+  if (!refuses_inertia(link, context) || is_reported_itself(link, context)) return;
   report_refused(link,
                  ": the moments miss the triangle inequality by a rounding, or together with the "
                  "entries that are not written",
@@ -42,12 +42,13 @@ void check(const model::Link& link, Context& context) {
 void check_robot(const model::Model& robot, Context& context) {
   if (!context.is_urdf()) return;
   const SdformatRobot& left = context.sdformat_robot();
-  std::vector<bool> told(left.parts.size(), false);
+  std::vector<bool> reported(left.parts.size(), false);
   for (std::size_t i = 0; i < left.parts.size(); ++i) {
-    if (told_of_itself(context.root()[robot.links[i]], context)) told[left.parts[i].head] = true;
+    if (is_reported_itself(context.root()[robot.links[i]], context))
+      reported[left.parts[i].head] = true;
   }
   for (std::size_t i = 0; i < left.parts.size(); ++i) {
-    if (left.parts[i].head != i || told[i] || !left.refuses_inertia(i)) continue;
+    if (left.parts[i].head != i || reported[i] || !left.refuses_inertia(i)) continue;
     report_refused(context.root()[robot.links[i]], " together with those at its fixed joints",
                    context);
   }

@@ -34,9 +34,9 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a tensor along the link's axes is turned by its inertial's rotation",
-      .why = "The tensor is taken along the axes that the inertial's pose or origin gives. A "
-             "rotation that was copied there from the visual or collision rotates a tensor that "
-             "was right along the link's axes.",
+      .why = "A rotation that was copied there from the visual or collision rotates a tensor that "
+             "was right along the link's axes. The tensor is taken along the axes that the "
+             "inertial's pose or origin gives.",
       .what_to_do = "Take the rotation out of the inertial, and leave the position.",
       .checks = {on<model::Link>(check)},
   };

@@ -49,7 +49,11 @@ void check(const model::Link& link, Context& context) {
        .subject = context.subject(link),
        .help = rounding(triangle),
        .fix = rounding(triangle).empty() ? fix_from_shapes(link, context) : std::nullopt,
-       .refused = refused});
+       .refused = refused,
+       .why = refused ? ""
+                      : "Drake and MuJoCo reject the model; libsdformat (Gazebo) adds the link to "
+                        "the one that it is fixed to, and their sum is valid.",
+       .severity = refused ? std::nullopt : std::optional(Severity::kWarning)});
 }
 
 Rule rule() {
@@ -59,10 +63,11 @@ Rule rule() {
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "inertia tensor violates the triangle inequality",
-      .why = "For any rigid body the sum of two moments of inertia is at least the third. "
-             "libsdformat rejects a model that violates this, without naming the number (error "
-             "18), except in a URDF link that is fixed to another when their sum is valid; Drake "
-             "and MuJoCo reject it too, urdfdom does not check it. A difference of less than 0.1 % "
+      .why = "libsdformat (Gazebo), Drake and MuJoCo reject the model, libsdformat without naming "
+             "the number (error 18). For any rigid body the sum of two moments of inertia is at "
+             "least the third. In a URDF link that is fixed to another, whose sum is valid, "
+             "libsdformat accepts it: that is a warning. urdfdom does not check it. A difference "
+             "of less than 0.1 % "
              "that libsdformat accepts is not reported.",
       .what_to_do = "Compute the tensor again from the mass and the shapes. Where the difference "
                     "is small, write more digits.",

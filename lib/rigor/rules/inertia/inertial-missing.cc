@@ -28,7 +28,7 @@ std::string comparison(const model::Link& link, Context& context) {
 }
 
 // Boxes half a metre wide that lie about in worlds turn thirty times as hard as they should, and
-// nobody minds: no motor turns them.
+// no effect shows: no motor turns them.
 constexpr double kUnnoticed = 100;
 
 /// Whether a ball of three metres is near enough, or there is nothing that could be touched.
@@ -66,8 +66,8 @@ void report(const model::Link& link, Context& context) {
 void check(const model::Model& model, Context& context) {
   const model::Root& root = context.root();
   // Where other links have masses, or need them, one without was forgotten.
-  bool told = std::any_of(model.links.begin(), model.links.end(),
-                          [&](const auto id) { return root[id].inertial.written; });
+  bool reported = std::any_of(model.links.begin(), model.links.end(),
+                              [&](const auto id) { return root[id].inertial.written; });
   const auto anchored = anchored_links(model, context);
   std::vector<const model::Link*> without;
   for (const auto id : model.links) {
@@ -75,9 +75,9 @@ void check(const model::Model& model, Context& context) {
     if (anchored.count(id) > 0) continue;
     if (link.inertial.written || !root.own(link.site) || !is_dynamic(link, context)) continue;
     without.push_back(&link);
-    told = told || !may_be_meant(link, model, context);
+    reported = reported || !may_be_meant(link, model, context);
   }
-  if (!told) return;
+  if (!reported) return;
   for (const model::Link* link : without) report(*link, context);
 }
 

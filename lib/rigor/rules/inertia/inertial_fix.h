@@ -55,7 +55,7 @@ inline bool has_suspicious_shape(const model::Link& link, const Context& context
   return any(link.collisions) || any(link.visuals);
 }
 
-/// Whether the mass or the moments stand where nobody reads them: in attributes in SDF, in elements in
+/// Whether the mass or the moments are where no consumer reads them: in attributes in SDF, in elements in
 /// URDF. Rules about the schema tell of that, and nothing is written over what the author knows.
 inline bool has_unread_values(const model::Link& link, const Context& context) {
   if (!link.inertial.written) return false;

@@ -26,8 +26,8 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kSays},
       .summary = "a mass is infinite or not a number",
-      .why = "libsdformat takes inf and nan, urdfdom drops the inertial: the simulation has no "
-             "numbers after its first step.",
+      .why = "libsdformat takes inf and nan: the simulation has no numbers after its first step. "
+             "urdfdom drops the inertial with an error.",
       .what_to_do =
           "Write the mass in kg. What must not move is made static, or fixed to the world.",
       .checks = {on<model::Link>(check)},

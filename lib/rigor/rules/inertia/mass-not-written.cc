@@ -25,7 +25,7 @@ void check(const model::Link& link, Context& context) {
   if (!inertial.written || inertial.mass.written || mass::is_automatic(link)) return;
   if (!is_dynamic(link, context)) return;
   if (misspelt_child(context.element(inertial.site), "mass", context)) return;  // unknown-element
-  // One that cannot be read is told by the schema's rules.
+  // One that cannot be read is reported by the schema's rules.
   const xml::Element element = context.element(inertial.site);
   const auto child = element.child("mass");
   const bool empty = child && child->attributes().empty() && read::trimmed(child->text()).empty();

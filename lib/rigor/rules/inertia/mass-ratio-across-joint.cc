@@ -46,7 +46,7 @@ Rule rule() {
              "iterations as the ratio of the masses: a token mass on a real robot costs accuracy. "
              "A light body at the end of a chain mostly does no harm; one between heavy bodies "
              "does (light-link-between-heavy). From a ratio of 10⁶ on it is a warning.",
-      .what_to_do = "Make the light body heavier, or fix it to its neighbour. Masses within a "
+      .what_to_do = "Make the light body heavier, or fix it to its neighbor. Masses within a "
                     "factor of 50 are safe.",
       .checks = {on<model::Root>(check)},
   };

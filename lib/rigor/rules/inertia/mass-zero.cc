@@ -27,7 +27,7 @@ bool is_lumped(const model::Link& link, const Context& context) {
   return false;
 }
 
-/// A plane has no mass, and whoever gives it none means one that does not move.
+/// A plane has no mass: without one it does not move.
 bool is_ground(const model::Link& link, const Context& context) {
   return std::any_of(link.collisions.begin(), link.collisions.end(), [&](const auto id) {
     return std::holds_alternative<model::Plane>(context.root()[id].geometry.shape);
@@ -47,6 +47,8 @@ void check(const model::Link& link, Context& context) {
                          : "the mass is 0 kg: a body that moves needs one above zero",
        .subject = context.subject(link),
        .fix = lumped ? std::nullopt : fix_from_shapes(link, context),
+       .why = lumped ? "libsdformat adds the moments alone to the link that this one is fixed to."
+                     : "",
        .severity = lumped || is_for_bullet(context) ? Severity::kInfo : Severity::kWarning});
 }
 

@@ -41,7 +41,7 @@ std::vector<bool> with_mass(const model::Root& root, const Context& context) {
 
 /// An <inertial> without its numbers is another rule's affair, as is one of moments and no mass. With
 /// neither, it says what no <inertial> says.
-bool is_told_elsewhere(const model::Link& link) {
+bool is_reported_elsewhere(const model::Link& link) {
   const model::Inertial& inertial = link.inertial;
   if (!inertial.written) return false;
   if (!inertial.mass.written || !inertial.tensor_written) return true;
@@ -52,20 +52,22 @@ bool is_told_elsewhere(const model::Link& link) {
 void report_robot(const model::Root& root, Context& context) {
   const bool any_written = std::any_of(
       root.links.begin(), root.links.end(),
-      [](const model::Link& link) { return link.inertial.written && is_told_elsewhere(link); });
+      [](const model::Link& link) { return link.inertial.written && is_reported_elsewhere(link); });
   const auto moves = [](const model::Joint& joint) {
     return joint.type != model::JointType::kFixed && joint.type != model::JointType::kUnknown;
   };
   const bool any_moves = std::any_of(root.joints.begin(), root.joints.end(), moves);
   if (any_written || !any_moves || root.models.empty()) return;
   const model::Model& robot = root.models.front();
-  context.report({.where = robot.site.name,
-                  .message = fmt::format("no link of the robot '{}' has a mass: simulators load "
-                                         "nothing of it",
-                                         robot.name.value),
-                  .subject = context.subject(robot),
-                  .help = "add an <inertial> to each link that moves: `rigor inertia MODEL "
-                          "--density KG_PER_M3 --write` computes them"});
+  context.report(
+      {.where = robot.site.name,
+       .message = fmt::format("no link of the robot{} has a mass: simulators load "
+                              "nothing of it",
+                              robot.name.value.empty() ? "" : " '" + robot.name.value + "'"),
+       .subject = context.subject(robot),
+       .help = "add an <inertial> to each link that moves: `rigor inertia MODEL "
+               "--density KG_PER_M3 --write` computes them",
+       .cause = "no link has a mass"});
 }
 
 void check(const model::Root& root, Context& context) {
@@ -80,7 +82,7 @@ void check(const model::Root& root, Context& context) {
     if (joint.type == model::JointType::kFixed || joint.type == model::JointType::kUnknown) {
       continue;
     }
-    if (!child || heavy[child.value] || is_told_elsewhere(root[child])) continue;
+    if (!child || heavy[child.value] || is_reported_elsewhere(root[child])) continue;
     const model::Link& link = root[child];
     context.report({.where = link.site.name,
                     .message = fmt::format("the joint '{}' moves the link '{}', which has no mass, "
@@ -88,7 +90,8 @@ void check(const model::Root& root, Context& context) {
                                            joint.name.value, link.name.value),
                     .subject = context.subject(link),
                     .related = {{joint.site.name, "moved by this joint"}},
-                    .fix = fix_from_shapes(link, context)});
+                    .fix = fix_from_shapes(link, context),
+                    .cause = "massless links of " + root[link.model].name.value});
   }
 }
 
@@ -99,9 +102,9 @@ Rule rule() {
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a joint of a URDF moves a link without mass",
-      .why = "A link without <inertial> has no mass in URDF. Fixed to others it is a normal frame; "
-             "moved by a joint it cannot be simulated: Gazebo drops the link, its joint and their "
-             "subtree, MuJoCo rejects the robot. A robot without any mass is reported once.",
+      .why = "Gazebo drops a link without mass that a joint moves, its joint and their subtree; "
+             "MuJoCo rejects the robot. A link without <inertial> has no mass in URDF: fixed to "
+             "others it is a normal frame. A robot without any mass is reported once.",
       .what_to_do = "Give the link a mass and a tensor, however small, or fix the joint.",
       .checks = {on<model::Root>(check)},
   };

@@ -46,10 +46,10 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "the products of inertia have the opposite sign",
-      .why = "SDF and URDF want the entries of the tensor, ixy = -∫xy dm; some CAD programs and "
-             "mesh tools print the products ∫xy dm. The body then has its principal axes mirrored, "
-             "and moves differently from the real one. A link that was copied from the robot's "
-             "other side has the same fault.",
+      .why = "The body has its principal axes mirrored, and moves differently from the real one. "
+             "SDF and URDF want the entries of the tensor, ixy = -∫xy dm; some CAD programs and "
+             "mesh tools print the products ∫xy dm. A link that was copied from the robot's other "
+             "side has the same fault.",
       .what_to_do = "Give ixy, ixz and iyz the other sign.",
       .checks = {on<model::Link>(check)},
   };

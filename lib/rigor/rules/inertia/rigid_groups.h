@@ -40,7 +40,7 @@ class RigidGroups {
   std::vector<std::uint32_t> group_;
 };
 
-/// The links without mass by group, found when somebody first asks.
+/// The links without mass by group, found when first asked for.
 class LazyGroups {
  public:
   explicit LazyGroups(const Context& context) : context_(context) {}

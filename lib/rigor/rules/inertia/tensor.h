@@ -18,7 +18,7 @@ inline bool is_dynamic(const model::Link& link, const Context& context) {
 }
 
 /// Whether the file gives the tensor, so that there is something to judge. Entries that are missing
-/// or cannot be read are told by the schema's rules; off-diagonal ones default to zero in SDF.
+/// or cannot be read are reported by the schema's rules; off-diagonal ones default to zero in SDF.
 inline bool has_tensor(const model::Link& link, const Context& context) {
   const model::Inertial& i = link.inertial;
   if (!i.tensor_written || mass::is_automatic(link)) return false;

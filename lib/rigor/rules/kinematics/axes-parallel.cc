@@ -36,8 +36,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "the two axes of a joint are the same",
-      .why = "A universal joint rotates about two axes that cross. With parallel axes it is a "
-             "revolute joint with a redundant angle: only the sum of the two is determined.",
+      .why = "With parallel axes it is a revolute joint with a redundant angle: only the sum of "
+             "the two is determined. A universal joint rotates about two axes that cross.",
       .what_to_do = "Write the second axis at a right angle to the first.",
       .checks = {on<model::Joint>(check)},
   };

@@ -12,6 +12,7 @@ void check(const model::Root& root, Context& context) {
   const auto world = static_cast<std::uint32_t>(root.links.size());
   DisjointSets connected(root.links.size() + 1);  // the last is the world
   for (std::uint32_t i = 0; i < root.joints.size(); ++i) {
+    if (root.joints[i].type == model::JointType::kGearbox) continue;  // it couples two joints
     const auto& ends = context.frames().ends({i});
     if (!ends.child || ends.parent == ends.child || (!ends.parent && !ends.parent_is_world))
       continue;

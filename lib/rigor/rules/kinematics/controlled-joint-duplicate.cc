@@ -27,11 +27,11 @@ void check(const model::Root& root, Context& context) {
   std::unordered_map<std::string, Span> first;
   for (const model::ControlledJoint& controlled : root.controlled_joints) {
     if (controlled.joint.value.empty() || !root.own(controlled.site)) continue;
-    bool told = false;
+    bool reported = false;
     for (std::string& command : commands_of(controlled)) {
       const auto [known, is_new] = first.emplace(std::move(command), controlled.joint.span);
-      if (is_new || told || known->second == controlled.joint.span) continue;
-      told = true;
+      if (is_new || reported || known->second == controlled.joint.span) continue;
+      reported = true;
       context.report({.where = controlled.joint.span,
                       .message = "the joint '" + controlled.joint.value +
                                  "' is driven a second time, by the same interface",
@@ -46,9 +46,9 @@ Rule rule() {
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .summary = "a joint has two command interfaces of the same kind",
-      .why =
-          "A command has one owner. Where two entries offer the same, it is undefined which motor "
-          "a controller moves; most often one of them was copied and should name another joint.",
+      .why = "Where two entries offer the same command, it is undefined which motor a controller "
+             "moves. A command has one owner; most often one of them was copied and should name "
+             "another joint.",
       .what_to_do = "Let one block drive the joint.",
       .checks = {on<model::Root>(check)},
   };

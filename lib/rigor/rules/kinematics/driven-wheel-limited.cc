@@ -75,9 +75,9 @@ Rule rule() {
       .name = "driven-wheel-limited",
       .severity = Severity::kWarning,
       .summary = "a wheel joint that a plugin drives is limited",
-      .why = "Wheels, rotors and propellers rotate without limit. One with limits stops when it "
-             "has reached them, after some meters, and the robot rotates on the spot or stops; a "
-             "fixed or sliding one never moves.",
+      .why = "A wheel or rotor with limits stops when it has reached them, after some meters, and "
+             "the robot rotates on the spot or stops; a fixed or sliding one never moves. Wheels, "
+             "rotors and propellers rotate without limit.",
       .what_to_do =
           "Take lower and upper out of the limit of an SDF, or make the joint continuous.",
       .checks = {on<model::Plugin>(check)},

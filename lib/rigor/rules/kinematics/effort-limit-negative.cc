@@ -50,7 +50,7 @@ Rule rule() {
       .why = "Up to SDF 1.9 the default -1 stood for no limit, since 1.10 infinity does. "
              "libsdformat makes every negative one infinite, so a sign by mistake leaves the joint "
              "without a limit; other programs use it as a limit that no motion meets.",
-      .what_to_do = "Write the greatest effort or speed; for no limit leave it out.",
+      .what_to_do = "Write the maximum effort or speed; for no limit omit it.",
       .checks = {on<model::Joint>(check)},
   };
 }

@@ -49,9 +49,9 @@ Rule rule() {
       .name = "effort-velocity-placeholder",
       .severity = Severity::kInfo,
       .summary = "effort and velocity limits of all joints are one round number",
-      .why = "Exporters write 100 or 1000 for both until they are filled in. MoveIt times its "
-             "trajectories by the velocity limit, and controllers clamp commands to both: such "
-             "limits protect no motor.",
+      .why = "MoveIt times its trajectories by the velocity limit, and controllers clamp commands "
+             "to both: such limits protect no motor. Exporters write 100 or 1000 for both until "
+             "they are filled in.",
       .what_to_do = "Write the maximum effort and velocity of each motor from its data sheet.",
       .checks = {on<model::Model>(check)},
   };

@@ -1,12 +1,21 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <optional>
+
 #include <fmt/core.h>
 
 #include <rigor/rules/kinematics/motion.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::effort_zero {
+
+/// A joint that is locked by its range, or passive: a damper or spring moves it, and no motor is meant.
+bool needs_no_motor(const model::Axis& axis) {
+  const bool locked =
+      axis.lower.written && axis.upper.written && axis.lower.value == axis.upper.value;
+  return locked || (axis.damping.written && axis.damping.value > 0);
+}
 
 void check(const model::Joint& joint, Context& context) {
   if (!has_axis(joint.type)) return;
@@ -17,7 +26,9 @@ void check(const model::Joint& joint, Context& context) {
                     .message = fmt::format(
                         "the effort limit is 0 {}{}: nothing can drive the joint",
                         effort_unit(joint.type), still ? ", and so is that of velocity" : ""),
-                    .subject = context.subject(joint)});
+                    .subject = context.subject(joint),
+                    .severity = still && needs_no_motor(axis) ? std::optional(Severity::kInfo)
+                                                              : std::nullopt});
   }
 }
 
@@ -27,7 +38,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .summary = "effort limit is zero",
       .why = "Simulators that apply the limit let no controller or command move the joint; MoveIt "
-             "and ros_control report it or do not move.",
+             "and ros_control report it or do not move. Where the limits lock the joint, or it has "
+             "damping and a velocity of zero as passive ones have, it is an info.",
       .what_to_do = "Write the motor's maximum effort. For no limit, omit it in SDF; in a URDF "
                     "write a large one.",
       .checks = {on<model::Joint>(check)},

@@ -24,7 +24,8 @@ Rule rule() {
       .severity = Severity::kInfo,
       .fix = FixGrade::kUnsafe,
       .summary = "a fixed joint has an axis",
-      .why = "Nobody reads it. It is harmless, unless the joint was meant to move.",
+      .why =
+          "libsdformat and urdfdom ignore it. It is harmless, unless the joint was meant to move.",
       .what_to_do = "Take the axis out, or give the joint the type that was meant.",
       .checks = {on<model::Joint>(check)},
   };

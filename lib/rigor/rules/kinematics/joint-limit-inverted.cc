@@ -17,7 +17,7 @@ void check(const model::Joint& joint, Context& context) {
     // The limits of a continuous joint are not read.
     if (context.is_urdf() && joint.type == model::JointType::kContinuous) continue;
     if (!axis.lower.written || !axis.upper.written) continue;
-    if (!(axis.lower.value > axis.upper.value)) continue;  // nan is told as no number
+    if (!(axis.lower.value > axis.upper.value)) continue;  // nan is reported as no number
     const std::string lower(context.bytes(axis.lower.span));
     const std::string upper(context.bytes(axis.upper.span));
     context.report(

@@ -31,7 +31,7 @@ Rule rule() {
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .fix = FixGrade::kUnsafe,
       .summary = "a joint has a type that does not exist",
-      .why = "libsdformat and urdfdom reject the model.",
+      .why = "libsdformat rejects the file. urdfdom rejects the robot.",
       .what_to_do =
           "SDF knows revolute, continuous, prismatic, fixed, ball, screw, universal, revolute2 and "
           "gearbox; URDF revolute, continuous, prismatic, fixed, floating and planar.",

@@ -1,6 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -26,6 +27,11 @@ bool beside_tree(const Tree& tree) {
   return has_root;
 }
 
+bool has_root(const Tree& tree) {
+  return std::any_of(tree.parents.begin(), tree.parents.end(),
+                     [](const auto& joints) { return joints.empty(); });
+}
+
 void check(const model::Model& robot, Context& context) {
   const model::Root& root = context.root();
   const Tree tree = tree_of(root, context.frames(), robot);
@@ -44,7 +50,10 @@ void check(const model::Model& robot, Context& context) {
   context.report({.where = last->child.span,
                   .message = "joints make a loop of links: " + joined(links),
                   .subject = context.subject(*last),
-                  .refused = !beside_tree(tree)});
+                  .refused = !beside_tree(tree),
+                  .why = has_root(tree) ? ""
+                                        : "urdfdom rejects the robot: no link is its root, since "
+                                          "each is the child of a joint."});
 }
 
 Rule rule() {
@@ -54,8 +63,9 @@ Rule rule() {
       .refused = {.urdf = Refusal::kSays},
       .formats = Formats::kUrdf,
       .summary = "the joints of a URDF make a loop",
-      .why = "A URDF is a tree. urdfdom accepts the loop, and walking the tree then never ends: "
-             "check_urdf does not return, libsdformat overflows its stack.",
+      .why = "urdfdom accepts the loop, and walking the tree then never ends: check_urdf does not "
+             "return, libsdformat overflows its stack. Where the loop leaves no link as the root, "
+             "urdfdom rejects the robot. A URDF is a tree.",
       .what_to_do = "Take one of the joints out. URDF cannot close a chain; SDF can.",
       .checks = {on<model::Model>(check)},
   };

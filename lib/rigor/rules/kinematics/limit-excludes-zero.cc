@@ -14,7 +14,7 @@ void check(const model::Joint& joint, Context& context) {
   for (const model::Axis& axis : joint.axes) {
     const bool above = axis.lower.written && axis.lower.value > 0;
     const bool below = axis.upper.written && axis.upper.value < 0;
-    if ((!above && !below) || axis.lower.value >= axis.upper.value) continue;  // told otherwise
+    if ((!above && !below) || axis.lower.value >= axis.upper.value) continue;  // reported otherwise
     const model::Field<double>& limit = above ? axis.lower : axis.upper;
     context.report({.where = limit.span,
                     .message = fmt::format(
@@ -29,10 +29,10 @@ Rule rule() {
       .name = "limit-excludes-zero",
       .severity = Severity::kInfo,
       .summary = "the zero position of a joint is outside its limits",
-      .why = "Simulators, RViz and the inspectors of models begin with every joint at zero. A "
-             "simulator then begins with a joint beyond its stop and pushes it back; MoveIt does "
+      .why = "A simulator begins with the joint beyond its stop and pushes it back; MoveIt does "
              "not plan from there, since the state is out of bounds; joint_state_publisher begins "
-             "in the middle of the limits.",
+             "in the middle of the limits. Simulators, RViz and the inspectors of models begin "
+             "with every joint at zero.",
       .what_to_do = "Include zero in the limits, or set an initial position in the simulator and "
                     "the controllers.",
       .checks = {on<model::Joint>(check)},

@@ -82,8 +82,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a limit of a turning joint looks like degrees",
-      .why = "Limits are in radians. Read as such, 90 is fourteen turns, so the joint is in effect "
-             "unlimited, and cables and grippers move where the real ones cannot.",
+      .why = "Read as such, 90 is fourteen turns, so the joint is in effect unlimited, and cables "
+             "and grippers move where the real ones cannot. Limits are in radians.",
       .what_to_do = "Convert the limits to radians: 90° is 1.5708.",
       .checks = {on<model::Joint>(check)},
   };

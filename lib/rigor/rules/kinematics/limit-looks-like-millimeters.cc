@@ -72,8 +72,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a limit of a sliding joint looks like millimeters",
-      .why = "Limits of prismatic joints are in meters. A finger that may go 40 m has no stop: it "
-             "leaves its gripper as soon as something pushes it.",
+      .why = "A finger that may go 40 m has no stop: it leaves its gripper as soon as something "
+             "pushes it. Limits of prismatic joints are in meters.",
       .what_to_do = "Convert the limits to meters: 40 mm are 0.04.",
       .checks = {on<model::Root>(check)},
   };

@@ -17,7 +17,7 @@ void check(const model::Joint& joint, Context& context) {
                   .message = "the " + std::string(to_string(joint.type)) + " joint has no <limit>",
                   .subject = context.subject(joint),
                   .help = joint.type == model::JointType::kRevolute
-                              ? "a revolute joint without limits is a continuous one"
+                              ? "add <limit>, or make the joint continuous"
                               : ""});
 }
 

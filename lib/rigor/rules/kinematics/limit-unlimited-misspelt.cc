@@ -46,9 +46,9 @@ Rule rule() {
       .name = "limit-unlimited-misspelt",
       .severity = Severity::kWarning,
       .summary = "one of two unlimited joint limits has a wrong sign or exponent",
-      .why = "±1e16 means \"no limit\" to libsdformat. 1e-16 is zero, and a joint between -1e16 "
-             "and 1e-16 rotates one way only; with another exponent consumers take the number for "
-             "a limit.",
+      .why = "1e-16 is zero, and a joint between -1e16 and 1e-16 rotates one way only; with "
+             "another exponent consumers take the number for a limit. ±1e16 means \"no limit\" to "
+             "libsdformat.",
       .what_to_do = "Write -1e16 and 1e16, from SDF 1.10 on -inf and inf; in a URDF make the joint "
                     "continuous.",
       .checks = {on<model::Joint>(check)},

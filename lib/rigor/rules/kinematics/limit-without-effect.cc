@@ -9,7 +9,7 @@
 
 namespace rigor::rules::limit_without_effect {
 
-// Whoever writes a whole turn, or nothing but zeros, means no limit.
+// A whole turn, or nothing but zeros, means no limit.
 constexpr double kWholeTurn = 6.28;
 
 void check(const model::Joint& joint, Context& context) {

@@ -21,7 +21,7 @@ void check(const model::Root& root, Context& context) {
   std::vector<bool> connected(root.links.size(), false);
   for (std::uint32_t i = 0; i < root.joints.size(); ++i) {
     const auto& ends = context.frames().ends({i});
-    // Where an end does not resolve, nobody can say which link is loose.
+    // Where an end does not resolve, it is unknown which link is loose.
     if (!ends.child || (!ends.parent && !ends.parent_is_world)) return;
     connected[ends.child.value] = true;
     if (ends.parent) connected[ends.parent.value] = true;

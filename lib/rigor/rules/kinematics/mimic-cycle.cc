@@ -64,9 +64,9 @@ Rule rule() {
       .name = "mimic-cycle",
       .severity = Severity::kError,
       .summary = "mimic joints form a cycle",
-      .why =
-          "None of their positions follows from one that is given. joint_state_publisher ends with "
-          "\"Found an infinite recursive mimic chain\"; MoveIt ignores every mimic of the robot.",
+      .why = "joint_state_publisher ends with \"Found an infinite recursive mimic chain\"; MoveIt "
+             "ignores every mimic of the robot. None of their positions follows from one that is "
+             "given.",
       .what_to_do = "Choose one joint as the leader, and remove its <mimic>.",
       .checks = {on<model::Root>(check)},
   };

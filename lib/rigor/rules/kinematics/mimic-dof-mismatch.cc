@@ -55,9 +55,9 @@ Rule rule() {
       .name = "mimic-dof-mismatch",
       .severity = Severity::kWarning,
       .summary = "a mimic joint and its leader differ in degrees of freedom",
-      .why = "A joint follows another by one number: the position of both. A fixed joint has none, "
-             "and a planar, floating or ball joint has several. MoveIt ignores such a mimic; "
-             "elsewhere the joint does not move. On a joint that is fixed itself the mimic has no "
+      .why = "MoveIt ignores such a mimic; elsewhere the joint does not move. A joint follows "
+             "another by one number: the position of both. A fixed joint has none, and a planar, "
+             "floating or ball joint has several. On a joint that is fixed itself the mimic has no "
              "effect: that is an info.",
       .what_to_do = "Name a joint with one axis, or remove the mimic.",
       .checks = {on<model::Joint>(check)},

@@ -66,10 +66,10 @@ Rule rule() {
       .severity = Severity::kError,
       .formats = Formats::kUrdf,
       .summary = "ros2_control rejects the interfaces of a mimic joint",
-      .why = "ros2_control of Jazzy and later reads mimics from the robot itself. A mimic joint "
-             "must not have a command interface, its leader has to be in the same block, and "
-             "mimic=\"true\" needs a <mimic>. Otherwise the controller manager ends with an "
-             "exception.",
+      .why = "ros2_control of Jazzy and later reads mimics from the robot itself, and its "
+             "controller manager ends with an exception. A mimic joint must not have a command "
+             "interface, its leader has to be in the same block, and mimic=\"true\" needs a "
+             "<mimic>.",
       .what_to_do = "Remove the command interface, list the leader in the block, or set "
                     "mimic=\"false\" on the joint in the block.",
       .checks = {on<model::Root>(check)},

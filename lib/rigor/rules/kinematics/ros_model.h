@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which models in SDF somebody may give to ROS as the description of a robot.
+// Which models in SDF may be given to ROS as the description of a robot.
 
 #pragma once
 

@@ -60,9 +60,9 @@ Rule rule() {
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .summary = "safety_controller soft limits exceed the joint limits",
-      .why = "Soft limits slow the joint before it reaches its hard limits. Beyond these they have "
-             "no effect, and when they are inverted no position is within them. Limits such as ±10 "
-             "on both sides mean \"none\" in many robots: they are an info.",
+      .why = "Beyond the hard limits a soft limit has no effect: it is to slow the joint before it "
+             "reaches them. When soft limits are inverted, no position is within them. Limits such "
+             "as ±10 on both sides mean \"none\" in many robots: they are an info.",
       .what_to_do = "Set soft_lower_limit and soft_upper_limit between lower and upper.",
       .checks = {on<model::Joint>(check)},
   };

@@ -30,9 +30,9 @@ Rule rule() {
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .summary = "two transmissions have the same actuator",
-      .why = "An actuator has one position and one command. ros_control registers its handle once "
-             "per name, so that the second transmission overwrites the first; most often the block "
-             "was copied and its actuator not renamed.",
+      .why = "ros_control registers the handle of an actuator once per name, so that the second "
+             "transmission overwrites the first. An actuator has one position and one command; "
+             "most often the block was copied and its actuator not renamed.",
       .what_to_do = "Give each transmission an actuator of its own, for example elbow_motor.",
       .checks = {on<model::Root>(check)},
   };

@@ -26,7 +26,7 @@ struct Tree {
 /// Per link, other links by their place in the robot.
 using Neighbours = std::vector<std::vector<std::size_t>>;
 
-/// Takes away the links with nobody before them, then those that have nobody left, and so on.
+/// Removes the links without a predecessor, then those that have none left, and so on.
 inline void peel(const Neighbours& before, const Neighbours& after, std::vector<bool>& gone) {
   std::vector<std::size_t> left(gone.size(), 0);
   std::vector<std::size_t> ready;

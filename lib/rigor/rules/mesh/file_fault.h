@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the rules on a mesh file's faults share: which fault is told, and its words.
+// What the rules on a mesh file's faults share: which fault is reported, and its words.
 
 #pragma once
 
@@ -18,7 +18,7 @@
 
 namespace rigor::rules {
 
-/// The first fault of that kind, if it is to be told: of a file that cannot be read, what else is odd
+/// The first fault of that kind, if it is to be reported: of a file that cannot be read, what else is odd
 /// about it comes from the same cause, and of a glTF file that cause may have a rule of its own.
 inline const mesh::Fault* fault_of(const MeshFile& file, mesh::FaultKind kind) {
   if (!mesh::fatal(kind) && !file.facts.usable()) return nullptr;
@@ -29,8 +29,12 @@ inline const mesh::Fault* fault_of(const MeshFile& file, mesh::FaultKind kind) {
   return found == faults.end() ? nullptr : &*found;
 }
 
-inline void report_mesh(const MeshFile& file, Context& context, std::string message) {
-  context.report({.where = file.where(), .message = std::move(message), .subject = file.subject()});
+inline void report_mesh(const MeshFile& file, Context& context, std::string message,
+                        std::string why = {}) {
+  context.report({.where = file.where(),
+                  .message = std::move(message),
+                  .subject = file.subject(),
+                  .why = std::move(why)});
 }
 
 /// "1 facet", "3 facets".

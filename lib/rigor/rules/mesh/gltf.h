@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the rules on glTF files share: which extensions a file needs, which of its buffers nobody finds,
+// What the rules on glTF files share: which extensions a file needs, which of its buffers are missing,
 // and whether that is why it cannot be read.
 
 #pragma once
@@ -55,7 +55,7 @@ inline std::vector<mesh::FileReference> missing_buffers(const MeshFile& file) {
   return missing;
 }
 
-/// Buffers that name no file. Where an extension is to fill them, that is told instead.
+/// Buffers that name no file. Where an extension is to fill them, that is reported instead.
 inline mesh::Sighting nameless_buffers(const MeshFile& file) {
   const std::optional<mesh::GltfFacts>& gltf = file.facts.asset.gltf;
   if (!gltf || !required_of(file, kShapeExtensions).empty()) return {};

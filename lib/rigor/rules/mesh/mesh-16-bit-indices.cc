@@ -24,8 +24,8 @@ Rule rule() {
       .name = "mesh-16-bit-indices",
       .severity = Severity::kInfo,
       .summary = "a part of a mesh has more than 65 535 vertices",
-      .why = "Indices of 16 bits do not reach the others. Older versions of Ogre, rviz and "
-             "Irrlicht draw such a part wrong or not at all.",
+      .why = "Older versions of Ogre, rviz and Irrlicht draw such a part wrong or not at all. "
+             "Indices of 16 bits do not reach the others.",
       .what_to_do = "Reduce it, `rigor mesh-check FILE --reduce 20000 -o OUT`, or split it into "
                     "several parts.",
       .checks = {on<MeshFile>(check)},

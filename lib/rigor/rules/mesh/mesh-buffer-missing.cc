@@ -28,9 +28,9 @@ Rule rule() {
       .name = "mesh-buffer-missing",
       .severity = Severity::kError,
       .summary = "a buffer of a glTF file is not found",
-      .why =
-          "A .gltf describes the scene; its vertices and triangles are in files beside it. When "
-          "one is missing, assimp rejects the whole mesh, and so do Gazebo and RViz, which use it.",
+      .why = "Assimp rejects the whole mesh when one of its files is missing, and so do Gazebo and "
+             "RViz, which use it. A .gltf describes the scene; its vertices and triangles are in "
+             "files beside it.",
       .what_to_do = "Put the file, mostly a .bin, where the .gltf refers to it, or export the mesh "
                     "as .glb, which is one file.",
       .checks = {on<MeshFile>(check)},

@@ -19,9 +19,9 @@ Rule rule() {
       .name = "mesh-decimal-comma",
       .severity = Severity::kWarning,
       .summary = "numbers in a mesh have a decimal comma",
-      .why =
-          "The file was written by a program in a language that writes 1,5 for 1.5. Assimp reads "
-          "it so, admesh and most others reject the file or drop the digits after the comma.",
+      .why = "Most readers, admesh among them, reject the file or drop the digits after the comma; "
+             "assimp reads it as meant. The file was written by a program in a language that "
+             "writes 1,5 for 1.5.",
       .what_to_do = "Write the file again: `rigor mesh-check FILE -o OUT.stl`; better, set the "
                     "exporter to English.",
       .checks = {on<MeshFile>(check)},

@@ -32,9 +32,9 @@ Rule rule() {
       .name = "mesh-degenerate-face",
       .severity = Severity::kInfo,
       .summary = "triangles of a mesh have no area",
-      .why =
-          "Two of their vertices coincide, or all three are on a line. They have no normal, so "
-          "that readers drop them or compute NaN; Gazebo drops them, glTF-Validator reports them.",
+      .why = "They have no normal, so that readers drop them or compute NaN; Gazebo drops them, "
+             "glTF-Validator reports them. Two of their vertices coincide, or all three are on a "
+             "line.",
       .what_to_do = "Take them out: `rigor mesh-check FILE --repair -o OUT`.",
       .checks = {on<MeshFile>(check)},
   };

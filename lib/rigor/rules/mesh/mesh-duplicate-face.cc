@@ -25,9 +25,9 @@ Rule rule() {
       .name = "mesh-duplicate-face",
       .severity = Severity::kInfo,
       .summary = "triangles of a mesh are there twice",
-      .why = "Programs such as SketchUp write each face once for its front and once for its back. "
-             "Drawn, the two flicker; in a volume they cancel or count twice; in contacts they "
-             "cost twice.",
+      .why = "Drawn, the two flicker; in a volume they cancel or count twice; in contacts they "
+             "cost twice. Programs such as SketchUp write each face once for its front and once "
+             "for its back.",
       .what_to_do = "Keep one of each: `rigor mesh-check FILE --repair -o OUT`.",
       .checks = {on<MeshFile>(check)},
   };

@@ -10,7 +10,7 @@ namespace rigor::rules::mesh_format_not_in_isaac {
 
 void check(const MeshUse& use, Context& context) {
   const std::string ending = extension(use.mesh.uri.value);
-  // What no simulator reads is told whoever the file is for.
+  // What no simulator reads is reported whatever the file is for.
   if (ending != ".glb" && ending != ".gltf" && ending != ".ply" && ending != ".fbx") return;
   context.report(
       {.where = use.mesh.uri.span,

@@ -10,7 +10,7 @@
 
 namespace rigor::rules::mesh_format_not_in_mujoco {
 
-/// What no simulator reads is told whoever the file is for.
+/// What no simulator reads is reported whatever the file is for.
 bool is_of_others(std::string_view ending) {
   return ending == ".dae" || ending == ".glb" || ending == ".gltf" || ending == ".ply" ||
          ending == ".fbx";

@@ -35,7 +35,7 @@ void check(const MeshUse& use, Context& context) {
                   .subject = use.subject});
 }
 
-/// Of a file by itself there is no URI: then it is its bytes that nobody knows.
+/// Of a file by itself there is no URI: then its bytes are of an unknown format.
 void check_file(const MeshFile& file, Context& context) {
   if (file.use != nullptr || !fault_of(file, mesh::FaultKind::kUnknownFormat)) return;
   report_mesh(file, context, "the format is none that simulators are known to read");

@@ -23,11 +23,11 @@ Rule rule() {
   return {
       .name = "mesh-inconsistent-winding",
       .severity = Severity::kWarning,
-      .summary = "neighbouring triangles of a mesh face opposite ways",
-      .why = "The order of a triangle's vertices (its winding) defines the outside. Where "
-             "neighbors disagree, one of them is drawn from the inside or not at all, pushes "
+      .summary = "neighboring triangles of a mesh face opposite ways",
+      .why = "Where neighbors disagree, one of them is drawn from the inside or not at all, pushes "
              "contacts the wrong way in engines that use it, and is subtracted from volume and "
-             "inertia. Newer MuJoCo refuses to compute an exact inertia from such a mesh.",
+             "inertia. The order of a triangle's vertices (its winding) defines the outside. Newer "
+             "MuJoCo refuses to compute an exact inertia from such a mesh.",
       .what_to_do = "Turn the triangles the same way: `rigor mesh-check FILE --repair -o OUT`, or "
                     "\"recalculate normals outside\" in the tool that made it.",
       .checks = {on<MeshFile>(check)},

@@ -58,7 +58,7 @@ std::string inside_out(const mesh::Topology& topology, double share) {
 // Above this share of the volume the other pieces are screws and labels: the mesh is inside out.
 constexpr double kWhole = 0.95;
 
-// A rivet that nobody sees and that changes no mass: below both.
+// A rivet that is not seen and changes no mass: below both.
 constexpr double kTinyShare = 0.01;
 constexpr double kTinyVolume = 1e-7;  // m³, 100 mm³
 

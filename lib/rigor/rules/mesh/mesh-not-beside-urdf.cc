@@ -21,7 +21,7 @@ void check(const model::Root& /*root*/, Context& context) {
   const auto meshes = mujoco_meshes(settings, context);
   for (const MujocoMesh& one : meshes) {
     const std::string& uri = one.mesh->uri.value;
-    // What nobody reads, or finds, is told by other rules.
+    // What no consumer reads, or finds, is reported by other rules.
     if (!mujoco_reads(uri) || !context.resolve(uri).path) continue;
     std::string sought = settings.strip_path ? join_path(folder, file_name(uri)) : uri;
     if (!settings.strip_path && uri.find("://") == std::string::npos)

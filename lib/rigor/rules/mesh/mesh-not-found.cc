@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <rigor/rules/package/missing_part.h>
 #include <rigor/rules/package/own_package.h>
 #include <rigor/rules/package/tried.h>
 #include <rigor/rules/rule.h>
+#include <rigor/text/path.h>
 
 namespace rigor::rules::mesh_not_found {
 
@@ -22,19 +24,33 @@ std::vector<std::string> places_of(const read::Resolution& found) {
   return places;
 }
 
+std::string help_for(const std::string& uri, const read::Resolution& found, Context& context) {
+  const std::string package = package_without_file(uri, found, context);
+  if (!package.empty()) return "the package lies in '" + package + "', and has no such file";
+  constexpr std::string_view kFile = "file://";
+  if (uri.starts_with(kFile) && is_absolute(std::string_view(uri).substr(kFile.size()))) {
+    return "correct the path, or write a package:// URI: a file:// URI is looked for nowhere else";
+  }
+  constexpr std::string_view kModel = "model:///";
+  if (uri.starts_with(kModel)) {
+    return "write model://" + uri.substr(kModel.size()) +
+           ": after a third slash the path is absolute";
+  }
+  return tried_places(places_of(found), uri);
+}
+
 void check(const MeshUse& use, Context& context) {
   const auto& uri = use.mesh.uri;
   if (uri.value.empty()) return;
   const read::Resolution& found = context.resolve(uri.value);
   if (found.path || found.remote || !found.other_case.empty()) return;
-  const std::string package = package_without_file(uri.value, found, context);
   context.report({.where = uri.span,
                   .message = "the mesh '" + uri.value + "' is not found",
                   .subject = use.subject,
-                  .help = package.empty()
-                              ? tried_places(places_of(found), uri.value)
-                              : "the package lies in '" + package + "', and has no such file",
-                  .cause = missing_part(uri.value, found, context)});
+                  .help = help_for(uri.value, found, context),
+                  .cause = missing_part(uri.value, found, context),
+                  .why = use.collision ? "The simulator omits the collision: nothing touches it."
+                                       : "The simulator and RViz do not draw the visual."});
 }
 
 Rule rule() {

@@ -29,7 +29,8 @@ Rule rule() {
       .name = "mesh-scene-extras",
       .severity = Severity::kInfo,
       .summary = "a mesh file holds cameras, lights or animations",
-      .why = "Robots do without: Gazebo takes some of it, as animations of actors, RViz none. Told "
+      .why = "Robots do without: Gazebo takes some of it, as animations of actors, RViz none. "
+             "Reported "
              "of a file that is checked by itself only.",
       .what_to_do = "Leave them out when exporting, or write the mesh alone: `rigor mesh-check "
                     "FILE -o OUT.dae`.",

@@ -30,7 +30,7 @@ constexpr double kLikelyLarge = 5;
 constexpr double kBeyondOthers = 30;
 // More than nine in ten of their meshes are within this factor of the others.
 constexpr double kApart = 4;
-// With one other, nobody knows which of the two is wrong.
+// With one other, it is unknown which of the two is wrong.
 constexpr std::size_t kFewestOthers = 2;
 // Shapes of the model that are compared with: these tell, and a hostile file has a million.
 constexpr int kMostOthers = 100;
@@ -39,7 +39,7 @@ struct Unit {
   std::string_view name;
   double meter;
 };
-constexpr Unit kUnits[] = {{"millimetres", 0.001}, {"inches", 0.0254}, {"centimetres", 0.01}};
+constexpr Unit kUnits[] = {{"millimeters", 0.001}, {"inches", 0.0254}, {"centimeters", 0.01}};
 
 bool stands_fast(const MeshFile& file, const Context& context) {
   const model::Link* link = link_of(file, context);
@@ -57,7 +57,7 @@ struct Likely {
   double most = kLikelyLarge;
 };
 
-/// "; if it is drawn in millimetres, 0.35 m are meant": the first unit in which the size is likely.
+/// "; if it is drawn in millimeters, 0.35 m are meant": the first unit in which the size is likely.
 std::string too_large(double size, const Likely& likely = {}) {
   for (const Unit& unit : kUnits) {
     const double meant = size * unit.meter;

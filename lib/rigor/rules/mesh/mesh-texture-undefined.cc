@@ -15,7 +15,10 @@ void check(const MeshFile& file, Context& context) {
   const auto nameless = std::find_if(undefined.begin(), undefined.end(),
                                      [](const auto& image) { return image.written.empty(); });
   if (nameless != undefined.end()) {
-    report_mesh(file, context, "an <image> has no file name" + in_line(nameless->line));
+    report_mesh(
+        file, context, "an <image> has no file name" + in_line(nameless->line),
+        "Assimp, with which RViz reads Collada, rejects the whole mesh; Gazebo's own reader "
+        "loads it without the texture.");
     undefined.erase(nameless);
   }
   report_references(file, context, undefined, "a texture is not defined in the mesh file",

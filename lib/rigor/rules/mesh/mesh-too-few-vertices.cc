@@ -22,7 +22,7 @@ Rule rule() {
       .name = "mesh-too-few-vertices",
       .severity = Severity::kWarning,
       .summary = "a mesh has fewer than four vertices",
-      .why = "A body has four at least: this one is a triangle. MuJoCo rejects it; what has no "
+      .why = "A body has four at least: this one is a triangle. MuJoCo 3 rejects it; what has no "
              "thickness has no inside to collide with.",
       .what_to_do = "Export the whole part, or use a primitive.",
       .checks = {on<MeshFile>(check)},

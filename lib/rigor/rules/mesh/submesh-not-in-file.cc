@@ -36,7 +36,7 @@ void check(const MeshUse& use, Context& context) {
   if (submesh.value.empty()) return;
   const mass::MeshSurvey* survey = context.survey(use.mesh);
   if (survey == nullptr || survey->usable()) return;
-  // A file that is empty as a whole is told by mesh-empty, which has no such
+  // A file that is empty as a whole is reported by mesh-empty, which has no such
   // words.
   const std::string words = "it has no part named " + submesh.value;
   const auto says_so = [&words](const mesh::Fault& fault) { return fault.detail == words; };

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the rules on a mesh's textures share: which are told, and their names.
+// What the rules on a mesh's textures share: which are reported, and their names.
 
 #pragma once
 

@@ -15,6 +15,13 @@ bool counts(const NameScope& scope, const Named& named, const Context& context) 
          (named.kind == "link" || named.kind == "joint" || named.kind == "material");
 }
 
+bool is_include(const Named& named, const Context& context) {
+  for (auto at = context.document().element_at(named.where.begin); at; at = at->parent()) {
+    if (at->name() == "include") return true;
+  }
+  return false;
+}
+
 void check(const model::Root& /*root*/, Context& context) {
   for (const NameScope& scope : context.repeated_names()) {
     for_each_repetition(scope, Kinds::kSame, [&](const Named& first, const Named& again) {
@@ -24,6 +31,9 @@ void check(const model::Root& /*root*/, Context& context) {
                                  std::string(again.name) + "'",
                       .subject = subject_of(again),
                       .related = {{first.where, "the first"}},
+                      .help = again.kind == "model" && is_include(again, context)
+                                  ? "give the <include> a <name> of its own"
+                                  : "",
                       .cause = std::string(again.name)});
     });
   }
@@ -35,8 +45,8 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways, .urdf = Refusal::kAlways},
       .summary = "duplicate name",
-      .why = "libsdformat and urdfdom reject the file. Where they accept it, one of the two cannot "
-             "be referred to.",
+      .why = "libsdformat rejects the file. urdfdom rejects the robot. Where a reader accepts it, "
+             "one of the two cannot be referred to.",
       .what_to_do = "Rename one of them. Give one of two includes of the same model a <name>.",
       .checks = {on<model::Root>(check)},
   };

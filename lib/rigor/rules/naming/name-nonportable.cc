@@ -31,7 +31,7 @@ Rule rule() {
       .name = "name-nonportable",
       .severity = Severity::kInfo,
       .summary = "a name has characters that other programs cannot take",
-      .why = "SDF and URDF take any name. ROS takes no space in the name of a frame or topic made "
+      .why = "ROS takes no space in the name of a frame or topic made "
              "from it, and '/' and ':' separate names there; USD takes letters, digits and "
              "underscores only.",
       .what_to_do = "Write letters, digits and underscores.",

@@ -15,8 +15,8 @@ bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }  // USD of today takes others
 
-/// What name-nonportable tells of, whoever the file is for.
-bool is_told_elsewhere(std::string_view name) {
+/// What name-nonportable tells of, whatever the file is for.
+bool is_reported_elsewhere(std::string_view name) {
   return name.find_first_of(" /\\:\"'#") != std::string_view::npos;
 }
 
@@ -39,7 +39,7 @@ void check_names(const std::vector<Entity>& entities, Context& context) {
   for (const Entity& entity : entities) first.try_emplace(entity.name.value, &entity);
   for (const Entity& entity : entities) {
     const std::string& name = entity.name.value;
-    if (is_taken(name) || is_told_elsewhere(name)) continue;
+    if (is_taken(name) || is_reported_elsewhere(name)) continue;
     const std::string taken = in_usd(name);
     Finding finding{.where = entity.name.span,
                     .message = "'" + name + "' is no name in USD: it becomes " +

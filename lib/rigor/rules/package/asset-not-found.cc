@@ -35,7 +35,7 @@ bool is_of_gazebo(std::string_view uri, xml::Element element) {
 }
 
 /// Of a path of one machine, and of what is no path, other rules speak.
-bool is_told_elsewhere(std::string_view uri) {
+bool is_reported_elsewhere(std::string_view uri) {
   const std::size_t colon = uri.find(':');
   const std::string_view scheme = uri.substr(0, colon);
   const bool known = colon == std::string_view::npos || scheme == "model" || scheme == "package" ||
@@ -63,7 +63,7 @@ struct Missing {
   std::size_t others = 0;  ///< further places that name it
 };
 
-/// What the file names and nobody has, by URI; of the first place that names it.
+/// What the file names and does not exist, by URI; of the first place that names it.
 std::map<std::string, Missing> missing_assets(Context& context) {
   std::map<std::string, Missing> missing;
   for (const xml::Element element : context.elements_about_files()) {
@@ -72,7 +72,7 @@ std::map<std::string, Missing> missing_assets(Context& context) {
     const auto written = asset_uri(element);
     if (!written) continue;
     const std::string uri(read::trimmed(written->text));
-    if (uri.empty() || has_xacro(uri) || is_of_gazebo(uri, element) || is_told_elsewhere(uri)) {
+    if (uri.empty() || has_xacro(uri) || is_of_gazebo(uri, element) || is_reported_elsewhere(uri)) {
       continue;
     }
     const auto [known, is_new] = missing.try_emplace(uri, Missing{*written, kind});
@@ -91,7 +91,10 @@ void check(const model::Root& /*root*/, Context& context) {
     const read::Resolution& found = context.resolve(uri);
     Finding finding{.where = asset.first.span,
                     .message = "the " + std::string(asset.kind) + " '" + uri + "' is not found",
-                    .cause = missing_part(uri, found, context)};
+                    .cause = missing_part(uri, found, context),
+                    .why = asset.kind == "texture"
+                               ? "The simulator draws the part without it, in one color."
+                               : ""};
     if (!found.other_case.empty()) {
       finding.message += ", but '" + found.other_case + "' is: only the case of letters differs";
       if (asset.others == 0) finding.fix = other_case(asset.first, found);

@@ -6,6 +6,11 @@
 
 namespace rigor::rules::include_has_errors {
 
+/// Whether the first error is of a mesh that is not found: `validate` names others before it.
+bool is_about_meshes(const read::Fact& fact) {
+  return fact.tried.front().starts_with("the mesh '");
+}
+
 void check(const read::Fact& fact, Context& context) {
   const bool one = fact.count == 1;
   std::vector<Label> first;
@@ -16,7 +21,10 @@ void check(const read::Fact& fact, Context& context) {
                              fact.tried.front() + (one ? "" : ", …"),
                   .related = std::move(first),
                   .help = "check that file: rigor validate " + fact.name,
-                  .cause = fact.name});
+                  .cause = fact.name,
+                  .why = is_about_meshes(fact) ? "Where this model is included, these parts are "
+                                                 "missing as well."
+                                               : ""});
 }
 
 Rule rule() {

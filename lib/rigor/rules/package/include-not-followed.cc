@@ -11,8 +11,8 @@ namespace rigor::rules::include_not_followed {
 
 constexpr std::size_t kSearched = 300;  // of a file's first includes; real worlds have a hundred
 
-/// Worlds include one buoy fifty times: that it was not looked at is told once.
-bool is_told(const read::Fact& fact, const model::Root& root) {
+/// Worlds include one buoy fifty times: that it was not looked at is reported once.
+bool is_reported(const read::Fact& fact, const model::Root& root) {
   for (std::size_t i = 0; i < std::min(root.includes.size(), kSearched); ++i) {
     const model::Include& include = root.includes[i];
     if (!root.own(include.site) || include.uri.span.begin >= fact.where.begin) continue;
@@ -22,7 +22,7 @@ bool is_told(const read::Fact& fact, const model::Root& root) {
 }
 
 void check(const read::Fact& fact, Context& context) {
-  if (is_told(fact, context.root())) return;
+  if (is_reported(fact, context.root())) return;
   context.report({.where = fact.where,
                   .message = "'" + fact.name + "' is not in the Fuel cache, and was not checked"});
 }

@@ -16,9 +16,8 @@ void check(const read::Fact& fact, Context& context) {
   const std::string& other = found.other_case;
   context.report({.where = fact.where,
                   .message = "'" + fact.name + "' is not found",
-                  .help = other.empty()
-                              ? tried_places(fact.tried, fact.name)
-                              : "there is '" + other + "': names are case-sensitive",
+                  .help = other.empty() ? tried_places(fact.tried, fact.name)
+                                        : "there is '" + other + "': names are case-sensitive",
                   .cause = missing_part(fact.name, found, context)});
 }
 
@@ -28,7 +27,9 @@ Rule rule() {
       .severity = Severity::kError,
       .refused = {.sdf = Refusal::kAlways},
       .summary = "an included model is not found",
-      .why = "libsdformat rejects the whole file; Gazebo leaves the model out.",
+      .why = "libsdformat rejects the whole file, and gz sim does not start; Gazebo classic leaves "
+             "the "
+             "model out.",
       .what_to_do =
           "Correct the URI, or give the model's folder: --model-path, the paths in rigor.toml, "
           "GZ_SIM_RESOURCE_PATH, or for package:// --package and ROS_PACKAGE_PATH.",

@@ -7,7 +7,11 @@ namespace rigor::rules::include_uri_missing {
 
 void check(const model::Include& include, Context& context) {
   if (!include.uri.value.empty()) return;
-  context.report({.where = include.site.name, .message = "this <include> names no model"});
+  const bool old = context.element(include.site).attribute("filename").has_value();
+  context.report({.where = include.site.name,
+                  .message = old ? "<include> has no <uri>: 'filename' is read in SDF 1.0 only"
+                                 : "<include> has no <uri>",
+                  .help = old ? "write <uri>model://NAME</uri> in place of the attribute" : ""});
 }
 
 Rule rule() {

@@ -17,7 +17,7 @@
 
 namespace rigor::rules::mesh_unreferenced {
 
-// A model's folder has a dozen files and folders; whoever has more than these is not looked at.
+// A model's folder has a dozen files and folders; a folder with more is not checked.
 constexpr std::size_t kMostEntries = 1000;
 constexpr int kDeepest = 4;
 constexpr std::uint64_t kLargestText = std::uint64_t{8} << 20U;

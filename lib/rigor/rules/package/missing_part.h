@@ -27,7 +27,7 @@ inline std::string outermost_missing(std::string_view path, const Context& conte
   return missing;
 }
 
-/// "package://arm_description" or "model://arm" where nobody has that folder, else the file, or the folder
+/// "package://arm_description" or "model://arm" where that folder does not exist, else the file, or the folder
 /// around it that does not exist, at the first place where it was looked for.
 inline std::string missing_part(std::string_view uri, const read::Resolution& found,
                                 const Context& context) {

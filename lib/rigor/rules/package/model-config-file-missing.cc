@@ -23,7 +23,7 @@ Rule rule() {
       .severity = Severity::kError,
       .formats = Formats::kModelConfig,
       .summary = "a file in model.config does not exist",
-      .why = "Whoever includes the folder gets an error: the file cannot be loaded.",
+      .why = "Including the folder fails: the file cannot be loaded.",
       .what_to_do = "Correct the name; it is relative to the folder of model.config.",
       .checks = {on_config({read::ConfigFactKind::kFileMissing}, check)},
   };

@@ -12,7 +12,7 @@
 namespace rigor::rules::model_config_no_sdf {
 
 /// A folder of meshes that other models use has a model.config so that model:// leads there, and
-/// nobody includes it.
+/// no file includes it.
 bool holds_a_model(const Context& context) {
   for (const std::string& name : context.disk().list(std::string(context.folder()))) {
     const std::string_view file = name;

@@ -51,7 +51,7 @@ inline std::optional<RosPackage> own_package(const Context& context) {
   return std::nullopt;
 }
 
-/// Where the package of a package:// URI lies that leads to no file in it; empty when nobody has the package.
+/// Where the package of a package:// URI lies that leads to no file in it; empty when the package is not found.
 inline std::string package_without_file(std::string_view uri, const read::Resolution& found,
                                         const Context& context) {
   constexpr std::string_view kScheme = "package://";

@@ -1,11 +1,12 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
-#include <rigor/rules/rule.h>
 #include <rigor/rules/package/uris.h>
+#include <rigor/rules/rule.h>
 #include <rigor/text/path.h>
 
 namespace rigor::rules::uri_absolute_path {
@@ -22,12 +23,23 @@ bool is_of_one_machine(std::string_view uri) {
   return is_absolute(uri) || is_drive(uri);
 }
 
+/// The first two folders of the path, which all files of one workspace share: /home/anna.
+std::string_view workspace_of(std::string_view uri) {
+  constexpr std::string_view kFile = "file://";
+  if (uri.starts_with(kFile)) uri.remove_prefix(kFile.size());
+  std::size_t end = 0;
+  for (int folder = 0; folder < 2 && end != uri.npos; ++folder) {
+    end = uri.find_first_of("/\\", uri.find_first_not_of("/\\", end));
+  }
+  return uri.substr(0, end);
+}
+
 void check(const model::Root& /*root*/, Context& context) {
   for (const Uri& uri : context.uris()) {
     if (!is_of_one_machine(uri.text)) continue;
     context.report({.where = uri.where,
                     .message = "'" + std::string(uri.text) + "' is a path of one machine",
-                    .cause = std::string(parent_path(uri.text))});
+                    .cause = std::string(workspace_of(uri.text))});
   }
 }
 

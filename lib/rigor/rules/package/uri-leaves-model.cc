@@ -40,7 +40,7 @@ Rule rule() {
       .formats = Formats::kSdf,
       .summary = "a model names a file outside its own folder",
       .why = "A folder with a model.config is what is copied, put on Fuel and found by model://. "
-             "Elsewhere it has other neighbours, and the file is not found.",
+             "Elsewhere it has other neighbors, and the file is not found.",
       .what_to_do = "Name the other model, as in model://wheel/meshes/rim.dae, or copy the file.",
       .checks = {on<model::Root>(check)},
   };

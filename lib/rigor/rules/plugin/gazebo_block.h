@@ -16,7 +16,7 @@ inline bool is_in_part(const model::Sensor& sensor) {
   return sensor.link || sensor.joint || !sensor.gazebo_reference.empty();
 }
 
-/// Whether libsdformat reads the plugin of a URDF, and so refuses what is wrong with it. One that is told
+/// Whether libsdformat reads the plugin of a URDF, and so refuses what is wrong with it. One that is reported
 /// of a link itself it passes on unread.
 inline bool is_read_from_block(const model::Plugin& plugin, const Context& context) {
   if (plugin.sensor) return is_in_part(context.root()[plugin.sensor]);

@@ -65,7 +65,7 @@ void check(const model::Plugin& plugin, Context& context) {
     meant = with_end;
   } else {
     const auto near = schema::near(misspelt->name, {candidates.begin(), candidates.end()});
-    if (near.empty()) return;  // somebody's own
+    if (near.empty()) return;  // a plugin of the user's own
     meant = near.front();
   }
   meant = misspelt->before + meant + misspelt->after;

@@ -50,10 +50,10 @@ std::vector<std::string_view> missing_from(const model::Plugin& plugin,
   return names;
 }
 
-/// All that is left of the ancestor's is one fault: somebody changed the name of the library only.
+/// All that is left of the ancestor's is one fault: only the name of the library was changed.
 void report_former(const std::vector<const model::Parameter*>& former, const model::Plugin& plugin,
                    Context& context) {
-  constexpr std::size_t kMostNamed = 4;  // a longer list is read by nobody
+  constexpr std::size_t kMostNamed = 4;  // a longer list is not read
   std::vector<std::string_view> names;
   for (const model::Parameter* parameter : former) {
     if (std::find(names.begin(), names.end(), parameter->name) != names.end()) continue;

@@ -10,7 +10,7 @@
 namespace rigor::rules::joint_parent_is_child {
 
 /// libsdformat compares what the names lead to in models that are not nested only, and the names in all.
-/// urdfdom does not come to a link that is nobody else's child.
+/// urdfdom does not come to a link that is the child of no other joint.
 bool refused(const model::FrameProblem& problem, const Context& context) {
   if (context.is_urdf()) {
     const auto& joints = context.root().joints;

@@ -13,6 +13,11 @@ void check(const model::FrameProblem& problem, Context& context) {
       problem, "the parent '" + problem.name + "' does not exist in this model", context);
   // Joints of a world came with SDF 1.10; libsdformat 12 reads none.
   finding.refused = static_cast<bool>(problem.model);
+  if (finding.help.empty() && context.is_urdf()) {
+    finding.help = problem.name == "world"
+                       ? "add <link name=\"world\"/>: URDF has no world of its own"
+                       : "name a link of the robot";
+  }
   context.report(std::move(finding));
 }
 
@@ -23,7 +28,9 @@ Rule rule() {
       .refused = {.sdf = Refusal::kSays, .urdf = Refusal::kAlways},
       .fix = FixGrade::kUnsafe,
       .summary = "a joint names a parent that does not exist",
-      .why = "libsdformat and urdfdom reject the whole model: a joint has to hold on to something.",
+      .why = "libsdformat rejects the whole file: a joint has to hold on to something. urdfdom "
+             "rejects the "
+             "whole robot.",
       .what_to_do =
           "Name a link, joint, frame or nested model of the same model, or world (in SDF).",
       .checks = {on_frames({model::FrameProblemKind::kParentMissing}, check)},

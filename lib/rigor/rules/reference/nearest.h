@@ -21,7 +21,7 @@ namespace rigor::rules {
 
 /// The finding with what the name that is at its place was probably meant to be: "did you mean 'tip'?".
 /// There is a fix only where one candidate is near, and the name is written there as it is read. What
-/// refers to another thing is another robot: whoever wrote the name has to agree.
+/// refers to another thing is another robot: the author has to agree.
 inline Finding with_nearest(Finding finding, std::string_view name,
                             const std::vector<std::string>& candidates, const Context& context) {
   finding.cause = name;

@@ -33,6 +33,7 @@ void check(const read::SchemaFact& fact, Context& context) {
   context.report({.where = fact.where,
                   .message = message + instead_of(fact),
                   .subject = subject_of(fact.element),
+                  .why = ignored ? "No reader of URDF heeds it: its values have no effect." : "",
                   .severity = severity_of(fact)});
 }
 

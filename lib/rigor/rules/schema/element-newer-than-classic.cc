@@ -28,7 +28,7 @@ class NewerTeller {
   explicit NewerTeller(Context& context) : context_(context) {}
 
   void tell(const schema::Node& node, Span where) {
-    if (!told_.insert(node.name()).second) return;
+    if (!reported_.insert(node.name()).second) return;
     context_.report({.where = where,
                      .message = "'" + std::string(node.name()) + "' came with SDF " +
                                 schema::to_string(node.since()) +
@@ -37,11 +37,11 @@ class NewerTeller {
 
  private:
   Context& context_;
-  std::set<std::string_view> told_;
+  std::set<std::string_view> reported_;
 };
 
 void check(const model::Root& root, Context& context) {
-  // In an older file element-newer-than-version tells it, whoever the file is for.
+  // In an older file element-newer-than-version reports it, whatever the file is for.
   if (root.version <= kNewestOfClassic.minor || context.schema() == nullptr) return;
   const auto top = context.document().root();
   if (!top) return;

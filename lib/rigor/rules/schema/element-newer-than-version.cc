@@ -8,9 +8,15 @@
 
 namespace rigor::rules::element_newer_than_version {
 
-/// Every version of libsdformat reads an <include> by itself, whatever the version of the file.
+/// Every version of libsdformat reads an <include> by itself, whatever the version of the file; of its pose
+/// the numbers only.
 bool of_include(const read::SchemaFact& fact) {
+  if (fact.attribute && fact.element.name() == "pose") return false;
   return fact.element.name() == "include" || fact.ancestor(1) == "include";
+}
+
+bool is_unit(const read::SchemaFact& fact) {
+  return fact.attribute && fact.attribute->name() == "degrees";
 }
 
 void check(const read::SchemaFact& fact, Context& context) {
@@ -22,7 +28,11 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .message = "'" + std::string(context.bytes(fact.where)) + "' came with " +
                              format + since + ": this file is " + format +
                              schema::to_string(fact.parent->version()),
-                  .subject = subject_of(fact.element)});
+                  .subject = subject_of(fact.element),
+                  .why = is_unit(fact) ? "libsdformat 12 and later read the angles in degrees in a "
+                                         "file of any version, older ones and Gazebo classic in "
+                                         "radians."
+                                       : ""});
 }
 
 Rule rule() {

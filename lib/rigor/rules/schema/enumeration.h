@@ -21,9 +21,9 @@ namespace rigor::rules {
 
 /// Who speaks of a value that is in no list.
 enum class ListKeeper {
-  kOwnRule,  ///< the rule for types of joints, sensors or physics engines, or for mimics
-  kRefuses,  ///< libsdformat refuses the file
-  kNobody,   ///< nobody looks, and the simulator does as it likes
+  kOwnRule,    ///< the rule for types of joints, sensors or physics engines, or for mimics
+  kRefuses,    ///< libsdformat refuses the file
+  kUnchecked,  ///< not checked: the simulator does as it likes
 };
 
 inline bool of_force_torque_frame(const read::SchemaFact& fact) {
@@ -48,7 +48,7 @@ inline ListKeeper keeper_of(const read::SchemaFact& fact) {
       (element == "atmosphere" && attribute == "type") || element == "surface_model" ||
       element == "world_frame_orientation" || attribute == "rotation_format" ||
       of_force_torque_frame(fact) || of_camera_noise(fact);
-  return refused ? ListKeeper::kRefuses : ListKeeper::kNobody;
+  return refused ? ListKeeper::kRefuses : ListKeeper::kUnchecked;
 }
 
 /// Since when the value is one of the list, if a later version of the format has it; of that

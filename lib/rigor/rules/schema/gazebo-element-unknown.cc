@@ -67,6 +67,10 @@ void check(const model::GazeboBlock& block, Context& context) {
           (finding.help.empty() ? "did you mean <" : " or <") + std::string(other) + ">";
     }
     if (!near.empty()) finding.help += "?";
+    if (is_former(name)) {
+      finding.help = "remove it: the stops of a joint have <stopErp> and <stopCfm>, in other units";
+      finding.why = "Gazebo read it before it had SDF; libsdformat and Gazebo ignore it today.";
+    }
     if (is_nearest(near, name) && find(block.content, near.front()) == nullptr) {
       finding.fix = fix_of("write <" + std::string(near.front()) + ">", Applicability::kUnsafe,
                            renamed(context, child.site, near.front()));

@@ -46,7 +46,7 @@ struct KeyFault {
 constexpr std::string_view kAborts = "libsdformat aborts";
 constexpr std::string_view kBeginning = "libsdformat reads its beginning only";
 
-/// By stod: an exception of its that nobody catches ends the process.
+/// By stod: an exception that is not caught ends the process.
 std::optional<KeyFault> fault_of_number(std::string_view text) {
   const std::string_view wanted = expected(schema::Type::kDouble);
   const auto parsed = schema::parse_double(text);
@@ -174,6 +174,21 @@ bool is_harmless(const read::SchemaFact& fact) {
   return has_kind(fact, FaultKind::kNegative);
 }
 
+/// "1.0" is the count that its author meant, and is read so.
+bool is_whole_with_zeros(const read::SchemaFact& fact) {
+  if (!has_kind(fact, FaultKind::kTrailingText)) return false;
+  const std::string_view rest = read::trimmed(fact.text.substr(fact.value_fault->begin));
+  return rest.starts_with('.') && rest.find_first_not_of('0', 1) == rest.npos;
+}
+
+std::string why_of(const read::SchemaFact& fact, bool refused) {
+  const std::string copied = "libsdformat copies the element into the SDF that it makes";
+  if (refused) return copied + ", and rejects that for the value.";
+  if (!has_kind(fact, FaultKind::kTrailingText)) return copied + ", and takes the default there.";
+  const std::string_view read = read::trimmed(fact.text.substr(0, fact.value_fault->begin));
+  return copied + ", and reads '" + std::string(read) + "' there.";
+}
+
 void check_sdf(const model::GazeboBlock& block, Context& context) {
   check_copied(block, context, [&](const read::SchemaFact& fact) {
     if (fact.kind != read::SchemaFactKind::kBadValue) return;
@@ -184,12 +199,15 @@ void check_sdf(const model::GazeboBlock& block, Context& context) {
     xml::Element part = fact.element;  // the child of the block that it stands in
     while (part.parent()->name() != "gazebo") part = *part.parent();
     const bool of_shape = part.name() == "collision" || part.name() == "visual";
+    const bool refused = sdformat_refuses(fact) && comes_into_sdf(block, context) &&
+                         (!of_shape || has_shapes(block, part.name(), context));
     context.report(
         {.where = shown(value, fact.element),
          .message = owner_of(fact) + (empty ? " has no value and takes " + wanted
                                             : " takes " + wanted + ", not " + quoted(fact.text)),
-         .refused = sdformat_refuses(fact) && comes_into_sdf(block, context) &&
-                    (!of_shape || has_shapes(block, part.name(), context))});
+         .refused = refused,
+         .why = why_of(fact, refused),
+         .severity = is_whole_with_zeros(fact) ? std::optional(Severity::kInfo) : std::nullopt});
   });
 }
 

@@ -9,6 +9,7 @@
 #include <rigor/rules/rule.h>
 #include <rigor/rules/schema/dialects.h>
 #include <rigor/rules/schema/place.h>
+#include <rigor/rules/schema/refused_value.h>
 
 namespace rigor::rules::misplaced_element {
 
@@ -20,6 +21,22 @@ std::string list(const std::vector<std::string>& places) {
     text += (i > 0 ? ", <" : "<") + places[i].substr(places[i].rfind('/') + 1) + ">";
   }
   return places.size() > kMostPlaces ? text + " and others" : text;
+}
+
+/// The nearest element around it that takes it is what was meant.
+std::string help_of(const read::SchemaFact& fact, const std::vector<std::string>& places,
+                    const Context& context) {
+  if (fact.is_inside("state")) {
+    return "write it in the <model> itself: a <state> has only what changes in time";
+  }
+  const schema::Version version = fact.parent->version();
+  for (auto around = fact.element.parent(); around; around = around->parent()) {
+    const auto outer = node_in(version, *around, *context.schema());
+    if (outer && outer->child(fact.element.name())) {
+      return "move it to the <" + std::string(around->name()) + "> around it";
+    }
+  }
+  return "it belongs in " + list(places);
 }
 
 void check(const read::SchemaFact& fact, Context& context) {
@@ -35,7 +52,7 @@ void check(const read::SchemaFact& fact, Context& context) {
                              std::string(fact.parent->name()) +
                              (fact.is_inside("state") ? "> of a <state>" : ">"),
                   .subject = subject_of(fact.element),
-                  .help = "it belongs in " + list(places)});
+                  .help = help_of(fact, places, context)});
 }
 
 Rule rule() {
@@ -43,8 +60,8 @@ Rule rule() {
       .name = "misplaced-element",
       .severity = Severity::kWarning,
       .summary = "an element is in a place where the format does not have it",
-      .why = "libsdformat, urdfdom and Gazebo look for it in another element and ignore it here; "
-             "only newer libsdformat warns.",
+      .why = "libsdformat and Gazebo look for it in another element and ignore it here; only newer "
+             "libsdformat warns. urdfdom ignores it silently.",
       .what_to_do = "Move it to the element that the message names.",
       .checks = {on_schema({read::SchemaFactKind::kUnknownElement}, check)},
   };

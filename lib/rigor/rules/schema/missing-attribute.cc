@@ -70,7 +70,7 @@ void check(const read::SchemaFact& fact, Context& context) {
   const std::string_view name = fact.node->name();
   if (!needed(fact, *fact.node, context)) return;
   const std::string names = missing(fact, context);
-  if (!names.starts_with("'" + std::string(name) + "'")) return;  // told at the first of them
+  if (!names.starts_with("'" + std::string(name) + "'")) return;  // reported at the first of them
   context.report({.where = fact.where,
                   .message = "<" + std::string(fact.element.name()) + "> has no " + names,
                   .subject = subject_of(fact.element),

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <rigor/rules/edits.h>
 #include <rigor/rules/rule.h>
@@ -14,22 +15,45 @@
 
 namespace rigor::rules::missing_element {
 
+/// A file of colors or constants that xacro files include: no robot is loaded from it alone.
+bool is_fragment(xml::Element element) {
+  if (element.name() != "robot" || element.children().empty()) return false;
+  if (!element.attribute("xmlns:xacro")) return false;
+  return !element.child("link") && !element.child("joint");
+}
+
+/// What a reader makes of it, by what is missing where.
+std::string why_of(std::string_view parent, std::string_view name, const Context& context) {
+  if (context.is_urdf() && parent == "robot") {
+    return "urdfdom rejects a robot without links, and libsdformat a model without any.";
+  }
+  if (context.is_urdf() && parent == "joint") {
+    return "urdfdom rejects the whole robot: a joint needs a parent and a child.";
+  }
+  if (context.is_sdf() && parent == "joint") return "libsdformat rejects the whole file.";
+  if (context.is_sdf() && name == "uri") {
+    return "libsdformat gives the mesh a name that no file has, so it is neither drawn nor felt.";
+  }
+  return {};
+}
+
 void check(const read::SchemaFact& fact, Context& context) {
   const std::string name(fact.node->name());
   if (!is_needed(fact.element.name(), name, context)) return;
   if (fact.element.attribute(name)) return;  // element-as-attribute
-  if (has_xacro_child(fact.element)) return;
+  if (has_xacro_child(fact.element) || is_fragment(fact.element)) return;
   const auto misspelt = misspelt_child(fact.element, name, context);
   context.report(
       {.where = fact.where,
        .message = "<" + std::string(fact.element.name()) + "> has no <" + name + ">",
        .subject = subject_of(fact.element),
        .help = misspelt ? "did you mean <" + name + "> by <" + std::string(misspelt->name()) + ">?"
-                        : "",
+                        : "add <" + name + ">",
        .fix = misspelt ? fix_of("write <" + name + ">", Applicability::kUnsafe,
                                 xml::rename_element(context.document(), *misspelt, name))
                        : std::nullopt,
-       .refused = fact.element.name() == "robot" || fact.element.name() == "joint"});
+       .refused = fact.element.name() == "robot" || fact.element.name() == "joint",
+       .why = why_of(fact.element.name(), name, context)});
 }
 
 /// An end that is there and names nothing.

@@ -119,7 +119,7 @@ void check(const read::SchemaFact& fact, Context& context) {
   if (!parent || all_are_read(name, parent->name())) return;
   if (parent->name() == "sdf") return;  // several-at-top-level
   const auto other = contradiction(fact.element, context);
-  if (!other) return;  // whoever reads whichever of them reads the same
+  if (!other) return;  // every reader gets the same value
   context.report({.where = other->name_span(),
                   .message = "a second <" + name + "> has no effect: the first counts",
                   .subject = subject_of(fact.element),

@@ -57,6 +57,18 @@ std::optional<schema::Node> meant_child(const read::SchemaFact& fact, std::strin
   return required.size() == 1 ? std::optional(required.front()) : std::nullopt;
 }
 
+/// What is to be looked for: in a template the place may be that of a call.
+std::string in_short(std::string_view text) {
+  constexpr std::size_t kMost = 30;
+  std::string line(text.substr(0, text.find('\n')));
+  if (line.size() > kMost) {
+    std::size_t end = kMost;
+    while ((static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) --end;  // whole code points
+    line.resize(end);
+  }
+  return '\'' + line + (line.size() < text.size() ? "…'" : "'");
+}
+
 Span trimmed_span(const read::SchemaFact& fact, const Context& context) {
   const std::string_view all = context.bytes(fact.where);
   const std::string_view inner = read::trimmed(all);
@@ -72,7 +84,7 @@ void check(const read::SchemaFact& fact, Context& context) {
   if (fact.element.name() == "script") return;  // material-script-incomplete
   const std::string parent = "<" + std::string(fact.element.name()) + ">";
   Finding finding{.where = fact.where,
-                  .message = "text in " + parent + " that has no effect",
+                  .message = "text " + in_short(text) + " in " + parent + " has no effect",
                   .subject = subject_of(fact.element)};
   if (const auto child = meant_child(fact, text)) {
     const std::string name(child->name());

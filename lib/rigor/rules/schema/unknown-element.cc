@@ -19,7 +19,7 @@ bool read_by_gazebo(const read::SchemaFact& fact) {
 }
 
 /// What `missing-element` and `geometry-empty` tell.
-bool is_told_as_missing(const read::SchemaFact& fact, const Context& context) {
+bool is_reported_as_missing(const read::SchemaFact& fact, const Context& context) {
   const std::string_view parent = fact.parent->name();
   if (context.is_urdf() && parent == "geometry") return true;
   for (const schema::Node required : fact.parent->required_children()) {
@@ -34,7 +34,7 @@ void check(const read::SchemaFact& fact, Context& context) {
   const std::string_view name = fact.element.name();
   if (!context.schema()->parents_of(name, version).empty()) return;  // misplaced-element
   if (dialect_reader(fact, context)) return;                         // consumer-specific-name
-  if (read_by_gazebo(fact) || is_told_as_missing(fact, context)) return;
+  if (read_by_gazebo(fact) || is_reported_as_missing(fact, context)) return;
   auto known = node_names(fact.parent->children());
   for (const auto other : schema::dialect_names(dialect_format(context), fact.parent->name())) {
     if (!other.starts_with('@')) known.push_back(other);
@@ -60,10 +60,9 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "unknown element",
-      .why =
-          "libsdformat, urdfdom and Gazebo ignore it and everything in it; only newer libsdformat "
-          "warns. Most are misspelt. Elements that another known consumer reads are reported by "
-          "consumer-specific-name.",
+      .why = "libsdformat and Gazebo ignore it and everything in it; only newer libsdformat warns. "
+             "urdfdom ignores it silently. Most are misspelt. Elements that another known consumer "
+             "reads are reported by consumer-specific-name.",
       .what_to_do = "Write the name that was meant. Elements of your own take a prefix, as in "
                     "<mine:note>, and are not reported.",
       .checks = {on_schema({read::SchemaFactKind::kUnknownElement}, check)},

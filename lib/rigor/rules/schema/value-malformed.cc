@@ -13,7 +13,7 @@ namespace rigor::rules::value_malformed {
 using FaultKind = schema::ValueFault::Kind;
 
 /// Where libsdformat takes the default of what is empty, `value-empty` speaks.
-bool told_elsewhere(const read::SchemaFact& fact, const Context& context) {
+bool reported_elsewhere(const read::SchemaFact& fact, const Context& context) {
   if (left_for_xacro(fact)) return true;
   if (has_kind(fact, FaultKind::kEmpty)) {
     return context.is_sdf() && fact.node->cardinality() != schema::Cardinality::kOne;
@@ -27,7 +27,7 @@ bool told_elsewhere(const read::SchemaFact& fact, const Context& context) {
 }
 
 void check(const read::SchemaFact& fact, Context& context) {
-  if (told_elsewhere(fact, context)) return;
+  if (reported_elsewhere(fact, context)) return;
   const std::string wanted(expected(fact, context));
   std::string message = owner_of(fact) + " takes " + wanted + ", not " + quoted_fault(fact);
   if (has_kind(fact, FaultKind::kEmpty)) message = owner_of(fact) + " is empty: it takes " + wanted;

@@ -28,8 +28,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .summary = "a number of a URDF joint is negative that cannot be",
-      .why = "urdfdom accepts it. A simulator reads a negative effort or velocity limit as none, "
-             "as zero, or rejects it; negative damping pushes the joint ever faster.",
+      .why = "A simulator reads a negative effort or velocity limit as none, as zero, or rejects "
+             "it; negative damping pushes the joint ever faster. urdfdom accepts it.",
       .what_to_do = "Write a number of at least 0.",
       .checks = {on_schema({read::SchemaFactKind::kOutOfRange}, check)},
   };

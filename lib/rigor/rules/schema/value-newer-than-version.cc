@@ -22,7 +22,7 @@ void check(const read::SchemaFact& fact, Context& context) {
                              schema::to_string(fact.node->version()),
                   .subject = subject_of(fact.element),
                   .refused = context.is_sdf() && *since > kLatestOfSdformat12 &&
-                             keeper_of(fact) != ListKeeper::kNobody});
+                             keeper_of(fact) != ListKeeper::kUnchecked});
 }
 
 Rule rule() {

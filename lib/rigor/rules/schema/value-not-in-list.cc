@@ -16,7 +16,8 @@ bool custom_noise(const read::SchemaFact& fact) {
 }
 
 void check(const read::SchemaFact& fact, Context& context) {
-  if (keeper_of(fact) != ListKeeper::kNobody || left_for_xacro(fact) || custom_noise(fact)) return;
+  if (keeper_of(fact) != ListKeeper::kUnchecked || left_for_xacro(fact) || custom_noise(fact))
+    return;
   if (listed_since(fact)) return;
   report_unlisted(fact, context);
 }

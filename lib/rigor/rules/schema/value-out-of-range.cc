@@ -40,6 +40,20 @@ std::string message(const read::SchemaFact& fact, const schema::Node& node) {
   return given + ": it has to be " + bounds + (unit.empty() ? "" : " " + unit);
 }
 
+std::string why_of(const read::SchemaFact& fact, const Context& context) {
+  if (context.is_urdf()) return {};
+  if (has_kind(fact, FaultKind::kNegative)) {
+    return "libsdformat wraps a negative number around to one of some four billion.";
+  }
+  if (has_kind(fact, FaultKind::kOutOfRange)) {
+    return "libsdformat rejects the file: the number does not fit its type.";
+  }
+  if (has_kind(fact, FaultKind::kUnderflow)) {
+    return "libsdformat rejects a number that it cannot distinguish from zero.";
+  }
+  return "libsdformat holds every file to the bounds of its newest version, and rejects this one.";
+}
+
 void check(const read::SchemaFact& fact, Context& context) {
   const bool bad = fact.kind == read::SchemaFactKind::kBadValue;
   const bool ours = has_kind(fact, FaultKind::kNegative) ||
@@ -54,7 +68,8 @@ void check(const read::SchemaFact& fact, Context& context) {
   context.report({.where = fact.where,
                   .message = message(fact, *node),
                   .subject = subject_of(fact.element),
-                  .refused = refuses_value(fact, context)});
+                  .refused = refuses_value(fact, context),
+                  .why = why_of(fact, context)});
 }
 
 Rule rule() {

@@ -60,7 +60,28 @@ std::optional<Severity> severity_of(const read::SchemaFact& fact, const Context&
   rest = read::trimmed(rest);
   const bool zeros = rest.starts_with('.') && rest.find_first_not_of('0', 1) == rest.npos;
   if (zeros && context.is_sdf()) return Severity::kInfo;
+  // "0.5kg" is read as the 0.5 kg that are meant, "0.5g" is not.
+  if (context.is_sdf() && !fact.node->unit().empty() && rest == fact.node->unit() &&
+      !refuses_value(fact, context)) {
+    return Severity::kWarning;
+  }
   return std::nullopt;
+}
+
+std::string why_of(const read::SchemaFact& fact, const Context& context) {
+  if (context.is_urdf()) {
+    if (urdfdom_refuses_in(fact.element)) return "urdfdom rejects the whole robot.";
+    const auto parent = fact.element.parent();
+    const bool inertial = parent && parent->name() == "inertial";
+    return inertial ? "urdfdom drops the whole <inertial> with an error, so the link has no mass."
+                    : "urdfdom stops reading the link with an error.";
+  }
+  if (refuses_value(fact, context)) return "libsdformat rejects the file.";
+  const std::string_view read = read::trimmed(fact.text.substr(0, fact.value_fault->begin));
+  if (read.empty() || read.find_first_of(" \t\n") != read.npos) {
+    return "libsdformat reads the numbers before it, and ignores the rest silently.";
+  }
+  return "libsdformat reads " + std::string(read) + ", and ignores the rest silently.";
 }
 
 void check(const read::SchemaFact& fact, Context& context) {
@@ -74,6 +95,7 @@ void check(const read::SchemaFact& fact, Context& context) {
                   .help = unit.empty() ? "" : "the number is in " + std::string(unit),
                   .fix = fix_for(fact, context),
                   .refused = refuses_value(fact, context),
+                  .why = why_of(fact, context),
                   .severity = severity_of(fact, context)});
 }
 
@@ -86,7 +108,8 @@ Rule rule() {
       .summary = "text follows a number",
       .why = "libsdformat reads the number, or the part of it that it understands, and ignores "
              "the rest: 1.5kg is 1.5, 1e is 1. urdfdom rejects the value. Numbers carry no unit: "
-             "lengths are in meters, angles in radians, masses in kilograms.",
+             "lengths are in meters, angles in radians, masses in kilograms. The unit itself "
+             "after a number of SDF is a warning.",
       .what_to_do = "Write the number alone, in the unit of the format.",
       .checks = {on_schema({read::SchemaFactKind::kBadValue}, check)},
   };

@@ -9,7 +9,7 @@
 
 namespace rigor::rules::camera_clip_inverted {
 
-// What the schema of SDF allows. Its rules speak of less in SDF, and of a URDF's <gazebo> nobody does.
+// What the schema of SDF allows. Its rules speak of less in SDF, and no rule of the schema checks a URDF's <gazebo>.
 constexpr double kLeastFarInSdf = 0.1;
 constexpr double kLeastNearInSdf = 0;
 

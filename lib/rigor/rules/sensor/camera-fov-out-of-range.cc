@@ -51,11 +51,11 @@ Rule rule() {
       .refused = {.urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "the field of view of a camera is not between 0 and half a turn",
-      .why = "A flat image shows less than half a turn: its width is twice the tangent of half the "
-             "angle, which has no bound at 3.14 rad, and is negative beyond. The image of a "
-             "simulated camera is then stretched to a line, or empty. Only wide-angle cameras see "
-             "more. In SDF value-out-of-range reports angles outside the format's bounds; this "
-             "rule checks the <gazebo> blocks of a URDF, too.",
+      .why = "The image of a simulated camera is stretched to a line, or empty. A flat image shows "
+             "less than half a turn: its width is twice the tangent of half the angle, which has "
+             "no bound at 3.14 rad, and is negative beyond. Only wide-angle cameras see more. In "
+             "SDF value-out-of-range reports angles outside the format's bounds; this rule checks "
+             "the <gazebo> blocks of a URDF, too.",
       .what_to_do = "Write the angle in radians: 1.047 is 60 degrees. For more than about 2 take a "
                     "sensor of type wideanglecamera.",
       .checks = {on<model::Sensor>(check)},

@@ -28,8 +28,8 @@ Rule rule() {
       .severity = Severity::kError,
       .fix = FixGrade::kUnsafe,
       .summary = "the near clip distance of a camera is 0",
-      .why = "What a camera sees is divided by its distance. OGRE, which draws for Gazebo, throws "
-             "\"Near clip distance must be greater than zero\"; libsdformat takes the file.",
+      .why = "OGRE, which draws for Gazebo, throws \"Near clip distance must be greater than "
+             "zero\"; libsdformat takes the file. What a camera sees is divided by its distance.",
       .what_to_do = "Write a small distance, such as 0.01 m; the smaller it is, the coarser are "
                     "the depths far away.",
       .checks = {on<model::Sensor>(check)},

@@ -19,9 +19,9 @@ Rule rule() {
       .name = "force-torque-on-link",
       .severity = Severity::kWarning,
       .summary = "force-torque sensor in a link",
-      .why =
-          "It measures what a joint transmits between two links. libsdformat accepts it in a link; "
-          "Gazebo then logs that the parent of the sensor must be a joint, and does not create it.",
+      .why = "libsdformat accepts it in a link; Gazebo then logs that the parent of the sensor "
+             "must be a joint, and does not create it. It measures what a joint transmits between "
+             "two links.",
       .what_to_do = "Move it into the joint whose load it is to measure; in a URDF, into the "
                     "<gazebo> whose reference is the joint.",
       .checks = {on<model::Sensor>(check)},

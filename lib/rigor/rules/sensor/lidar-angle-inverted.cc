@@ -32,10 +32,11 @@ Rule rule() {
       .name = "lidar-angle-inverted",
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
-      .summary = "the least angle of a lidar is above the greatest",
-      .why = "libsdformat accepts it. The step from one ray to the next is then negative, and the "
-             "field of view as well: a scan is drawn mirrored, or nothing is, and what sums up the "
-             "steps of a scan message walks the wrong way.",
+      .summary = "lidar scan is inverted: min_angle is above max_angle",
+      .why =
+          "libsdformat accepts it, and the step from one ray to the next is then negative, and the "
+          "field of view as well: a scan is drawn mirrored, or nothing is, and what sums up the "
+          "steps of a scan message walks the wrong way.",
       .what_to_do = "Write the smaller angle, in radians, as min_angle.",
       .checks = {on<model::Sensor>(check)},
   };

@@ -18,7 +18,7 @@ void check(const model::Sensor& sensor, Context& context) {
                       "the lidar measures from {} m to {} m: the range is inverted (min > max)",
                       least.value, most.value),
                   .subject = context.subject(sensor),
-                  .related = {{most.span, "the greatest distance"}},
+                  .related = {{most.span, "the max range"}},
                   .fix = least.value > most.value
                              ? std::optional(swap("swap them", least.span, most.span, context))
                              : std::nullopt});
@@ -29,10 +29,10 @@ Rule rule() {
       .name = "lidar-range-inverted",
       .severity = Severity::kError,
       .fix = FixGrade::kUnsafe,
-      .summary = "the least distance of a lidar is not below the greatest",
+      .summary = "lidar range is inverted: min is not below max",
       .why = "Every ray returns nothing, or the sensor is not created. The checker (ign sdf -k, gz "
              "sdf -k) does not compare the two.",
-      .what_to_do = "Write a least distance below the greatest, in meters.",
+      .what_to_do = "Write a min below max, in meters.",
       .checks = {on<model::Sensor>(check)},
   };
 }

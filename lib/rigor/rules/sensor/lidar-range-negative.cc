@@ -21,9 +21,10 @@ Rule rule() {
   return {
       .name = "lidar-range-negative",
       .severity = Severity::kWarning,
-      .summary = "the least distance of a lidar is negative",
-      .why = "No reader reports it. Rendering uses it as the near plane of a camera, which has to "
-             "be in front of it; with a negative one the image is empty, or shows what is behind.",
+      .summary = "min range of a lidar is negative",
+      .why =
+          "Rendering uses it as the near plane of a camera, which has to be in front of it; with a "
+          "negative one the image is empty, or shows what is behind. No reader reports it.",
       .what_to_do = "Write the distance in meters from which on the lidar sees, at least 0.",
       .checks = {on<model::Sensor>(check)},
   };

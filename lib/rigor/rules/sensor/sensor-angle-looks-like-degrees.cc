@@ -48,8 +48,8 @@ Rule rule() {
       .name = "sensor-angle-looks-like-degrees",
       .severity = Severity::kWarning,
       .summary = "an angle of a lidar or a spot light looks like degrees",
-      .why = "These angles are in radians. Taken as such, 80 is thirteen turns: the lidar looks "
-             "round more than once, with rays far apart, and the light is no cone.",
+      .why = "Taken as such, 80 is thirteen turns: the lidar looks round more than once, with rays "
+             "far apart, and the light is no cone. These angles are in radians.",
       .what_to_do = "Convert the angle to radians: 80° is 1.39626.",
       .checks = {on<model::Sensor>(check_sensor), on<model::Light>(check_light)},
   };

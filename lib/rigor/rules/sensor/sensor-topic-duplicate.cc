@@ -33,7 +33,7 @@ Rule rule() {
       .name = "sensor-topic-duplicate",
       .severity = Severity::kWarning,
       .summary = "two sensors publish on the same topic",
-      .why = "Whoever listens gets the measurements of both, mixed.",
+      .why = "Subscribers receive the measurements of both, mixed.",
       .what_to_do = "Give each sensor its own topic.",
       .checks = {on<model::Root>(check)},
   };

@@ -21,9 +21,9 @@ Rule rule() {
       .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .summary = "a sensor of a URDF is in no link",
-      .why = "A <gazebo> without a reference is about the whole robot. libsdformat copies a sensor "
-             "in one into the model, beside the links, where SDF has no sensors and simulators "
-             "ignore them.",
+      .why = "libsdformat copies a sensor in one into the model, beside the links, where SDF has "
+             "no sensors and simulators ignore them. A <gazebo> without a reference is about the "
+             "whole robot.",
       .what_to_do =
           "Give the <gazebo> the link that carries the sensor: <gazebo reference=\"camera_link\">.",
       .checks = {on<model::Sensor>(check)},

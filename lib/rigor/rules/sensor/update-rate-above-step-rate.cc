@@ -35,8 +35,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .formats = Formats::kSdf,
       .summary = "a sensor is to measure more often than its world makes steps",
-      .why = "A simulated sensor measures at the end of a step. One whose rate exceeds the steps "
-             "per second measures once per step, less often than requested, without a warning.",
+      .why = "The sensor measures once per step, less often than requested, without a warning. A "
+             "simulated sensor measures at the end of a step.",
       .what_to_do = "Lower the update_rate, or make the max_step_size of <physics> smaller.",
       .checks = {on<model::Root>(check)},
   };

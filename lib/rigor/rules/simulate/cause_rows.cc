@@ -39,12 +39,12 @@ std::span<const Row> cause_rows() {
        .what_to_do = "Run `rigor inertia MODEL --write`."},
       {.rule = {"simulate-cause-mass-ratio", FactKind::kCauseMassRatio, Severity::kWarning},
        .message = "a joint connects it to {name}, which is {value:.3g} times as heavy",
-       .help = "keep neighbouring masses within a factor of about 50",
-       .summary = "neighbouring masses are far apart",
+       .help = "keep neighboring masses within a factor of about 50",
+       .summary = "large mass ratio across a joint",
        .why =
            "Iterative solvers need about as many iterations as the ratio of masses across a joint.",
        .what_to_do = "Keep the ratio within about 50: make light links heavier or join them to "
-                     "their neighbours."},
+                     "their neighbors."},
       {.rule = {"simulate-cause-wheel-off-center", FactKind::kCauseWheelOffCentre,
                 Severity::kWarning},
        .message = "its wheel is {value_mm:.3g} mm off the joint's axis",

@@ -18,7 +18,7 @@ std::span<const Row> joint_rows() {
        .summary = "a joint is pulled apart",
        .why = "The two sides of the joint separate: the load or the ratio of masses is more than "
               "the solver can hold together, or a closed loop does not close.",
-       .what_to_do = "Keep neighbouring masses within a factor of about 50; check that loops close "
+       .what_to_do = "Keep neighboring masses within a factor of about 50; check that loops close "
                      "at the start; use a smaller time step."},
       {.rule = {"simulate-limit-violated", FactKind::kLimitViolated, Severity::kError},
        .message = "goes {value:.3g} {unit} beyond its limit (allowed {limit:.3g})",

@@ -65,7 +65,7 @@ std::span<const Row> refused_rows() {
              return fact.name == "scale"   ? "the scale of a mesh has a zero in it"
                     : fact.name == "point" ? "the polyline encloses nothing"
                     : fact.name == "radii"
-                        ? "the least radius of a collision is {value:.6g} m, and must be above 0"
+                        ? "the smallest radius of a collision is {value:.6g} m, and must be above 0"
                         : "the {name} of a collision is {value:.6g} m, and must be above 0";
            },
        .summary = "a collision's size is not positive",

@@ -17,7 +17,7 @@ namespace simulation {
 constexpr std::span<const Row> (*kTables[])() = {refused_rows, as_read_rows, run_rows,  stand_rows,
                                                  drive_rows,   joint_rows,   cause_rows};
 
-/// Degrees in a radian: angles are told as people speak of them.
+/// Degrees in a radian: messages have angles in degrees.
 constexpr double kDegrees = 57.29577951308232;
 
 std::string length_text(double meters) {

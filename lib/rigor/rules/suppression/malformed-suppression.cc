@@ -47,8 +47,8 @@ Rule rule() {
       .name = "malformed-suppression",
       .severity = Severity::kWarning,
       .summary = "malformed suppression comment",
-      .why = "Whoever wrote it believes that something is ignored, and nothing is. Everything at "
-             "once cannot be ignored: then a new fault would go unseen with the known ones.",
+      .why = "It looks as if something were ignored, and nothing is. Everything at once cannot be "
+             "ignored: then a new fault would go unseen with the known ones.",
       .what_to_do =
           "Write `<!-- rigor: ignore[rule, category] why -->` before the element that it is for, "
           "`ignore-next[…]` for its start tag alone, or `file-ignore[…]` before the root.",

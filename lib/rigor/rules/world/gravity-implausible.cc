@@ -58,9 +58,9 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the world's gravity is stronger than on any planet, or pulls sideways",
-      .why =
-          "Gravity is in m/s², and the world's z axis points up. In cm/s² or mm/s² all that moves "
-          "is pressed into the ground; along -y, as where y is up, all slides off sideways.",
+      .why = "With gravity in cm/s² or mm/s² all that moves is pressed into the ground; along -y, "
+             "as where y is up, all slides off sideways. Gravity is in m/s², and the world's z "
+             "axis points up.",
       .what_to_do =
           "Write 0 0 -9.8, or what the place has: 0 0 -1.62 for the Moon, 0 0 0 for none.",
       .checks = {on<model::World>(check)},

@@ -36,8 +36,8 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the world's gravity points up",
-      .why = "The world's z axis points up, against gravity. With the sign forgotten everything "
-             "that is not static leaves the ground at the first step, in every simulator.",
+      .why = "With the sign forgotten everything that is not static leaves the ground at the first "
+             "step, in every simulator. The world's z axis points up, against gravity.",
       .what_to_do = "Write the vector with a minus sign: 0 0 -9.8.",
       .checks = {on<model::World>(check)},
   };

@@ -23,8 +23,8 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a light shines in no direction",
-      .why = "A directional or spot light shines along its direction. Normalised, zero stays zero "
-             "or becomes nan: the scene is dark, or lit from anywhere.",
+      .why = "Normalized, zero stays zero or becomes nan: the scene is dark, or lit from anywhere. "
+             "A directional or spot light shines along its direction.",
       .what_to_do = "Write the direction in the light's own frame; 0 0 -1 is down.",
       .checks = {on<model::Light>(check)},
   };

@@ -28,8 +28,8 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "more than one <physics> of a world is the default",
-      .why = "A world may describe several engines and steps, and the default one is used. "
-             "libsdformat uses the first one that is marked; the others have no effect.",
+      .why = "libsdformat uses the first one that is marked; the others have no effect. A world "
+             "may describe several engines and steps, and the default one is used.",
       .what_to_do = "Leave default=\"true\" with the one that is meant.",
       .checks = {on<model::Physics>(check)},
   };

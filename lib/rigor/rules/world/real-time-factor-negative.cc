@@ -24,9 +24,9 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the real time factor of the physics is negative",
-      .why = "The factor is simulated time over wall time: 1 is real time, 0 as fast as can be. "
-             "Gazebo Sim makes the pause between steps of it, and a negative one is no pause that "
-             "anybody meant.",
+      .why = "Gazebo Sim computes the pause between steps from it, and a negative pause has no "
+             "meaning. The factor is simulated time over wall time: 1 is real time, 0 as fast as "
+             "can be.",
       .what_to_do = "Write 1 for real time, 0.5 for half of it, 0 for as fast as can be.",
       .checks = {on<model::Physics>(check)},
   };

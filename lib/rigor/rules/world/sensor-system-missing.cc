@@ -117,16 +117,16 @@ void check(const model::World& world, Context& context) {
   if (unserved.first == nullptr) return;
   const model::Sensor& first = *unserved.first;
   const bool own = root.own(first.site);
-  const std::string told =
+  const std::string reported =
       unserved.count == 1
           ? fmt::format("the {} sensor '{}' publishes nothing", first.type.value, first.name.value)
           : fmt::format("the sensor '{}' and others publish nothing (types {})", first.name.value,
                         unserved.types);
-  context.report(
-      {.where = own ? first.site.name : world.site.name,
-       .message = fmt::format("{}: the world loads systems, but not {}", told, unserved.systems),
-       .subject = own ? context.subject(first) : context.subject(world),
-       .fix = load_them(unserved, world, context)});
+  context.report({.where = own ? first.site.name : world.site.name,
+                  .message = fmt::format("{}: the world loads systems, but not {}", reported,
+                                         unserved.systems),
+                  .subject = own ? context.subject(first) : context.subject(world),
+                  .fix = load_them(unserved, world, context)});
 }
 
 Rule rule() {
@@ -136,9 +136,9 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a world with sensors does not load the system that runs them",
-      .why = "In Gazebo Sim each kind of sensor is run by a system plugin of the world: cameras "
-             "and GPU lidars by Sensors, an IMU by Imu, a contact sensor by Contact. Without it "
-             "the sensor exists and publishes nothing, without a warning. The default "
+      .why = "Without its system the sensor exists and publishes nothing, without a warning. In "
+             "Gazebo Sim each kind of sensor is run by a system plugin of the world: cameras and "
+             "GPU lidars by Sensors, an IMU by Imu, a contact sensor by Contact. The default "
              "server.config loads physics, user commands and the scene broadcaster only. A world "
              "is reported once, at the first of its sensors.",
       .what_to_do = "Add the system's <plugin> to the world. Where the launch file or a "

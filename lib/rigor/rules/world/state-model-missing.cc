@@ -54,10 +54,9 @@ Rule rule() {
       .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
       .summary = "the <state> of a world names a model that is not in it",
-      .why = "Gazebo classic writes the places of all models into <state> when it saves a world, "
-             "and puts them there when it loads it. A model that was renamed or taken out in an "
-             "editor keeps its state: it has no effect, and the renamed one begins elsewhere than "
-             "it was saved.",
+      .why = "The state of a model that was renamed or removed has no effect, and the renamed one "
+             "begins elsewhere than it was saved. Gazebo classic writes the places of all models "
+             "into <state> when it saves a world, and puts them there when it loads it.",
       .what_to_do = "Give the state the model's new name, or remove it.",
       .checks = {on<model::World>(check)},
   };

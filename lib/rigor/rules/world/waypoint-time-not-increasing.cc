@@ -9,7 +9,7 @@
 
 namespace rigor::rules::waypoint_time_not_increasing {
 
-/// Told once of a trajectory: one wrong time may be followed by many.
+/// Reported once for a trajectory: one wrong time may be followed by many.
 void look_at(const model::Trajectory& trajectory, const model::Actor& actor, Context& context) {
   std::optional<model::Field<double>> before;
   for (const model::Field<double>& time : trajectory.times) {

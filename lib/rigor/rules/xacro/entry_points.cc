@@ -19,12 +19,20 @@ struct TemplateCandidate {
   std::string absolute;
   bool named = false;
   bool is_robot = false;
+  bool has_name = true;
   bool ok = false;
-  bool broken = false;                // no XML: nobody can tell what it was to be
+  bool broken = false;                // no XML: it is unknown what it was to be
   std::string left_out;               // why a robot is none that can be checked by itself
   std::vector<std::string> includes;  // absolute, all that was read below it
   const TemplateCandidate* includer = nullptr;
 };
+
+/// urdfdom rejects a <robot> without a name: one that has none is a part of others, included by them in
+/// some condition.
+bool has_name(const read::File& file) {
+  const xacro::Node& root = *file.expanded->expansion().root;
+  return root.name != "robot" || root.attribute("name") != nullptr;
+}
 
 TemplateCandidate candidate_of(const std::string& path, read::Workspace& workspace,
                                const std::string& working_folder) {
@@ -32,6 +40,7 @@ TemplateCandidate candidate_of(const std::string& path, read::Workspace& workspa
   const read::File& file = workspace.open(path);
   if (!file.expanded) return one;
   one.is_robot = makes_robot(file);
+  one.has_name = !one.is_robot || has_name(file);
   one.ok = file.expanded->ok();
   const xacro::Expansion& expansion = file.expanded->expansion();
   for (const xacro::Fact& fact : expansion.facts) {
@@ -96,7 +105,7 @@ EntryPoints entry_points(const std::vector<std::string>& paths, const std::set<s
   }
   EntryPoints found;
   for (const TemplateCandidate& one : all) {
-    if (one.named || (one.is_robot && one.ok && one.includer == nullptr)) {
+    if (one.named || (one.is_robot && one.has_name && one.ok && one.includer == nullptr)) {
       found.robots.push_back(one.path);
     } else if (one.includer != nullptr && !one.includer->left_out.empty() && !one.includer->named) {
       found.unreached.push_back(
@@ -105,10 +114,12 @@ EntryPoints entry_points(const std::vector<std::string>& paths, const std::set<s
       found.parts.push_back({one.path, one.includer->path});
     } else if (!one.left_out.empty()) {
       found.unreached.push_back({one.path, one.left_out});
-    } else if (one.is_robot || one.broken) {
+    } else if ((one.is_robot && one.has_name) || one.broken) {
       found.robots.push_back(one.path);
     } else {
-      found.unreached.push_back({one.path, "xacro: no robot by itself, and none includes it"});
+      const char* why = one.has_name ? "xacro: no robot by itself, and none includes it"
+                                     : "xacro: its <robot> has no name, and none includes it";
+      found.unreached.push_back({one.path, why});
     }
   }
   return found;

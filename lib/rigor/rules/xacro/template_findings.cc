@@ -4,6 +4,7 @@
 #include <rigor/rules/xacro/template_findings.h>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include <rigor/rules/suppression.h>
@@ -23,6 +24,15 @@ bool is_same_fix(const Diagnostic& a, const Diagnostic& b) {
   });
 }
 
+/// A path that `$(find …)` writes is right on every machine.
+bool is_found_by_xacro(const Diagnostic& diagnostic, const Sources& sources) {
+  if (diagnostic.rule != "uri-absolute-path" || diagnostic.where.nowhere()) return false;
+  const auto& where = diagnostic.where;
+  const std::string_view written =
+      sources.bytes(where.source).substr(where.begin, where.end - where.begin);
+  return written.find("$(find ") != written.npos;
+}
+
 void tell_instances(Diagnostic& diagnostic) {
   if (diagnostic.instances < 2) return;
   diagnostic.related.push_back(
@@ -33,15 +43,16 @@ void tell_instances(Diagnostic& diagnostic) {
 
 Diagnostics in_source(Diagnostics found, const read::File& file, const Sources& sources) {
   if (!file.expanded || !file.document) return found;
-  Diagnostics told;
+  Diagnostics reported;
   for (const Diagnostic& each : found.list()) {
-    told.add(file.expanded->in_source(*file.document, each, sources));
+    Diagnostic placed = file.expanded->in_source(*file.document, each, sources);
+    if (!is_found_by_xacro(placed, sources)) reported.add(std::move(placed));
   }
-  return told;
+  return reported;
 }
 
 Diagnostics with_calls(Diagnostics found, const std::vector<xacro::Fact>& facts) {
-  Diagnostics told;
+  Diagnostics reported;
   for (Diagnostic each : found.list()) {
     const auto fact = std::find_if(facts.begin(), facts.end(), [&each](const xacro::Fact& one) {
       return one.where.source == each.where.source && one.where.begin <= each.where.begin &&
@@ -51,9 +62,9 @@ Diagnostics with_calls(Diagnostics found, const std::vector<xacro::Fact>& facts)
       each.origin = read::macro_calls(fact->stack);
       each.instances = fact->count;
     }
-    told.add(std::move(each));
+    reported.add(std::move(each));
   }
-  return told;
+  return reported;
 }
 
 Diagnostics uncovered_where_written(Diagnostics found, const xacro::Expansion& expansion,

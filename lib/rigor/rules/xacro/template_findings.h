@@ -3,9 +3,9 @@
 //
 // Findings in an expanded template, as its author sees them: at the places that were written, each once.
 //
-//   Diagnostics told = in_source(std::move(found), file, sources);
+//   Diagnostics reported = in_source(std::move(found), file, sources);
 //   TemplateFindings merged(sources);
-//   merged.add(std::move(told));           // of each set of arguments, of each file
+//   merged.add(std::move(reported));           // of each set of arguments, of each file
 //   Diagnostics once = merged.take();
 
 #pragma once

@@ -12,8 +12,8 @@ Rule rule() {
       .name = "xacro-block-mismatch",
       .severity = Severity::kError,
       .summary = "the elements in a call are not the blocks of the macro",
-      .why = "Elements in a call are the block parameters of the macro, in their order. xacro "
-             "ends with \"Not enough blocks\" or \"Unused block\", so nothing is loaded.",
+      .why = "xacro ends with \"Not enough blocks\" or \"Unused block\", so nothing is loaded. "
+             "Elements in a call are the block parameters of the macro, in their order.",
       .what_to_do = "Give one element for each parameter with a star, and no more.",
       .checks = {on_xacro({FactKind::kMissingBlock, FactKind::kUnusedBlock}, report_fact)},
   };

@@ -12,7 +12,7 @@ Rule rule() {
       .name = "xacro-degrees",
       .severity = Severity::kWarning,
       .summary = "a trigonometric function is given degrees",
-      .why = "sin, cos and tan take radians. `sin(90)` is 0.894, not 1.",
+      .why = "`sin(90)` is 0.894, not 1. sin, cos and tan take radians.",
       .what_to_do = "Write `sin(radians(90))`, or the angle in radians.",
       .checks = {on_xacro({FactKind::kDegrees}, report_fact)},
   };

@@ -12,8 +12,8 @@ Rule rule() {
       .name = "xacro-message",
       .severity = Severity::kInfo,
       .summary = "the template prints a message",
-      .why = "xacro.message() and xacro.warning() are the author's words to whoever expands the "
-             "file.",
+      .why = "xacro.message() and xacro.warning() are the author's words to the user who expands "
+             "the file.",
       .what_to_do = "Read it; it names what the author thought of.",
       .checks = {on_xacro({FactKind::kMessage}, report_fact)},
   };

@@ -12,8 +12,8 @@ Rule rule() {
       .name = "xacro-unused-macro",
       .severity = Severity::kInfo,
       .summary = "a macro is not called",
-      .why = "Whoever changes it expects the robot to change, and it does not. Often another "
-             "name is used by mistake, or a value is written twice.",
+      .why = "A change of it does not change the robot, although it looks so. Often another name "
+             "is used by mistake, or a value is written twice.",
       .what_to_do = "Remove it, or call it.",
       .checks = {on_xacro({FactKind::kUnusedMacro}, report_fact)},
   };

@@ -12,8 +12,8 @@ Rule rule() {
       .name = "xacro-unused-parameter",
       .severity = Severity::kInfo,
       .summary = "a parameter of a macro is not used",
-      .why = "Whoever changes it expects the robot to change, and it does not. Often another "
-             "name is used by mistake, or a value is written twice.",
+      .why = "A change of it does not change the robot, although it looks so. Often another name "
+             "is used by mistake, or a value is written twice.",
       .what_to_do = "Remove it from `params` and from the calls, or use it.",
       .checks = {on_xacro({FactKind::kUnusedParameter}, report_fact)},
   };

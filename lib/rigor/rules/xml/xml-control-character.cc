@@ -38,8 +38,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kSafe,
       .summary = "the file holds a control character",
-      .why = "XML forbids them. tinyxml2 (libsdformat, Gazebo, urdfdom 4) takes all but zero "
-             "bytes; strict parsers reject the file.",
+      .why = "tinyxml2 (libsdformat, Gazebo, urdfdom 4) takes all but zero bytes; strict parsers "
+             "reject the file. XML forbids them.",
       .what_to_do = "Remove the character; it cannot be seen in most editors.",
       .checks = {on_xml({xml::FaultKind::kControlCharacter}, check)},
   };

@@ -26,6 +26,10 @@ void check(const xml::Fault& fault, Context& context) {
                   .message = "the XML declaration is not the first thing in the file",
                   .fix = std::move(fix),
                   .refused = refused,
+                  .why = refused ? "tinyxml2 (libsdformat, Gazebo, urdfdom 4) rejects the file."
+                                 : "tinyxml2 accepts it after white space; Python's XML parsers "
+                                   "and xmllint reject the file, and with them the ROS tools that "
+                                   "are written in Python.",
                   .severity = refused ? Severity::kError : Severity::kWarning});
 }
 

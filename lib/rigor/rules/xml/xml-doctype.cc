@@ -23,8 +23,8 @@ Rule rule() {
       .refused = {.urdf = Refusal::kSays},
       .fix = FixGrade::kUnsafe,
       .summary = "the file has a DOCTYPE",
-      .why = "Neither SDF nor URDF has one. tinyxml2 (libsdformat, Gazebo, urdfdom 4) ignores it, "
-             "so that an entity which it defines is never replaced.",
+      .why = "tinyxml2 (libsdformat, Gazebo, urdfdom 4) ignores it, so that an entity which it "
+             "defines is never replaced. Neither SDF nor URDF has one.",
       .what_to_do = "Remove it, and write out the entities that it defines.",
       .checks = {on_xml({xml::FaultKind::kDoctype}, check)},
   };

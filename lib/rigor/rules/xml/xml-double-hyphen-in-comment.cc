@@ -15,7 +15,7 @@
 namespace rigor::rules::xml_double_hyphen_in_comment {
 
 /// In place of all hyphens of the comment that stand together. What looks like the option of a program,
-/// `--verbose`, is left: somebody may copy it from there.
+/// `--verbose`, is left: it may be copied from there.
 std::optional<Fix> write_equals(const xml::Fault& fault, std::string_view bytes) {
   const std::size_t end = bytes.find("-->", fault.where.begin);
   if (end == std::string_view::npos) return std::nullopt;

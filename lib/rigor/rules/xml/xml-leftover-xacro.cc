@@ -18,6 +18,7 @@ namespace rigor::rules::xml_leftover_xacro {
 struct Leftovers {
   Span first;
   std::size_t count = 0;
+  bool elements = false;  ///< of xacro itself, not only expressions
   bool in_joint = false;  ///< where urdfdom refuses what is no number, or is not there
 
   void add(Span where) {
@@ -25,7 +26,7 @@ struct Leftovers {
   }
 };
 
-/// What a plugin is told is its own affair: some expand `$(find …)` themselves.
+/// The parameters of a plugin are its own affair: some expand `$(find …)` themselves.
 bool in_plugin(xml::Element element) {
   for (std::optional<xml::Element> at = element; at; at = at->parent()) {
     if (at->name() == "plugin") return true;
@@ -60,6 +61,7 @@ Leftovers find(const xml::Document& document) {
     const xml::Element element = document.element(i);
     if (element.name().starts_with("xacro:")) {
       found.add(element.name_span());
+      found.elements = true;
       const auto parent = element.parent();
       found.in_joint = found.in_joint || (parent && urdfdom_refuses_in(*parent));
       continue;
@@ -81,7 +83,14 @@ void check(const model::Root&, Context& context) {
   if (found.count == 0) return;
   std::string message = "'" + std::string(context.bytes(found.first)) + "' is left for xacro";
   if (found.count > 1) message += fmt::format(", and {} more in this file", found.count - 1);
-  context.report({.where = found.first, .message = std::move(message), .refused = found.in_joint});
+  context.report(
+      {.where = found.first,
+       .message = std::move(message),
+       .help = found.elements ? "" : "write the value, or name the file .xacro and expand it",
+       .refused = found.in_joint,
+       .why = found.elements ? ""
+                             : "libsdformat, urdfdom and ros2_control know no expressions: they "
+                               "read this as text where a value is due."});
 }
 
 Rule rule() {

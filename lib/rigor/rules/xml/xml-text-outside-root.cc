@@ -21,9 +21,8 @@ Rule rule() {
       .refused = {.urdf = Refusal::kAlways},
       .fix = FixGrade::kUnsafe,
       .summary = "text before the root element",
-      .why =
-          "tinyxml2 (libsdformat, Gazebo, urdfdom 4) drops them; strict parsers reject the file. "
-          "Behind the root element tinyxml2 rejects them too, and the file is not well-formed.",
+      .why = "tinyxml2 (libsdformat, Gazebo, urdfdom 4) drops it; strict parsers reject the file. "
+             "Behind the root element tinyxml2 rejects it too, and the file is not well-formed.",
       .what_to_do = "Remove the characters, or make them a comment.",
       .checks = {on_xml({xml::FaultKind::kTextOutsideRoot}, check)},
   };

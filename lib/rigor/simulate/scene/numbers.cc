@@ -111,6 +111,15 @@ std::vector<NumberWord> number_words(std::string_view text) {
   return words;
 }
 
+/// libsdformat reads a single number up to what is no part of it: "0.5kg" is 0.5, and value-trailing-text
+/// says so.
+std::string_view up_to_trailing(std::string_view text) {
+  const auto parsed = schema::parse_double(text);
+  const auto* fault = std::get_if<schema::ValueFault>(&parsed);
+  const bool cut = fault != nullptr && fault->kind == schema::ValueFault::Kind::kTrailingText;
+  return cut ? text.substr(0, fault->begin) : text;
+}
+
 class NumberCheck {
  public:
   explicit NumberCheck(SceneDraft& draft) : draft_(draft) {}
@@ -157,7 +166,9 @@ class NumberCheck {
     const auto row = std::find_if(rows.begin(), rows.end(),
                                   [name](const NumberRow& r) { return r.name == name; });
     if (row == rows.end()) return;
-    const std::vector<NumberWord> words = number_words(text.text);
+    const bool one_of_sdf = std::data(rows) == kSdfNumbers.data() && row->count == 1;
+    const std::vector<NumberWord> words =
+        number_words(one_of_sdf ? up_to_trailing(text.text) : std::string_view(text.text));
     for (const NumberWord& word : words) {
       Span where = text.span;
       if (verbatim) {
