@@ -67,8 +67,9 @@ void expect_sound(const SiteFiles& files) {
       link = link.starts_with("../") ? link.substr(3) : folder + link;
       const std::string target = link.substr(0, link.find('#'));
       ASSERT_TRUE(files.contains(target)) << path << " links to " << full;
-      if (link.size() > target.size())
+      if (link.size() > target.size()) {
         EXPECT_TRUE(ids[target].contains(link.substr(target.size() + 1))) << full;
+      }
     }
   }
 }
