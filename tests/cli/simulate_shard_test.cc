@@ -3,6 +3,8 @@
 //
 // A shard of `rigor simulate` reads its own models only: a thousand machines would each read all of them.
 
+#include <cstdint>
+#include <filesystem>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -21,12 +23,13 @@ std::string falling_box(const std::string& name) {
          "<size>0.1 0.1 0.1</size></box></geometry></collision></link></model></sdf>\n";
 }
 
-/// A file that nobody can read ends whoever reads it, so the shards that pass have not.
+/// A file over 64 MiB is refused with exit code 2 by whoever reads it, so the shards that pass have not.
 TEST(SimulateShard, ReadsItsOwnModelsOnly) {
   const Folder folder;
   for (const char* name : {"a", "b", "c", "d"})
     folder.put("models/" + std::string(name) + ".sdf", falling_box(name));
-  folder.put("models/broken.sdf", "<sdf version='1.9'><model name='m'>");
+  folder.put("models/broken.sdf", "");
+  std::filesystem::resize_file(folder.path("models/broken.sdf"), std::uintmax_t{65} << 20U);
   const std::string simulate = "simulate models --no-confirm --fail-on never --shard ";
   int refused = 0;
   std::string lines;
