@@ -53,6 +53,7 @@ set(rigor_public_headers
   rigor/mass/find_mesh.h
   rigor/mass/link_body.h
   rigor/mass/mass_properties.h
+  rigor/mass/mesh/opened_mesh.h
   rigor/mass/mesh/state.h
   rigor/mass/overlap.h
   rigor/mass/resolve.h

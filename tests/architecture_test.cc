@@ -44,13 +44,14 @@ const std::map<std::string, Names>& rooms() {
       {"rules",
        {"xacro", "text", "xml", "schema", "model", "process", "read", "mesh", "mass", "write",
         "robot", "convert", "simulate"}},
+      {"results", {"text"}},
       {"author",
        {"xacro", "text", "xml", "schema", "model", "read", "mesh", "mass", "write", "robot",
         "convert", "simulate", "rules"}},
       {"view", {"text", "xml", "schema", "model", "read", "mesh", "mass", "robot"}},
       {"report",
        {"xacro", "text", "xml", "schema", "model", "read", "mesh", "mass", "write", "robot",
-        "convert", "simulate", "rules", "author", "view"}},
+        "convert", "simulate", "rules", "author", "view", "results"}},
   };
   return kRooms;
 }
@@ -61,7 +62,7 @@ const std::map<std::string, Names>& third_parties() {
       {"tinyxml2.h", {"xml", "tools"}},
       {"Eigen/", {"mass", "report"}},
       {"fmt/", {"convert", "rules", "author", "report", "tools"}},
-      {"nlohmann/", {"mesh", "report", "tools"}},
+      {"nlohmann/", {"mesh", "report", "results", "tools"}},
       {"CLI/", {"tools"}},
       {"httplib.h", {"tools"}},
       {"toml++", {"config"}},
@@ -77,7 +78,8 @@ const std::map<std::string, Names>& third_parties() {
       {"xxhash.h", {"text"}},
       {"yaml-cpp/", {"xacro"}},
       {"boost/", {"xacro"}},
-      {"zlib.h", {"report"}}};
+      {"zlib.h", {"report"}},
+      {"sqlite3.h", {"results"}}};
   return kParties;
 }
 

@@ -22,6 +22,7 @@ constexpr const char* kNoCi =
     "env -u CI_NODE_INDEX -u CI_NODE_TOTAL -u CIRCLE_NODE_INDEX -u CIRCLE_NODE_TOTAL "
     "-u BUILDKITE_PARALLEL_JOB -u BUILDKITE_PARALLEL_JOB_COUNT -u SYSTEM_JOBPOSITIONINPHASE "
     "-u SYSTEM_TOTALJOBSINPHASE -u SEMAPHORE_JOB_INDEX -u SEMAPHORE_JOB_COUNT "
+    "-u SLURM_ARRAY_TASK_ID -u SLURM_ARRAY_TASK_COUNT "
     "-u CI_PROJECT_DIR -u GITHUB_WORKSPACE -u GITHUB_STEP_SUMMARY ";
 
 constexpr const char* kBroken =
@@ -166,7 +167,8 @@ TEST_F(FormatsCli, ShardAutoIsWhatTheServiceSays) {
        {"CI_NODE_INDEX=2 CI_NODE_TOTAL=3", "CIRCLE_NODE_INDEX=1 CIRCLE_NODE_TOTAL=3",
         "BUILDKITE_PARALLEL_JOB=1 BUILDKITE_PARALLEL_JOB_COUNT=3",
         "SYSTEM_JOBPOSITIONINPHASE=2 SYSTEM_TOTALJOBSINPHASE=3",
-        "SEMAPHORE_JOB_INDEX=2 SEMAPHORE_JOB_COUNT=3"}) {
+        "SEMAPHORE_JOB_INDEX=2 SEMAPHORE_JOB_COUNT=3",
+        "SLURM_ARRAY_TASK_ID=2 SLURM_ARRAY_TASK_COUNT=3"}) {
     EXPECT_EQ(validate("robots --format jsonl --shard auto", variables).out, second) << variables;
   }
   const std::string whole = validate("robots --format jsonl").out;

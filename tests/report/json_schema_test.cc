@@ -77,6 +77,7 @@ class SchemaChecker {
     for (const std::string type : all) {
       if ((type == "object" && value.is_object()) || (type == "array" && value.is_array()) ||
           (type == "string" && value.is_string()) || (type == "null" && value.is_null()) ||
+          (type == "number" && value.is_number()) ||
           (type == "integer" && value.is_number_integer())) {
         return;
       }
@@ -122,6 +123,9 @@ class JsonSchema : public testing::Test {
         .at("x", with_all)
         .add({.severity = Severity::kInfo, .path = "w.stl"});
     found_.file("b.sdf", "");
+    found_.result.files.back().meshes = {
+        {"hull.stl", "0123456789abcdef0123456789abcdef", 684, 12, {{-1, -1, -1}}, {{1, 1, 1}}},
+        {"torn.stl", "0123456789abcdef0123456789abcdee", 3}};
     found_.result.not_looked_at = {{"a.sdf", "include of https://example.org/hand"}};
   }
 

@@ -8,6 +8,7 @@
 
 #include <rigor/report/json/diagnostic.h>
 #include <rigor/report/json/file.h>
+#include <rigor/report/json/values.h>
 
 namespace rigor::report {
 namespace {
@@ -25,6 +26,17 @@ Reasons reasons_of(const rules::ValidateResult& result) {
   return reasons;
 }
 
+Json mesh_json(const mass::OpenedMesh& mesh) {
+  Json json = {{"path", mesh.path},
+               {"digest", mesh.digest},
+               {"bytes", mesh.bytes},
+               {"triangles", mesh.triangles ? Json(*mesh.triangles) : Json(nullptr)},
+               {"extents", nullptr}};
+  if (mesh.min && mesh.max)
+    json["extents"] = {{"min", vector_of(*mesh.min)}, {"max", vector_of(*mesh.max)}};
+  return json;
+}
+
 std::string line_of(const rules::FileSummary& file, const Validation& validation,
                     const Reasons& reasons, Places& places) {
   const rules::ValidateResult& result = validation.result;
@@ -32,6 +44,8 @@ std::string line_of(const rules::FileSummary& file, const Validation& validation
   line.update(file_json(file));
   const auto reason = reasons.find(file.path);
   line["not_looked_at"] = reason == reasons.end() ? Json::array() : reason->second;
+  line["meshes"] = Json::array();
+  for (const mass::OpenedMesh& mesh : file.meshes) line["meshes"].push_back(mesh_json(mesh));
   line["diagnostics"] = Json::array();
   for (std::size_t i = file.first_finding; i < file.end_finding; ++i) {
     line["diagnostics"].push_back(diagnostic_json(result.diagnostics.list()[i], places));
@@ -45,6 +59,7 @@ std::string line_of(const rules::NotLookedAt& item, const Validation& validation
       {"case", {{"index", *item.index}, {"of", validation.result.all_files}, {"id", item.path}}}};
   line.update(file_json({.path = item.path}));
   line["not_looked_at"] = Json::array({item.what});
+  line["meshes"] = Json::array();
   line["diagnostics"] = Json::array();
   return line.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }

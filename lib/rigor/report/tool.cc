@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <rigor/mesh/engines.h>
+#include <rigor/results/writer.h>
 #include <rigor/simulate/engine/ode_version.h>
 #include <rigor/xml/engine.h>
 
@@ -24,6 +25,7 @@ std::vector<Engine> engines() {
       {"meshoptimizer", mesh::meshoptimizer_version()},
       {"ODE", simulate::ode_version().empty() ? "(built without)" : simulate::ode_version()},
       {"Qhull", mesh::qhull_version()},
+      {"SQLite", results::sqlite_version().empty() ? "(built without)" : results::sqlite_version()},
       {"tinyxml2", xml::tinyxml2_version()},
   };
 }

@@ -7,10 +7,12 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
 
+#include <rigor/mass/mesh/mesh_list.h>
 #include <rigor/mass/mesh/reads.h>
 #include <rigor/mass/mesh/survey.h>
 #include <rigor/read/discover.h>
@@ -81,6 +83,9 @@ class Run {
     if (options.meshes == MeshPolicy::kDoNotOpen) return;
     meshes_.surveys = options.known.surveys ? options.known.surveys : &surveys_;
     meshes_.files = options.known.files ? options.known.files : &mesh_files_;
+    if (options.mesh_listing == MeshListing::kNone) return;
+    mesh_list_.emplace(environment.disk, *meshes_.files,
+                       options.known.turns ? options.known.turns : &turns_);
   }
 
   ValidateResult run() {
@@ -237,6 +242,7 @@ class Run {
     checked.summary = summarize(loaded);
     checked.source = file.source;
     look_for_includes(loaded, checked);
+    list_meshes(loaded, checked);
     if (file.document) checked.suppressions = Suppressions(*file.document);
     checked.diagnostics = checked.suppressions.uncovered(
         checked.runner->run(environment_, sources_, loaded, meshes_));
@@ -267,6 +273,21 @@ class Run {
     for (const model::Include& include : loaded.root.includes) {
       if (!loaded.root.own(include.site) || include.path.empty()) continue;
       checked.includes.push_back({include.uri.span, include.path});
+    }
+  }
+
+  /// Those of a template that is expanded with several sets of arguments are joined.
+  void list_meshes(const read::Loaded& loaded, Checked& checked) {
+    if (!mesh_list_) return;
+    const auto find = [&](const std::string& uri) {
+      return environment_.resolver.resolve(uri, loaded.file->path).path;
+    };
+    std::vector<mass::OpenedMesh>& meshes = checked.summary.meshes;
+    for (mass::OpenedMesh& mesh : mesh_list_->of(loaded.root, find)) {
+      const auto place = std::lower_bound(
+          meshes.begin(), meshes.end(), mesh.path,
+          [](const mass::OpenedMesh& known, const std::string& path) { return known.path < path; });
+      if (place == meshes.end() || place->path != mesh.path) meshes.insert(place, std::move(mesh));
     }
   }
 
@@ -319,6 +340,7 @@ class Run {
       Suppressions suppressions(*file.document);
       Diagnostics of_model =
           suppressions.uncovered(checked.runner->run(environment_, sources_, loaded, meshes_));
+      list_meshes(loaded, checked);
       found.take(in_source(std::move(of_model), file, sources_));
     }
     if (file.expanded)
@@ -425,6 +447,7 @@ class Run {
   mass::MeshSurveys surveys_;
   mass::MeshFiles mesh_files_;
   Meshes meshes_;
+  std::optional<mass::MeshList> mesh_list_;
   std::set<std::string> named_;  // normal paths, those of other shards too
   std::map<std::string, Checked> checked_;
   std::map<std::string, std::string> at_fault_;  // what `at_fault` gave

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include <rigor/mass/mesh/opened_mesh.h>
 #include <rigor/model/model.h>
 #include <rigor/read/discover.h>
 #include <rigor/read/resolver.h>
@@ -49,6 +50,9 @@ std::optional<std::string> unknown_name(const Selection& selection, const Regist
 
 enum class MeshPolicy : std::uint8_t { kOpen, kDoNotOpen };
 
+/// Whether a file's summary lists the meshes that its shapes use. Their digests take a read of each.
+enum class MeshListing : std::uint8_t { kNone, kListed };
+
 /// With which arguments templates are expanded: those that are given; or every value, of those that
 /// conditionals depend on, at least once as well.
 enum class ArgumentSets : std::uint8_t { kGiven, kAll };
@@ -66,6 +70,7 @@ struct ValidateOptions {
   /// once a file, from one thread.
   std::function<Selection(const std::string& path)> selection_for;
   MeshPolicy meshes = MeshPolicy::kOpen;
+  MeshListing mesh_listing = MeshListing::kNone;
   /// What an earlier run over the same files knows of their meshes, and this one adds to; with turns, they say
   /// how many threads there are.
   Meshes known;
@@ -94,6 +99,8 @@ struct FileSummary {
   /// Its findings: those from `first_finding` up to `end_finding` of all.
   std::size_t first_finding = 0;
   std::size_t end_finding = 0;
+  /// With `MeshListing::kListed`: the files of its shapes' meshes that are there, sorted by path.
+  std::vector<mass::OpenedMesh> meshes = {};
 };
 
 /// Something that was met and not looked at, and why: "include of https://… needs the network".

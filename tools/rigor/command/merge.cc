@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // `rigor merge FILE.jsonl...`: the parts of a run that several machines shared, as the one file that a
-// single machine would have written.
+// single machine would have written, or as a database of results.
 
 #include <fstream>
 #include <map>
@@ -11,8 +11,10 @@
 
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
+#include <rigor/results/writer.h>
 
 #include "command/command.h"
+#include "command/merge_database.h"
 #include "output/atomic_file.h"
 #include "output/output.h"
 #include "output/results_file.h"
@@ -27,15 +29,19 @@ class Merge final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
     CLI::App* app = add_command(program, "merge", "Join the parts of a run that was sharded",
-                                {"rigor merge part1.jsonl part2.jsonl -o all.jsonl"});
+                                {"rigor merge part1.jsonl part2.jsonl -o all.jsonl",
+                                 "rigor merge validate*.jsonl simulate*.jsonl -o results.sqlite"});
     app->add_option("files", files_, "Results, as --output jsonl:FILE wrote them")
         ->type_name("FILE.jsonl")
         ->required();
-    app->add_option("-o,--out", out_, "Write them there; to stdout when absent")->type_name("FILE");
+    app->add_option("-o,--out", out_,
+                    "Write them there; to stdout when absent. FILE.sqlite or FILE.db is a database")
+        ->type_name("FILE");
     return app;
   }
 
   int run() override {
+    if (results::names_database(out_)) return merge_database(files_, out_);
     for (const std::string& path : files_) read(path);
     if (results_.empty() && total_ == 0) throw UsageError("the files contain no results");
     name_missing();

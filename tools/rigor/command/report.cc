@@ -26,6 +26,7 @@
 #include <rigor/view/trace.h>
 
 #include "command/command.h"
+#include "command/report_results.h"
 #include "model/report_models.h"
 #include "option/baseline_options.h"
 #include "option/search.h"
@@ -67,8 +68,11 @@ class Report final : public Command {
         add_command(program, "report", "A page about many models, for a team",
                     {"rigor report models worlds -o report.html", "rigor report . -o site/",
                      "rigor report my_robot -o report.html --test settle,drive",
-                     "rigor report . -o report.html --no-simulate --budget visual=300000"});
-    app->add_option("paths", a_.paths, "Files and folders (default: .)")->type_name("PATH");
+                     "rigor report . -o report.html --no-simulate --budget visual=300000",
+                     "rigor report results.sqlite -o site/"});
+    app->add_option("paths", a_.paths,
+                    "Files and folders (default: .); or one database that merge wrote")
+        ->type_name("PATH");
     app->add_option("-o,--out", out_, "FILE.html, or FOLDER/ for a page a model")
         ->required()
         ->type_name("FILE");
@@ -103,6 +107,7 @@ class Report final : public Command {
     if (std::count(a_.paths.begin(), a_.paths.end(), "-") > 0) {
       throw UsageError("report reads files and folders, not stdin");
     }
+    if (names_results(a_.paths)) return report_results(a_.paths.front(), out_);
     if (!no_simulate_ && simulate::ode_version().empty()) {
       refuse_without("ODE", "report without --no-simulate");
     }

@@ -83,14 +83,18 @@ class Simulate final : public Command {
     std::deque<read::Loaded> loaded;
     std::deque<author::PreparedModel> models;
     for (const std::string& path : files(disk, options.plan)) {
+      const std::size_t number = files_++;
+      if (is_of_another_shard(disk, path, grid)) continue;
+      numbers_.push_back(number);
       loaded.push_back(read::load(reader, open_model(workspace, path)));
       const auto positions = joint_positions(loaded.back().root, choices_.joints());
       models.push_back(simulator.prepare(loaded.back(), positions));
     }
-    if (models.empty()) throw UsageError("there is no model to simulate");
+    if (files_ == 0) throw UsageError("there is no model to simulate");
     std::vector<const model::Root*> roots;
     for (const read::Loaded& file : loaded) roots.push_back(&file.root);
-    require_model(options.scene.model, roots);
+    // Another shard's model may be the one.
+    if (loaded.size() == files_) require_model(options.scene.model, roots);
     return conclude(simulator, models, grid, targets, sources);
   }
 
@@ -104,14 +108,25 @@ class Simulate final : public Command {
     return model_paths(disk, named);
   }
 
-  /// Every model at every point of the grid.
-  static std::vector<author::SimulationCase> all_cases(
-      const std::deque<author::PreparedModel>& models, const std::vector<simulate::Case>& grid) {
-    std::vector<author::SimulationCase> cases;
-    for (const author::PreparedModel& model : models) {
-      for (simulate::Case one : grid) {
-        one.index = cases.size();
-        cases.push_back({&model, std::move(one)});
+  /// Whether no case of a file is this shard's, so that it need not be read: a thousand machines would each read
+  /// all models. Of a folder the file that is simulated is not known yet.
+  bool is_of_another_shard(const Disk& disk, const std::string& path,
+                           const std::vector<simulate::Case>& grid) const {
+    if (path.ends_with("model.config") || disk.kind(path) == PathKind::kFolder) return false;
+    const Shard shard = choices_.shard();
+    return std::none_of(grid.begin(), grid.end(),
+                        [&](const simulate::Case& one) { return shard.has(path + ' ' + one.id); });
+  }
+
+  /// Every model at every point of the grid; without a model where another shard has all its cases.
+  std::vector<author::SimulationCase> all_cases(const std::deque<author::PreparedModel>& models,
+                                                const std::vector<simulate::Case>& grid) const {
+    std::vector<author::SimulationCase> cases(files_ * grid.size());
+    for (std::size_t i = 0; i < models.size(); ++i) {
+      for (std::size_t k = 0; k < grid.size(); ++k) {
+        author::SimulationCase& each = cases[numbers_[i] * grid.size() + k];
+        each = {&models[i], grid[k]};
+        each.one.index = numbers_[i] * grid.size() + k;
       }
     }
     return cases;
@@ -123,6 +138,7 @@ class Simulate final : public Command {
     const Shard shard = choices_.shard();
     std::vector<author::SimulationCase> cases;
     for (const author::SimulationCase& each : all) {
+      if (each.model == nullptr) continue;
       const bool ours = shard.has(each.model->loaded.file->path + ' ' + each.one.id);
       if (ours && !results.has(each.one.index)) cases.push_back(each);
     }
@@ -215,6 +231,7 @@ class Simulate final : public Command {
       throw UsageError(is + std::to_string(kept.one.of) + " cases, not " +
                        std::to_string(all.size()) + how);
     }
+    if (all[kept.one.index].model == nullptr) throw UsageError(is + "another shard" + how);
     const author::SimulationCase& ours = all[kept.one.index];
     std::vector<std::string> tests;
     // The budget may have left some out.
@@ -311,6 +328,8 @@ class Simulate final : public Command {
   }
 
   std::vector<std::string> paths_;
+  std::size_t files_ = 0;             // of all shards
+  std::vector<std::size_t> numbers_;  // of each model that was read, among them
   bool resume_ = false;
   SimulationChoices choices_;
   OutputOptions output_;

@@ -108,6 +108,11 @@ class Validate final : public Command {
       return a_.show_config.run(checking.settings(), a_.search.config(), a_.output);
     }
     checking.refuse_bad_settings();
+    const std::vector<std::string_view> names = validation_formats();
+    const bool lines = std::any_of(targets.begin(), targets.end(), [&names](const Target& target) {
+      return names[target.format] == "jsonl";
+    });
+    if (lines) checking.options().mesh_listing = rules::MeshListing::kListed;
     a_.baseline.read(disk, a_.search.config().baseline(checking.options().paths));
 
     auto sources = std::make_unique<Sources>();
