@@ -101,7 +101,7 @@ struct Expansion {
   /// Without errors: the result is what the reference prints.
   bool ok() const;
 
-  /// What brought a frame's nodes, innermost first.
+  /// What brought a frame's nodes, innermost first; no more than `kMaxShownFrames`.
   std::vector<FactFrame> stack_of(std::uint32_t frame) const;
 
   /// Of attributes and texts with several expressions, by the first byte of the value.

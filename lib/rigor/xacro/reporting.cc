@@ -22,7 +22,7 @@ bool Expansion::ok() const {
 
 std::vector<FactFrame> Expansion::stack_of(std::uint32_t frame) const {
   std::vector<FactFrame> stack;
-  for (; frame != 0; frame = frames[frame].outer) {
+  for (; frame != 0 && stack.size() < kMaxShownFrames; frame = frames[frame].outer) {
     const Frame& at = frames[frame];
     FactFrame shown{at.kind, at.where, std::string(at.name)};
     for (std::uint32_t i = 0; i < at.parameter_count; ++i) {
