@@ -75,7 +75,7 @@ class Simulate final : public Command {
     const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
     std::deque<read::Loaded> loaded;
     std::deque<author::PreparedModel> models;
-    for (const std::string& path : files(disk, options.plan)) {
+    for (const std::string& path : files(environment, options.plan)) {
       loaded.push_back(read::load(reader, open_model(workspace, path)));
       const auto positions = joint_positions(loaded.back().root, choices_.joints());
       models.push_back(simulator.prepare(loaded.back(), positions));
@@ -88,13 +88,13 @@ class Simulate final : public Command {
   }
 
  private:
-  std::vector<std::string> files(const Disk& disk, const simulate::Plan& plan) {
+  std::vector<std::string> files(const Environment& environment, const simulate::Plan& plan) {
     std::vector<std::string> named = paths_;
     if (named.empty()) named = choices_.models_of(plan);
     if (named.empty()) {
       throw UsageError("simulate needs a model; `rigor simulate --help` shows examples");
     }
-    return model_paths(disk, named);
+    return model_paths(environment, named);
   }
 
   /// Every model at every point of the grid.
