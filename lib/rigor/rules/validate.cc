@@ -213,12 +213,16 @@ class Run {
 
   /// Robots share files of macros: what one showed there, the next need not repeat.
   void drop_told(Diagnostics& found) {
-    Diagnostics fresh;
-    for (const Diagnostic& each : found.list()) {
+    const auto is_new = [this](const Diagnostic& each) {
       const std::string path =
           each.where.nowhere() ? each.path : std::string(sources_.path(each.where.source));
-      if (told_.insert({each.rule, path, each.where.begin, each.where.end, each.message}).second)
-        fresh.add(each);
+      return told_.insert({each.rule, path, each.where.begin, each.where.end, each.message}).second;
+    };
+    Diagnostics fresh;
+    for (const Diagnostic& each : found.list()) {
+      if (!is_new(each)) continue;
+      for (const Diagnostic& other : each.others) is_new(other);
+      fresh.add(each);
     }
     found = std::move(fresh);
   }
