@@ -88,8 +88,10 @@ xacro::Expansion TemplateExpander::expansion(const std::string& path,
   roots.add(inputs_.working_folder);
   const std::string folder(parent_path(join_path(inputs_.working_folder, path)));
   const std::string tree = packages_.tree_of(folder);
+  roots.add(tree);
   // Without a package or a repository nobody can tell where the robot's tree begins.
-  roots.add(tree == folder ? std::string(parent_path(parent_path(folder))) : tree);
+  const std::string above(parent_path(parent_path(folder)));
+  if (tree == folder && above != "/") roots.add(above);
   world.find_package = [this, &roots](std::string_view package, std::string_view file) {
     std::optional<std::string> found = package_folder(package, file);
     if (found) roots.add(*found);
