@@ -99,8 +99,8 @@ void check(const Rule& rule, const ParsedExample& example, Checked& checked) {
   } else {
     checked.result = validate(environment,
                               {.paths = {path},
-                               .selection = {.targets = rule.targets},
-                               .argument_sets = ArgumentSets::kAll},
+                               .argument_sets = ArgumentSets::kAll,
+                               .selection = {.targets = rule.targets}},
                               checked.sources);
   }
 }
