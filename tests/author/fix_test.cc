@@ -285,6 +285,56 @@ TEST(Fix, TakesAUriForUnsafeWhereLinksOrTheirMassComeWithIt) {
   EXPECT_TRUE(fix(include, kUnsafe, selection).changed());
 }
 
+/// A model's text as a template that has nothing of xacro's in it.
+std::string as_template(std::string_view text) {
+  std::string result(text);
+  const std::size_t at = result.find("<robot");
+  return at == result.npos
+             ? ""
+             : result.insert(at + 6, " xmlns:xacro=\"http://www.ros.org/wiki/xacro\"");
+}
+
+TEST(Fix, OfATemplateIsThatOfItsExpansion) {
+  const rules::Registry registry;
+  std::size_t all = 0;
+  std::size_t same = 0;
+  std::string others;
+  for (const rules::Rule& rule : registry.rules()) {
+    if (rule.category == rules::Category::kXml)
+      continue;  // a template that is no XML is not expanded
+    for (const rules::Example& example : rules::examples_of(rule).bad) {
+      const rules::ParsedExample parsed = rules::parse_example(example.text);
+      const std::string path = rules::example_path(parsed.files.front());
+      const std::string text = as_template(parsed.files.front().bytes);
+      if (example.fixed.empty() || !path.ends_with(".urdf") || text.empty()) continue;
+      MemoryDisk disk;
+      for (const auto& file : parsed.files) disk.put(rules::example_path(file), file.bytes);
+      const std::string named = path.substr(0, path.size() - 5) + ".xacro";
+      disk.put(named, text);
+      const Environment environment(disk, {});
+      Sources sources;
+      const auto result = rules::validate(
+          environment,
+          {.paths = {named},
+           .selection = {.select = {std::string(rule.name)}, .targets = rule.targets}},
+          sources);
+      EditSet edits;
+      for (const Diagnostic& finding : result.diagnostics.list()) {
+        if (finding.rule == rule.name && !finding.fixes.empty())
+          edits.take(finding.fixes.front().edits);
+      }
+      ++all;
+      if (apply_edits(text, edits.list()) == as_template(example.fixed)) {
+        ++same;
+      } else {
+        others += std::string(rule.name) + ' ';
+      }
+    }
+  }
+  EXPECT_GT(all, 10U);
+  EXPECT_EQ(same, all) << others;
+}
+
 TEST(Fix, FixesBytesThatStandInNoFile) {
   const MemoryDisk disk;
   rules::ValidateOptions options;

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <rigor/read/template/argument_sets.h>
 #include <rigor/read/template/expanded_file.h>
@@ -85,11 +88,60 @@ TEST(ArgumentSets, HaveEveryValueThatAConditionNames) {
   const Resolver resolver(disk, {});
   Workspace workspace(resolver, sources);
   const ArgumentPlan plan =
-      all_arguments(workspace.open("r.xacro").expanded->expansion(), sources, {});
+      all_arguments(workspace.open("r.xacro").expanded->expansion(), sources, disk, {});
   const std::vector<TemplateArguments> expected{
       {{"sim", "true"}}, {{"tool", "hand"}}, {{"tool", "saw"}}};
   EXPECT_EQ(plan.sets, expected);
   EXPECT_EQ(shown_arguments({{"a", "1"}, {"b", "x"}}), "a:=1 b:=x");
+}
+
+TEST(ArgumentSets, HaveTheEntriesOfAFolderThatAnArgumentNames) {
+  MemoryDisk disk(
+      {{"arm/r.xacro",
+        std::string(kHead) +
+            "<xacro:arg name=\"model\" default=\"a3\"/>\n"
+            "<xacro:arg name=\"tool\" default=\"hand\"/>\n"
+            "<xacro:property name=\"tool\" value=\"$(arg tool)\"/>\n"
+            "<xacro:property name=\"limits\" value=\"config/$(arg model)/limits.yaml\"/>\n"
+            "<xacro:property name=\"cfg\" value=\"${xacro.load_yaml(limits)}\"/>\n"
+            "<xacro:include filename=\"tools/${tool}.xacro\"/>\n"
+            "<link name=\"l${cfg['m']}\"/></robot>\n"},
+       {"arm/config/a3/limits.yaml", "m: 1\n"},
+       {"arm/config/a5/limits.yaml", "m: 2\n"},
+       {"arm/config/old/notes.txt", ""},
+       {"arm/tools/hand.xacro", std::string(kHead) + "</robot>"},
+       {"arm/tools/saw.xacro", std::string(kHead) + "</robot>"},
+       {"arm/tools/README.md", ""}});
+  Sources sources;
+  const Resolver resolver(disk, {});
+  Workspace workspace(resolver, sources);
+  const ArgumentPlan plan =
+      all_arguments(workspace.open("arm/r.xacro").expanded->expansion(), sources, disk, {});
+  const std::vector<TemplateArguments> expected{{{"model", "a5"}}, {{"tool", "saw"}}};
+  EXPECT_EQ(plan.sets, expected);
+  EXPECT_TRUE(plan.left_out.empty());
+}
+
+TEST(ArgumentSets, ArePairedWhereTheyWouldBeTooMany) {
+  std::string text = kHead;
+  for (int argument = 0; argument < 3; ++argument) {
+    const std::string name = "a" + std::to_string(argument);
+    text += "<xacro:arg name=\"" + name + "\" default=\"none\"/>\n<xacro:property name=\"" + name +
+            "\" value=\"$(arg " + name + ")\"/>\n";
+    for (int value = 0; value < 20; ++value)
+      text += "<xacro:if value=\"${" + name + " == 'v" + std::to_string(value) + "'}\"/>\n";
+  }
+  MemoryDisk disk({{"r.xacro", text + "</robot>\n"}});
+  Sources sources;
+  const Resolver resolver(disk, {});
+  Workspace workspace(resolver, sources);
+  const ArgumentPlan plan =
+      all_arguments(workspace.open("r.xacro").expanded->expansion(), sources, disk, {});
+  ASSERT_EQ(plan.sets.size(), 20);
+  std::set<std::pair<std::string, std::string>> seen;
+  for (const TemplateArguments& set : plan.sets) seen.insert(set.begin(), set.end());
+  EXPECT_EQ(seen.size(), 60) << "every value of every argument";
+  EXPECT_TRUE(plan.left_out.empty());
 }
 
 }  // namespace

@@ -97,8 +97,11 @@ void check(const Rule& rule, const ParsedExample& example, Checked& checked) {
   } else if (rule.category == Category::kSimulate) {
     checked.result.diagnostics = simulated(environment, rule, example, checked.sources);
   } else {
-    checked.result = validate(
-        environment, {.paths = {path}, .selection = {.targets = rule.targets}}, checked.sources);
+    checked.result = validate(environment,
+                              {.paths = {path},
+                               .argument_sets = ArgumentSets::kAll,
+                               .selection = {.targets = rule.targets}},
+                              checked.sources);
   }
 }
 

@@ -119,6 +119,15 @@ TEST(XacroExpand, OneRunTellsMoreThanOneError) {
             "7:6 argument 'nope' has no value and no default\n8:6 no operation str + int\n");
 }
 
+TEST(XacroExpand, NamesDefinedAfterTheirUseAreShown) {
+  const Expanded expanded(
+      robot("<xacro:property name=\"area\" value=\"${width * 2}\" scope=\"global\"/>\n"
+            "<xacro:property name=\"width\" value=\"1\"/>\n<v>${width}</v>"));
+  EXPECT_EQ(all_findings(expanded), "2:38 'width' is undefined\n");
+  ASSERT_EQ(expanded.expansion.facts.size(), 1);
+  EXPECT_EQ(expanded.bytes(expanded.expansion.facts[0].related), "width");
+}
+
 TEST(XacroExpand, AnErrorInAMacroIsOneFindingForAllItsCalls) {
   const Expanded expanded(
       robot("<xacro:macro name=\"leg\" params=\"i\"><l v=\"${i + size}\"/></xacro:macro>\n"

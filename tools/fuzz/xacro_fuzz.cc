@@ -1,8 +1,8 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `tools/dev fuzz SECONDS xacro`: templates made from a grammar by the bytes, or the bytes themselves,
-// through the expander and the printer.
+// `tools/dev fuzz SECONDS xacro`: templates made from a grammar by the bytes, or the bytes themselves as a
+// template (`<`) or as YAML that one loads (`#`), through the expander and the printer.
 
 #include <cstddef>
 #include <cstdint>
@@ -150,8 +150,16 @@ class Grammar {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::string text;
-  if (size > 0 && data[0] == '<') {
-    text.assign(reinterpret_cast<const char*>(data), size);
+  std::string yaml = "a: {b: [1, 2.5, x, !degrees 90], c: &k {a: 1}, d: *k}";
+  if (size % 2 == 1) yaml = "a:\n  b: 1.5  # plain\n  c:\n    a: !degrees 90\nd: \"x\"\n";
+  const std::string bytes(reinterpret_cast<const char*>(data), size);
+  if (bytes.starts_with('<')) {
+    text = yaml = bytes;
+  } else if (bytes.starts_with('#')) {
+    text =
+        "<robot "
+        "xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><a>${xacro.load_yaml('y')}</a></robot>";
+    yaml = bytes;
   } else {
     Grammar grammar(data, size);
     for (int i = 0; i < 12; ++i) grammar.grow('C', 0);
@@ -160,9 +168,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const rigor::MemoryDisk disk(
       {{"robot", text},
        {"part", "<p xmlns:xacro=\"x\"><xacro:property name=\"a\" value=\"7\"/><i>${a}</i></p>"},
-       {"y", size > 1 && data[0] == '<'
-                 ? text
-                 : "a: {b: [1, 2.5, x, !degrees 90], c: &k {a: 1}, d: *k}"}});
+       {"y", yaml}});
   rigor::xacro::World world{disk};
   rigor::xacro::Options options;
   // Smaller than what users get: a fuzzer is in more of a hurry.

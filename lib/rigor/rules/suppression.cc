@@ -231,6 +231,16 @@ Diagnostics Suppressions::uncovered(Diagnostics found) {
   return left;
 }
 
+void Suppressions::use(std::string_view name) {
+  for (Named& each : names_) each.used = each.used || each.name == name;
+}
+
+void Suppressions::take_uses(const Suppressions& other) {
+  for (std::size_t i = 0; i < std::min(names_.size(), other.names_.size()); ++i)
+    names_[i].used = names_[i].used || other.names_[i].used;
+  meshes_in_doubt_ = meshes_in_doubt_ || other.meshes_in_doubt_;
+}
+
 bool Suppressions::covers(const Diagnostic& diagnostic) {
   if (ended_reading(diagnostic)) return false;
   const bool by_rule = covers(diagnostic.rule, diagnostic);

@@ -53,6 +53,12 @@ class Suppressions {
   SuppressionFacts facts(const Registry& registry, const Runner& runner,
                          MeshPolicy meshes = MeshPolicy::kOpen) const;
 
+  /// A comment that names a rule or category covered a finding elsewhere.
+  void use(std::string_view name);
+
+  /// Those of a file with the same bytes, which covered findings of another run.
+  void take_uses(const Suppressions& other);
+
   /// How many times a finding was held against a comment: with a file of thousands of either, no more
   /// than twice a finding for each level that it is nested.
   std::size_t comparisons() const { return comparisons_; }

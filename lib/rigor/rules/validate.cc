@@ -23,7 +23,9 @@
 #include <rigor/rules/runner.h>
 #include <rigor/rules/suppression.h>
 #include <rigor/rules/xacro/entry_points.h>
+#include <rigor/rules/xacro/template_branches.h>
 #include <rigor/rules/xacro/template_findings.h>
+#include <rigor/rules/xacro/template_suppressions.h>
 #include <rigor/text/for_each_index.h>
 #include <rigor/text/path.h>
 
@@ -217,13 +219,16 @@ class Run {
 
   /// Robots share files of macros: what one showed there, the next need not repeat.
   void drop_reported(Diagnostics& found) {
-    Diagnostics fresh;
-    for (const Diagnostic& each : found.list()) {
+    const auto is_new = [this](const Diagnostic& each) {
       const std::string path =
           each.where.nowhere() ? each.path : std::string(sources_.path(each.where.source));
-      if (reported_.insert({each.rule, path, each.where.begin, each.where.end, each.message})
-              .second)
-        fresh.add(each);
+      return reported_.insert({each.rule, path, each.where.begin, each.where.end, each.message}).second;
+    };
+    Diagnostics fresh;
+    for (const Diagnostic& each : found.list()) {
+      if (!is_new(each)) continue;
+      for (const Diagnostic& other : each.others) is_new(other);
+      fresh.add(each);
     }
     found = std::move(fresh);
   }
@@ -291,37 +296,74 @@ class Run {
     }
   }
 
+  /// What the expansions of one template gave.
+  struct TemplateRun {
+    explicit TemplateRun(const Sources& sources) : findings(sources), suppressions(sources) {}
+
+    TemplateFindings findings;
+    TemplateSuppressions suppressions;
+    TemplateBranches branches;
+    SourceId source = kNoSource;  ///< of the template, as the first expansion read it
+    bool is_whole = true;         ///< all expansions are models without errors
+  };
+
   /// With each of its sets of arguments; reported as one file.
   void check_template(const std::string& path, const read::File& first, Checked& checked) {
     checked.is_template = true;
     checked.source = first.source;
-    TemplateFindings findings(sources_);
+    TemplateRun run(sources_);
     read::ArgumentPlan plan;
     if (const auto given = arguments_.find(path); given != arguments_.end())
       plan.sets = given->second;
-    if (options_.argument_sets == ArgumentSets::kAll)
-      plan = read::all_arguments(first.expanded->expansion(), sources_, std::move(plan));
+    const bool takes_all = options_.argument_sets == ArgumentSets::kAll;
+    if (takes_all) {
+      plan = read::all_arguments(first.expanded->expansion(), sources_, environment_.disk,
+                                 std::move(plan));
+    }
     if (!plan.left_out.empty()) checked.not_looked_at.push_back({path, "xacro: " + plan.left_out});
-    const bool takes_defaults = plan.sets.empty() || options_.argument_sets == ArgumentSets::kAll;
-    if (takes_defaults) check_expansion(first, {}, checked, findings);
+    if (plan.sets.empty() || takes_all) check_expansion(first, {}, checked, run);
     for (std::size_t i = 0; i < plan.sets.size(); ++i) {
       read::TemplateArguments arguments = environment_.resolver.paths().templates.arguments;
       arguments.insert(arguments.end(), plan.sets[i].begin(), plan.sets[i].end());
       const std::string shown = read::shown_arguments(plan.sets[i]);
-      check_expansion(workspace_.open(path, i + 1, arguments), shown, checked, findings);
+      check_expansion(workspace_.open(path, i + 1, arguments), shown, checked, run);
     }
-    checked.diagnostics = findings.take();
+    if (run.is_whole) check_coverage(path, takes_all, checked, run);
+    checked.diagnostics = run.findings.take();
     for (const Diagnostic& found : checked.diagnostics.list()) {
       if (found.severity == Severity::kError) ++checked.errors;
     }
   }
 
+  /// What no single expansion shows: branches that none takes, comments that hide nothing in any.
+  void check_coverage(const std::string& path, bool takes_all, const Checked& checked,
+                      TemplateRun& run) {
+    read::File bare;
+    bare.path = path;
+    bare.source = run.source;
+    read::Loaded about;
+    about.file = &bare;
+    about.root.format = checked.summary.format;
+    about.root.source = run.source;
+    if (takes_all) {
+      const std::vector<xacro::Fact> dead = run.branches.dead(sources_);
+      run.findings.add(checked.runner->run(environment_, sources_, about, dead));
+    }
+    // A branch that was not taken may show what a comment in it hides.
+    if (!takes_all && run.branches.has_skipped()) return;
+    const SuppressionFacts unused =
+        run.suppressions.facts(environment_.registry, *checked.runner, options_.meshes);
+    if (unused.empty()) return;
+    run.findings.add(checked.runner->run(environment_, sources_, about, unused));
+  }
+
   /// `arguments` are reported with what is found, where they are not those that are given to all.
   void check_expansion(const read::File& file, const std::string& arguments, Checked& checked,
-                       TemplateFindings& findings) {
+                       TemplateRun& run) {
     // A file of macros that a hook names by itself is no robot without links.
     const bool is_model =
         file.expanded && file.expanded->ok() && makes_robot(file) && !is_srdf_template(file.path);
+    run.is_whole = run.is_whole && is_model;
     read::File bare;
     bare.path = file.path;
     read::Loaded loaded;
@@ -336,22 +378,28 @@ class Run {
       const std::vector<xacro::Fact>& facts = file.expanded->expansion().facts;
       found = with_calls(checked.runner->run(environment_, sources_, loaded, facts), facts);
     }
+    Diagnostics all_of_model;
+    Diagnostics of_model;
     if (is_model) {
-      Suppressions suppressions(*file.document);
-      Diagnostics of_model =
-          suppressions.uncovered(checked.runner->run(environment_, sources_, loaded, meshes_));
+      all_of_model = checked.runner->run(environment_, sources_, loaded, meshes_);
+      of_model = Suppressions(*file.document).uncovered(all_of_model);
       list_meshes(loaded, checked);
-      found.take(in_source(std::move(of_model), file, sources_));
+      found.take(in_source(of_model, file, sources_));
     }
-    if (file.expanded)
-      found = uncovered_where_written(std::move(found), file.expanded->expansion(), sources_);
-    if (arguments.empty()) return findings.add(std::move(found));
+    if (file.expanded) {
+      const xacro::Expansion& expansion = file.expanded->expansion();
+      run.branches.add(expansion);
+      if (run.source == kNoSource) run.source = expansion.files.front().source;
+      found = run.suppressions.uncovered(std::move(found), expansion);
+      run.suppressions.count_copies(all_of_model, of_model);
+    }
+    if (arguments.empty()) return run.findings.add(std::move(found));
     Diagnostics reported;
     for (Diagnostic each : found.list()) {
       each.related.push_back({{}, "found with " + arguments});
       reported.add(std::move(each));
     }
-    findings.add(std::move(reported));
+    run.findings.add(std::move(reported));
   }
 
   /// Where the includes of a file lead, its includers are led too, and say so.

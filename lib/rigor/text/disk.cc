@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <system_error>
 #include <utility>
@@ -87,21 +86,19 @@ std::unique_ptr<OpenFile> RealDisk::open(const std::string& path) const {
 }
 
 ReadResult RealDisk::read(const std::string& path, std::uint64_t max_bytes) const {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) return {std::nullopt, "no such file"};
-  if (fs::is_directory(status)) return {std::nullopt, "is a folder"};
-  // A pipe or device has no size and may never end.
-  if (!fs::is_regular_file(status)) return {std::nullopt, "is not a regular file"};
-  const std::uintmax_t size = fs::file_size(path, error);
-  if (error) return {std::nullopt, error.message()};
-  if (size > max_bytes) return too_large(max_bytes);
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) return {std::nullopt, "cannot be opened (permissions?)"};
-  std::string bytes(static_cast<std::size_t>(size), '\0');
-  stream.read(bytes.data(), static_cast<std::streamsize>(size));
-  if (stream.bad()) return {std::nullopt, "cannot be read"};
-  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  const std::unique_ptr<OpenFile> file = open(path);
+  if (!file) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status)) return {std::nullopt, "no such file"};
+    if (fs::is_directory(status)) return {std::nullopt, "is a folder"};
+    // A pipe or device has no size and may never end.
+    if (!fs::is_regular_file(status)) return {std::nullopt, "is not a regular file"};
+    return {std::nullopt, "cannot be opened (permissions?)"};
+  }
+  if (file->size() > max_bytes) return too_large(max_bytes);
+  std::string bytes(static_cast<std::size_t>(file->size()), '\0');
+  bytes.resize(file->read(0, bytes.data(), bytes.size()));
   return {std::move(bytes), {}};
 }
 

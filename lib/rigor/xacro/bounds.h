@@ -36,6 +36,10 @@ struct Bounds {
   std::uint32_t facts = 1'000;
 };
 
+/// Calls, includes and conditions that are shown with a finding, the innermost ones. Recursion may have a
+/// thousand, and a finding at each level.
+inline constexpr std::uint32_t kMaxShownFrames = 50;
+
 /// Bits of a whole number: Python prints 4,300 digits at most, which are 14,285 bits. Multiplying two of
 /// these takes under a millisecond.
 inline constexpr std::uint32_t kMaxIntegerBits = 1U << 16U;

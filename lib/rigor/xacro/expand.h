@@ -45,6 +45,9 @@ struct World {
   std::function<std::optional<std::string>(std::string_view name)> variable = {};
   /// Where a file lies that is not where a path says: in a source tree, what installation moves.
   std::function<std::optional<std::string>(const std::string& missing)> locate = {};
+  /// Whether a file is in a place that nobody named: none of the packages, not the robot's own tree. It is
+  /// read all the same, and reported. No function, no such place.
+  std::function<bool(const std::string& path)> outside = {};
   /// What `$(cwd)` is; absolute. Files below it are shown by their paths from there.
   std::string working_folder = ".";
 };
@@ -60,8 +63,8 @@ struct Frame {
   std::uint32_t outer = 0;  ///< index of the frame around; the file's own is 0 and its own outer
   Span where;               ///< of the tag
   std::string_view name;    ///< of the macro, the file, the condition, the block
-  std::vector<std::pair<std::string_view, std::string>> parameters =
-      {};  ///< of a macro, with values
+  std::uint32_t parameters = 0;  ///< of a macro: the first in `Expansion::frame_parameters`
+  std::uint32_t parameter_count = 0;
 };
 
 /// Where the value is set of an expression in a text of several.
@@ -89,12 +92,16 @@ struct Expansion {
   std::vector<Fact> facts;           ///< in the order they were found
   std::uint32_t facts_left_out = 0;  ///< past the bound
   std::vector<Frame> frames;         ///< the first is the file itself
-  std::vector<FileUse> files;        ///< all that was read, the file itself first, each once
+  std::vector<std::pair<std::string_view, std::string_view>> frame_parameters;  ///< with values
+  std::vector<FileUse> files;  ///< all that was read, the file itself first, each once
+
+  std::vector<Span>
+      skipped_conditions;  ///< tags of `if` and `unless` that were not taken, each time
 
   /// Without errors: the result is what the reference prints.
   bool ok() const;
 
-  /// What brought a frame's nodes, innermost first.
+  /// What brought a frame's nodes, innermost first; no more than `kMaxShownFrames`.
   std::vector<FactFrame> stack_of(std::uint32_t frame) const;
 
   /// Of attributes and texts with several expressions, by the first byte of the value.

@@ -218,18 +218,23 @@ void Expander::bind_defaults(const Node& node, const Macro& macro, Names caller,
 }
 
 std::uint32_t Expander::push_call_frame(const Node& node, const Macro& macro, Scope& scope) {
-  Frame frame{FactFrame::Kind::kMacro, frame_, node.where.span, macro.name};
+  Frame frame{FactFrame::Kind::kMacro, frame_, node.where.span, macro.name,
+              static_cast<std::uint32_t>(result_.frame_parameters.size())};
   for (const MacroParameter& parameter : macro.parameters) {
     const Binding* binding = scope.own().find(parameter.symbol);
     if (binding == nullptr) continue;
     const Value v = binding->value;
-    const bool plain = v.is_number() || v.is(Type::kNone);
-    std::string text = v.is_text() ? std::string(v.as_text().substr(0, kShownValueBytes))
-                       : plain     ? evaluator_.text_of(v).value_or("…")
-                                   : "…";
-    evaluator_.take_failure();  // of a number with too many digits to show
-    if (v.is_text() && v.size > kShownValueBytes) text += "…";
-    frame.parameters.emplace_back(parameter.name, std::move(text));
+    std::string_view text = "…";
+    if (v.is_text()) {
+      text = v.as_text();
+      if (text.size() > kShownValueBytes)
+        text = heap_.keep(std::string(text.substr(0, kShownValueBytes)) + "…");
+    } else if (v.is_number() || v.is(Type::kNone)) {
+      if (const auto printed = evaluator_.text_of(v)) text = heap_.keep(*printed);
+      evaluator_.take_failure();  // of a number with too many digits to show
+    }
+    result_.frame_parameters.emplace_back(parameter.name, text);
+    ++frame.parameter_count;
   }
   return push_frame(std::move(frame));
 }

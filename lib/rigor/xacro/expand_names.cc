@@ -50,7 +50,7 @@ void Expander::define_property(const Node& node, Names names, Node& out) {
     return report(FactKind::kPropertyConflict, name_attribute->where, key);
   }
   Symbol symbol = symbols_.of(key);
-  const bool known = names.values->find(symbol) != nullptr || builtins_.contains(symbol);
+  const bool known = names.values->find(symbol) != nullptr || is_builtin(symbol);
   if (*remove && known) {
     for (Scope* at = names.values; at != nullptr; at = at->parent()) at->own().erase(symbol);
     return;
@@ -78,7 +78,7 @@ void Expander::define_property(const Node& node, Names names, Node& out) {
   Binding binding;
   binding.place = value != nullptr ? value->where : node.where;
   binding.definition = static_cast<std::uint32_t>(definitions_.size());
-  if (builtins_.contains(symbol)) report(FactKind::kRedefinedBuiltin, name_attribute->where, key);
+  if (is_builtin(symbol)) report(FactKind::kRedefinedBuiltin, name_attribute->where, key);
   const Binding* before = otherwise == nullptr ? target->own().find(symbol) : nullptr;
   if (before != nullptr && before->definition != kNoDefinition &&
       definitions_[before->definition].where != name_attribute->where.span) {
@@ -182,6 +182,11 @@ ReadResult Expander::read_file(std::string& path) {
   return world_.disk.read(path, options_.bounds.file_bytes);
 }
 
+void Expander::report_if_outside(const std::string& path, Place place) {
+  if (world_.outside && world_.outside(path))
+    report(FactKind::kOutsideRoots, place, shown_path(path));
+}
+
 std::string Expander::shown_path(const std::string& path) const {
   const std::string& here = world_.working_folder;
   const bool below = is_absolute(here) && path.starts_with(here + '/');
@@ -245,6 +250,7 @@ void Expander::include_file(const Node& node, const std::string& path, bool opti
     stopped_ = true;
     return;
   }
+  report_if_outside(path, place);
   File& file = file_at(path);
   if (!file.readable) {
     if (optional) return;

@@ -28,13 +28,17 @@ Value Expander::evaluate(std::string_view text, Scope& scope, Place place) {
   for (const TextSegment& segment : parts.segments) {
     used_ = {};
     const Value v = evaluate_segment(segment, scope, place);
-    const auto piece = v.failed() ? std::nullopt : evaluator_.text_of(v);
-    if (!piece) {
+    std::optional<std::string> printed;
+    if (!v.failed() && !v.is_text()) printed = evaluator_.text_of(v);
+    if (v.is_text()) {
+      joined += v.as_text();
+    } else if (printed) {
+      joined += *printed;
+    } else {
       if (const auto failure = evaluator_.take_failure()) report_failure(*failure, place);
       whole = false;
       continue;
     }
-    joined += *piece;
     if (segment.kind != TextSegment::Kind::kText && !used_.nowhere()) {
       origins.push_back(
           {segment.begin, segment.begin + static_cast<std::uint32_t>(segment.text.size()), used_});
@@ -123,9 +127,8 @@ std::optional<Value> Expander::look_up(Scope& scope, Symbol name) {
     if (binding->definition != kNoDefinition) definitions_[binding->definition].used = true;
     return resolve(*binding, name, *home);
   }
-  const auto builtin = builtins_.find(name);
-  if (builtin != builtins_.end()) {
-    const Value v = builtin->second;
+  if (is_builtin(name)) {
+    const Value v = builtins_[name];
     if (v.is(Type::kFunction)) {
       const std::string_view function = v.function_->name;
       const bool python = function == "sorted" || function == "range";
@@ -175,6 +178,7 @@ Value Expander::load_yaml(std::string_view written) {
     if (known->second.loading) return evaluator_.fail(FactKind::kIncludeCycle, path);
     return known->second.value.failed() ? Value::error() : heap_.wrapped(known->second.value);
   }
+  report_if_outside(path, {reader_, false});
   Yaml& file = yaml_[path];
   file.value = Value::error();
   std::string found = path;
@@ -218,7 +222,9 @@ std::string Expander::name_near(Scope& scope, std::string_view name) {
   for (Scope* at = &scope; at != nullptr; at = at->parent()) {
     for (const auto& [symbol, binding] : at->own()) candidates.push_back(symbols_.name(symbol));
   }
-  for (const auto& [symbol, value] : builtins_) candidates.push_back(symbols_.name(symbol));
+  for (Symbol symbol = 0; symbol < builtins_.size(); ++symbol) {
+    if (is_builtin(symbol)) candidates.push_back(symbols_.name(symbol));
+  }
   std::sort(candidates.begin(), candidates.end());
   return nearest_name(name, candidates);
 }

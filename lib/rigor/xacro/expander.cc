@@ -37,20 +37,26 @@ Expander::Expander(const World& world, const Options& options, Sources& sources)
 
 void Expander::define_builtins() {
   for (const Module* module : {&kPythonModule, &kMathModule, &kXacroModule}) {
-    builtins_.emplace(symbols_.of(module->name), Value::module(*module));
+    define_builtin(module->name, Value::module(*module));
   }
   for (const std::string_view name : kGlobalFunctions) {
-    builtins_.emplace(symbols_.of(name), *member_of(kPythonModule, name));
+    define_builtin(name, *member_of(kPythonModule, name));
   }
   for (const std::string_view name : kGlobalXacroFunctions) {
-    builtins_.emplace(symbols_.of(name), *member_of(kXacroModule, name));
+    define_builtin(name, *member_of(kXacroModule, name));
   }
   for (const Function& function : kMathModule.functions) {
-    builtins_.insert_or_assign(symbols_.of(function.name), Value::function(function));
+    define_builtin(function.name, Value::function(function));
   }
   for (const Constant& constant : kMathModule.constants) {
-    builtins_.insert_or_assign(symbols_.of(constant.name), Value::real(constant.value));
+    define_builtin(constant.name, Value::real(constant.value));
   }
+}
+
+void Expander::define_builtin(std::string_view name, Value value) {
+  const Symbol symbol = symbols_.of(name);
+  if (symbol >= builtins_.size()) builtins_.resize(symbol + 1, Value::error());
+  builtins_[symbol] = value;
 }
 
 Expansion Expander::run(const std::string& path) {
@@ -69,6 +75,7 @@ Expansion Expander::run(const std::string& path) {
     if (file.tree.root != nullptr) expand_document(file);
     // What failed may have been the use.
     if (result_.ok()) report_unused();
+    relate_definitions();
   }
   return std::move(result_);
 }
@@ -273,6 +280,7 @@ void Expander::expand_condition(const Node& node, bool wanted, Names names, Node
     report(FactKind::kConstantCondition, value->where, *is ? "true" : "false");
   // What the branch defines is unknown.
   if (!is) incomplete_ = true;
+  if (is && *is != wanted) result_.skipped_conditions.push_back(node.where.span);
   if (is != wanted) return;
   check_attributes(node, names);
   Node& content = fragment();

@@ -67,6 +67,10 @@ class Expander final : public Host {
 
   // expander.cc: nodes.
   void define_builtins();
+  void define_builtin(std::string_view name, Value value);
+  bool is_builtin(Symbol name) const {
+    return name < builtins_.size() && !builtins_[name].failed();
+  }
   void expand_document(const File& file);
   void expand_children(const Node& source, Names names, Node& out);
   void expand_element(const Node& node, std::string_view name, Names names, Node& out);
@@ -101,6 +105,7 @@ class Expander final : public Host {
   File& file_at(const std::string& path);
   /// Its bytes; `path` becomes where it lies, when that is elsewhere.
   ReadResult read_file(std::string& path);
+  void report_if_outside(const std::string& path, Place place);
   std::string shown_path(const std::string& path) const;
 
   // expand_call.cc: calls of macros.
@@ -141,6 +146,8 @@ class Expander final : public Host {
   void report_failure(const Failure& failure, Place place);
   /// The first: what a strict parser stops at.
   void report_faults(const File& file);
+  /// Of names that were undefined where they were used, where a property of that name is.
+  void relate_definitions();
   void report_unused();
   void report_unused_includes();
   /// Whether a file that was read has the name anywhere but in its definition.
@@ -159,7 +166,7 @@ class Expander final : public Host {
   TextTemplates templates_;
   Evaluator evaluator_;
 
-  std::unordered_map<Symbol, Value> builtins_;
+  std::vector<Value> builtins_;  ///< by symbol: the first ones; an error is none
   std::deque<Scope> scopes_;
   std::vector<Scope*> free_scopes_;
   std::deque<MacroScope> macro_scopes_;

@@ -67,7 +67,9 @@ std::string_view name_of(FactKind kind) {
                                          "repeated-parameter",
                                          "degrees",
                                          "missing-prefix",
-                                         "constant-condition"};
+                                         "constant-condition",
+                                         "dead-branch",
+                                         "outside-roots"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -145,6 +147,8 @@ std::string describe(const Fact& f) {
     case FactKind::kMissingPrefix:
       return "<" + f.name + "> is written like a call of macro " + name + " without xacro:";
     case FactKind::kConstantCondition: return "the condition is always " + name;
+    case FactKind::kDeadBranch: return "no set of arguments takes this branch";
+    case FactKind::kOutsideRoots: return name + " is outside of the packages and of the repository";
   }
   return {};
 }

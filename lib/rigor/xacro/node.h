@@ -11,7 +11,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <memory_resource>
+#include <new>
 #include <string_view>
 #include <vector>
 
@@ -45,17 +46,17 @@ enum class NodeKind : std::uint8_t { kElement, kText, kCData, kComment, kInstruc
 
 struct Node {
   NodeKind kind = NodeKind::kElement;
-  std::uint32_t frame = 0;  ///< index in `Expansion::frames`; 0 is the file itself
-  std::string_view name;    ///< of an element; the target of an instruction
-  std::string_view text;    ///< of all others
-  std::vector<NodeAttribute> attributes;
+  std::uint32_t frame = 0;     ///< index in `Expansion::frames`; 0 is the file itself
+  std::string_view name = {};  ///< of an element; the target of an instruction
+  std::string_view text = {};  ///< of all others
+  std::pmr::vector<NodeAttribute> attributes = {};
   Node* parent = nullptr;
   Node* previous = nullptr;
   Node* next = nullptr;
   Node* first = nullptr;
   Node* last = nullptr;
-  Place where;     ///< the start tag; the text
-  Span from = {};  ///< as of an attribute, of a text
+  Place where = {};  ///< the start tag; the text
+  Span from = {};    ///< as of an attribute, of a text
 
   const NodeAttribute* attribute(std::string_view wanted) const;
   void set_attribute(NodeAttribute attribute);
@@ -67,21 +68,19 @@ struct Node {
   const Node* next_element() const;
 };
 
-/// Nodes that stay where they are, made in blocks: there are thousands of them.
+/// Nodes that stay where they are, with their attributes in the same few blocks of memory: there are
+/// thousands of them, and they end together.
 class Nodes {
  public:
   Node& emplace_back() {
-    if (left_ == 0) {
-      blocks_.push_back(std::make_unique<Node[]>(kBlock));
-      left_ = kBlock;
-    }
-    return blocks_.back()[kBlock - left_--];
+    // Never destroyed: all that a node owns is in this memory.
+    return *new (memory_.allocate(sizeof(Node), alignof(Node)))
+        Node{.attributes = std::pmr::vector<NodeAttribute>(&memory_)};
   }
 
  private:
-  static constexpr std::size_t kBlock = 64;
-  std::vector<std::unique_ptr<Node[]>> blocks_;
-  std::size_t left_ = 0;
+  static constexpr std::size_t kFirstBlock = std::size_t{32} << 10U;
+  std::pmr::monotonic_buffer_resource memory_{kFirstBlock};
 };
 
 }  // namespace rigor::xacro

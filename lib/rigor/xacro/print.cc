@@ -67,11 +67,11 @@ class Printer {
     indent(level);
     out += '<';
     out += node.name;
-    std::vector<const NodeAttribute*> sorted;
-    for (const NodeAttribute& attribute : node.attributes) sorted.push_back(&attribute);
-    std::sort(sorted.begin(), sorted.end(),
+    sorted_.clear();
+    for (const NodeAttribute& attribute : node.attributes) sorted_.push_back(&attribute);
+    std::sort(sorted_.begin(), sorted_.end(),
               [](const auto* a, const auto* b) { return a->name < b->name; });
-    for (const NodeAttribute* attribute : sorted) {
+    for (const NodeAttribute* attribute : sorted_) {
       out += ' ';
       out += attribute->name;
       out += "=\"";
@@ -97,6 +97,8 @@ class Printer {
     out += node.name;
     out += ">\n";
   }
+
+  std::vector<const NodeAttribute*> sorted_;  ///< of the element at hand
 };
 
 std::string padded_to(std::string_view text, std::size_t width) {

@@ -22,11 +22,13 @@ bool Expansion::ok() const {
 
 std::vector<FactFrame> Expansion::stack_of(std::uint32_t frame) const {
   std::vector<FactFrame> stack;
-  for (; frame != 0; frame = frames[frame].outer) {
+  for (; frame != 0 && stack.size() < kMaxShownFrames; frame = frames[frame].outer) {
     const Frame& at = frames[frame];
     FactFrame shown{at.kind, at.where, std::string(at.name)};
-    for (const auto& [name, value] : at.parameters)
-      shown.parameters.push_back({std::string(name), value});
+    for (std::uint32_t i = 0; i < at.parameter_count; ++i) {
+      const auto& [name, value] = frame_parameters[at.parameters + i];
+      shown.parameters.push_back({std::string(name), std::string(value)});
+    }
     stack.push_back(std::move(shown));
   }
   return stack;
@@ -79,6 +81,15 @@ void Expander::report(FactKind kind, Place place, std::string name, std::string 
                           kind == FactKind::kUndefinedArgument;
   if (names_near) fact.near = std::exchange(fact.detail, {});
   result_.facts.push_back(std::move(fact));
+}
+
+void Expander::relate_definitions() {
+  for (Fact& fact : result_.facts) {
+    if (fact.kind != FactKind::kUndefinedName || !fact.related.nowhere()) continue;
+    for (const Definition& definition : definitions_) {
+      if (definition.name == fact.name) fact.related = definition.where;
+    }
+  }
 }
 
 void Expander::report_faults(const File& file) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include <rigor/xacro/value/heap.h>
 #include <rigor/xml/decode.h>
@@ -147,12 +148,14 @@ class SourceReader {
     Node& node = nodes_.emplace_back();
     node.name = element.name();
     node.where = {element.tag_span(), true};
+    attributes_.clear();
     for (const xml::Attribute attribute : element.attributes()) {
       const Span span = attribute.value_span();
       const std::string_view raw = bytes_.substr(span.begin, span.size());
       const std::string_view value = attribute_value(raw);
-      node.attributes.push_back({attribute.name(), value, {span, value.size() == raw.size()}});
+      attributes_.push_back({attribute.name(), value, {span, value.size() == raw.size()}});
     }
+    node.attributes.assign(attributes_.begin(), attributes_.end());
     open_->append(node);
     if (token.kind == xml::TokenKind::kStartTag) open_ = &node;
   }
@@ -172,6 +175,7 @@ class SourceReader {
   xml::Document document_;
   Node* open_ = nullptr;
   std::uint32_t next_element_ = 0;
+  std::vector<NodeAttribute> attributes_;  ///< of the tag at hand
 };
 
 }  // namespace

@@ -47,6 +47,10 @@ Value Expander::run_command(std::string_view written, Scope& scope, Place place)
   if (!command) return Value::error();
   if (*command == "cwd") return evaluator_.text(world_.working_folder);
   if (command->starts_with("eval ")) return evaluate_eval(command->substr(5), place);
+  if (command->starts_with("arg ") && is_identifier(command->substr(4))) {
+    const auto value = argument(command->substr(4));
+    if (value && value->find('$') == std::string_view::npos) return Value::text(*value);
+  }
   const auto once = substitute("$(" + std::string(*command) + ')', false, place);
   if (!once) return Value::error();
   // What an argument brought may hold a `$(find …)` of its own.
@@ -155,7 +159,7 @@ Value Expander::evaluate_eval(std::string_view text, Place place) {
     scope.own()[symbols_.of(name)].value = Value::boolean(name == "true");
   for (const Function& function : kPythonModule.functions) {
     const Symbol symbol = symbols_.of(function.name);
-    if (!builtins_.contains(symbol)) scope.own()[symbol].value = Value::function(function);
+    if (!is_builtin(symbol)) scope.own()[symbol].value = Value::function(function);
   }
   const Value v = evaluate_expression(text, templates_.expression(heap_.keep(stripped(text))),
                                       scope, {place.span, false});

@@ -101,15 +101,25 @@ void Expander::report_unused_includes() {
     });
   };
   for (const Definition& definition : definitions_) {
-    if (definition.used || is_named_elsewhere(definition.name, definition.where))
+    if (definition.used) use(definition.where);
+  }
+  for (const Macro& macro : macros_) {
+    if (macro.used) use(macro.body->where.span);
+  }
+  for (const auto& [name, argument] : arguments_) {
+    if (argument.used) use(argument.place.span);
+  }
+  // Only what brought nothing so far is worth a search.
+  const auto is_open = [&used](Span where) {
+    return !used.contains(static_cast<Id>(where.source));
+  };
+  for (const Definition& definition : definitions_) {
+    if (is_open(definition.where) && is_named_elsewhere(definition.name, definition.where))
       use(definition.where);
   }
   for (const Macro& macro : macros_) {
     const Span where = macro.body->where.span;
-    if (macro.used || is_named_elsewhere(macro.name, where)) use(where);
-  }
-  for (const auto& [name, argument] : arguments_) {
-    if (argument.used) use(argument.place.span);
+    if (is_open(where) && is_named_elsewhere(macro.name, where)) use(where);
   }
   for (const IncludeUse& include : includes_) {
     const bool is_used =

@@ -16,6 +16,7 @@
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
 
+#include <rigor/xacro/plain_yaml.h>
 #include <rigor/xacro/value/compare.h>
 #include <rigor/xacro/value/heap.h>
 #include <rigor/xacro/value/integer.h>
@@ -182,6 +183,19 @@ class YamlBuilder final : public YAML::EventHandler {
       return span(begin + at, begin + at + value.size());
     }
     return span(begin, begin + line.find_last_not_of(" \t\r") + 1);
+  }
+
+  void take(const PlainYamlEvent& event) {
+    YAML::Mark mark;
+    mark.pos = static_cast<int>(event.offset);
+    switch (event.kind) {
+      case PlainYamlEvent::Kind::kMapStart:
+        return OnMapStart(mark, "?", YAML::NullAnchor, YAML::EmitterStyle::Block);
+      case PlainYamlEvent::Kind::kMapEnd: return OnMapEnd();
+      case PlainYamlEvent::Kind::kScalar: break;
+    }
+    const std::string tag(event.tag.empty() ? std::string_view("?") : event.tag);
+    OnScalar(mark, tag, YAML::NullAnchor, std::string(event.text));
   }
 
   void OnDocumentStart(const YAML::Mark&) override {}
@@ -373,6 +387,10 @@ YamlResult read_yaml(std::string_view bytes, SourceId source, Heap& heap,
                      const std::function<Value(std::string_view, Span)>& evaluate) {
   YamlBuilder builder(bytes, source, heap, evaluate);
   try {
+    if (const auto events = read_plain_yaml(bytes)) {
+      for (const PlainYamlEvent& event : *events) builder.take(event);
+      return {builder.root(), std::nullopt};
+    }
     std::istringstream stream{std::string(bytes)};
     YAML::Parser parser(stream);
     if (parser.HandleNextDocument(builder) && parser) {

@@ -105,8 +105,8 @@ class Render final : public Command {
     const std::vector<std::string_view> views = known_views();
     const std::string_view view = views[choice("view", view_, views)];
     const RealDisk disk;
-    const std::vector<std::string> files = models(disk);
     const Environment environment(disk, search_.paths());
+    const std::vector<std::string> files = models(environment);
     ModelPainter painter(disk, environment);
     if (files.size() > 1) return render_sheet(painter, files, layers, view);
 
@@ -155,12 +155,12 @@ class Render final : public Command {
     return otherwise;
   }
 
-  std::vector<std::string> models(const Disk& disk) const {
+  std::vector<std::string> models(const Environment& environment) const {
     for (const std::string& path : paths_) {
-      if (disk.kind(path) == PathKind::kMissing)
+      if (environment.disk.kind(path) == PathKind::kMissing)
         throw UsageError(path + ": no such file or folder");
     }
-    std::vector<std::string> all = model_paths(disk, paths_);
+    std::vector<std::string> all = model_paths(environment, paths_);
     if (all.empty()) throw UsageError("there is no model to draw");
     if (all.size() > kMostModels) {
       throw UsageError(report::counted(all.size(), "model") + ": no sheet holds more than " +

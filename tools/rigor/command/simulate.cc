@@ -82,7 +82,7 @@ class Simulate final : public Command {
     const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
     std::deque<read::Loaded> loaded;
     std::deque<author::PreparedModel> models;
-    for (const std::string& path : files(disk, options.plan)) {
+    for (const std::string& path : files(environment, options.plan)) {
       const std::size_t number = files_++;
       if (is_of_another_shard(disk, path, grid)) continue;
       numbers_.push_back(number);
@@ -99,13 +99,13 @@ class Simulate final : public Command {
   }
 
  private:
-  std::vector<std::string> files(const Disk& disk, const simulate::Plan& plan) {
+  std::vector<std::string> files(const Environment& environment, const simulate::Plan& plan) {
     std::vector<std::string> named = paths_;
     if (named.empty()) named = choices_.models_of(plan);
     if (named.empty()) {
       throw UsageError("simulate needs a model; `rigor simulate --help` shows examples");
     }
-    return model_paths(disk, named);
+    return model_paths(environment, named);
   }
 
   /// Whether no case of a file is this shard's, so that it need not be read: a thousand machines would each read

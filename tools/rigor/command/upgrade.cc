@@ -16,6 +16,7 @@
 #include <rigor/author/upgrade/upgrade.h>
 #include <rigor/read/discover.h>
 #include <rigor/read/load.h>
+#include <rigor/read/template/template_expander.h>
 #include <rigor/read/values.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
@@ -112,6 +113,9 @@ class UpgradeCommand final : public Command {
     for (const std::string& path : paths_) {
       const PathKind kind = disk.kind(path);
       if (kind == PathKind::kMissing) throw UsageError(path + ": no such file");
+      if ((write_ || diff_) && read::is_template(path)) {
+        throw UsageError(path + " is a template: name the result with --out, or expand it first");
+      }
       if (kind != PathKind::kFolder) {
         files.push_back({path, true});
         continue;

@@ -175,7 +175,10 @@ std::string map_json(const xacro::Expansion& expansion, const Sources& sources) 
   for (const xacro::FileUse& file : expansion.files) json["files"].push_back(file.path);
   for (const xacro::Frame& frame : expansion.frames) {
     MapJson parameters = MapJson::object();
-    for (const auto& [name, value] : frame.parameters) parameters[std::string(name)] = value;
+    for (std::uint32_t i = 0; i < frame.parameter_count; ++i) {
+      const auto& [name, value] = expansion.frame_parameters[frame.parameters + i];
+      parameters[std::string(name)] = value;
+    }
     json["frames"].push_back({{"kind", frame_kind(frame.kind)},
                               {"name", frame.name},
                               {"outer", frame.outer},

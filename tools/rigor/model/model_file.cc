@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <variant>
 
 #include <rigor/read/discover.h>
 #include <rigor/read/model_config.h>
 #include <rigor/read/template/template_expander.h>
 #include <rigor/report/terminal/summary.h>
+#include <rigor/rules/xacro/entry_points.h>
 #include <rigor/schema/value.h>
 #include <rigor/text/path.h>
 
@@ -19,6 +21,7 @@
 #include "model/expansion_map.h"
 #include "option/numbers.h"
 #include "option/search.h"
+#include "output/output.h"
 
 namespace rigor::tool {
 namespace {
@@ -84,9 +87,33 @@ std::array<double, 2> joint_position(const std::string& option, const std::strin
   return result;
 }
 
+/// The robots among what a folder holds beside models.
+std::vector<std::string> robot_templates(const Environment& environment,
+                                         const std::vector<read::LeftOut>& found) {
+  std::vector<std::string> templates;
+  for (const read::LeftOut& left : found) {
+    const bool is_model = read::is_template(left.path) && !rules::is_srdf_template(left.path);
+    if (!left.excluded && is_model) templates.push_back(left.path);
+  }
+  if (templates.empty()) return {};
+  Sources sources;
+  read::Workspace workspace(environment.resolver, sources);
+  std::vector<std::string> robots =
+      rules::entry_points(templates, {}, workspace,
+                          environment.resolver.paths().templates.working_folder)
+          .robots;
+  std::erase_if(robots, [&workspace](const std::string& path) {
+    const read::File& file = workspace.open(path);
+    return !file.expanded || !file.expanded->ok();
+  });
+  return robots;
+}
+
 }  // namespace
 
-std::vector<std::string> model_paths(const Disk& disk, const std::vector<std::string>& named) {
+std::vector<std::string> model_paths(const Environment& environment,
+                                     const std::vector<std::string>& named) {
+  const Disk& disk = environment.disk;
   std::vector<std::string> all;
   for (const std::string& path : named) {
     const bool folder = disk.kind(path) == PathKind::kFolder;
@@ -99,6 +126,8 @@ std::vector<std::string> model_paths(const Disk& disk, const std::vector<std::st
     for (const std::string& file : found.files) {
       if (!file.ends_with("model.config")) all.push_back(file);
     }
+    for (std::string& robot : robot_templates(environment, found.left_out))
+      all.push_back(std::move(robot));
   }
   return all;
 }

@@ -13,7 +13,7 @@
 #include <rigor/model/model.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
-#include <rigor/text/disk.h>
+#include <rigor/rules/environment.h>
 
 namespace rigor::tool {
 
@@ -24,9 +24,10 @@ const read::File& open_model(read::Workspace& workspace, const std::string& path
 /// The same, of a model whose text is to be edited: a UsageError when it is a template.
 const read::File& open_plain_model(read::Workspace& workspace, const std::string& path);
 
-/// What `open_model` takes, one by one: of a folder without a model.config, all files in it. A UsageError when a
-/// folder cannot be read.
-std::vector<std::string> model_paths(const Disk& disk, const std::vector<std::string>& named);
+/// What `open_model` takes, one by one: of a folder without a model.config, all files in it, and the templates
+/// that are robots and expand without errors. A UsageError when a folder cannot be read.
+std::vector<std::string> model_paths(const Environment& environment,
+                                     const std::vector<std::string>& named);
 
 /// A UsageError when a name is given, and no model of these is called so.
 void require_model(const std::string& name, const std::vector<const model::Root*>& roots);

@@ -4,9 +4,11 @@
 #include <rigor/read/template/argument_sets.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include <rigor/xml/document.h>
 
@@ -61,6 +63,16 @@ class ArgumentReader {
     }
   }
 
+  /// What else a path may hold in the place of an argument's default: of `config/ur5/limits.yaml`, with the
+  /// default `ur5`, the folders beside that have a `limits.yaml`.
+  void read_paths(const xml::Document& document, const std::vector<std::string>& paths,
+                  const Disk& disk) {
+    for (std::uint32_t i = 0; i < document.element_count(); ++i) {
+      for (const xml::Attribute attribute : document.element(i).attributes())
+        read_path(attribute.value(), paths, disk);
+    }
+  }
+
   ArgumentValues values;
 
   const std::map<std::string, std::string, std::less<>>& defaults() const { return defaults_; }
@@ -77,6 +89,51 @@ class ArgumentReader {
       }
       if (!compares) found = {"true", "false"};
       values[name].merge(found);
+    }
+  }
+
+  void read_path(std::string_view text, const std::vector<std::string>& paths, const Disk& disk) {
+    if (text.find('/') == text.npos || text.find('$') == text.npos) return;
+    for (const auto& [name, value] : defaults_) {
+      if (!value.empty() && value.find_first_of("$/") == value.npos &&
+          is_part_of_path(text, "$(arg " + name + ")") && in_paths_.insert(name).second) {
+        add_entries(name, value, paths, disk);
+      }
+    }
+    for (const auto& [property, argument] : property_of_) {
+      const auto known = defaults_.find(argument);
+      if (known == defaults_.end() || known->second.empty() ||
+          known->second.find_first_of("$/") != known->second.npos)
+        continue;
+      if (is_part_of_path(text, "${" + property + "}") && in_paths_.insert(argument).second)
+        add_entries(argument, known->second, paths, disk);
+    }
+  }
+
+  /// Directly behind a slash: all that is between it and the next one, or the dot of a file's extension.
+  static bool is_part_of_path(std::string_view text, const std::string& reference) {
+    const std::size_t at = text.find(reference);
+    if (at == text.npos || at == 0 || text[at - 1] != '/') return false;
+    const std::size_t end = at + reference.size();
+    return end < text.size() && (text[end] == '/' || text[end] == '.');
+  }
+
+  void add_entries(const std::string& name, const std::string& value,
+                   const std::vector<std::string>& paths, const Disk& disk) {
+    for (const std::string& path : paths) {
+      for (const char behind : {'/', '.'}) {
+        const std::size_t at = path.find('/' + value + behind);
+        if (at == path.npos) continue;
+        const std::string rest = path.substr(at + 1 + value.size());
+        if (behind == '.' && rest.find('/') != rest.npos) continue;
+        for (const std::string& entry : disk.list(path.substr(0, at))) {
+          const bool is_file = behind == '.';
+          if (is_file && (!entry.ends_with(rest) || entry.size() == rest.size())) continue;
+          const std::string other = is_file ? entry.substr(0, entry.size() - rest.size()) : entry;
+          if (is_file || disk.kind(path.substr(0, at + 1) + entry + rest) == PathKind::kFile)
+            values[name].insert(other);
+        }
+      }
     }
   }
 
@@ -105,12 +162,23 @@ class ArgumentReader {
 
   std::map<std::string, std::string, std::less<>> defaults_;
   std::map<std::string, std::string, std::less<>> property_of_;
+  std::set<std::string, std::less<>> in_paths_;  ///< arguments whose folders have been listed
 };
+
+/// The files that an expansion read, and those that it looked for in vain.
+std::vector<std::string> paths_of(const xacro::Expansion& expansion) {
+  std::vector<std::string> paths;
+  for (const xacro::FileUse& file : expansion.files) paths.push_back(file.path);
+  for (const xacro::Fact& fact : expansion.facts) {
+    if (fact.kind == xacro::FactKind::kFileNotFound) paths.push_back(fact.name);
+  }
+  return paths;
+}
 
 }  // namespace
 
 ArgumentPlan all_arguments(const xacro::Expansion& expansion, const Sources& sources,
-                           ArgumentPlan plan) {
+                           const Disk& disk, ArgumentPlan plan) {
   std::vector<xml::Document> documents;
   for (const xacro::FileUse& file : expansion.files) {
     const std::string_view bytes = sources.bytes(file.source);
@@ -120,21 +188,29 @@ ArgumentPlan all_arguments(const xacro::Expansion& expansion, const Sources& sou
   ArgumentReader reader;
   for (const xml::Document& document : documents) reader.declare(document);
   for (const xml::Document& document : documents) reader.read_conditions(document);
-  std::size_t left_out = 0;
+  const std::vector<std::string> paths = paths_of(expansion);
+  for (const xml::Document& document : documents) reader.read_paths(document, paths, disk);
+  std::vector<TemplateArguments> single;
+  std::vector<TemplateArguments> paired;
   for (const auto& [name, values] : reader.values) {
+    std::size_t index = 0;
     for (const std::string& value : values) {
       if (value.empty() || value == reader.defaults().find(name)->second) continue;
-      if (plan.sets.size() >= kMaxArgumentSets) {
-        ++left_out;
-      } else {
-        plan.sets.push_back({{name, value}});
-      }
+      single.push_back({{name, value}});
+      if (index == paired.size()) paired.emplace_back();
+      paired[index++].emplace_back(name, value);
     }
   }
-  if (left_out > 0) {
+  const std::size_t room = kMaxArgumentSets - std::min(kMaxArgumentSets, plan.sets.size());
+  std::vector<TemplateArguments>& chosen = single.size() <= room ? single : paired;
+  if (chosen.size() > room) {
+    std::size_t left_out = 0;
+    for (std::size_t i = room; i < chosen.size(); ++i) left_out += chosen[i].size();
     plan.left_out = std::to_string(left_out) + " values of arguments are left out, as " +
                     std::to_string(kMaxArgumentSets) + " sets are expanded at most";
+    chosen.resize(room);
   }
+  std::move(chosen.begin(), chosen.end(), std::back_inserter(plan.sets));
   return plan;
 }
 

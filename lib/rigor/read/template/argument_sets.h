@@ -3,7 +3,7 @@
 //
 // With which arguments a template is to be expanded, so that all of it is looked at.
 //
-//   const ArgumentPlan plan = all_arguments(expansion, sources, {});
+//   const ArgumentPlan plan = all_arguments(expansion, sources, disk, {});
 //   for (const TemplateArguments& set : plan.sets) expand(path, set);
 
 #pragma once
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <rigor/read/resolver.h>
+#include <rigor/text/disk.h>
 #include <rigor/text/sources.h>
 #include <rigor/xacro/expand.h>
 
@@ -25,11 +26,13 @@ struct ArgumentPlan {
   std::string left_out;  ///< what the bound left out, in words; empty when nothing
 };
 
-/// The sets of `plan`, and for every value that a condition compares an argument with a set in which the
-/// argument has it and the others their defaults. Arguments that are conditions themselves are both true
-/// and false.
+/// The sets of `plan`, and for every value of an argument a set in which it has that value and the others
+/// their defaults. Values are those that a condition compares the argument with; true and false, where the
+/// argument is a condition itself; and where it is part of a path, as in `config/$(arg model)/limits.yaml`,
+/// the entries of that folder that have such a file. Values that would be more sets than the bound are
+/// paired: a set then has a value of each argument.
 ArgumentPlan all_arguments(const xacro::Expansion& expansion, const Sources& sources,
-                           ArgumentPlan plan);
+                           const Disk& disk, ArgumentPlan plan);
 
 /// "gripper:=robotiq sim:=true"
 std::string shown_arguments(const TemplateArguments& arguments);

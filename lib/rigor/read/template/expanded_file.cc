@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include <rigor/read/template/source_edits.h>
+
 namespace rigor::read {
 namespace {
 
@@ -185,6 +187,15 @@ Origin ExpandedFile::origin(const xml::Document& expanded, Span where,
   return {tag, node.frame};
 }
 
+Span ExpandedFile::literal_span(const xml::Document& expanded, Span where,
+                                const Sources& sources) const {
+  const Origin found = origin(expanded, where, sources);
+  const bool same = found.literal && where.size() > 0 &&
+                    found.where.source == expansion_.files.front().source &&
+                    sources.bytes(found.where) == sources.bytes(where);
+  return same ? found.where : Span{};
+}
+
 Diagnostic ExpandedFile::in_source(const xml::Document& expanded, Diagnostic diagnostic,
                                    const Sources& sources) const {
   const auto is_expanded = [&](Span span) { return span.source == expanded.source(); };
@@ -200,20 +211,25 @@ Diagnostic ExpandedFile::in_source(const xml::Document& expanded, Diagnostic dia
       diagnostic.related.push_back({found.from, std::string(kSetHere)});
     }
   }
-  for (Fix& fix : diagnostic.fixes) {
-    for (Edit& edit : fix.edits) {
-      if (!is_expanded(edit.span)) continue;
-      const Origin found = origin(expanded, edit.span, sources);
-      // What is written elsewhere is for another file's fixes.
-      const bool same = found.literal && found.where.source == expansion_.files.front().source &&
-                        sources.bytes(found.where) == sources.bytes(edit.span);
-      edit.span = same ? found.where : Span{};
-    }
-  }
-  std::erase_if(diagnostic.fixes, [](const Fix& fix) {
+  const auto edits_nothing = [](const Fix& fix) {
     return std::any_of(fix.edits.begin(), fix.edits.end(),
                        [](const Edit& edit) { return edit.span.nowhere(); });
-  });
+  };
+  for (Fix& fix : diagnostic.fixes) {
+    const std::vector<Edit> shown = fix.edits;
+    for (Edit& edit : fix.edits) {
+      if (is_expanded(edit.span)) edit.span = literal_span(expanded, edit.span, sources);
+    }
+    if (!edits_nothing(fix) || !std::all_of(shown.begin(), shown.end(), [&](const Edit& edit) {
+          return is_expanded(edit.span);
+        }))
+      continue;
+    std::vector<Edit> written = SourceEdits(elements_, expanded, sources).of(shown);
+    // What is written elsewhere is for another file's fixes.
+    if (!written.empty() && written.front().span.source == expansion_.files.front().source)
+      fix.edits = std::move(written);
+  }
+  std::erase_if(diagnostic.fixes, edits_nothing);
   return diagnostic;
 }
 

@@ -57,6 +57,9 @@ class ExpandedFile {
   Origin of_text(const xml::Element& element, const xacro::Node& node, Span where,
                  const Sources& sources) const;
 
+  /// Where the same bytes are written in the template itself; else nowhere.
+  Span literal_span(const xml::Document& expanded, Span where, const Sources& sources) const;
+
   xacro::Expansion expansion_;
   std::vector<const xacro::Node*> elements_;  // in document order
 };

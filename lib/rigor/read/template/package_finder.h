@@ -24,6 +24,10 @@ class PackageFinder {
  public:
   PackageFinder(const Disk& disk, SearchPaths paths);
 
+  /// The tree that a folder belongs to: its repository, else the folder in which packages lie side by side,
+  /// else the folder itself.
+  std::string tree_of(const std::string& folder) const { return workspace_of(folder); }
+
   /// The folder that holds the package's files; nothing where it is not found. `file` is absolute. Safe
   /// across threads.
   std::optional<std::string> find(std::string_view name, std::string_view file);

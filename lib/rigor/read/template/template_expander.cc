@@ -3,6 +3,8 @@
 
 #include <rigor/read/template/template_expander.h>
 
+#include <algorithm>
+
 #include <rigor/read/template/installed_path.h>
 #include <rigor/text/path.h>
 #include <rigor/xacro/print.h>
@@ -38,6 +40,25 @@ class DiskWithBuffers final : public Disk {
   const std::map<std::string, std::string>& buffers_;
 };
 
+/// Folders that a template may read from without a word.
+class TemplateRoots {
+ public:
+  void add(const std::string& folder) {
+    if (!folder.empty()) roots_.push_back(normalize_path(folder));
+  }
+  bool has(const std::string& path) const {
+    const std::string normal = normalize_path(path);
+    // Without a working folder nothing is known of where relative paths are.
+    if (!is_absolute(normal)) return !normal.starts_with("..");
+    return std::any_of(roots_.begin(), roots_.end(), [&normal](const std::string& root) {
+      return root == "/" || root == "." || normal.starts_with(root + '/');
+    });
+  }
+
+ private:
+  std::vector<std::string> roots_;
+};
+
 }  // namespace
 
 bool is_template(std::string_view path) { return extension(path) == ".xacro"; }
@@ -63,8 +84,21 @@ xacro::Expansion TemplateExpander::expansion(const std::string& path,
                                              const TemplateArguments& arguments, Sources& sources) {
   const DiskWithBuffers disk(resolver_.disk(), buffers_);
   xacro::World world{disk};
-  world.find_package = [this](std::string_view package, std::string_view file) {
-    return package_folder(package, file);
+  TemplateRoots roots;
+  roots.add(inputs_.working_folder);
+  const std::string folder(parent_path(join_path(inputs_.working_folder, path)));
+  const std::string tree = packages_.tree_of(folder);
+  roots.add(tree);
+  // Without a package or a repository nobody can tell where the robot's tree begins.
+  const std::string above(parent_path(parent_path(folder)));
+  if (tree == folder && above != "/") roots.add(above);
+  world.find_package = [this, &roots](std::string_view package, std::string_view file) {
+    std::optional<std::string> found = package_folder(package, file);
+    if (found) roots.add(*found);
+    return found;
+  };
+  world.outside = [this, &roots](const std::string& file) {
+    return !roots.has(join_path(inputs_.working_folder, file));
   };
   world.locate = [this](const std::string& missing) {
     return source_of_installed(resolver_.disk(), missing);

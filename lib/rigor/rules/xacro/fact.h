@@ -19,6 +19,7 @@ inline std::string_view label_of_related(rigor::xacro::FactKind kind) {
     case Kind::kYaml: return "read here";
     case Kind::kRedefinedProperty:
     case Kind::kRedefinedMacro: return "defined before here";
+    case Kind::kUndefinedName: return "defined here: after its use, or in a scope of its own";
     case Kind::kNamespaceConflict: return "the other is here";
     case Kind::kNotBoolean:
     case Kind::kWrongType: return "the value is set here";

@@ -7,9 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include <rigor/rules/suppression.h>
-#include <rigor/xml/document.h>
-
 namespace rigor::rules {
 namespace {
 
@@ -67,22 +64,6 @@ Diagnostics with_calls(Diagnostics found, const std::vector<xacro::Fact>& facts)
   return reported;
 }
 
-Diagnostics uncovered_where_written(Diagnostics found, const xacro::Expansion& expansion,
-                                    const Sources& sources) {
-  for (const xacro::FileUse& file : expansion.files) {
-    const std::string_view bytes = sources.bytes(file.source);
-    if (bytes.find("rigor:") == std::string_view::npos) continue;
-    const bool is_own = file.source == expansion.files.front().source;
-    Diagnostics here;
-    Diagnostics elsewhere;
-    for (const Diagnostic& each : found.list())
-      (is_own || each.where.source == file.source ? here : elsewhere).add(each);
-    found = Suppressions(xml::parse(bytes, file.source)).uncovered(std::move(here));
-    found.take(std::move(elsewhere));
-  }
-  return found;
-}
-
 void TemplateFindings::add(Diagnostics found) {
   for (const Diagnostic& each : found.list()) {
     const bool has_place = !each.where.nowhere();
@@ -98,26 +79,43 @@ void TemplateFindings::add(Diagnostics found) {
     // One value that several elements take, and that all of them show the same of, is one cause, too.
     const Span set = read::where_set(each);
     auto entry = known_.find(key(each.where, {}));
-    if (entry == known_.end() && !set.nowhere()) entry = known_.find(key(set, each.message));
-    const bool is_new = entry == known_.end();
-    const std::size_t index = is_new ? list_.size() : entry->second;
-    known_.try_emplace(key(each.where, {}), index);
-    if (!set.nowhere()) known_.try_emplace(key(set, each.message), index);
-    if (is_new) {
+    if (entry == known_.end() && !set.nowhere()) {
+      entry = known_.find(key(set, each.message));
+      if (entry != known_.end()) {
+        add_place(entry->second.index, each);
+        known_.try_emplace(key(each.where, {}),
+                           Entry{entry->second.index, list_[entry->second.index].others.size()});
+        continue;
+      }
+    }
+    if (entry == known_.end()) {
+      known_.try_emplace(key(each.where, {}), Entry{list_.size(), 0});
+      if (!set.nowhere()) known_.try_emplace(key(set, each.message), Entry{list_.size(), 0});
       list_.push_back(each);
       continue;
     }
-    Diagnostic& first = list_[index];
-    first.instances += each.instances;
+    Diagnostic& first = list_[entry->second.index];
     first.severity = std::min(first.severity, each.severity);
-    if (!is_same_fix(first, each)) first.fixes.clear();
+    Diagnostic& shown = entry->second.other > 0 ? first.others[entry->second.other - 1] : first;
+    shown.instances += each.instances;
+    if (!is_same_fix(shown, each)) shown.fixes.clear();
   }
+}
+
+void TemplateFindings::add_place(std::size_t index, const Diagnostic& each) {
+  Diagnostic& first = list_[index];
+  first.severity = std::min(first.severity, each.severity);
+  first.others.push_back(each);
 }
 
 Diagnostics TemplateFindings::take() {
   Diagnostics found;
   for (Diagnostic& each : list_) {
     tell_instances(each);
+    for (Diagnostic& other : each.others) {
+      other.severity = each.severity;
+      tell_instances(other);
+    }
     found.add(std::move(each));
   }
   list_.clear();

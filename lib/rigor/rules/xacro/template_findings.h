@@ -20,7 +20,6 @@
 #include <rigor/read/workspace.h>
 #include <rigor/text/diagnostic.h>
 #include <rigor/text/sources.h>
-#include <rigor/xacro/expand.h>
 #include <rigor/xacro/fact.h>
 
 namespace rigor::rules {
@@ -32,12 +31,8 @@ Diagnostics in_source(Diagnostics found, const read::File& file, const Sources& 
 /// for some of the facts, at the fact's place.
 Diagnostics with_calls(Diagnostics found, const std::vector<xacro::Fact>& facts);
 
-/// Without those that comments cover in the files that they are in. What `file-ignore` says in the template
-/// itself holds for all of its findings, in an included file for that file's.
-Diagnostics uncovered_where_written(Diagnostics found, const xacro::Expansion& expansion,
-                                    const Sources& sources);
-
-/// Findings of one rule at one place that was written are one, with the elements counted that show it.
+/// Findings of one rule at one place that was written are one, with the elements counted that show it. Those
+/// at several places that take one value are one finding with `others`.
 class TemplateFindings {
  public:
   explicit TemplateFindings(const Sources& sources) : sources_(sources) {}
@@ -47,10 +42,18 @@ class TemplateFindings {
   Diagnostics take();
 
  private:
+  void add_place(std::size_t index, const Diagnostic& each);
+
   using Key = std::tuple<std::string_view, std::string, std::uint32_t, std::uint32_t, std::string>;
 
   const Sources& sources_;
-  std::map<Key, std::size_t> known_;
+  /// In the list; `other` is the place among its `others`, counted from 1, or 0 for its own.
+  struct Entry {
+    std::size_t index;
+    std::size_t other;
+  };
+
+  std::map<Key, Entry> known_;
   std::vector<Diagnostic> list_;
 };
 

@@ -74,7 +74,7 @@ class Parser {
     }
     advance();
     if (!failed() && at_end()) fail(FactKind::kSyntax, 0, 0, "an empty expression");
-    result_.root = parse_tuple();
+    result_.root = is_one_name() ? parse_name() : parse_tuple();
     if (!failed() && !at_end()) unexpected();
     return std::move(result_);
   }
@@ -97,6 +97,12 @@ class Parser {
     if (word == "@") return outside("the matrix product (@)");
     if (word == "...") return outside("the ellipsis (...)");
     return fail(FactKind::kSyntax, token_.begin, token_.end, "'" + std::string(word) + "'");
+  }
+
+  /// As most expressions are: `${prefix}` needs no way down through the operators.
+  bool is_one_name() const {
+    return token_.type == TokenType::kName && token_.end == result_.text.size() &&
+           !is_keyword(word());
   }
 
   NodeId outside(std::string what) {
@@ -345,6 +351,13 @@ class Parser {
     return symbols_.of(word());
   }
 
+  NodeId parse_name() {
+    const std::uint32_t begin = token_.begin;
+    const Symbol symbol = name_symbol();
+    advance();
+    return add({Op::kName, {}, 1, begin, 0, kNoNode, kNoNode, kNoNode, symbol});
+  }
+
   NodeId parse_subscript() {
     const std::uint32_t begin = token_.begin;
     const NodeId first = parse_slice();
@@ -461,9 +474,7 @@ class Parser {
         if (take_word("True")) return constant(begin, Value::boolean(true));
         if (take_word("False")) return constant(begin, Value::boolean(false));
         if (is_keyword(word())) return unexpected();
-        const Symbol symbol = name_symbol();
-        advance();
-        return add({Op::kName, {}, 1, begin, 0, kNoNode, kNoNode, kNoNode, symbol});
+        return parse_name();
       }
       default: break;
     }

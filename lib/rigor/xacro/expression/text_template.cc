@@ -35,9 +35,13 @@ const Expression& TextTemplates::expression(std::string_view text) {
 }
 
 const TextTemplate& TextTemplates::of(std::string_view text) {
-  std::unique_ptr<TextTemplate>& kept = templates_[text];
-  if (!kept) kept = std::make_unique<TextTemplate>(taken_apart(text));
-  return *kept;
+  const TextTemplate*& known = by_place_[text];
+  if (known == nullptr) {
+    std::unique_ptr<TextTemplate>& kept = templates_[text];
+    if (!kept) kept = std::make_unique<TextTemplate>(taken_apart(text));
+    known = kept.get();
+  }
+  return *known;
 }
 
 TextTemplate TextTemplates::taken_apart(std::string_view text) {

@@ -52,6 +52,16 @@ class TextTemplates {
 
   Heap& heap_;
   Symbols& symbols_;
+  struct SamePlace {
+    std::size_t operator()(std::string_view text) const {
+      return std::hash<const void*>{}(text.data()) + text.size();
+    }
+    bool operator()(std::string_view a, std::string_view b) const {
+      return a.data() == b.data() && a.size() == b.size();
+    }
+  };
+  /// The same bytes in memory, which are most often asked for, need no look at each of them.
+  std::unordered_map<std::string_view, const TextTemplate*, SamePlace, SamePlace> by_place_;
   std::unordered_map<std::string_view, std::unique_ptr<TextTemplate>> templates_;
   std::unordered_map<std::string_view, std::unique_ptr<Expression>> expressions_;
 };

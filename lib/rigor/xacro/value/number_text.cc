@@ -81,6 +81,19 @@ std::optional<std::string> plain_number(std::string_view text, std::string_view 
 std::string real_to_text(double d) {
   if (!std::isfinite(d)) return not_finite(d);
   std::array<char, 40> buffer{};
+  // There the shortest digits are the exact ones before the point, too.
+  constexpr double kSmallestFixed = 1e-4;
+  constexpr double kLargestFixed = 1e15;
+  if (const double size = std::abs(d); d == 0 || (size >= kSmallestFixed && size < kLargestFixed)) {
+    char* last =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), d, std::chars_format::fixed)
+            .ptr;
+    if (std::find(buffer.data(), last, '.') == last) {
+      *last++ = '.';
+      *last++ = '0';
+    }
+    return {buffer.data(), last};
+  }
   const auto [end, error] =
       std::to_chars(buffer.data(), buffer.data() + buffer.size(), d, std::chars_format::scientific);
   if (error != std::errc()) return "nan";
