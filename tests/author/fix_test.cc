@@ -332,7 +332,9 @@ TEST(Fix, OfATemplateIsThatOfItsExpansion) {
     }
   }
   EXPECT_GT(all, 10U);
-  EXPECT_EQ(same, all) << others;
+  // That fix changes a value and removes an element at once, which is not offered in a template.
+  EXPECT_EQ(others, "limit-equal ");
+  EXPECT_EQ(same + 1, all);
 }
 
 TEST(Fix, FixesBytesThatStandInNoFile) {
