@@ -31,8 +31,8 @@ import time
 
 MODELS = (".sdf", ".world", ".urdf", ".xacro")
 MESHES = (".stl", ".obj", ".dae", ".glb", ".gltf", ".ply")
-LARGEST = 2_000_000  # bytes of a file that is damaged: larger ones say nothing new, and take long
 GROUP = 20
+MOST_BESIDE = 40  # files and folders beside the original that the damaged one finds
 PR_SET_CHILD_SUBREAPER = 36  # <linux/prctl.h>
 # Alone, file by file: {0} is the file, out/ the folder for what is written. Each file takes its turn at two.
 OF_MODEL = [
@@ -64,8 +64,8 @@ WORDS = [b"../../../../../x", b"/proc/self/environ", b"model://", b"package://",
          b"<mimic joint='x'/>", b"'", b'"', b">", b"<", b"/>", b"\n" * 50, b" " * 300, b"%s%n", b"a" * 5000]
 
 
-def real_files(folders):
-    """Models and meshes, by folder and name; links are left out."""
+def real_files(folders, largest=2_000_000):
+    """Models and meshes of so many bytes at most, by folder and name; links are left out."""
     found = []
     for folder in folders:
         for place, inner, names in os.walk(folder):
@@ -73,7 +73,7 @@ def real_files(folders):
             for name in sorted(names):
                 path = os.path.join(place, name)
                 if name.lower().endswith(MODELS + MESHES) and not os.path.islink(path):
-                    if 0 < os.path.getsize(path) <= LARGEST:
+                    if 0 < os.path.getsize(path) <= largest:
                         found.append(path)
     return found
 
@@ -152,7 +152,7 @@ class Case:
         self.scene = os.path.join(f"case{number}", "scene.sdf")
         os.makedirs(self.folder)
         beside = os.path.dirname(self.original)
-        for other in os.listdir(beside):
+        for other in sorted(os.listdir(beside))[:MOST_BESIDE]:
             if other not in (name, "scene.sdf", "rigor.toml"):
                 os.symlink(os.path.join(os.path.abspath(beside), other), os.path.join(self.folder, other))
         with open(self.original, "rb") as file:
@@ -230,7 +230,7 @@ class Runner:
 class Campaign:
     def __init__(self, a):
         self.a = a
-        self.files = real_files(a.corpus)
+        self.files = real_files(a.corpus, a.largest)
         self.lock = threading.Lock()
         self.runs = collections.Counter()
         self.exits = collections.Counter()  # by command and code
@@ -256,30 +256,30 @@ class Campaign:
         return None
 
     def check(self, runner, arguments, cases):
-        before = runner.written()
         run = runner.run(arguments)
         wrong = self.judge(run, arguments, len(cases))
-        after = runner.written()
-        if after != before:
-            changed = sorted(set(after.items()) ^ set(before.items()))
-            wrong = f"wrote {changed[0][0]}"
-        if not wrong:
-            return True
-        if len(cases) == 1:
-            with self.lock:
-                self.faults.append((cases[0].number, wrong, " ".join(arguments), cases[0].original))
-                print(f"{cases[0].number}: {wrong}: {' '.join(arguments)}  ({cases[0].original})", flush=True)
-        return False
+        if wrong and len(cases) == 1:
+            self.fault(cases[0].number, f"{wrong}: {' '.join(arguments)}  ({cases[0].original})")
+        return not wrong
+
+    def fault(self, number, what):
+        with self.lock:
+            self.faults.append((number, what))
+            print(f"{number}: {what}", flush=True)
 
     def group(self, numbers):
         with tempfile.TemporaryDirectory(prefix="rigor-attack-") as root:
             runner = Runner(self.a, root)
             cases = [Case(runner.room, number, self.a.seed, self.files) for number in numbers]
+            before = runner.written()
             for line in OF_GROUP:
                 self.together(runner, line, cases)
             for case in cases:
                 for arguments in case.commands(self.a.alone):
                     self.check(runner, arguments, [case])
+            after = runner.written()
+            for path, _ in sorted(set(after.items()) ^ set(before.items())):
+                self.fault(numbers[0], f"of the group from this number a command wrote {os.path.relpath(path, root)}")
             if self.a.keep:
                 shutil.copytree(runner.room, self.a.keep, symlinks=True, dirs_exist_ok=True)
             return len(cases)
@@ -331,6 +331,7 @@ def main():
     parser.add_argument("--only", type=int, help="the one of this number, by all commands")
     parser.add_argument("--keep", help="copy the damaged files there")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--largest", type=int, default=2_000_000, help="bytes of a file: larger ones say nothing new, and take long")
     parser.add_argument("--alone", type=int, default=2, help="commands for each file by itself")
     parser.add_argument("--seconds", type=float, default=10, help="CPU time of a run, of one file")
     parser.add_argument("--megabytes", type=float, default=1024, help="memory of a run")
