@@ -334,7 +334,7 @@ def main():
     parser.add_argument("--largest", type=int, default=2_000_000, help="bytes of a file: larger ones say nothing new, and take long")
     parser.add_argument("--alone", type=int, default=2, help="commands for each file by itself")
     parser.add_argument("--seconds", type=float, default=10, help="CPU time of a run, of one file")
-    parser.add_argument("--megabytes", type=float, default=1024, help="memory of a run")
+    parser.add_argument("--megabytes", type=float, default=1100, help="memory of a run: 1 GiB for an import, and what the program has itself")
     parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count())
     a = parser.parse_args()
     if a.only is not None:
