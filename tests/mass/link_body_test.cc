@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <rigor/mass/resolve.h>
