@@ -13,6 +13,10 @@ if [ -n "$RIGOR_SARIF" ]; then
   options+=(--output "sarif:$RIGOR_SARIF")
   echo "sarif=$RIGOR_SARIF" >>"$GITHUB_OUTPUT"
 fi
+# Models of a pull request are somebody else's, and the log may be read by anybody.
+if [[ "${GITHUB_EVENT_NAME:-}" == pull_request* && " ${arguments[*]-} " != *" --confine"* ]]; then
+  options+=(--confine .)
+fi
 code=0
 rigor validate "${options[@]}" ${arguments[@]+"${arguments[@]}"} -- "${paths[@]}" || code=$?
 echo "exit-code=$code" >>"$GITHUB_OUTPUT"

@@ -21,6 +21,7 @@
 #include <rigor/mesh/spatial/distance.h>
 #include <rigor/mesh/split.h>
 #include <rigor/mesh/topology/topology.h>
+#include <rigor/write/safe_name.h>
 
 namespace rigor::author {
 namespace {
@@ -239,9 +240,10 @@ class Operation {
       return;
     }
     step("split", fmt::format("{} parts", split.pieces.size()));
+    write::SafeNames names;
     for (mesh::SplitPiece& piece : split.pieces) {
       done_.meshes.push_back(
-          {piece.name.empty() ? "rest" : std::move(piece.name), std::move(piece.mesh)});
+          {names.take(piece.name.empty() ? "rest" : piece.name), std::move(piece.mesh)});
     }
   }
 

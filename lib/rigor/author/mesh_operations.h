@@ -66,7 +66,7 @@ struct MeshStep {
 };
 
 struct NamedMesh {
-  std::string name;  ///< empty when there is only one
+  std::string name;  ///< as a file's (`write/safe_name.h`); empty when there is only one
   mesh::TriangleMesh mesh;
 };
 

@@ -60,7 +60,7 @@ struct LinkInertia {
   std::string name;        ///< scoped
   mass::Resolved written;  ///< what a consumer takes today
   mass::LinkBody body;     ///< the shapes that were looked at
-  std::vector<mass::PartOverlap> overlaps;
+  mass::PartOverlaps overlaps;
   std::optional<mass::Proposal> computed;  ///< nothing when the shapes have no answer
   std::vector<Diagnostic> findings;        ///< what the rules find in it as it stands
   bool chosen = false;                     ///< whether `edits` write it

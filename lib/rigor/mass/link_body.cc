@@ -4,6 +4,7 @@
 #include <rigor/mass/link_body.h>
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -117,18 +118,55 @@ struct Parts {
     return result;
   }
 
-  std::vector<PartOverlap> overlaps() const {
-    std::vector<PartOverlap> result;
+  /// A part with a volume, and where it is.
+  struct Ball {
+    std::size_t part = 0;
+    model::Pose pose;
+    double reach = 0;
+  };
+
+  /// By x.
+  std::vector<Ball> balls() const {
+    std::vector<Ball> result;
     for (std::size_t i = 0; i < ids.size(); ++i) {
-      for (std::size_t j = i + 1; j < ids.size(); ++j) {
-        const auto a = pose(ids[i]);
-        const auto b = pose(ids[j]);
-        if (!a || !b) continue;
-        const double share =
-            overlap({root[ids[i]].geometry.shape, *a}, {root[ids[j]].geometry.shape, *b});
-        if (share > 0) result.push_back({i, j, share});
+      const double reach = reach_of(root[ids[i]].geometry.shape);
+      const auto at = pose(ids[i]);
+      if (at && reach > 0 && std::isfinite(at->translation.x)) result.push_back({i, *at, reach});
+    }
+    std::stable_sort(result.begin(), result.end(), [](const Ball& a, const Ball& b) {
+      return a.pose.translation.x < b.pose.translation.x;
+    });
+    return result;
+  }
+
+  PartOverlaps overlaps() const {
+    const std::vector<Ball> all = balls();
+    std::vector<std::pair<std::size_t, std::size_t>> near;  // places in `all`, part by part
+    double most = 0;
+    for (const Ball& ball : all) most = std::max(most, ball.reach);
+    PartOverlaps result;
+    for (std::size_t a = 0; a < all.size() && result.complete; ++a) {
+      const model::Vector3& at = all[a].pose.translation;
+      for (std::size_t b = a + 1; b < all.size(); ++b) {
+        const model::Vector3& other = all[b].pose.translation;
+        if (other.x - at.x > all[a].reach + most) break;
+        if (length(other - at) > all[a].reach + all[b].reach) continue;
+        near.emplace_back(a, b);
+        result.complete = near.size() <= kMostCompared;
+        if (!result.complete) break;
       }
     }
+    near.resize(std::min(near.size(), kMostCompared));
+    for (const auto& [a, b] : near) {
+      const Ball& first = all[a].part < all[b].part ? all[a] : all[b];
+      const Ball& second = all[a].part < all[b].part ? all[b] : all[a];
+      const double share = overlap({root[ids[first.part]].geometry.shape, first.pose},
+                                   {root[ids[second.part]].geometry.shape, second.pose});
+      if (share > 0) result.list.push_back({first.part, second.part, share});
+    }
+    std::sort(result.list.begin(), result.list.end(), [](const auto& a, const auto& b) {
+      return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+    });
     return result;
   }
 };
@@ -156,8 +194,8 @@ LinkBody link_body(const model::Root& root, const model::Frames& frames,
   return {from, with_parts(root, frames, link, from, bodies)};
 }
 
-std::vector<PartOverlap> overlaps_in(const model::Root& root, const model::Frames& frames,
-                                     model::Id<model::Link> link, From from) {
+PartOverlaps overlaps_in(const model::Root& root, const model::Frames& frames,
+                         model::Id<model::Link> link, From from) {
   return with_parts(root, frames, link, from, [](const auto& parts) { return parts.overlaps(); });
 }
 

@@ -69,9 +69,18 @@ struct PartOverlap {
   double share = 0;  ///< of the smaller one's volume, to two digits
 };
 
+/// Pairs of parts so near each other that their volumes are compared, in the order of the parts; those beyond are left
+/// out. A comparison takes up to a millisecond, and a thousand parts in one place are half a million pairs.
+inline constexpr std::size_t kMostCompared = 1000;
+
+struct PartOverlaps {
+  std::vector<PartOverlap> list;
+  bool complete = true;  ///< no pair was left out
+};
+
 /// The pairs that do, meshes aside.
-std::vector<PartOverlap> overlaps_in(const model::Root& root, const model::Frames& frames,
-                                     model::Id<model::Link> link, From from);
+PartOverlaps overlaps_in(const model::Root& root, const model::Frames& frames,
+                         model::Id<model::Link> link, From from);
 
 /// At one density for all parts, kg/m³, in the link frame.
 MassProperties of_density(const LinkBody& body, double density);

@@ -87,6 +87,8 @@ Vector3 spread_point(int i) {
 
 }  // namespace
 
+double reach_of(const model::Shape& shape) { return length(std::visit(HalfExtent{}, shape)); }
+
 double overlap(const PlacedShape& a, const PlacedShape& b) {
   const auto solid_a = solid_of(a.shape);
   const auto solid_b = solid_of(b.shape);
@@ -96,8 +98,7 @@ double overlap(const PlacedShape& a, const PlacedShape& b) {
   const PlacedShape& large = a_is_smaller ? b : a;
   const Vector3 half = std::visit(HalfExtent{}, small.shape);
   const model::Pose X_large_small = compose(inverse(large.X_LS), small.X_LS);
-  const double reach = length(half) + length(std::visit(HalfExtent{}, large.shape));
-  if (length(X_large_small.translation) > reach) return 0;
+  if (length(X_large_small.translation) > length(half) + reach_of(large.shape)) return 0;
   int inside = 0;
   int shared = 0;
   for (int i = 1; i <= kPoints; ++i) {

@@ -21,4 +21,7 @@ struct PlacedShape {
 /// digits, and below 0.001 zero. Zero as well for a shape without a closed form (a mesh, a plane).
 double overlap(const PlacedShape& a, const PlacedShape& b);
 
+/// Of a ball around the shape's origin that holds it, m; zero for a shape that overlaps none.
+double reach_of(const model::Shape& shape);
+
 }  // namespace rigor::mass

@@ -16,7 +16,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,6 +39,19 @@ class Workers {
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
+  /// How much memory requests of a kind get from now on, in place of what they ask for. Before the first
+  /// request.
+  void set_memory(std::string_view kind, std::uint64_t bytes) {
+    memory_[std::string(kind)] = bytes;
+  }
+
+  /// The limits of a request of that kind which asks for these.
+  RequestLimits limits_of(std::string_view kind, RequestLimits asked) const {
+    const auto found = memory_.find(kind);
+    if (found != memory_.end()) asked.memory_bytes = found->second;
+    return asked;
+  }
+
   /// Blocks until the request is done or its worker gone, but for `answer`, which is called here. What
   /// `answer` throws ends the worker. Without a program the result is kNotStarted, and says where it was
   /// looked for. Safe across threads.
@@ -53,6 +68,7 @@ class Workers {
  private:
   class Pool;
   class Underway;
+  std::map<std::string, std::uint64_t, std::less<>> memory_;  // bytes, by kind
   std::unique_ptr<Pool> pool_;
 };
 

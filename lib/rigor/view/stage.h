@@ -21,6 +21,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rigor/view/embree.h>
@@ -139,6 +140,7 @@ class Stage {
   bool ground_is_all_glass_ = true;
   std::map<const mesh::TriangleMesh*, MeshScene> scenes_;
   std::vector<Placed> bodies_;
+  std::map<std::pair<const mesh::TriangleMesh*, std::array<float, 12>>, unsigned> in_one_place_;
   model::Vector3 ground_middle_;
   double ground_radius_ = 0;
 };

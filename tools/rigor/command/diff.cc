@@ -49,8 +49,9 @@ class Diff final : public Command {
 
   int run() override {
     const std::vector<Target> targets = output_.targets();
-    const RealDisk disk;
-    const Environment environment(disk, search_.paths());
+    const GuardedDisk disk = search_.disk({a_, b_});
+    Environment environment(disk, search_.paths());
+    search_.allow(environment.workers);
     Sources sources;
     read::Workspace workspace(environment.resolver, sources);
     RobotFiles files(environment, sources, workspace);

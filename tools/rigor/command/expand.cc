@@ -52,7 +52,7 @@ class ExpandCommand final : public Command {
   }
 
   int run() override {
-    const RealDisk disk;
+    const GuardedDisk disk = search_.disk({path_});
     if (!map_.empty()) choice("--map format", map_, kMapFormats);
     if (disk.kind(path_) != PathKind::kFile) throw UsageError(path_ + ": no such file");
     Sources sources;
@@ -62,7 +62,7 @@ class ExpandCommand final : public Command {
     read::TemplateExpander expander(resolver);
     const xacro::Expansion expansion =
         expander.expansion(path_, resolver.paths().templates.arguments, sources);
-    tell(expansion, sources);
+    tell(expansion, sources, disk.reach());
     const bool ok = expansion.ok();
     if (deps_) {
       std::string list;
@@ -83,7 +83,7 @@ class ExpandCommand final : public Command {
  private:
   void put(std::string_view text) const { rigor::tool::write({0, out_}, text); }
 
-  void tell(const xacro::Expansion& expansion, const Sources& sources) const {
+  void tell(const xacro::Expansion& expansion, const Sources& sources, const Reach& reach) const {
     std::size_t remarks = 0;
     for (const xacro::Fact& fact : expansion.facts) {
       const bool error = xacro::is_error(fact.kind);
@@ -93,8 +93,8 @@ class ExpandCommand final : public Command {
       }
       const std::string place =
           fact.where.nowhere() ? report::printable(path_) : shown_place(sources, fact.where);
-      std::string text =
-          place + ": " + (error ? "error: " : "info: ") + report::printable(xacro::describe(fact));
+      std::string text = place + ": " + (error ? "error: " : "info: ") +
+                         report::printable(described(fact, sources, reach));
       if (fact.count > 1) text += " (" + std::to_string(fact.count) + " instances)";
       if (!fact.related.nowhere()) text += "\n  see " + shown_place(sources, fact.related);
       text += '\n' + shown_stack(sources, fact.stack);

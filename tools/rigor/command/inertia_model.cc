@@ -164,7 +164,8 @@ bool tell_left(const model::Root& root, const ModelInertia& table, const Inertia
   return unused;
 }
 
-void write_file(const std::string& path, std::string_view bytes, const ModelInertia& table) {
+void write_file(const std::string& named, const std::string& path, std::string_view bytes,
+                const ModelInertia& table) {
   std::size_t links = 0;
   for (const author::LinkInertia& link : table.links) links += link.chosen ? 1 : 0;
   if (table.edits.empty()) {
@@ -174,14 +175,14 @@ void write_file(const std::string& path, std::string_view bytes, const ModelIner
   }
   const auto text = apply_edits(bytes, table.edits);
   if (!text) throw std::logic_error("the edits of " + path + " overlap");
-  replace_file(path, *text);
+  replace_found({named}, path, *text);
   say("rigor: " + report::counted(links, "inertial") + " written to " + report::printable(path));
 }
 
 }  // namespace
 
 int run_model_inertia(const InertiaArguments& a) {
-  const RealDisk real;
+  const GuardedDisk real = a.search.disk({a.what});
   const ProgressDisk disk(real);
   if (disk.kind(a.what) == PathKind::kMissing) {
     throw UsageError(a.what + ": no such file, and no shape of that name" +
@@ -199,7 +200,8 @@ int run_model_inertia(const InertiaArguments& a) {
   }
   refuse_shape_options(a);
   const InertiaOptions options = options_of(a);
-  const Environment environment(disk, a.search.paths());
+  Environment environment(disk, a.search.paths());
+  a.search.allow(environment.workers);
   Sources sources;
   read::Workspace workspace(environment.resolver, sources);
   const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
@@ -225,7 +227,7 @@ int run_model_inertia(const InertiaArguments& a) {
   const std::string_view bytes = sources.bytes(loaded.root.source);
   const bool unused = (a.write || a.diff) && tell_left(loaded.root, table, options);
   if (a.write) {
-    write_file(path, bytes, table);
+    write_file(a.what, path, bytes, table);
     return unused ? kFindings : kClean;
   }
   if (a.diff) {

@@ -163,7 +163,7 @@ std::string problem(const mass::MeshSurvey& survey, MeshState state) {
 }
 
 mesh::TriangleMesh scaled_mesh(const InertiaArguments& a, const model::Vector3& scale) {
-  mesh::TriangleMesh mesh = mesh::read_mesh(RealDisk(), a.mesh).mesh;
+  mesh::TriangleMesh mesh = mesh::read_mesh(a.search.disk({a.mesh}), a.mesh).mesh;
   for (model::Vector3& p : mesh.positions) p = {p.x * scale.x, p.y * scale.y, p.z * scale.z};
   return mesh;
 }
@@ -188,7 +188,7 @@ Solid hull(const InertiaArguments& a, const model::Vector3& scale) {
 Solid mesh_solid(const InertiaArguments& a) {
   if (a.mesh.empty()) throw UsageError("mesh needs a file");
   const model::Vector3 scale = a.scale.empty() ? model::Vector3{1, 1, 1} : scale_factors(a.scale);
-  const RealDisk disk;
+  const GuardedDisk disk = a.search.disk({a.mesh});
   switch (disk.kind(a.mesh)) {
     case PathKind::kFile: break;
     case PathKind::kMissing: throw UsageError(a.mesh + ": no such file");

@@ -30,7 +30,7 @@ class Init final : public Command {
     if (disk.kind(path) != PathKind::kMissing) {
       throw UsageError(path + ": already exists and is left unchanged");
     }
-    replace_file(path, config::starter_config());
+    put_file(folder_, config::kConfigName, config::starter_config());
     say("wrote " + report::printable(path) +
         ": every setting is in it as a comment; `rigor validate --show-config FILE` tells what "
         "holds");

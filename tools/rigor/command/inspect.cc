@@ -63,8 +63,9 @@ class Inspect final : public Command {
 
   int run() override {
     const std::vector<Target> targets = output_.targets();
-    const RealDisk disk;
-    const Environment environment(disk, search_.paths());
+    const GuardedDisk disk = search_.disk({path_});
+    Environment environment(disk, search_.paths());
+    search_.allow(environment.workers);
     Sources sources;
     read::Workspace workspace(environment.resolver, sources);
     const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};

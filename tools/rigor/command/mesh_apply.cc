@@ -150,7 +150,8 @@ class Application {
 
   void write_all(const author::ModelEdits& edits) {
     for (const Result& result : results_) {
-      for (report::WrittenFile& file : write_meshes(result.done, result.replacement.new_file)) {
+      for (report::WrittenFile& file :
+           write_meshes(result.done, result.replacement.new_file, NamedBy::kRigor)) {
         file.path = std::filesystem::path(file.path).lexically_proximate(here_).generic_string();
         work_.written.push_back(std::move(file));
       }
@@ -163,7 +164,7 @@ class Application {
     const auto text = apply_edits(sources_.bytes(source), edits.edits);
     if (!text) throw std::logic_error("the edits of " + edits.path + " overlap");
     if (edits.edits.empty()) return;
-    replace_file(edits.path, *text);
+    replace_found({join_path(here_, a_.paths.front())}, edits.path, *text);
     say("rigor: " + report::counted(edits.uses, "use") + " of " +
         report::counted(results_.size(), "mesh", "meshes") + " fitted in " +
         report::printable(a_.paths.front()));

@@ -113,14 +113,11 @@ class Attachment {
     const auto text = apply_edits(sources_.bytes(loaded_.root.source), done.edits);
     if (!text) throw std::logic_error("the edits of " + loaded_.file->path + " overlap");
     for (const FileCopy& copy : copies(facts, done)) {
-      const std::string folder(parent_path(copy.to));
-      std::error_code error;
-      std::filesystem::create_directories(folder, error);
-      if (error) throw UsageError(folder + ": cannot be created: " + error.message());
-      replace_file(copy.to, copy.bytes);
+      const std::string folder(parent_path(parent_path(done.copy->to)));
+      put_file(folder, relative_path(folder, copy.to), copy.bytes);
       say("rigor: copied to " + report::printable(copy.to));
     }
-    replace_file(loaded_.file->path, *text);
+    replace_found({absolute(split_model(attach_).first)}, loaded_.file->path, *text);
     say("rigor: " + report::printable(done.subject) + " is now " + report::printable(done.uri) +
         ", in " + report::printable(loaded_.file->path));
     if (done.mismatch) say("rigor: warning: " + mismatch_text(done));

@@ -87,14 +87,17 @@ class MeshCheck final : public Command {
 MeshChecking::MeshChecking(const MeshCheckArguments& arguments)
     : arguments_(arguments),
       targets_(arguments.output.targets()),
+      real_(arguments.search.disk(arguments.paths)),
       disk_(real_),
       environment_(disk_, arguments.search.paths()),
       cache_(arguments.cache.cache(environment_.workers)),
       files_(disk_, mass::MeshDepth::kAll,
              {.cache = cache_ ? &*cache_ : nullptr, .workers = &environment_.workers}) {
+  arguments.search.allow(environment_.workers);
   rules::MeshCheckOptions options{arguments.paths, arguments.selection.selection()};
   require_known(options.selection, environment_.registry);
   result_ = rules::mesh_check(environment_, options, files_, sources_);
+  result_.diagnostics = withheld(result_.diagnostics, sources_, real_.reach());
 }
 
 bool MeshChecking::whole() const {

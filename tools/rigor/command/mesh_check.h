@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,7 +66,7 @@ class MeshChecking {
  private:
   const MeshCheckArguments& arguments_;
   std::vector<Target> targets_;
-  RealDisk real_;
+  GuardedDisk real_;
   ProgressDisk disk_;
   Environment environment_;
   std::optional<mass::MeshCache> cache_;
@@ -78,9 +79,12 @@ class MeshChecking {
 author::MeshOperations operations_of(const MeshCheckArguments& arguments,
                                      const mass::MeshFacts& facts);
 
+/// Who chose a file's name. A link is followed where the user named it.
+enum class NamedBy : std::uint8_t { kUser, kRigor };
+
 /// All files or none. Several meshes are numbered or named: hull-1.stl.
 std::vector<report::WrittenFile> write_meshes(const author::OperatedMesh& done,
-                                              const std::string& out);
+                                              const std::string& out, NamedBy named_by);
 
 /// Operations on one mesh, written to a file, put into a model, or set into a world.
 int work_on_mesh(const MeshCheckArguments& arguments);

@@ -31,8 +31,9 @@ std::string numbered(const std::string& path, const std::string& name) {
   return path.substr(0, dot) + '-' + name + path.substr(dot);
 }
 
+/// A file beside the one that -o names, or that one.
 struct OutputFile {
-  std::string path;
+  std::string name;
   std::string bytes;
 };
 
@@ -70,9 +71,9 @@ std::vector<OutputFile> files_of(const author::OperatedMesh& done, const std::st
     const std::string path = each.name.empty() ? out : numbered(out, each.name);
     mesh::WrittenMesh written = mesh::write_mesh(each.mesh, path);
     if (!written.bytes) throw UsageError(out + ": " + written.problem);
-    files.push_back({path, std::move(*written.bytes)});
+    files.push_back({std::string(file_name(path)), std::move(*written.bytes)});
     for (mesh::SideFile& side : written.side_files) {
-      files.push_back({join_path(parent_path(path), side.name), std::move(side.bytes)});
+      files.push_back({std::move(side.name), std::move(side.bytes)});
     }
   }
   return files;
@@ -81,8 +82,15 @@ std::vector<OutputFile> files_of(const author::OperatedMesh& done, const std::st
 }  // namespace
 
 std::vector<report::WrittenFile> write_meshes(const author::OperatedMesh& done,
-                                              const std::string& out) {
-  for (const OutputFile& file : files_of(done, out)) replace_file(file.path, file.bytes);
+                                              const std::string& out, NamedBy named_by) {
+  const bool own = named_by == NamedBy::kUser;
+  for (const OutputFile& file : files_of(done, out)) {
+    if (own && file.name == file_name(out)) {
+      replace_file(out, file.bytes);
+    } else {
+      put_file(std::string(parent_path(out)), file.name, file.bytes);
+    }
+  }
   std::vector<report::WrittenFile> written;
   for (const author::NamedMesh& each : done.meshes) {
     written.push_back({each.name.empty() ? out : numbered(out, each.name),
@@ -132,7 +140,7 @@ int work_on_mesh(const MeshCheckArguments& a) {
         each.mesh.materials = mesh::materials_at(real_place(a.out), std::move(each.mesh.materials),
                                                  pictures_of(facts));
       }
-      work.written = write_meshes(done, a.out);
+      work.written = write_meshes(done, a.out, NamedBy::kUser);
       mesh_path = a.out;
     }
     work.steps = std::move(done.steps);

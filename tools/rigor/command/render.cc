@@ -104,8 +104,9 @@ class Render final : public Command {
     const std::set<view::Layer> layers = asked_layers();
     const std::vector<std::string_view> views = known_views();
     const std::string_view view = views[choice("view", view_, views)];
-    const RealDisk disk;
-    const Environment environment(disk, search_.paths());
+    const GuardedDisk disk = search_.disk(named_paths());
+    Environment environment(disk, search_.paths());
+    search_.allow(environment.workers);
     const std::vector<std::string> files = models(environment);
     ModelPainter painter(disk, environment);
     if (files.size() > 1) return render_sheet(painter, files, layers, view);
@@ -155,6 +156,12 @@ class Render final : public Command {
     return otherwise;
   }
 
+  std::vector<std::string> named_paths() const {
+    std::vector<std::string> named = paths_;
+    if (!compare_.empty()) named.push_back(compare_);
+    return named;
+  }
+
   std::vector<std::string> models(const Environment& environment) const {
     for (const std::string& path : paths_) {
       if (environment.disk.kind(path) == PathKind::kMissing)
@@ -169,9 +176,13 @@ class Render final : public Command {
     return all;
   }
 
-  static void write_picture(const std::string& path, const view::Picture& picture) {
+  static std::string png_of(const view::Picture& picture) {
     if (picture.pixels.empty()) throw UsageError("the image would be too large");
-    replace_file(path, view::to_png(picture));
+    return view::to_png(picture);
+  }
+
+  static void write_picture(const std::string& path, const view::Picture& picture) {
+    replace_file(path, png_of(picture));
   }
 
   int render_all_views(const ModelPainter& painter, const view::Drawing& drawing) const {
@@ -193,7 +204,7 @@ class Render final : public Command {
     int number = 0;
     for (const View view : kThumbnailViews) {
       const std::string name = std::to_string(++number) + ".png";
-      write_picture(join_path(out_, name), painter.picture(drawing, view, size(kThumbnail)));
+      put_file(out_, name, png_of(painter.picture(drawing, view, size(kThumbnail))));
     }
     return kClean;
   }

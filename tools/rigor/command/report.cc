@@ -116,10 +116,11 @@ class Report final : public Command {
     if (options.paths.empty()) options.paths.emplace_back(".");
     const author::SimulationOptions simulation = simulation_options();
     a_.search.config().open();
-    const RealDisk disk;
+    const GuardedDisk disk = a_.search.disk(a_.named());
     Checking checking(a_, disk);
     checking.refuse_bad_settings();
-    baseline_.read(disk, a_.search.config().baseline(checking.options().paths));
+    baseline_.read(a_.search.config().disk(),
+                   a_.search.config().baseline(checking.options().paths));
 
     Sources sources;
     const rules::ValidateResult result = report::grouped(
@@ -239,19 +240,15 @@ class Report final : public Command {
   }
 
   void write_report(const std::vector<report::ReportFile>& files) const {
+    std::error_code error;
+    if (out_.ends_with('/')) std::filesystem::create_directories(out_, error);
+    if (error) throw UsageError(out_ + ": cannot be created: " + error.message());
     for (const report::ReportFile& file : files) {
       if (file.path.empty()) {
         replace_file(out_, file.bytes);
         continue;
       }
-      const std::string path = join_path(out_, file.path);
-      std::error_code error;
-      std::filesystem::create_directories(parent_path(path), error);
-      if (error) {
-        throw UsageError(std::string(parent_path(path)) +
-                         ": cannot be created: " + error.message());
-      }
-      replace_file(path, file.bytes);
+      put_file(out_, file.path, file.bytes);
     }
   }
 

@@ -38,7 +38,7 @@ class Resolve final : public Command {
 
   int run() override {
     const std::vector<Target> targets = output_.targets();
-    const RealDisk disk;
+    const GuardedDisk disk = search_.disk({from_.empty() ? "." : from_});
     if (uri_.substr(uri_.find("://") == std::string::npos ? 0 : uri_.find("://") + 3).empty()) {
       throw UsageError("\"" + uri_ + "\" names no file");
     }

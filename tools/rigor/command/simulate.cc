@@ -67,8 +67,9 @@ class Simulate final : public Command {
   int run() override {
     if (simulate::ode_version().empty()) refuse_without("ODE", "simulate");
     const std::vector<Target> targets = output_.targets();
-    const RealDisk disk;
-    const Environment environment(disk, search_.paths());
+    const GuardedDisk disk = search_.disk(named_paths());
+    Environment environment(disk, search_.paths());
+    search_.allow(environment.workers);
     author::SimulationOptions options = choices_.options(disk);
     options.selection = selection_.selection();
     require_known(options.selection, environment.registry);
@@ -95,10 +96,16 @@ class Simulate final : public Command {
     for (const read::Loaded& file : loaded) roots.push_back(&file.root);
     // Another shard's model may be the one.
     if (loaded.size() == files_) require_model(options.scene.model, roots);
-    return conclude(simulator, models, grid, targets, sources);
+    return conclude(simulator, models, grid, targets, sources, disk.reach());
   }
 
  private:
+  std::vector<std::string> named_paths() const {
+    std::vector<std::string> named = paths_;
+    named.insert(named.end(), choices_.scenarios().begin(), choices_.scenarios().end());
+    return named;
+  }
+
   std::vector<std::string> files(const Environment& environment, const simulate::Plan& plan) {
     std::vector<std::string> named = paths_;
     if (named.empty()) named = choices_.models_of(plan);
@@ -147,7 +154,7 @@ class Simulate final : public Command {
 
   int conclude(const author::Simulator& simulator, const std::deque<author::PreparedModel>& models,
                const std::vector<simulate::Case>& grid, const std::vector<Target>& targets,
-               const Sources& sources) {
+               const Sources& sources, const Reach& reach) {
     const std::vector<author::SimulationCase> all = all_cases(models, grid);
     for (const author::PreparedModel& model : models) {
       refuse_problems(model, simulator.planned({&model, {}}));
@@ -179,6 +186,7 @@ class Simulate final : public Command {
       const auto count = static_cast<std::ptrdiff_t>(std::min(kChunk, cases.size() - begin));
       simulator.run({first, first + count}, [&](std::size_t i, author::SimulatedModel result) {
         result.cases = all.size();
+        result.diagnostics = withheld(result.diagnostics, sources, reach);
         fails = fails || selection_.fails(result.diagnostics);
         std::string line = report::simulation_line(result, sources);
         results.add(result.one.index, line);

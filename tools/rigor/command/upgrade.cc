@@ -61,7 +61,7 @@ class UpgradeCommand final : public Command {
   }
 
   int run() override {
-    const RealDisk real;
+    const GuardedDisk real = search_.disk(paths_);
     const ProgressDisk disk(real);
     const Environment environment(disk, search_.paths());
     const schema::Version to = version_asked(environment);
@@ -169,14 +169,14 @@ class UpgradeCommand final : public Command {
   }
 
   /// The model.config too, where it goes along. When that cannot be written, the file is as it was.
-  static void replace_both(const std::string& path, const xml::Document& before,
-                           const author::Upgrade& result) {
-    replace_file(path, result.text);
+  void replace_both(const std::string& path, const xml::Document& before,
+                    const author::Upgrade& result) const {
+    replace_found(paths_, path, result.text);
     if (!result.config) return;
     try {
-      replace_file(result.config->path, result.config->text);
+      replace_found(paths_, result.config->path, result.config->text);
     } catch (...) {
-      replace_file(path, before.bytes());
+      replace_found(paths_, path, before.bytes());
       throw;
     }
   }

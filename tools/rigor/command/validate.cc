@@ -102,7 +102,7 @@ class Validate final : public Command {
     a_.all_arguments = !xacro_args_.empty();
     a_.search.config().open();
     if (a_.watch) return watch_files();
-    const RealDisk disk;
+    const GuardedDisk disk = a_.search.disk(a_.named());
     Checking checking(a_, disk);
     if (a_.show_config.asked()) {
       return a_.show_config.run(checking.settings(), a_.search.config(), a_.output);
@@ -113,7 +113,8 @@ class Validate final : public Command {
       return names[target.format] == "jsonl";
     });
     if (lines) checking.options().mesh_listing = rules::MeshListing::kListed;
-    a_.baseline.read(disk, a_.search.config().baseline(checking.options().paths));
+    a_.baseline.read(a_.search.config().disk(),
+                     a_.search.config().baseline(checking.options().paths));
 
     auto sources = std::make_unique<Sources>();
     rules::ValidateResult result = checking.run(*sources);
@@ -158,8 +159,10 @@ class Validate final : public Command {
     if (a_.fix.asked() || std::count(a_.paths.begin(), a_.paths.end(), "-") > 0) {
       throw UsageError("--watch cannot be combined with - (stdin) or with fixes");
     }
-    a_.baseline.read(RealDisk(), a_.search.config().baseline(a_.paths));
+    const GuardedDisk real = a_.search.disk(a_.named());
+    a_.baseline.read(a_.search.config().disk(), a_.search.config().baseline(a_.paths));
     return watch(
+        real,
         [&](const Disk& disk, Sources& sources) {
           a_.search.config().reopen(disk);
           Checking checking(a_, disk);

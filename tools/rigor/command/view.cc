@@ -74,12 +74,16 @@ class ViewPage final : public Command {
 
  private:
   int write_page() const {
-    const RealDisk disk;
+    const GuardedDisk disk = search_.disk({path_});
     const MadePage made = make_page(disk, search_, path_, PageUse::kFile);
     if (!made.problem.empty()) return refuse(made);
     const std::string file = out_.empty() ? default_file(disk, made.path) : out_;
     const std::string html = report::model_page(made.data, report::page_template(PageUse::kFile));
-    replace_file(file, html);
+    if (out_.empty()) {
+      put_file(".", file, html);
+    } else {
+      replace_file(file, html);
+    }
     say("rigor: " + report::printable(file) + " is written, " +
         report::number(static_cast<double>(html.size()) / 1e6, 2) + " MB: open it in a browser");
     return kClean;
@@ -115,8 +119,9 @@ class ViewPage final : public Command {
     const auto server = std::make_shared<PageServer>(port_);
     end_well_on_interrupt();
     std::optional<report::PageFacts> before;
+    const GuardedDisk real = search_.disk({path_});
     while (true) {
-      const AskedDisk disk;
+      const AskedDisk disk(real);
       search_.config().reopen(disk);
       try {
         MadePage made = make_page(disk, search_, path_, PageUse::kServed);

@@ -77,8 +77,9 @@ int ConversionCommand::run(const Convert& convert) const {
   if (!out_.empty() && !check_.empty())
     throw UsageError("--check and -o exclude each other: one compares, the other writes");
 
-  const RealDisk disk;
-  const Environment environment(disk, search_.paths());
+  const GuardedDisk disk = search_.disk({in_, check_});
+  Environment environment(disk, search_.paths());
+  search_.allow(environment.workers);
   Sources sources;
   read::Workspace workspace(environment.resolver, sources);
   const read::File& file = open_model(workspace, in_);
@@ -98,7 +99,8 @@ int ConversionCommand::run(const Convert& convert) const {
   options.out = !out_.empty() ? out_ : file.path + ending_;
   std::error_code error;
   options.working_folder = std::filesystem::current_path(error).string();
-  const author::Conversion result = convert(environment, sources, workspace, loaded, options);
+  author::Conversion result = convert(environment, sources, workspace, loaded, options);
+  result.diagnostics = withheld(result.diagnostics, sources, disk.reach());
   if (!check_.empty()) return check(environment, sources, workspace, loaded, result);
   tell(result, sources);
   if (!result.text || result.diagnostics.count(Severity::kError) > 0) {
@@ -135,7 +137,7 @@ void ConversionCommand::write_result(const author::Conversion& result) const {
     throw UsageError("some shapes become files next to the result: give it with -o FILE");
   }
   for (const convert::SideFile& file : result.files) {
-    replace_file(join_path(parent_path(out_), file.name), file.bytes);
+    put_file(std::string(parent_path(out_)), file.name, file.bytes);
   }
   write({0, out_}, *result.text);
 }

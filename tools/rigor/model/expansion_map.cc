@@ -114,6 +114,13 @@ void add_elements(const xacro::Node& node, const std::string& path, PlaceFinder&
 
 }  // namespace
 
+std::string described(const xacro::Fact& fact, const Sources& sources, const Reach& reach) {
+  const bool out =
+      !fact.where.nowhere() && !reach.holds(std::string(sources.path(fact.where.source)));
+  if (out) return "an error outside of what was named, which is not quoted";
+  return xacro::describe(fact);
+}
+
 std::string shown_place(const Sources& sources, Span where) {
   if (where.nowhere()) return "?";
   const Position at = sources.position(where.source, where.begin);

@@ -12,10 +12,15 @@
 #include <rigor/text/sources.h>
 #include <rigor/xacro/expand.h>
 
+#include "project/reach.h"
+
 namespace rigor::tool {
 
 /// "robot.xacro:88:3"; "?" for a span that is nowhere.
 std::string shown_place(const Sources& sources, Span where);
+
+/// What the fact says; of one in a file out of reach only that.
+std::string described(const xacro::Fact& fact, const Sources& sources, const Reach& reach);
 
 /// `in macro 'leg' (prefix='FL'), called at robot.xacro:88:3`, a line each, innermost first.
 std::string shown_stack(const Sources& sources, const std::vector<xacro::FactFrame>& stack);

@@ -51,9 +51,10 @@ std::string model_file_in(const Disk& disk, const std::string& folder) {
 
 /// Of a template with errors: the first of them.
 [[noreturn]] void refuse(const read::File& file, const Sources& sources) {
+  const Reach reach({file.path}, read::search_paths_from(path_variable));
   for (const xacro::Fact& fact : file.expanded->expansion().facts) {
     if (!xacro::is_error(fact.kind)) continue;
-    throw InputError(shown_place(sources, fact.where) + ": " + xacro::describe(fact) +
+    throw InputError(shown_place(sources, fact.where) + ": " + described(fact, sources, reach) +
                      "; `rigor validate` says more");
   }
   throw InputError(file.path + ": holds nothing");

@@ -111,7 +111,8 @@ std::vector<std::string> paths_to_check(const Disk& disk, const std::string& nam
 
 MadePage make_page(const Disk& disk, const SearchOptions& search, const std::string& path,
                    report::PageUse use) {
-  const Environment environment(disk, search.paths());
+  Environment environment(disk, search.paths());
+  search.allow(environment.workers);
   Sources sources;
   read::Workspace workspace(environment.resolver, sources);
   const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};

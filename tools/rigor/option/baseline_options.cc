@@ -17,6 +17,7 @@
 #include "command/command.h"
 #include "output/atomic_file.h"
 #include "output/output.h"
+#include "project/project.h"
 
 namespace rigor::tool {
 namespace {
@@ -69,7 +70,10 @@ void BaselineOptions::declare(CLI::App& app) {
 }
 
 void BaselineOptions::read(const Disk& disk, const std::optional<std::string>& configured) {
-  if (path().empty() && configured) path_ = *configured;
+  if (path().empty() && configured) {
+    path_ = *configured;
+    configured_ = true;
+  }
   if (!path_.empty() && !write_.empty()) {
     throw UsageError(
         "--baseline and --baseline-write exclude each other: one hides known findings, the other "
@@ -133,8 +137,16 @@ void BaselineOptions::keep(rules::Baseline next) {
   if (listed > kMostBaselineLines) {
     told_.push_back("  and " + report::counted(listed - kMostBaselineLines, "more change"));
   }
-  if (!changes.empty() || !there_) replace_file(path(), rules::baseline_text(next));
+  if (!changes.empty() || !there_) write(rules::baseline_text(next));
   baseline_ = std::move(next);
+}
+
+/// One that a configuration names is written below the top of the project only, and through no link.
+void BaselineOptions::write(const std::string& text) const {
+  if (!configured_) return replace_file(path(), text);
+  const report::ProjectFolders folders = project_folders();
+  const std::string whole = join_path(folders.working, path());
+  put_file(folders.root, relative_path(folders.root, whole), text);
 }
 
 void BaselineOptions::tell_stale(const std::vector<rules::StaleBaseline>& stale) {

@@ -48,13 +48,15 @@ class BaselineOptions {
   rules::BaselinePlace place() const;
   const std::string& path() const { return write_.empty() ? path_ : write_; }
   void keep(rules::Baseline next);
+  void write(const std::string& text) const;
   void tell_stale(const std::vector<rules::StaleBaseline>& stale);
 
   std::string path_;
   std::string write_;
   bool prune_ = false;
   bool strict_ = false;
-  bool there_ = false;  ///< the file was
+  bool there_ = false;       ///< the file was
+  bool configured_ = false;  ///< a repository names it, not who runs rigor
   bool stale_ = false;
   rules::Baseline baseline_;
   std::vector<std::string> told_;

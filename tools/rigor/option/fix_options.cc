@@ -108,14 +108,15 @@ bool is_buffer(const author::FixedFile& file, const rules::ValidateOptions& opti
   return options.buffer && options.buffer->path == file.path;
 }
 
-void write_fixed(const author::FixedFile& file, const Disk& disk) {
+void write_fixed(const author::FixedFile& file, const std::vector<std::string>& named,
+                 const Disk& disk) {
   const SignalsWait wait;
   const ReadResult now = disk.read(file.path, read::kMaxModelBytes);
   if (now.bytes == file.after) return;  // the same file under another name
   if (now.bytes != file.before) {
     throw UsageError(file.path + ": was changed while it was checked, and is left as it is");
   }
-  replace_file(file.path, file.after);
+  replace_found(named, file.path, file.after);
 }
 
 /// All that can be written are, before anything is said of those that can not.
@@ -126,7 +127,7 @@ FixTally write_all_fixed(const FixedFiles& files, const rules::ValidateOptions& 
   for (const author::FixedFile& file : files) {
     if (!file.changed()) continue;
     try {
-      if (!is_buffer(file, options)) write_fixed(file, disk);
+      if (!is_buffer(file, options)) write_fixed(file, options.paths, disk);
       tally.add(file);
     } catch (const UsageError& error) {
       failed += (failed.empty() ? "" : "; ") + std::string(error.what());

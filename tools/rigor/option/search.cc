@@ -8,23 +8,28 @@
 #include <optional>
 #include <system_error>
 
+#include <rigor/mesh/importer/scene.h>
 #include <rigor/text/disk.h>
 #include "command/command.h"
+#include "option/numbers.h"
 
 namespace rigor::tool {
 namespace {
+
+/// GiB. More than any machine that this runs on; as bytes it fits well.
+constexpr double kMaxMeshMemory = 1024;
 
 void require_folder(const std::string& option, const std::string& folder) {
   if (RealDisk().kind(folder) == PathKind::kFolder) return;
   throw UsageError(option + " " + folder + ": no such folder");
 }
 
+}  // namespace
+
 std::string path_variable(const std::string& name) {
   const char* value = std::getenv(name.c_str());
   return value == nullptr ? "" : value;
 }
-
-}  // namespace
 
 void SearchOptions::declare(CLI::App& app) {
   app.add_option("--model-path", model_paths_, "Search model:// and relative URIs here first")
@@ -37,6 +42,9 @@ void SearchOptions::declare(CLI::App& app) {
       ->type_name("name:=value")
       ->allow_extra_args(false)
       ->group("");
+  app.add_option("--mesh-memory", mesh_memory_,
+                 "Memory that the import of one mesh file may take (default 1)")
+      ->type_name("GIB");
   config_.declare(app);
 }
 
@@ -66,6 +74,19 @@ read::SearchPaths SearchOptions::paths() const {
   config_.open();
   paths.configured = [this](std::string_view file) { return config_.resolve_paths(file); };
   return paths;
+}
+
+void SearchOptions::allow(process::Workers& workers) const {
+  if (mesh_memory_.empty()) return;
+  const double gib = positive_number("--mesh-memory", mesh_memory_, "GiB");
+  if (gib > kMaxMeshMemory) {
+    throw UsageError("--mesh-memory " + mesh_memory_ + ": no more than 1024 GiB");
+  }
+  mesh::allow_imports(workers, static_cast<std::uint64_t>(gib * 1024 * 1024 * 1024));
+}
+
+GuardedDisk SearchOptions::disk(const std::vector<std::string>& named) const {
+  return GuardedDisk(Reach(named, paths()), config_.confinement());
 }
 
 std::pair<std::string, std::string> split_assignment(const std::string& option,

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <rigor/process/workers.h>
 #include <rigor/read/resolver.h>
 #include <CLI/CLI.hpp>
 
@@ -28,12 +29,22 @@ class SearchOptions {
 
   const ConfigOptions& config() const { return config_; }
 
+  /// As much memory for imports as was asked for.
+  void allow(process::Workers& workers) const;
+
+  /// For what a command is asked to do with these paths: within `--confine`, and with their reach.
+  GuardedDisk disk(const std::vector<std::string>& named) const;
+
  private:
   std::vector<std::string> model_paths_;
   std::vector<std::string> packages_;
   std::vector<std::string> template_arguments_;
+  std::string mesh_memory_;
   ConfigOptions config_;
 };
+
+/// The value of a variable of the environment; empty when it is not set.
+std::string path_variable(const std::string& name);
 
 /// NAME and VALUE of an option's "NAME=VALUE"; a UsageError when there is no `=` or no name.
 std::pair<std::string, std::string> split_assignment(const std::string& option,

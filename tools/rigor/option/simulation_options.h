@@ -34,6 +34,7 @@ class SimulationChoices {
 
   /// Of `--joint NAME=VALUE`: where the run begins.
   const std::vector<std::string>& joints() const { return joints_; }
+  const std::vector<std::string>& scenarios() const { return scenarios_; }
 
   /// Models that scenario files name, from where they stand.
   std::vector<std::string> models_of(const simulate::Plan& plan) const;

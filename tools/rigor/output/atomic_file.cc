@@ -13,9 +13,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "command/command.h"
 #include <rigor/process/descriptor.h>
-
+#include <rigor/text/path.h>
+#include "command/command.h"
 
 namespace rigor::tool {
 namespace {
@@ -69,7 +69,119 @@ void sync_folder_of(const std::string& path) {
   if (opened.number() >= 0) ::fsync(opened.number());
 }
 
+[[noreturn]] void refuse_way(const std::string& path, std::string_view why) {
+  throw UsageError(path + ": " + std::string(why) + ", and is not written: nobody named it");
+}
+
+/// A folder in an open folder, made where there is none.
+process::Descriptor open_below(const process::Descriptor& above, const std::string& name,
+                               const std::string& path) {
+  if (::mkdirat(above.number(), name.c_str(), 0777) != 0 && errno != EEXIST) fail(path, errno);
+  process::Descriptor folder(
+      ::openat(above.number(), name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  if (folder.number() >= 0) return folder;
+  const int error = errno;
+  struct stat status = {};
+  const bool link = ::fstatat(above.number(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
+                    S_ISLNK(status.st_mode);
+  if (link) refuse_way(path, "is a link");
+  throw UsageError(path + ": cannot be created: " + std::generic_category().message(error));
+}
+
+/// Mode and owner for what takes the place of a name in an open folder.
+void take_after(int file, const process::Descriptor& folder, const std::string& name,
+                const std::string& path) {
+  struct stat status = {};
+  if (::fstatat(folder.number(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) return;
+  if (S_ISLNK(status.st_mode)) refuse_way(path, "is a link");
+  if (S_ISDIR(status.st_mode)) fail(path, EISDIR);
+  if (!S_ISREG(status.st_mode)) refuse_way(path, "is no regular file");
+  if (::fchown(file, status.st_uid, status.st_gid) != 0) {
+    // It is the caller's then.
+  }
+  if (::fchmod(file, status.st_mode & 07777U) != 0) fail(path, errno);
+}
+
+/// A new file beside the name that it is to get, gone unless it gets that.
+class NewFile {
+ public:
+  NewFile(const process::Descriptor& folder, const std::string& name, const std::string& path)
+      : folder_(folder), name_(name), path_(path) {
+    // What a run that was killed left behind has another number.
+    temporary_ = name + '.' + std::to_string(::getpid()) + ".new";
+    file_ =
+        process::Descriptor(::openat(folder.number(), temporary_.c_str(),
+                                     O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+    if (file_.number() < 0) {
+      const int error = errno;
+      temporary_.clear();
+      fail(path, error);
+    }
+  }
+  ~NewFile() {
+    if (!temporary_.empty()) ::unlinkat(folder_.number(), temporary_.c_str(), 0);
+  }
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+
+  void fill(std::string_view bytes) {
+    if (const int error = write_all(file_.number(), bytes)) fail(path_, error);
+    take_after(file_.number(), folder_, name_, path_);
+    // The bytes are on the disk before the name is theirs: else a crash can leave an empty file in its place.
+    if (::fsync(file_.number()) != 0) fail(path_, errno);
+    if (const int error = file_.close()) fail(path_, error);
+    if (::renameat(folder_.number(), temporary_.c_str(), folder_.number(), name_.c_str()) != 0) {
+      fail(path_, errno);
+    }
+    temporary_.clear();
+  }
+
+ private:
+  const process::Descriptor& folder_;
+  const std::string& name_;
+  const std::string& path_;
+  std::string temporary_;
+  process::Descriptor file_{-1};
+};
+
 }  // namespace
+
+void put_file(const std::string& folder, std::string_view name, std::string_view bytes) {
+  const std::string below = normalize_path(name);
+  const std::string whole = join_path(folder, below);
+  if (is_absolute(below) || below == "." || below == ".." || below.starts_with("../")) {
+    throw UsageError(std::string(name) + ": lies outside of " + folder + ", and is not written");
+  }
+  const std::string above = folder.empty() ? "." : folder;
+  process::Descriptor at(::open(above.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (at.number() < 0) fail(whole, errno);
+  std::size_t begin = 0;
+  for (std::size_t slash = 0; (slash = below.find('/', begin)) != std::string::npos;) {
+    at = open_below(at, below.substr(begin, slash - begin),
+                    join_path(folder, below.substr(0, slash)));
+    begin = slash + 1;
+  }
+  const std::string last = below.substr(begin);
+  NewFile(at, last, whole).fill(bytes);
+  ::fsync(at.number());  // as in `sync_folder_of`
+}
+
+void replace_found(const std::vector<std::string>& named, const std::string& path,
+                   std::string_view bytes) {
+  const std::string whole = normalize_path(path);
+  std::string best;
+  for (const std::string& each : named) {
+    if (normalize_path(each) == whole) return replace_file(path, bytes);
+    std::error_code ignored;
+    std::string folder = fs::is_directory(each, ignored) ? each : std::string(parent_path(each));
+    const std::string below = relative_path(folder, whole);
+    if (!is_absolute(below) && !below.starts_with("../")) {
+      return put_file(folder, below, bytes);
+    }
+    if (best.empty()) best = std::move(folder);
+  }
+  put_file(best, relative_path(best, whole), bytes);
+}
 
 void replace_file(const std::string& path, std::string_view bytes) {
   std::error_code ignored;

@@ -37,9 +37,22 @@ bool names_unreadable(const std::vector<std::string>& paths, const rules::Valida
 
 }  // namespace
 
+std::vector<std::string> CheckArguments::named() const {
+  std::vector<std::string> all;
+  for (const std::string& path : paths) {
+    if (path != "-") all.push_back(path);
+  }
+  if (std::count(paths.begin(), paths.end(), "-") > 0) {
+    all.push_back(stdin_filename.empty() ? "<stdin>" : stdin_filename);
+  }
+  if (all.empty()) all.emplace_back(".");
+  return all;
+}
+
 Checking::Checking(const CheckArguments& a, const Disk& disk)
     : arguments_(a),
       environment_(disk, a.search.paths()),
+      reach_(a.named(), environment_.resolver.paths()),
       settings_(a.selection, a.search.config(), environment_.registry),
       changed_(a.changed_since.changed(a.paths.empty() ? std::vector<std::string>{"."} : a.paths)),
       cache_(a.cache.cache(environment_.workers)),
@@ -47,6 +60,7 @@ Checking::Checking(const CheckArguments& a, const Disk& disk)
       reads_(disk, environment_.workers, turns_),
       surveys_(disk, {cache_ ? &*cache_ : nullptr, &reads_}),
       mesh_files_(disk, mass::MeshDepth::kFile, {cache_ ? &*cache_ : nullptr, &reads_}) {
+  a.search.allow(environment_.workers);
   choose_files(disk);
   options_.selection_for = [this, compat = a.compat.compat()](const std::string& path) {
     rules::Selection selection = settings_.selection(path);
@@ -63,7 +77,9 @@ void Checking::refuse_bad_settings() const {
 }
 
 rules::ValidateResult Checking::run(Sources& sources) const {
-  return rules::validate(environment_, options_, sources);
+  rules::ValidateResult result = rules::validate(environment_, options_, sources);
+  result.diagnostics = withheld(result.diagnostics, sources, reach_);
+  return result;
 }
 
 int Checking::exit_code(const rules::ValidateResult& result) const {

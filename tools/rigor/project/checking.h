@@ -47,6 +47,9 @@ struct CheckArguments {
   ShardOption shard;
   CacheOption cache;
   SearchOptions search;
+
+  /// What rigor is asked to look at, stdin by its file's name.
+  std::vector<std::string> named() const;
 };
 
 /// What checking takes, on a disk: made once for all that is done with it. Both arguments outlive it.
@@ -82,6 +85,7 @@ class Checking {
 
   const CheckArguments& arguments_;
   Environment environment_;
+  Reach reach_;
   RuleSettings settings_;
   std::optional<ChangedFiles> changed_;
   std::optional<mass::MeshCache> cache_;

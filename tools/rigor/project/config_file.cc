@@ -15,6 +15,7 @@
 
 #include "command/command.h"
 #include "output/output.h"
+#include "project/project.h"
 
 namespace rigor::tool {
 namespace {
@@ -31,17 +32,15 @@ read::ConfiguredPaths configured_paths(const config::Config& config) {
   return paths;
 }
 
-bool lies_in(std::string_view path, std::string_view folder) {
-  if (folder == "/") return true;
-  return path.starts_with(folder) && (path.size() == folder.size() || path[folder.size()] == '/');
-}
-
 }  // namespace
 
 void ConfigOptions::declare(CLI::App& app) {
   app.add_option("--config", file_, "Use this configuration instead of the nearest rigor.toml")
       ->type_name("FILE");
   app.add_flag("--isolated", isolated_, "Use no configuration at all");
+  app.add_option("--confine", confine_, "Read nothing outside of this folder, wherever models lead")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
 }
 
 ConfigOptions::Opened& ConfigOptions::opened() const {
@@ -55,7 +54,7 @@ ConfigOptions::Opened& ConfigOptions::opened() const {
   if (!file_.empty()) choice = {ConfigChoice::Of::kFile, file_};
   std::error_code error;
   const std::filesystem::path working = std::filesystem::current_path(error);
-  opened_ = std::make_unique<Opened>(*disk_, error ? "/" : working.string(), choice);
+  opened_ = std::make_unique<Opened>(disk(), error ? "/" : working.string(), choice);
   return *opened_;
 }
 
@@ -113,9 +112,28 @@ std::optional<std::string> ConfigOptions::baseline(const std::vector<std::string
   return shown(found->value);
 }
 
+const Disk& ConfigOptions::disk() const {
+  if (disk_ == nullptr) {
+    own_disk_ = std::make_unique<const GuardedDisk>(Reach(), confinement());
+    disk_ = own_disk_.get();
+  }
+  return *disk_;
+}
+
+std::vector<std::string> ConfigOptions::confinement() const {
+  std::vector<std::string> folders;
+  for (const std::string& folder : confine_) {
+    if (RealDisk().kind(folder) != PathKind::kFolder) {
+      throw UsageError("--confine " + folder + ": no such folder");
+    }
+    folders.push_back(real_path_of(folder));
+  }
+  return folders;
+}
+
 std::string ConfigOptions::shown(const std::string& path) const {
   const std::string here = configs().absolute(".");
-  const bool near = lies_in(path, here) || lies_in(here, parent_path(path));
+  const bool near = lies_below(path, here) || lies_below(here, parent_path(path));
   return near && path != here ? relative_path(here, path) : path;
 }
 
@@ -123,10 +141,21 @@ std::string ConfigOptions::shown(const config::Place& place) const {
   return shown(place.path) + (place.line > 0 ? ':' + std::to_string(place.line) : "");
 }
 
+/// What a configuration extends may be any file of the machine, and a log is read by others.
+bool ConfigOptions::quotable(const std::string& path) const {
+  const std::string real = real_path_of(path);
+  if (file_name(real) == config::kConfigName) return true;
+  if (!file_.empty() && real == real_path_of(file_)) return true;
+  return real.find("/.git/") == std::string::npos && lies_below(real, project_folders().root);
+}
+
 std::string ConfigOptions::told(const config::Problem& problem) const {
   const std::vector<std::string_view> known(problem.known.begin(), problem.known.end());
-  return shown(config::Place{problem.path, problem.line}) + ": " + problem.message +
-         did_you_mean(problem.name, known);
+  const std::string place = shown(config::Place{problem.path, problem.line});
+  if (!quotable(problem.path)) {
+    return place + ": is no configuration; it lies outside of the project, and is not quoted";
+  }
+  return place + ": " + problem.message + did_you_mean(problem.name, known);
 }
 
 void ConfigOptions::refuse(std::vector<config::Problem> problems) const {

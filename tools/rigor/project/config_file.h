@@ -22,6 +22,8 @@
 #include <rigor/text/found_once.h>
 #include <CLI/CLI.hpp>
 
+#include "project/guarded_disk.h"
+
 namespace rigor::tool {
 
 class ConfigOptions {
@@ -54,6 +56,13 @@ class ConfigOptions {
   /// The one that the configurations of all these name; a UsageError when they name several.
   std::optional<std::string> baseline(const std::vector<std::string>& paths) const;
 
+  /// The folders that `--confine` names, links followed: nothing outside of them is read. Empty without it. A
+  /// UsageError when one is not there.
+  std::vector<std::string> confinement() const;
+
+  /// The disk that configurations are read from.
+  const Disk& disk() const;
+
   /// As configurations have paths.
   std::string absolute(const std::string& path) const { return configs().absolute(path); }
 
@@ -68,6 +77,7 @@ class ConfigOptions {
 
  private:
   const config::Configs& configs() const { return opened().configs; }
+  bool quotable(const std::string& path) const;
   std::string told(const config::Problem& problem) const;
   const config::Config& sound(const config::Config& config) const;
 
@@ -83,8 +93,9 @@ class ConfigOptions {
   };
   Opened& opened() const;
 
-  RealDisk real_disk_;
-  mutable const Disk* disk_ = &real_disk_;
+  std::vector<std::string> confine_;
+  mutable std::unique_ptr<const GuardedDisk> own_disk_;  // within the confinement
+  mutable const Disk* disk_ = nullptr;
   mutable std::unique_ptr<Opened> opened_;
 };
 

@@ -1,12 +1,12 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Remembers what a run asked of the real disk, so that one can tell when it would be told something else:
+// Remembers what a run asked of a disk, so that one can tell when it would be told something else:
 // the files that it read, whatever includes and meshes they are, those that it missed, and the folders
 // that it walked.
 //
-//   AskedDisk disk;
-//   check(disk);                                // in place of a RealDisk
+//   AskedDisk disk(real);
+//   check(disk);                                // in place of the other
 //   for (const std::string& folder : disk.folders()) watch(folder);
 //   if (!disk.still_so()) check again;
 
@@ -27,6 +27,9 @@ namespace rigor::tool {
 /// Safe across threads.
 class AskedDisk final : public Disk {
  public:
+  /// Asks the other one, which outlives it.
+  explicit AskedDisk(const Disk& disk) : disk_(disk) {}
+
   std::unique_ptr<OpenFile> open(const std::string& path) const override;
   ReadResult read(const std::string& path, std::uint64_t max_bytes) const override;
   PathKind kind(const std::string& path) const override;
@@ -55,7 +58,7 @@ class AskedDisk final : public Disk {
   void keep_stamp(const std::string& path) const;
   std::vector<std::string> names_in(const std::string& folder) const;
 
-  RealDisk disk_;
+  const Disk& disk_;
   mutable std::mutex mutex_;
   mutable std::map<std::string, Stamp> stamps_;
   mutable std::map<std::string, PathKind> kinds_;

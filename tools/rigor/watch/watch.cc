@@ -19,13 +19,13 @@
 
 namespace rigor::tool {
 
-int watch(const WatchedCheck& check,
+int watch(const Disk& real, const WatchedCheck& check,
           const std::function<void(const rules::ValidateResult&)>& conclude, report::Color color,
           Severity least) {
   end_well_on_interrupt();
   std::vector<report::KnownFinding> before;
   for (bool first = true;; first = false) {
-    const AskedDisk disk;
+    const AskedDisk disk(real);
     Sources sources;
     try {
       const rules::ValidateResult result = check(disk, sources);

@@ -4,6 +4,7 @@
 // `--watch`: checks, waits until something that was looked at changes, and says what that did.
 //
 //   return watch(
+//       disk,
 //       [&](const Disk& disk, Sources& sources) { return rules::validate(…, sources); },
 //       [](const rules::ValidateResult& result) { say(report::summary(result)); }, color);
 //
@@ -27,7 +28,7 @@ using WatchedCheck = std::function<rules::ValidateResult(const Disk& disk, Sourc
 /// A UsageError of the first check is thrown; one of a later check, as of a configuration that was edited,
 /// is told. Comes back only when the first check could use none of its arguments (then with the exit code of a wrong
 /// invocation). `conclude` is called after each check. Findings go to stdout.
-int watch(const WatchedCheck& check,
+int watch(const Disk& real, const WatchedCheck& check,
           const std::function<void(const rules::ValidateResult&)>& conclude, report::Color color,
           Severity least);
 

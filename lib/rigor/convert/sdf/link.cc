@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <variant>
@@ -28,12 +29,16 @@ class ShapeNames {
   std::string add(const std::string& name, const std::string& fallback) {
     const std::string& base = name.empty() ? fallback : name;
     std::string result = base;
-    for (int i = 1; !taken_.insert(result).second; ++i) result = base + '_' + std::to_string(i);
+    // Thousands of one name do not try all numbers each.
+    for (int& i = last_[base]; !taken_.insert(result).second;) {
+      result = base + '_' + std::to_string(++i);
+    }
     return result;
   }
 
  private:
   std::unordered_set<std::string> taken_;
+  std::unordered_map<std::string, int> last_;  // number, by name
 };
 
 struct ToUrdfGeometry {

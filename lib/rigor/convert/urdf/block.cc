@@ -106,12 +106,19 @@ std::optional<std::string> pose_in_link(UrdfDraft& draft, Id<model::Link> link, 
 }
 
 /// A link that says nothing of it does as its model.
-model::Field<bool> self_collide_of(const Source& source, const model::Link& link) {
+model::Field<bool> self_collide_of(UrdfDraft& draft, const model::Link& link) {
+  const Source& source = draft.source;
   const auto own =
       bool_field(read::child_text(source.documents.element(link.site), "self_collide"), false);
   const model::Model& model = source.root[link.model];
   if (own.written || model.site.span.nowhere()) return own;
-  return bool_field(read::child_text(source.documents.element(model.site), "self_collide"), false);
+  // Sought once: a model may have thousands of links, all of which ask.
+  const auto [known, is_new] = draft.self_collide.try_emplace(link.model);
+  if (is_new) {
+    known->second =
+        bool_field(read::child_text(source.documents.element(model.site), "self_collide"), false);
+  }
+  return known->second;
 }
 
 /// A value of a joint's physics for the block, where it is written and not the default.
@@ -232,7 +239,7 @@ void add_link_blocks(UrdfDraft& draft, Id<model::Link> id, const Pose& X_JL, con
   BlockMaker block(draft, draft.link_names.at(id));
   if (!keys.script.empty()) block.add_key("material", keys.script);
   block.add(keys.surface);
-  if (const auto self_collide = self_collide_of(draft.source, link); self_collide.value) {
+  if (const auto self_collide = self_collide_of(draft, link); self_collide.value) {
     block.add_key("selfCollide", "true");
     block.note(NoteKind::kSelfCollide, self_collide.span, whose, "true");
     draft.ledger.take(self_collide, Outcome::kCarried);

@@ -43,6 +43,7 @@ struct UrdfDraft {
     std::multimap<model::Id<model::Joint>, model::Id<model::Sensor>> sensors;
   };
   std::optional<Riders> riders;
+  std::map<model::Id<model::Model>, model::Field<bool>> self_collide;  ///< as models say it
 };
 
 /// What a link holds (link.cc): inertial, visuals, collisions; its `<gazebo>` blocks (friction,

@@ -22,6 +22,7 @@
 #include <rigor/mesh/write/write.h>
 #include <rigor/schema/value.h>
 #include <rigor/text/path.h>
+#include <rigor/write/safe_name.h>
 #include <rigor/xml/document.h>
 
 namespace rigor::convert {
@@ -31,17 +32,6 @@ using mesh::TriangleMesh;
 using model::Vector3;
 
 bool is_size(double number) { return std::isfinite(number) && number > 0; }
-
-/// As a file's name may be anywhere.
-std::string file_word(std::string_view text) {
-  std::string word(text);
-  for (char& c : word) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                       c == '.' || c == '_' || c == '-';
-    if (!plain) c = '_';
-  }
-  return word;
-}
 
 std::string size_words(std::initializer_list<double> sizes) {
   std::string words;
@@ -152,8 +142,8 @@ class ShapeFiler {
     const auto path = file_of(draft_.source, shape.uri);
     if (shape.submesh.value.empty() || !path) return std::nullopt;
     const std::string_view name = file_name(*path);
-    std::string stem = file_word(name.substr(0, name.rfind('.')));
-    stem += '-' + file_word(shape.submesh.value) + (shape.center.value ? "-centred" : "");
+    std::string stem = write::safe_name(name.substr(0, name.rfind('.')));
+    stem += '-' + write::safe_name(shape.submesh.value) + (shape.center.value ? "-centred" : "");
     const std::string identity = stem + ' ' + *path + ' ' + shape.submesh.value;
     return file(identity, stem, ".dae", [&] { return part_mesh(draft_.source, *path, shape); });
   }

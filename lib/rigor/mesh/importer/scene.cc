@@ -98,12 +98,17 @@ LoadedMesh load(const Disk& disk, const std::string& path, std::string_view byte
 
 }  // namespace
 
+void allow_imports(process::Workers& workers, std::uint64_t bytes) {
+  workers.set_memory(kImportKind, bytes);
+}
+
 LoadedMesh import_scene(const Disk& disk, const std::string& path, std::string_view bytes,
                         const process::Workers& workers) {
   using End = process::RequestResult::End;
   std::string beside;
+  const process::RequestLimits limits = workers.limits_of(kImportKind, kImportLimits);
   const process::RequestResult result =
-      workers.call({.kind = kImportKind, .bytes = path, .limits = kImportLimits},
+      workers.call({.kind = kImportKind, .bytes = path, .limits = limits},
                    [&](std::string_view name) -> std::optional<std::string_view> {
                      if (name == path) return bytes;
                      ReadResult file = disk.read(std::string(name), kMaxMeshBytes);
@@ -114,8 +119,10 @@ LoadedMesh import_scene(const Disk& disk, const std::string& path, std::string_v
   if (result.end != End::kDone) {
     // Without a worker the file is not to blame.
     const bool missing = result.end == End::kNotStarted;
+    std::string why = describe(result, limits);
+    if (result.end == End::kOutOfMemory) why += " (--mesh-memory allows more)";
     return {.faults = {{missing ? FaultKind::kWorkerMissing : FaultKind::kImporterCrashed,
-                        describe(result, kImportLimits)}}};
+                        std::move(why)}}};
   }
   if (std::optional<LoadedMesh> loaded = unflatten(result.bytes)) return std::move(*loaded);
   return {.faults = {{FaultKind::kImporterCrashed, "gave back a damaged mesh"}}};

@@ -30,9 +30,13 @@
 
 namespace rigor::mesh {
 
-/// What importing one file may take: a Collada file of a million triangles took 1.4 s and 0.8 GB.
+/// What importing one file may take: a Collada file of a million triangles took 1.4 s and 0.8 GB, a damaged one of
+/// some kilobytes whatever it was given. `allow_imports` gives more.
 inline constexpr process::RequestLimits kImportLimits{.cpu_seconds = 20,
-                                                      .memory_bytes = std::uint64_t{4} << 30U};
+                                                      .memory_bytes = std::uint64_t{1} << 30U};
+
+/// How much memory the import of one file may take from now on; before the first one.
+void allow_imports(process::Workers& workers, std::uint64_t bytes);
 
 /// Files that the scene names (buffers of a .gltf) are read through `disk` too, when they lie in the
 /// scene's folder or below.

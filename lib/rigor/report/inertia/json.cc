@@ -90,11 +90,12 @@ Json link_of(const LinkInertia& link, Places& places) {
                                 {"column", at.column}});
   }
   json["overlaps"] = Json::array();
-  for (const mass::PartOverlap& overlap : link.overlaps) {
+  for (const mass::PartOverlap& overlap : link.overlaps.list) {
     json["overlaps"].push_back({{"first", link.body.parts[overlap.first].name},
                                 {"second", link.body.parts[overlap.second].name},
                                 {"share", overlap.share}});
   }
+  json["overlaps_complete"] = link.overlaps.complete;
   json["chosen"] = link.chosen;
   json["reason"] = link.reason;
   return json;

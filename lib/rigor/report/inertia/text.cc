@@ -136,7 +136,12 @@ void notes(const LinkInertia& link, Grid& grid) {
                             printable(part.name)));
     }
   }
-  for (const mass::PartOverlap& overlap : link.overlaps) {
+  if (!link.overlaps.complete) {
+    grid.note(
+        fmt::format("of parts that may share space {} pairs were compared, and others left out",
+                    mass::kMostCompared));
+  }
+  for (const mass::PartOverlap& overlap : link.overlaps.list) {
     grid.note(fmt::format("'{}' and '{}' share {:.0f} % of the smaller: it counts twice",
                           printable(link.body.parts[overlap.first].name),
                           printable(link.body.parts[overlap.second].name), 100 * overlap.share));

@@ -24,7 +24,7 @@ void check(const model::Link& link, Context& context) {
   const model::Id<model::Link> id{static_cast<std::uint32_t>(&link - root.links.data())};
   const mass::PartOverlap* worst = nullptr;
   const auto overlaps = mass::overlaps_in(root, context.frames(), id, mass::From::kCollisions);
-  for (const mass::PartOverlap& overlap : overlaps) {
+  for (const mass::PartOverlap& overlap : overlaps.list) {
     if (overlap.share >= kJoined && (!worst || overlap.share > worst->share)) worst = &overlap;
   }
   if (worst == nullptr) return;

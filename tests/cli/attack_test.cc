@@ -1,0 +1,235 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What models and repositories that nobody trusts try: to write outside of what was given, and to have what lies
+// outside told to whoever reads the report.
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <cli/program.h>
+
+namespace rigor::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kTriangles =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+    "usemtl x/../../../../NAME\nf 1 2 3\nusemtl x:..:NAME\nf 1 2 4\nusemtl X_.._.._.._.._NAME\nf 1 "
+    "3 4\n";
+
+/// A tetrahedron.
+constexpr const char* kSolid =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+
+std::string model_with_mesh(const std::string& uri) {
+  return "<sdf version='1.9'><model name='m'><link name='l'><inertial/><visual name='v'><geometry>"
+         "<mesh><uri>" +
+         uri + "</uri></mesh></geometry></visual></link></model></sdf>\n";
+}
+
+std::set<std::string> all_files(const Folder& folder) {
+  std::set<std::string> files;
+  for (const auto& each : fs::recursive_directory_iterator(folder.path(""))) {
+    if (!each.is_directory()) files.insert(fs::relative(each.path(), folder.path("")).string());
+  }
+  return files;
+}
+
+TEST(Attack, NamesOfMaterialsLeadNowhere) {
+  const Folder folder;
+  folder.put("a/b/c/d/part.obj", kTriangles);
+  const Ran ran = folder.rigor("mesh-check a/b/c/d/part.obj --split material -o a/b/c/d/out.obj");
+  EXPECT_EQ(
+      all_files(folder),
+      (std::set<std::string>{"a/b/c/d/part.obj", "a/b/c/d/out-x_.._.._.._.._NAME.obj",
+                             "a/b/c/d/out-x_.._NAME.obj", "a/b/c/d/out-X_.._.._.._.._NAME-2.obj"}))
+      << ran.out << ran.err;
+  EXPECT_NE(ran.out.find("out-x_.._.._.._.._NAME.obj"), std::string::npos) << ran.out;
+}
+
+TEST(Attack, NothingIsWrittenThroughALink) {
+  const Folder folder;
+  folder.put("elsewhere", "mine");
+  folder.put("robot/part.obj", kSolid);
+  folder.put("robot/model.sdf", model_with_mesh("part.obj"));
+  fs::create_symlink("../elsewhere", folder.path("robot/part_edited.obj"));
+  const Ran ran = folder.rigor("mesh-check robot/model.sdf --apply --center com");
+  EXPECT_EQ(folder.get("elsewhere"), "mine") << ran.err;
+}
+
+TEST(Attack, ALinkInTheWayIsNamed) {
+  const Folder folder;
+  folder.put("elsewhere", "mine");
+  folder.put("part.obj", kTriangles);
+  fs::create_symlink("elsewhere", folder.path("out-x_.._NAME.obj"));
+  const Ran ran = folder.rigor("mesh-check part.obj --split material -o out.obj");
+  EXPECT_EQ(ran.exit, 2);
+  EXPECT_NE(ran.err.find("out-x_.._NAME.obj: is a link"), std::string::npos) << ran.err;
+  EXPECT_EQ(folder.get("elsewhere"), "mine");
+}
+
+/// Of a folder of pages a part may be a link, too.
+TEST(Attack, NoFolderIsWrittenThroughALink) {
+  const Folder folder;
+  fs::create_directories(folder.path("elsewhere"));
+  fs::create_directories(folder.path("pages"));
+  fs::create_symlink("../elsewhere", folder.path("pages/models"));
+  folder.put("robot/model.sdf", model_with_mesh("part.obj"));
+  const Ran ran = folder.rigor("report robot --no-simulate --no-pictures -o pages/");
+  EXPECT_EQ(ran.exit, 2);
+  EXPECT_NE(ran.err.find("pages/models: is a link"), std::string::npos) << ran.err;
+  EXPECT_TRUE(fs::is_empty(folder.path("elsewhere")));
+}
+
+/// What was found in a folder, or is named by a model.config, nobody has named.
+TEST(Attack, NoModelIsChangedThroughALink) {
+  const std::string old = "<sdf version='1.4'><model name='m'><link name='l'/></model></sdf>\n";
+  const Folder folder;
+  folder.put("elsewhere.sdf", old);
+  fs::create_directories(folder.path("robot"));
+  fs::create_symlink("../elsewhere.sdf", folder.path("robot/model.sdf"));
+  folder.put("other/model.config",
+             "<model><name>m</name><sdf version='1.4'>../elsewhere.sdf</sdf></model>");
+  EXPECT_NE(folder.rigor("upgrade robot --to 1.9 --write").exit, 0);
+  EXPECT_EQ(folder.get("elsewhere.sdf"), old);
+  folder.rigor("inertia other --write");
+  EXPECT_EQ(folder.get("elsewhere.sdf"), old);
+  folder.rigor("upgrade robot/model.sdf --to 1.9 --write");  // here it is named
+  EXPECT_NE(folder.get("elsewhere.sdf"), old);
+}
+
+TEST(Attack, ABaselineOfAConfigurationStaysInTheProject) {
+  const std::string counts = "# rigor baseline\n";
+  const Folder folder;
+  folder.put("robot/model.sdf", model_with_mesh("part.obj"));
+  folder.rigor("validate model.sdf --baseline-write ../known.txt", "cd robot &&");
+  const std::string before = folder.get("known.txt");
+  ASSERT_NE(before.find("mesh"), std::string::npos) << before;
+  folder.put("robot/model.sdf",
+             "<sdf version='1.9'><model name='m'><link name='l'/></model></sdf>\n");
+  folder.put("robot/rigor.toml", "baseline = \"../known.txt\"\n");
+  const Ran ran = folder.rigor("validate model.sdf --baseline-prune", "cd robot &&");
+  EXPECT_EQ(ran.exit, 2);
+  EXPECT_NE(ran.err.find("lies outside"), std::string::npos) << ran.err;
+  EXPECT_EQ(folder.get("known.txt"), before);
+}
+
+/// A secret of the machine, under every name that a model can give it.
+class Secret : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string secret = "HUNTER2=&<x> [y: {z\nv HUNTER2\nHUNTER2 HUNTER2\n";
+    for (const char* ending :
+         {"txt", "obj", "dae", "gltf", "yaml", "toml", "sdf", "xacro", "mtl", "png"}) {
+      folder_.put(std::string("secret/plain.") + ending, secret);
+      mesh_.append(model_shape(ending));
+    }
+    folder_.put("secret/good.yaml", "password: HUNTER2\n");
+    folder_.put("robot/textured.obj", std::string("mtllib ../secret/plain.txt\n") + kSolid);
+    folder_.put("robot/model.sdf",
+                "<sdf version='1.9'><model name='m'>"
+                "<include><uri>../secret/plain.txt</uri></include>"
+                "<include><uri>../secret/plain.sdf</uri></include>"
+                "<include merge='true'><uri>/proc/self/environ</uri></include><link name='l'>" +
+                    mesh_ + "</link></model></sdf>\n");
+    folder_.put("robot/bad.urdf.xacro",
+                template_of("<xacro:include filename='../secret/plain.xacro'/>"
+                            "<xacro:include filename='/proc/self/environ'/>"));
+    folder_.put(
+        "robot/bad_yaml.urdf.xacro",
+        template_of("<xacro:property name='y' value=\"${load_yaml('../secret/plain.yaml')}\"/>"));
+    folder_.put(
+        "robot/good_yaml.urdf.xacro",
+        template_of("<xacro:property name='y' value=\"${load_yaml('../secret/good.yaml')}\"/>"
+                    "<link name=\"${y['password']}\"/>"));
+  }
+
+  static std::string template_of(const std::string& inside) {
+    return "<robot name='a' xmlns:xacro='http://www.ros.org/wiki/xacro'>\n" + inside +
+           "\n</robot>\n";
+  }
+
+  static std::string model_shape(const std::string& ending) {
+    return "<collision name='c" + ending + "'><geometry><mesh><uri>../secret/plain." + ending +
+           "</uri></mesh></geometry></collision>";
+  }
+
+  void tells_nothing(const std::string& arguments) {
+    const Ran ran = folder_.rigor(arguments, "HUNTER2=HUNTER2");
+    EXPECT_GE(ran.exit, 0);
+    EXPECT_LT(ran.exit, 3) << arguments << ran.err;
+    EXPECT_EQ(ran.out.find("HUNTER2"), std::string::npos) << arguments << "\n" << ran.out;
+    EXPECT_EQ(ran.err.find("HUNTER2"), std::string::npos) << arguments << "\n" << ran.err;
+  }
+
+  std::string mesh_;
+  const Folder folder_;
+};
+
+TEST_F(Secret, IsNamedAndNotQuoted) {
+  for (const char* format : {"pretty", "concise", "json", "sarif", "junit"}) {
+    tells_nothing(std::string("validate robot --format ") + format);
+  }
+  for (const char* file : {"bad", "bad_yaml", "good_yaml"}) {
+    tells_nothing(std::string("validate robot/") + file + ".urdf.xacro");
+    tells_nothing(std::string("expand -v robot/") + file + ".urdf.xacro");
+    tells_nothing(std::string("inspect robot/") + file + ".urdf.xacro");
+    tells_nothing(std::string("urdf2sdf robot/") + file + ".urdf.xacro");
+  }
+  tells_nothing("mesh-check robot/model.sdf --format json");
+  tells_nothing("mesh-check robot/textured.obj --format json");
+  tells_nothing("sdf2urdf robot/model.sdf --allow-loss");
+  tells_nothing("inertia robot/model.sdf");
+  const Ran named = folder_.rigor("validate robot/bad.urdf.xacro");
+  EXPECT_NE(named.out.find("secret/plain.xacro:1 lies outside"), std::string::npos) << named.out;
+  tells_nothing("report robot --no-simulate --no-pictures -o page.html");
+  EXPECT_EQ(folder_.get("page.html").find("HUNTER2"), std::string::npos);
+}
+
+TEST_F(Secret, IsNotToldByAConfiguration) {
+  folder_.put("robot/rigor.toml", "extend = \"../secret/plain.txt\"\n");
+  fs::create_directories(folder_.path("robot/.git"));
+  const Ran ran =
+      folder_.rigor("validate robot/model.sdf", "cd robot && cd .. && cd robot && cd .. &&");
+  EXPECT_EQ(ran.exit, 2);
+  const Ran inside = folder_.rigor("validate model.sdf", "cd robot &&");
+  EXPECT_EQ(inside.exit, 2);
+  EXPECT_EQ(inside.err.find("HUNTER2"), std::string::npos) << inside.err;
+  EXPECT_NE(inside.err.find("lies outside of the project"), std::string::npos) << inside.err;
+}
+
+/// A link has the name that the repository gave it.
+TEST_F(Secret, IsNotReadThroughALink) {
+  fs::create_symlink("../secret/plain.txt", folder_.path("robot/inner.xacro"));
+  folder_.put("robot/linked.urdf.xacro", template_of("<xacro:include filename='inner.xacro'/>"));
+  tells_nothing("validate robot/linked.urdf.xacro");
+  tells_nothing("expand robot/linked.urdf.xacro");
+}
+
+TEST_F(Secret, IsWithinReachWhereItIsNamed) {
+  const Ran ran = folder_.rigor("expand --model-path secret robot/good_yaml.urdf.xacro");
+  EXPECT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_NE(ran.out.find("HUNTER2"), std::string::npos);
+}
+
+TEST_F(Secret, IsNotThereWithAConfinement) {
+  folder_.put("secret/box.sdf",
+              "<sdf version='1.9'><model name='b'><link name='HUNTER2'/></model></sdf>\n");
+  folder_.put("robot/model.sdf",
+              "<sdf version='1.9'><model name='m'><include><uri>../secret/box.sdf</uri></include>"
+              "<link name='l'/></model></sdf>\n");
+  EXPECT_NE(folder_.rigor("inspect robot/model.sdf").out.find("HUNTER2"), std::string::npos);
+  tells_nothing("inspect --confine robot robot/model.sdf");
+  tells_nothing("validate --confine robot robot/model.sdf");
+  const Ran ran = folder_.rigor("validate --confine robot secret/box.sdf");
+  EXPECT_EQ(ran.exit, 2) << ran.out;
+  EXPECT_EQ(folder_.rigor("validate --confine nowhere robot").exit, 2);
+}
+
+}  // namespace
+}  // namespace rigor::test
