@@ -304,5 +304,237 @@ TEST_F(ConversionCli, TheProofKnowsWhatWasAskedFor) {
   proved("sdf2urdf free.sdf --unlimited 1000");
 }
 
+std::string urdf_link(const std::string& name, const std::string& izz = "1") {
+  return "<link name='" + name +
+         "'><inertial><mass value='1'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='" +
+         izz + "'/></inertial></link>";
+}
+
+std::string urdf_joint(const std::string& name, const std::string& type, const std::string& parent,
+                       const std::string& child, const std::string& more = "") {
+  return "<joint name='" + name + "' type='" + type + "'><parent link='" + parent +
+         "'/><child link='" + child + "'/>" + more + "</joint>";
+}
+
+/// No body has izz > ixx + iyy; libsdformat 12: "A link named a has invalid inertia."
+TEST_F(ConversionCli, WhatLibsdformatRejectsIsNoSuccess) {
+  folder.put("r.urdf", "<robot name='r'>" + urdf_link("a", "9") + "</robot>");
+  const Ran ran = folder.rigor("urdf2sdf r.urdf -o r.sdf");
+  EXPECT_EQ(ran.exit, 1);
+  EXPECT_FALSE(exists("r.sdf"));
+  EXPECT_NE(ran.out.find("convert-rejected-by-libsdformat"), std::string::npos) << ran.out;
+  EXPECT_EQ(folder.rigor("urdf2sdf r.urdf -o r.sdf --allow-loss").exit, 0);
+  EXPECT_TRUE(exists("r.sdf"));
+}
+
+TEST_F(ConversionCli, ReadsWhatOthersReadOnlyWhereLossesAreAllowed) {
+  folder.put("incomplete.urdf",
+             "<robot name='r'><link name='a'><inertial><mass value='1'/>"
+             "<inertia ixx='1' iyy='1' izz='1'/></inertial></link></robot>");
+  folder.put("free.urdf", "<robot name='r'><link name='world'/>" + urdf_link("b") +
+                              urdf_joint("j", "floating", "world", "b") + "</robot>");
+  for (const std::string name : {"incomplete", "free"}) {
+    const std::string convert = "urdf2sdf " + name + ".urdf -o " + name + ".sdf";
+    EXPECT_EQ(folder.rigor(convert).exit, 1) << name;
+    const Ran ran = folder.rigor(convert + " --allow-loss");
+    EXPECT_EQ(ran.exit, 0) << name << ran.out << ran.err;
+  }
+  EXPECT_NE(folder.get("incomplete.sdf").find("<ixy>0</ixy>"), std::string::npos);
+}
+
+TEST_F(ConversionCli, BulletsSphericalJointIsABall) {
+  folder.put("b.urdf", "<robot name='r'>" + urdf_link("a") + urdf_link("b") +
+                           urdf_joint("j", "spherical", "a", "b") + "</robot>");
+  const Ran ran = folder.rigor("urdf2sdf b.urdf");
+  EXPECT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_NE(ran.out.find("<joint name=\"j\" type=\"ball\">"), std::string::npos) << ran.out;
+}
+
+/// There and back, the camera hangs on the mast by the same joint.
+TEST_F(ConversionCli, JointsOfLinksWithoutMassKeepTheirNames) {
+  folder.put("r.urdf",
+             "<robot name='r'>" + urdf_link("base") + "<link name='mast'/>" +
+                 "<link name='camera'/>" +
+                 urdf_joint("mast_joint", "fixed", "base", "mast", "<origin xyz='0 0 1'/>") +
+                 urdf_joint("camera_joint", "fixed", "mast", "camera",
+                            "<origin xyz='0.1 0 0' rpy='0 0.2 0'/>") +
+                 "</robot>");
+  const Ran to_sdf = folder.rigor("urdf2sdf r.urdf -o r.sdf");
+  EXPECT_EQ(to_sdf.exit, 0) << to_sdf.out;
+  const std::string sdf = folder.get("r.sdf");
+  EXPECT_NE(sdf.find("<frame name=\"camera_joint\" attached_to=\"mast\">"), std::string::npos)
+      << sdf;
+  EXPECT_NE(sdf.find("<frame name=\"camera\" attached_to=\"camera_joint\"/>"), std::string::npos)
+      << sdf;
+  const Ran same = folder.rigor("diff r.urdf r.sdf");
+  EXPECT_EQ(same.exit, 0) << same.out;
+  const Ran back = folder.rigor("sdf2urdf r.sdf -o back.urdf");
+  EXPECT_EQ(back.exit, 0) << back.out;
+  const std::string urdf = folder.get("back.urdf");
+  EXPECT_NE(urdf.find("<joint name=\"camera_joint\" type=\"fixed\">\n    <parent link=\"mast\"/>"),
+            std::string::npos)
+      << urdf;
+  EXPECT_EQ(folder.rigor("diff r.urdf back.urdf").exit, 0);
+}
+
+/// The footprint is the root again.
+TEST_F(ConversionCli, ARootWithoutMassComesBack) {
+  folder.put("r.urdf", "<robot name='r'><link name='base_footprint'/>" + urdf_link("base_link") +
+                           urdf_joint("base_joint", "fixed", "base_footprint", "base_link",
+                                      "<origin xyz='0 0 0.10'/>") +
+                           "</robot>");
+  EXPECT_EQ(folder.rigor("urdf2sdf r.urdf -o r.sdf").exit, 0);
+  const Ran same = folder.rigor("diff r.urdf r.sdf");
+  EXPECT_EQ(same.exit, 0) << same.out;
+  const Ran back = folder.rigor("sdf2urdf r.sdf -o back.urdf");
+  EXPECT_EQ(back.exit, 0) << back.out;
+  const Ran round = folder.rigor("diff r.urdf back.urdf");
+  EXPECT_EQ(round.exit, 0) << round.out;
+  EXPECT_NE(folder.get("back.urdf").find("xyz=\"0 0 0.10\""), std::string::npos);
+}
+
+TEST_F(ConversionCli, DiffSeesTheNamesOfFixedJoints) {
+  const auto robot = [](const std::string& joint) {
+    return "<robot name='r'>" + urdf_link("base") + "<link name='camera'/>" +
+           urdf_joint(joint, "fixed", "base", "camera") + "</robot>";
+  };
+  folder.put("a.urdf", robot("lens"));
+  folder.put("b.sdf",
+             "<sdf version='1.9'><model name='r'><link name='base'><inertial><mass>1</mass>"
+             "<inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial></link>"
+             "<frame name='camera' attached_to='base'/></model></sdf>");
+  const Ran ran = folder.rigor("diff a.urdf b.sdf");
+  EXPECT_EQ(ran.exit, 1);
+  EXPECT_NE(ran.out.find("lens"), std::string::npos) << ran.out;
+}
+
+constexpr const char* kTriangle =
+    "<collision name='c'><geometry><polyline><point>0 0</point><point>1 0</point><point>0 1</point>"
+    "<height>2</height></polyline></geometry></collision>";
+constexpr const char* kGround =
+    "<collision name='c'><geometry><plane><normal>0 0 1</normal></plane></geometry></collision>";
+
+std::string one_link(const std::string& content) {
+  return "<sdf version='1.9'><model name='m'><link name='l'><inertial><mass>2</mass><inertia>"
+         "<ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>" +
+         content + "</link></model></sdf>";
+}
+
+TEST_F(ConversionCli, APolylineBecomesAMeshBesideTheResult) {
+  folder.put("p.sdf", one_link(kTriangle));
+  folder.put("out/.keep", "");
+  const Ran ran = folder.rigor("sdf2urdf p.sdf -o out/p.urdf");
+  EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+  ASSERT_TRUE(exists("out/prism-1.stl"));
+  // A prism over half a square of 1 m², 2 m high.
+  const Ran mesh = folder.rigor("mesh-check out/prism-1.stl --format json");
+  const auto report = nlohmann::json::parse(mesh.out);
+  EXPECT_NEAR(report["meshes"][0]["volume"].get<double>(), 1, 1e-6);
+  EXPECT_TRUE(report["meshes"][0]["watertight"].get<bool>());
+}
+
+TEST_F(ConversionCli, ALostCollisionIsNoSuccess) {
+  folder.put("p.sdf", one_link(kTriangle));
+  folder.put("g.sdf", one_link(kGround));
+  EXPECT_EQ(folder.rigor("sdf2urdf p.sdf").exit, 1) << "no place for a file";
+  EXPECT_EQ(folder.rigor("sdf2urdf p.sdf --allow-loss").exit, 0);
+  EXPECT_EQ(folder.rigor("sdf2urdf g.sdf -o g.urdf").exit, 1);
+  EXPECT_FALSE(exists("g.urdf"));
+  const Ran box = folder.rigor("sdf2urdf g.sdf -o g.urdf --plane box");
+  EXPECT_EQ(box.exit, 0) << box.out;
+  const std::string urdf = folder.get("g.urdf");
+  EXPECT_NE(urdf.find("<box size=\"100 100 0.02\"/>"), std::string::npos) << urdf;
+  EXPECT_NE(urdf.find("<origin xyz=\"0 0 -0.01\"/>"), std::string::npos) << "its face in the plane";
+}
+
+TEST_F(ConversionCli, TheAccountIsInTheResultWhereItIsAskedFor) {
+  EXPECT_EQ(folder.rigor("sdf2urdf arm.sdf").out.find("Converted from"), std::string::npos);
+  EXPECT_NE(folder.rigor("sdf2urdf arm.sdf --header").out.find("Converted from arm.sdf"),
+            std::string::npos);
+}
+
+TEST_F(ConversionCli, TransmissionsBecomeWhatIsChosen) {
+  folder.put(
+      "r.urdf",
+      "<robot name='r'>" + urdf_link("a") + urdf_link("b") +
+          urdf_joint("j", "revolute", "a", "b",
+                     "<axis xyz='0 0 1'/><limit lower='-1' upper='1' effort='5' velocity='2'/>") +
+          "<transmission name='t'><type>transmission_interface/SimpleTransmission</type>"
+          "<joint name='j'><hardwareInterface>hardware_interface/PositionJointInterface"
+          "</hardwareInterface></joint><actuator name='m'/></transmission>"
+          "<gazebo><plugin name='c' filename='libgazebo_ros_control.so'/></gazebo></robot>");
+  EXPECT_NE(folder.rigor("urdf2sdf r.urdf").out.find("libgazebo_ros_control.so"),
+            std::string::npos);
+  const Ran gz = folder.rigor("urdf2sdf r.urdf --control gz");
+  EXPECT_EQ(gz.exit, 0) << gz.err;
+  EXPECT_EQ(gz.out.find("libgazebo_ros_control.so"), std::string::npos);
+  EXPECT_NE(gz.out.find("gz::sim::systems::JointPositionController"), std::string::npos) << gz.out;
+  EXPECT_NE(gz.out.find("<joint_name>j</joint_name>"), std::string::npos);
+  folder.put("out/.keep", "");
+  const Ran ros = folder.rigor("urdf2sdf r.urdf --control ros2_control -o out/r.sdf");
+  EXPECT_EQ(ros.exit, 0) << ros.err;
+  EXPECT_NE(folder.get("out/r.ros2_control.xacro").find("<command_interface name=\"position\"/>"),
+            std::string::npos);
+  EXPECT_NE(folder.get("out/r.controllers.yaml").find("- \"j\""), std::string::npos);
+  EXPECT_NE(folder.get("out/r.sdf").find("<parameters>r.controllers.yaml</parameters>"),
+            std::string::npos);
+}
+
+TEST_F(ConversionCli, FindingsOfOneCauseAreOne) {
+  std::string meshes;
+  for (const char* name : {"a", "b", "c"}) {
+    meshes += "<visual><geometry><mesh filename='package://gone/" + std::string(name) +
+              ".stl'/></geometry></visual>";
+  }
+  folder.put("m.urdf",
+             "<robot name='r'><link name='a'><inertial><mass value='1'/><inertia ixx='1' "
+             "ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>" +
+                 meshes + "</link></robot>");
+  const Ran ran = folder.rigor("urdf2sdf m.urdf -o m.sdf");
+  EXPECT_EQ(ran.exit, 0) << ran.out;
+  std::size_t count = 0;
+  for (std::size_t at = 0;
+       (at = ran.out.find("warning[convert-uri-not-found]", at)) != std::string::npos; ++at) {
+    ++count;
+  }
+  EXPECT_EQ(count, 1U) << ran.out;
+}
+
+/// What stood in comments, in its shape, and without the banner of what made the file.
+TEST_F(ConversionCli, CommentsAreThoseOfTheAuthor) {
+  folder.put("c.urdf",
+             "<?xml version='1.0'?>\n<!-- ====== -->\n"
+             "<!-- | This document was autogenerated by xacro from c.xacro | -->\n"
+             "<!-- | EDITING THIS FILE BY HAND IS NOT RECOMMENDED | -->\n"
+             "<!-- ====== -->\n<!-- by hand -->\n<robot name='r'>\n"
+             "  <!--\n  <link name='old'>\n    <visual/>\n  </link>\n  -->\n" +
+                 urdf_link("a") + "\n</robot>\n");
+  const std::string sdf = folder.rigor("urdf2sdf c.urdf").out;
+  EXPECT_EQ(sdf.find("autogenerated"), std::string::npos) << sdf;
+  EXPECT_EQ(sdf.find("====="), std::string::npos);
+  EXPECT_NE(sdf.find("<!-- by hand -->"), std::string::npos);
+  EXPECT_NE(sdf.find("    <!--\n    <link name='old'>\n      <visual/>\n    </link>\n    -->\n"),
+            std::string::npos)
+      << sdf;
+}
+
+/// libsdformat 12 adds, changes and removes what `<experimental:params>` names.
+TEST_F(ConversionCli, ParametersOfAnIncludeChangeTheModel) {
+  folder.put("models/arm/model.config",
+             "<model><name>arm</name><sdf version='1.9'>model.sdf</sdf></model>");
+  folder.put("models/arm/model.sdf", arm("revolute"));
+  folder.put("two.sdf",
+             "<sdf version='1.9' xmlns:experimental='e'><model name='two'><include>"
+             "<uri>model://arm</uri><experimental:params>"
+             "<link element_id='tip' action='modify'><inertial><mass>7</mass></inertial></link>"
+             "<collision element_id='base' name='skin' action='add'><geometry><sphere>"
+             "<radius>0.25</radius></sphere></geometry></collision>"
+             "</experimental:params></include></model></sdf>");
+  const Ran ran = folder.rigor("sdf2urdf two.sdf --model-path models");
+  EXPECT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_NE(ran.out.find("<mass value=\"7\"/>"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("<sphere radius=\"0.25\"/>"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace rigor::test

@@ -126,7 +126,8 @@ TEST(SdfGazebo, ASensorOfALinkThatBecameAFrameStandsWhereItStood) {
       "<gazebo reference='tip'><sensor name='s' type='imu'><pose>1 0 0 0 0 "
       "0</pose></sensor></gazebo>"
       "<gazebo reference='tip'><sensor name='t' type='imu'/></gazebo>");
-  EXPECT_EQ(blocks.count("<frame name=\"tip\" attached_to=\"b\">"), 1);
+  EXPECT_EQ(blocks.count("<frame name=\"k\" attached_to=\"b\">"), 1);
+  EXPECT_EQ(blocks.count("<frame name=\"tip\" attached_to=\"k\"/>"), 1);
   EXPECT_EQ(blocks.count("<pose relative_to=\"tip\">1 0 0 0 0 0</pose>"), 1);
   EXPECT_EQ(blocks.count("<pose relative_to=\"tip\"/>"), 1);
   EXPECT_TRUE(blocks.losses().empty());
@@ -159,6 +160,64 @@ TEST(SdfGazebo, HintsForTheOfficialConverterAreNoLoss) {
       "<disableFixedJointLumping>true</disableFixedJointLumping></gazebo>");
   EXPECT_TRUE(blocks.losses().empty());
   EXPECT_EQ(blocks.count("preserveFixedJoint"), 0);
+}
+
+/// libsdformat's GetKeyValueAsString: the attribute goes before the text.
+TEST(SdfGazebo, ValuesAreAttributesToo) {
+  const ConvertedBlocks converted(
+      "<gazebo reference='a'><mu1 value='0.2'/><mu2 value='0.3'>9</mu2><kp value='1e6'/>"
+      "<fdir1 value='1 0 0'/><selfCollide value='true'/><turnGravityOff value='true'/>"
+      "<material value='Gazebo/Orange'/></gazebo><gazebo reference='j'>"
+      "<springStiffness value='5'/></gazebo><gazebo><static value='true'/></gazebo>");
+  EXPECT_EQ(converted.count("<mu>0.2</mu>"), 2) << converted.text;
+  EXPECT_EQ(converted.count("<mu2>0.3</mu2>"), 2);
+  EXPECT_EQ(converted.count("<kp>1e6</kp>"), 2);
+  EXPECT_EQ(converted.count("<fdir1>1 0 0</fdir1>"), 2);
+  EXPECT_EQ(converted.count("<self_collide>true</self_collide>"), 1);
+  EXPECT_EQ(converted.count("<gravity>false</gravity>"), 1);
+  EXPECT_EQ(converted.count("<name>Gazebo/Orange</name>"), 1);
+  EXPECT_EQ(converted.count("<spring_stiffness>5</spring_stiffness>"), 1);
+  EXPECT_EQ(converted.count("<static>true</static>"), 1);
+  EXPECT_EQ(converted.losses(), std::vector<NoteKind>{});
+}
+
+TEST(SdfGazebo, AKeyWithoutAValueIsLost) {
+  const ConvertedBlocks converted("<gazebo reference='a'><mu1/><kp> </kp></gazebo>");
+  EXPECT_EQ(converted.count("<surface>"), 0) << converted.text;
+  EXPECT_EQ(converted.losses().size(), 2U);
+}
+
+/// Gazebo Sim reads no scripts; the color is that of Gazebo's own gazebo.material.
+TEST(SdfGazebo, AScriptHasItsColorBesideIt) {
+  const ConvertedBlocks converted("<gazebo reference='a'><material>Gazebo/Red</material></gazebo>");
+  EXPECT_EQ(converted.count("<ambient>1 0 0 1</ambient>"), 1) << converted.text;
+  EXPECT_EQ(converted.count("<diffuse>1 0 0 1</diffuse>"), 1) << converted.text;
+}
+
+TEST(SdfGazebo, PluginsNameTheLinkThatHoldsAFrame) {
+  const ConvertedBlocks converted(
+      "<gazebo><plugin name='p3d' filename='libgazebo_ros_p3d.so'><bodyName>tip</bodyName>"
+      "<xyzOffset>0.5 0 0</xyzOffset></plugin>"
+      "<plugin name='wing' filename='gz-sim-lift-drag-system'><link_name>tip</link_name>"
+      "<cp>0.1 0 0</cp><forward>1 0 0</forward><upward>0 0 1</upward></plugin></gazebo>");
+  // `tip` is 1 m above b, in b's axes.
+  EXPECT_EQ(converted.count("<bodyName>b</bodyName>"), 1) << converted.text;
+  EXPECT_EQ(converted.count("<xyzOffset>0.5 0 1</xyzOffset>"), 1) << converted.text;
+  EXPECT_EQ(converted.count("<link_name>b</link_name>"), 1);
+  EXPECT_EQ(converted.count("<cp>0.1 0 1</cp>"), 1) << converted.text;
+  EXPECT_EQ(converted.count("<forward>1 0 0</forward>"), 1);
+}
+
+/// libsdformat 12 rejects a `::` in the name of what is in no plugin.
+TEST(SdfGazebo, NamesHaveNoScopes) {
+  const ConvertedBlocks converted(
+      "<gazebo reference='a'><sensor name='a::imu' type='imu'/></gazebo>"
+      "<gazebo><api name='x::y'/><plugin name='p::q' filename='f'><api name='x::y'/></plugin>"
+      "</gazebo>");
+  EXPECT_EQ(converted.count("<sensor name='a__imu'"), 1) << converted.text;
+  EXPECT_EQ(converted.count("<api name='x__y'/>"), 1) << converted.text;
+  EXPECT_EQ(converted.count("<api name='x::y'/>"), 1) << "a plugin's own";
+  EXPECT_EQ(converted.count("name='p::q'"), 1);
 }
 
 }  // namespace

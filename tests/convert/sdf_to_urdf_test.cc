@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <rigor/convert/sdf_to_urdf.h>
+#include <rigor/model/motion.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <string>
@@ -382,6 +385,57 @@ TEST(SdfToUrdf, CommentsGoWithWhatTheyStandBefore) {
   EXPECT_TRUE(robot.links[1].comments.empty());
   EXPECT_EQ(converted.joint("j").comments,
             (Remarks{Remark{"1"}, Remark{"2"}, Remark{" of the joint "}}));
+}
+
+/// The joint is at (1, 0, 0) of the wing, turned by 90° about z: in its frame the wing's x is -y, and the
+/// wing's origin at (0, 1, 0).
+TEST(SdfToUrdf, LiftDragIsToldInTheFrameOfTheJoint) {
+  const Converted converted(
+      sdf_link("base") + sdf_link("wing", "0 0 1 0 0 0") +
+      sdf_joint("hinge", "revolute", "base", "wing",
+                "<pose>1 0 0 0 0 1.5707963267948966</pose><axis><xyz>0 0 1</xyz><limit><lower>-1"
+                "</lower><upper>1</upper><effort>1</effort><velocity>1</velocity></limit></axis>") +
+      "<plugin name='lift' filename='gz-sim-lift-drag-system'><link_name>wing</link_name>"
+      "<cp>0.5 0 0</cp><forward>1 0 0</forward><upward>0 0 1</upward></plugin>");
+  std::string xml;
+  for (const UrdfBlock& block : converted.result.robot->blocks) xml += block.xml;
+  EXPECT_NE(xml.find("<cp>0 0.5 0</cp>"), std::string::npos) << xml;
+  EXPECT_NE(xml.find("<forward>0 -1 0</forward>"), std::string::npos) << xml;
+  EXPECT_NE(xml.find("<upward>0 0 1</upward>"), std::string::npos) << xml;
+  EXPECT_EQ(converted.notes(NoteKind::kPluginReference).size(), 2U);
+  EXPECT_TRUE(converted.notes(NoteKind::kPluginFrame).empty());
+}
+
+/// libsdformat takes a mass that equals 0 to 1e-6 for none.
+TEST(SdfToUrdf, WarnsOfMassesThatGazeboTakesForNone) {
+  const auto of_mass = [](const std::string& mass) {
+    return Converted("<link name='l'><inertial><mass>" + mass + "</mass></inertial></link>")
+        .notes(NoteKind::kTinyMass)
+        .size();
+  };
+  EXPECT_EQ(of_mass("9e-7"), 1U);
+  EXPECT_EQ(of_mass("1.1e-6"), 0U);
+}
+
+TEST(SdfToUrdf, SaysWhereARingOfFollowersIsCut) {
+  const auto follower = [](const std::string& link, const std::string& leader) {
+    return sdf_link(link) +
+           sdf_joint("j" + link, "revolute", "base", link,
+                     "<axis><xyz>0 0 1</xyz><limit><lower>-1</lower><upper>1</upper><effort>1"
+                     "</effort><velocity>1</velocity></limit><mimic joint='" +
+                         leader +
+                         "'><multiplier>1</multiplier><offset>0</offset><reference>0"
+                         "</reference></mimic></axis>");
+  };
+  const Converted converted(sdf_link("base") + follower("a", "jb") + follower("b", "ja"), "1.11");
+  const auto lost = converted.notes(NoteKind::kMimicLost);
+  ASSERT_EQ(lost.size(), 1U);
+  EXPECT_NE(lost[0].instead.find("a ring, cut at jb"), std::string::npos) << lost[0].instead;
+}
+
+/// No comparison with nan is true, so nothing clamps to it: unlimited, for `simulate` as well.
+TEST(SdfToUrdf, AnEffortOfNanIsNoLimit) {
+  EXPECT_EQ(model::magnitude_limit(std::nan("")), std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

@@ -157,7 +157,7 @@ TEST(UrdfBlock, KeepsNamespacesThatAreDeclaredOutside) {
   EXPECT_EQ(laid_out(document, document.element(1)),
             "<b xmlns:gz='G' xmlns:x='X' gz:t='1'>\n  <x:c/>\n</b>\n");
   EXPECT_EQ(laid_out(document, document.element(3)), "<d/>\n");
-  EXPECT_EQ(laid_out(document, document.element(3), "<pose>1</pose>"),
+  EXPECT_EQ(laid_out(document, document.element(3), {.pose = "<pose>1</pose>"}),
             "<d>\n  <pose>1</pose>\n</d>\n");
 }
 

@@ -126,9 +126,9 @@ TEST(UrdfMaterial, EqualColoursAreOneMaterial) {
       drawn_ball("c", ogre_script("Gazebo/Red")) +
       drawn_ball("d", "<material><diffuse>1 0 0 0.5</diffuse></material>") + "</link>");
   ASSERT_EQ(part.draft.robot.materials.size(), 2U);
-  EXPECT_EQ(part.draft.robot.materials[0].name, "rgba_1_0_0_1");
-  EXPECT_EQ(part.draft.robot.materials[1].name, "rgba_1_0_0_0.5");
-  EXPECT_EQ(part.link.visuals.at(2).material, "rgba_1_0_0_1");
+  EXPECT_EQ(part.draft.robot.materials[0].name, "base_color");
+  EXPECT_EQ(part.draft.robot.materials[1].name, "base_color_2");
+  EXPECT_EQ(part.link.visuals.at(2).material, "base_color");
 }
 
 TEST(UrdfMaterial, AScriptThatAllVisualsShareIsCarried) {

@@ -52,6 +52,7 @@ struct UrdfPart {
     for (std::uint32_t i = 0; i < loaded.root.links.size(); ++i) {
       draft.link_names[{i}] = loaded.root.links[i].name.value;
     }
+    draft.top = {0};
     if (!loaded.root.links.empty()) link = convert::urdf_link(draft, {0}, X_JL);
   }
 

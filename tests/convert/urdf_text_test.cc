@@ -72,17 +72,6 @@ TEST(UrdfText, StandsAsAHandWouldWriteIt) {
     </inertial>
   </link>
 
-  <joint name="elbow" type="revolute">
-    <parent link="base"/>
-    <child link="arm"/>
-    <origin xyz="0.3333333333333333 0 0.5"/>
-    <axis xyz="0 0 -1"/>
-    <limit lower="-1" upper="1.25" effort="30" velocity="2"/>
-    <dynamics damping="0.1"/>
-    <mimic joint="slide" multiplier="2" offset="-0.5"/>
-    <safety_controller soft_lower_limit="-0.9" soft_upper_limit="1.2" k_position="10" k_velocity="11"/>
-  </joint>
-
   <!-- the upper
        one -->
   <link name="arm">
@@ -111,14 +100,25 @@ TEST(UrdfText, StandsAsAHandWouldWriteIt) {
     </collision>
   </link>
 
+  <joint name="elbow" type="revolute">
+    <parent link="base"/>
+    <child link="arm"/>
+    <origin xyz="0.3333333333333333 0 0.5"/>
+    <axis xyz="0 0 -1"/>
+    <limit lower="-1" upper="1.25" effort="30" velocity="2"/>
+    <dynamics damping="0.1"/>
+    <mimic joint="slide" multiplier="2" offset="-0.5"/>
+    <safety_controller soft_lower_limit="-0.9" soft_upper_limit="1.2" k_position="10" k_velocity="11"/>
+  </joint>
+
+  <link name="tip"/>
+
   <joint name="slide" type="prismatic">
     <parent link="base"/>
     <child link="tip"/>
     <limit upper="0.4" effort="1e16" velocity="1"/>
     <dynamics friction="0.7"/>
   </joint>
-
-  <link name="tip"/>
 
   <gazebo reference="arm">
     <mu1>0.5</mu1>

@@ -120,6 +120,21 @@ TEST(UrdfToSdf, KeepsTheAuthorsDigits) {
       </collision>
     </link>
 
+    <link name="b">
+      <pose relative_to="a_b"/>
+      <inertial>
+        <mass>1</mass>
+        <inertia>
+          <ixx>1</ixx>
+          <ixy>0</ixy>
+          <ixz>0</ixz>
+          <iyy>1</iyy>
+          <iyz>0</iyz>
+          <izz>1</izz>
+        </inertia>
+      </inertial>
+    </link>
+
     <joint name="a_b" type="revolute">
       <pose relative_to="a">0.10 0 1e-3 0 1.5707963 0</pose>
       <parent>a</parent>
@@ -137,21 +152,6 @@ TEST(UrdfToSdf, KeepsTheAuthorsDigits) {
         </dynamics>
       </axis>
     </joint>
-
-    <link name="b">
-      <pose relative_to="a_b"/>
-      <inertial>
-        <mass>1</mass>
-        <inertia>
-          <ixx>1</ixx>
-          <ixy>0</ixy>
-          <ixz>0</ixz>
-          <iyy>1</iyy>
-          <iyz>0</iyz>
-          <izz>1</izz>
-        </inertia>
-      </inertial>
-    </link>
   </model>
 </sdf>
 )");
@@ -187,8 +187,9 @@ TEST(UrdfToSdf, AFixedLinkWithoutMassIsAFrame) {
   const SdfConversion result = to_sdf(urdf);
   const LoadedRobot after(sdf_text(*result.robot), "a.sdf");
   ASSERT_EQ(after.root().links.size(), 2U);
-  ASSERT_EQ(after.root().frames.size(), 1U);
-  EXPECT_EQ(after.root().frames[0].name.value, "tip");
+  ASSERT_EQ(after.root().frames.size(), 2U);
+  EXPECT_EQ(after.root().frames[0].name.value, "a_tip") << "its joint";
+  EXPECT_EQ(after.root().frames[1].name.value, "tip");
   EXPECT_EQ(after.root().joints[0].parent.value, "tip");
   EXPECT_DOUBLE_EQ(after.frames().pose(model::Id<model::Link>{1})->translation.z, 0.75);
   EXPECT_EQ(mass_of_links(after.root()), 2);
@@ -390,7 +391,7 @@ TEST(UrdfToSdf, ACircleOfFollowersIsCutAtTheLast) {
       to_sdf(robot_xml(links + follower("b", "a_c") + follower("c", "a_b") + follower("d", "a_c")));
   ASSERT_EQ(note_kinds_of(result), std::vector{NoteKind::kMimicLost});
   EXPECT_EQ(result.account.notes[0].subject, "r/joint a_c");
-  EXPECT_EQ(result.account.notes[0].instead, "they would follow each other in a circle");
+  EXPECT_EQ(result.account.notes[0].instead, "a_c → a_b → a_c is a ring, cut at a_c");
 }
 
 TEST(UrdfToSdf, TellsWhatItLoses) {
@@ -433,6 +434,33 @@ TEST(UrdfToSdf, TheFirstDefinitionOfAMaterialCounts) {
   EXPECT_EQ(colors(sdf_text_of(
                 robot_xml("<material name='m'><color rgba='1 0 0 1'/></material>" + links))),
             "1 0 0 1;1 0 0 1;");
+}
+
+TEST(UrdfToSdf, SaysWhereAnInertiaWithoutMassGoes) {
+  const std::string bare =
+      "<inertial><mass value='0'/><inertia ixx='0.25' ixy='0' ixz='0' iyy='0.5' iyz='0' "
+      "izz='0.5'/></inertial>";
+  const SdfConversion result =
+      to_sdf(robot_xml(link_xml("a") + link_xml("b", bare) + joint_xml("fixed", "a", "b")));
+  const auto kinds = note_kinds_of(result);
+  EXPECT_EQ(std::count(kinds.begin(), kinds.end(), NoteKind::kBareInertia), 1);
+}
+
+TEST(UrdfToSdf, NamesOfShapesAndTheRobotHaveNoScopes) {
+  const std::string sdf = sdf_text_of(
+      "<robot name='r::s'>" +
+      link_xml("a", inertial_xml("1") + "<visual name='a::v'>" + kBallXml + "</visual>") +
+      "</robot>");
+  EXPECT_EQ(sdf.find("::"), std::string::npos) << sdf;
+}
+
+TEST(UrdfToSdf, AnEffortOfNanIsNoLimit) {
+  const LoadedRobot after(
+      sdf_text_of(robot_xml(link_xml("a") + link_xml("b") +
+                            joint_xml("revolute", "a", "b",
+                                      "<limit lower='-1' upper='1' effort='nan' velocity='2'/>"))),
+      "a.sdf");
+  EXPECT_FALSE(after.root().joints[0].axes[0].effort.written);
 }
 
 TEST(UrdfToSdf, RefusesWhatIsNoTree) {

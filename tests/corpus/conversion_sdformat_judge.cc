@@ -315,6 +315,37 @@ TEST(CorpusConversionSdformat, SeesTheSource) {
   EXPECT_GT(counts.files, 120);
 }
 
+/// What `urdf2sdf` would write without `--allow-loss` is what libsdformat loads.
+TEST(CorpusConversionSdformat, LoadsWhatIsCalledASuccess) {
+  RIGOR_NEEDS_CORPUS();
+  sdf::Console::Instance()->SetQuiet(true);
+  const RealDisk disk;
+  const Environment environment(disk, {});
+  int written = 0, refused = 0;
+  for (const std::string& path : test::corpus_models()) {
+    if (!path.ends_with(".urdf")) continue;
+    const std::string file = path.substr(test::corpus().size() + 1);
+    Sources sources;
+    read::Workspace workspace(disk, sources);
+    const read::Loaded loaded = read::load(
+        {workspace, environment.resolver, environment.sdf, environment.urdf}, workspace.open(path));
+    if (loaded.root.format != model::Format::kUrdf) continue;
+    const author::Conversion result =
+        author::to_sdf(environment, sources, workspace, loaded, {}, {.out = "/nowhere/a.sdf"});
+    if (!result.text || result.diagnostics.count(Severity::kError) > 0) {
+      ++refused;
+      continue;
+    }
+    ++written;
+    sdf::Root root;
+    for (const sdf::Error& error : root.LoadSdfString(*result.text)) {
+      ADD_FAILURE() << file << ": " << error.Message();
+    }
+  }
+  std::printf("%d written and loaded, %d refused\n", written, refused);
+  EXPECT_GT(written, 100);
+}
+
 /// Its own reader of URDF drops a link without mass and all that hangs on it.
 TEST(CorpusConversionSdformat, KeepsWhatHangsOnLinksBetweenJoints) {
   RIGOR_NEEDS_CORPUS();

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 
 #include <rigor/model/frames.h>
@@ -73,6 +74,24 @@ TEST(GazeboBlock, HoldsPluginsAndThoseOfItsSensors) {
     EXPECT_EQ(plugin.filename.value == "libq.so", static_cast<bool>(plugin.model));
     EXPECT_EQ(plugin.gazebo_reference, plugin.sensor ? "tip" : "");
   }
+}
+
+/// libsdformat's GetKeyValueAsString; `simulate` and all else that asks a block reads it here.
+TEST(GazeboBlock, TakesAnAttributeForTheValueOfAKey) {
+  MemoryDisk disk(std::map<std::string, std::string>{
+      {"a.urdf",
+       "<robot name='a'><link name='l'/><gazebo reference='l'><mu1 value=' 0.2 '/>"
+       "<kp value='3'>4</kp><kd>5</kd></gazebo></robot>"}});
+  const Environment environment(disk, {});
+  Sources sources;
+  Workspace workspace(disk, sources);
+  const Loaded loaded = load({workspace, environment.resolver, environment.sdf, environment.urdf},
+                             workspace.open("a.urdf"));
+  const model::Parameters& keys = loaded.root.gazebo_blocks.at(0).content;
+  ASSERT_EQ(keys.size(), 3U);
+  EXPECT_EQ(keys[0].value.value, "0.2");
+  EXPECT_EQ(keys[1].value.value, "3");
+  EXPECT_EQ(keys[2].value.value, "5");
 }
 
 }  // namespace

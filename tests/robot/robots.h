@@ -102,7 +102,7 @@ inline const std::string kArmUrdf = R"(<robot name="arm">
 </robot>
 )";
 
-/// The same arm: link frames elsewhere, the elbow by limits that are none, the tool as a frame, the
+/// The same arm: link frames elsewhere, the elbow by limits that are none, the tool and its joint as frames, the
 /// mimic with a reference: 0.5 (q - 0.1) + 0.07.
 inline const std::string kArmSdf = R"(<sdf version="1.11"><model name="arm">
 <link name="base">
@@ -128,6 +128,7 @@ inline const std::string kArmSdf = R"(<sdf version="1.11"><model name="arm">
   <inertial><pose>-1 -2 -2.99 0 0 0</pose><mass>0.1</mass>
     <inertia><ixx>0.001</ixx><iyy>0.0012</iyy><izz>0.0015</izz></inertia></inertial>
 </link>
+<frame name="flange" attached_to="fore"><pose>0 0 0.40 0.30 0 0</pose></frame>
 <frame name="tool" attached_to="fore"><pose>0 0 0.4 0.3 0 0</pose></frame>
 <joint name="shoulder" type="revolute"><pose relative_to="base">0 0 0.1 0.1 0.2 0.3</pose>
   <parent>base</parent><child>upper</child><axis><xyz>0.96 1.2 1.28</xyz>

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -12,10 +14,13 @@
 
 #include <rigor/convert/urdfdom.h>
 #include <rigor/mass/mesh/survey.h>
+#include <rigor/model/subject.h>
 #include <rigor/robot/compare.h>
 #include <rigor/robot/lookups.h>
 #include <rigor/robot/robot.h>
+#include <rigor/rules/compat.h>
 #include <rigor/rules/mesh_finder.h>
+#include <rigor/rules/meshes.h>
 #include <rigor/rules/runner.h>
 #include <rigor/rules/suppression.h>
 #include <rigor/text/path.h>
@@ -84,6 +89,7 @@ class Told {
     return std::any_of(notes_.begin(), notes_.end(), [&](const Note& note) {
       if (reroutes(note, difference) || couples(note, difference)) return true;
       if (names_elsewhere(note, difference) || unfollows(note, difference)) return true;
+      if (leaves_world(note, difference)) return true;
       if (note.outcome != Outcome::kLost && note.outcome != Outcome::kSubstituted) return false;
       if (where.nowhere()) return follows(note, difference.kind);
       return !note.where.nowhere() && (holds(where, note.where) || holds(note.where, where));
@@ -124,6 +130,12 @@ class Told {
   static bool unfollows(const Note& note, const Difference& difference) {
     return note.kind == NoteKind::kMimicLost && difference.kind == DifferenceKind::kMimic &&
            difference.to.numbers.empty() && note.subject.ends_with("/" + difference.a);
+  }
+
+  /// Nothing hangs on the world any more where what hung there is free.
+  static bool leaves_world(const Note& note, const Difference& difference) {
+    return note.kind == NoteKind::kWorldLink && difference.kind == DifferenceKind::kLinkOnlyInA &&
+           difference.a == "link " + note.written;
   }
 
   /// The joints that a gearbox couples have no mimic in the source.
@@ -258,7 +270,8 @@ class Prover {
   /// The parser that everything in ROS reads URDF with.
   void ask_urdfdom(const read::Loaded& source, const robot::Robot& before,
                    const robot::Robot& after, const Told& told, Notes& notes) {
-    convert::UrdfdomVerdict verdict = convert::judge_by_urdfdom(*result_.text, environment_.workers);
+    convert::UrdfdomVerdict verdict =
+        convert::judge_by_urdfdom(*result_.text, environment_.workers);
     if (!verdict.asked) return;
     if (!verdict.robot) {
       notes.push_back({.kind = NoteKind::kRefused,
@@ -281,6 +294,82 @@ class Prover {
   const Conversion& result_;
 };
 
+/// What libsdformat, and who looks up a plugin's references, would say of an SDF result.
+class SdfJudge {
+ public:
+  SdfJudge(const Environment& environment, Sources& sources, read::Workspace& workspace,
+           const read::Loaded& source)
+      : environment_(environment), sources_(sources), workspace_(workspace), source_(source) {
+    const model::Root& root = source.root;
+    for (const model::Link& link : root.links) keep(model::subject(root, link), link.site.name);
+    for (const model::Joint& joint : root.joints) {
+      keep(model::subject(root, joint), joint.site.name);
+    }
+  }
+
+  Notes judge(const std::string& path, const std::string& text) {
+    const read::Loaded written =
+        read::load({workspace_, environment_.resolver, environment_.sdf, environment_.urdf},
+                   workspace_.put(path, text));
+    Notes notes;
+    const rules::Runner compat(environment_.registry, {.compat = rules::Compat::kSdformat});
+    const Diagnostics judged = run(compat, written);
+    for (const Diagnostic& found : judged.list()) {
+      if (found.severity != Severity::kError) continue;
+      notes.push_back(note_of_finding(NoteKind::kRefusedSdf, found));
+    }
+    const rules::Runner references(environment_.registry,
+                                   {.select = {std::begin(kReferences), std::end(kReferences)}});
+    const Diagnostics before = run(references, source_);
+    const Diagnostics after = run(references, written);
+    for (const Diagnostic& found : after.list()) {
+      const auto same = [&found](const Diagnostic& other) {
+        return other.message == found.message;
+      };
+      if (std::any_of(before.list().begin(), before.list().end(), same)) continue;
+      notes.push_back(note_of_finding(NoteKind::kDangling, found));
+    }
+    return notes;
+  }
+
+ private:
+  static constexpr std::string_view kReferences[] = {"plugin-joint-missing", "sensor-frame-missing",
+                                                     "contact-sensor-collision-missing"};
+
+  Diagnostics run(const rules::Runner& runner, const read::Loaded& loaded) const {
+    return runner.run(environment_, sources_, loaded, rules::Meshes{});
+  }
+
+  void keep(std::string subject, Span where) {
+    if (!where.nowhere()) places_.try_emplace(std::move(subject), where);
+  }
+
+  /// At the link or joint of the source that it is about, else at the robot.
+  Note note_of_finding(NoteKind kind, const Diagnostic& found) const {
+    Note note{.kind = kind,
+              .outcome = Outcome::kConverted,
+              .where = source_.root.models[0].site.name,
+              .subject = found.subject,
+              .written = found.message,
+              .instead = std::string(found.rule)};
+    for (std::string subject = found.subject; !subject.empty();) {
+      if (const auto place = places_.find(subject); place != places_.end()) {
+        note.where = place->second;
+        break;
+      }
+      const std::size_t end = subject.rfind('/');
+      subject.resize(end == std::string::npos ? 0 : end);
+    }
+    return note;
+  }
+
+  const Environment& environment_;
+  Sources& sources_;
+  read::Workspace& workspace_;
+  const read::Loaded& source_;
+  std::map<std::string, Span> places_;
+};
+
 /// What both directions do once they have a result, or none.
 class Conclusion {
  public:
@@ -299,6 +388,13 @@ class Conclusion {
     const auto& document = loaded_.file->document;
     if (document) {
       result.diagnostics = rules::Suppressions(*document).uncovered(std::move(result.diagnostics));
+    }
+    if (result.text && options_.proof == Proof::kVerify &&
+        loaded_.root.format == model::Format::kUrdf) {
+      SdfJudge judge(environment_, sources_, workspace_, loaded_);
+      result.diagnostics.take(
+          runner.run(environment_, sources_, loaded_, judge.judge(options_.out, *result.text)));
+      result.diagnostics.sort();
     }
     if (result.text && options_.proof == Proof::kVerify) {
       Prover prover(environment_, sources_, workspace_, options_, result);
@@ -332,14 +428,16 @@ Conversion to_urdf(const Environment& environment, Sources& sources, read::Works
                    const ConversionOptions& options) {
   const model::Frames frames(loaded.root);
   const read::Documents documents(workspace);
-  convert::UrdfConversion converted =
-      convert::sdf_to_urdf({loaded.root, frames, documents, environment.resolver, environment.sdf, environment.workers,
-                            loaded.file->path, options.out, options.working_folder},
-                           how);
+  convert::UrdfConversion converted = convert::sdf_to_urdf(
+      {loaded.root, frames, documents, environment.resolver, environment.sdf, environment.workers,
+       loaded.file->path, options.out, options.working_folder},
+      how);
   Conversion result;
   result.model = converted.model;
   if (converted.robot) {
-    converted.robot->head = head(loaded.file->path, converted.account);
+    if (options.header == AccountHeader::kComment) {
+      converted.robot->head = head(loaded.file->path, converted.account);
+    }
     result.text = convert::urdf_text(*converted.robot);
   }
   result.files = std::move(converted.files);
@@ -356,16 +454,19 @@ Conversion to_sdf(const Environment& environment, Sources& sources, read::Worksp
                   const ConversionOptions& options) {
   const model::Frames frames(loaded.root);
   const read::Documents documents(workspace);
-  convert::SdfConversion converted =
-      convert::urdf_to_sdf({loaded.root, frames, documents, environment.resolver, environment.urdf, environment.workers,
-                            loaded.file->path, options.out, options.working_folder},
-                           how);
+  convert::SdfConversion converted = convert::urdf_to_sdf(
+      {loaded.root, frames, documents, environment.resolver, environment.urdf, environment.workers,
+       loaded.file->path, options.out, options.working_folder},
+      how);
   Conversion result;
   result.model = {0};  // a URDF file holds one
   if (converted.robot) {
-    converted.robot->head = head(loaded.file->path, converted.account);
+    if (options.header == AccountHeader::kComment) {
+      converted.robot->head = head(loaded.file->path, converted.account);
+    }
     result.text = convert::sdf_text(*converted.robot);
   }
+  result.files = std::move(converted.files);
   result.account = std::move(converted.account);
   result.names.links = std::move(converted.links);
   result.names.joints = std::move(converted.joints);

@@ -35,10 +35,14 @@ enum class Proof : std::uint8_t { kNone, kVerify };
 /// than it should be is never allowed.
 enum class Losses : std::uint8_t { kRefused, kAllowed };
 
+/// Whether the result begins with a comment that tells the account.
+enum class AccountHeader : std::uint8_t { kNone, kComment };
+
 struct ConversionOptions {
   rules::Selection selection;  ///< when it selects nothing, the category `convert`
   Proof proof = Proof::kVerify;
   Losses losses = Losses::kRefused;  ///< kAllowed: they are warnings
+  AccountHeader header = AccountHeader::kNone;
   std::string out;  ///< where the result will stand: what its URIs are looked up from
   std::string working_folder = {};  ///< that relative paths are seen from; empty: not known
 };
@@ -54,7 +58,7 @@ struct Conversion {
   std::size_t configurations = 0;  ///< joint positions that it was proved at
 };
 
-/// `loaded` holds SDF. The account is also told in a comment at the head of the result.
+/// `loaded` holds SDF.
 Conversion to_urdf(const Environment& environment, Sources& sources, read::Workspace& workspace,
                    const read::Loaded& loaded, const convert::UrdfOptions& how,
                    const ConversionOptions& options);

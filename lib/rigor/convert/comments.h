@@ -23,7 +23,7 @@ enum class CommentsFor : std::uint8_t { kUrdf, kSdf };
 /// where these go. None for a site that stands nowhere.
 Remarks remarks_on(const read::Documents& documents, const model::Site& site, CommentsFor target);
 
-/// Those before the file's root, but for the head of an earlier conversion.
+/// Those before the file's root, but for the head of an earlier conversion and the banner of xacro.
 Remarks remarks_on_file(const xml::Document& document);
 
 }  // namespace rigor::convert

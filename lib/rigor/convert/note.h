@@ -52,6 +52,7 @@ enum class NoteKind : std::uint8_t {
   // Joints.
   kJointType,  ///< a type that the target lacks; `instead` says what stands for it
   kJointTypeLost,
+  kJointDialect,  ///< a type that one consumer's URDF has, which SDF has as `instead`
   kContinuous,
   kLimitStandIn,
   kEffortStandIn,
@@ -71,12 +72,16 @@ enum class NoteKind : std::uint8_t {
   kInertialAutomatic,
   kMassless,  ///< URDF: no mass; SDF would take 1 kg
   kSurface,
-  kLinkPhysics,  ///< kinematic, wind, damping, buoyancy
+  kLinkPhysics,        ///< kinematic, wind, damping, buoyancy
+  kInertiaIncomplete,  ///< entries of the tensor are missing: `written` names them
+  kBareInertia,        ///< an inertia without a mass, which is added to that of link `instead`
+  kTinyMass,           ///< `written` kg: Gazebo's reader of URDF takes it for none
   kSelfCollide,
   kGravity,
   // Shapes and looks.
   kShape,  ///< a shape that the target lacks; `instead` says what stands for it
   kShapeLost,
+  kCollisionLost,  ///< the same of a collision: what the robot touches
   kSubmesh,
   kMaterialScript,
   kMaterialLook,  ///< textures, pbr, emissive, lighting, transparency
@@ -87,10 +92,13 @@ enum class NoteKind : std::uint8_t {
   kSensor,
   kLight,
   kPlugin,
+  kPluginReference,  ///< `written`, a name or a place in a plugin, is `instead` in the result
+  kPluginFrame,      ///< numbers in a plugin that may be meant in a frame that moved
   kSafety,
   kCalibration,
   kTransmission,
   kRos2Control,
+  kControl,  ///< `written`, a transmission or plugin, became `instead`
   kTexture,
   kBlockReference,  ///< a `<gazebo reference>` that names nothing
   kBlockWithoutCollision,
@@ -99,6 +107,8 @@ enum class NoteKind : std::uint8_t {
   // What the proof says of the result.
   kNotTheSame,  ///< read again, it is another robot; `written` is how
   kRefused,     ///< the official parser does not take it; `written` is what it says
+  kRefusedSdf,  ///< nor libsdformat an SDF; `written` is the rule's finding on the result
+  kDangling,    ///< a reference of the result that leads nowhere; `written` is the rule's finding
   // What is the same robot all the same.
   kIdle,          ///< no reader of the source takes it
   kTurned,        ///< a joint whose parent became its child, since the child has another parent

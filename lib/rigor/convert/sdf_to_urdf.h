@@ -24,8 +24,8 @@
 #include <rigor/convert/urdf/robot.h>
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
-#include <rigor/read/documents.h>
 #include <rigor/process/workers.h>
+#include <rigor/read/documents.h>
 #include <rigor/read/resolver.h>
 #include <rigor/schema/schema.h>
 
@@ -44,6 +44,8 @@ struct MeshUri {
 
 enum class LoopPolicy : std::uint8_t { kCut, kComment };
 enum class ShapePolicy : std::uint8_t { kLose, kMesh };
+/// kBox: a thin box, 100 m wide or as wide as the plane is drawn, its face in the plane.
+enum class PlanePolicy : std::uint8_t { kLose, kBox };
 enum class FramePolicy : std::uint8_t { kLinks, kDrop };
 enum class ModelPosePolicy : std::uint8_t { kDrop, kWorldLink };
 enum class StaticPolicy : std::uint8_t { kBlock, kWorldLink };
@@ -55,6 +57,7 @@ struct UrdfOptions {
   MeshUri mesh_uri;
   LoopPolicy loop = LoopPolicy::kCut;
   ShapePolicy shapes = ShapePolicy::kLose;  ///< kMesh: shapes that URDF lacks become mesh files
+  PlanePolicy planes = PlanePolicy::kLose;
   FramePolicy frames = FramePolicy::kLinks;
   ModelPosePolicy model_pose = ModelPosePolicy::kDrop;
   StaticPolicy static_model = StaticPolicy::kBlock;

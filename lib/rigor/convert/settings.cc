@@ -163,6 +163,16 @@ class SettingCollector {
   /// Elements are as deep as the file, at most xml::kMaxDepth.
   void add(xml::Element element, const std::string& subject, const std::string& path) {
     if (is_sdf() && is_implied(source_.sdf, element)) return;
+    const auto value = element.attribute("value");  // of a key: `<mu1 value="0.2"/>`
+    bool is_key = !is_sdf() && value && element.children().empty();
+    for (const xml::Attribute attribute : element.attributes()) {
+      is_key = is_key && attribute.name() == "value";
+    }
+    if (is_key && path.find('/') == std::string::npos) {
+      const std::string given(read::trimmed(value->value()));
+      found_.all.push_back({subject, path, given, element.name_span()});
+      return;
+    }
     const std::string text(read::trimmed(element.text()));
     if (element.children().empty() && (!text.empty() || element.attributes().empty())) {
       found_.all.push_back({subject, path, text, element.name_span()});

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <rigor/convert/comments.h>
+#include <rigor/convert/sdf/control.h>
 #include <rigor/convert/sdf/draft.h>
 #include <rigor/model/subject.h>
 #include <rigor/read/values.h>
@@ -86,7 +87,7 @@ class UrdfToSdf {
     ledger_.take(root_.site);
     ledger_.take(robot.name);
     ledger_.take(root_.version_text);
-    draft.robot.name = robot.name.value.empty() ? "robot" : robot.name.value;
+    draft.robot.name = robot.name.value.empty() ? "robot" : sdf_name(robot.name.value);
     draft.robot.version = version();
     draft.robot.comments = remarks_on_file(source_.documents.of(root_.site.span.source));
     find_materials(draft);
@@ -97,6 +98,7 @@ class UrdfToSdf {
       add_comments(draft.joints.back(), root_.joints[i].site);
     }
     add_gazebo_blocks(draft);
+    add_control(draft, result_.files);
     tell_parts();
     assemble(draft);
     name_map(draft);
@@ -164,6 +166,8 @@ class UrdfToSdf {
     for (const xml::Element child : robot.children()) {
       const NoteKind kind = urdf_kind_of(child);
       if (kind == NoteKind::kUnknown) continue;
+      const bool control = kind == NoteKind::kTransmission || kind == NoteKind::kRos2Control;
+      if (control && options_.control != ControlPolicy::kKeep) continue;
       const auto name = read::string_field(read::attribute_text(child, "name"));
       ledger_.lose(read::site_of(child), {.kind = kind,
                                           .where = child.name_span(),
@@ -194,7 +198,7 @@ class UrdfToSdf {
       if (node.role == Role::kWorld) {
         take_world(root_[id]);
       } else if (node.role == Role::kFrame) {
-        draft.robot.parts.emplace_back(frame_of(draft, node, id));
+        add_frames(draft, node, id);
       } else {
         add_link(draft, id);
       }
@@ -211,34 +215,53 @@ class UrdfToSdf {
                   .instead = "the world"});
   }
 
-  SdfFrame frame_of(const SdfDraft& draft, const SdfNode& node, Id<model::Link> link) const {
-    // The root's frame is the model's, whatever link it is a frame of.
+  /// The link and the joint that fixes it, by their names.
+  void add_frames(SdfDraft& draft, const SdfNode& node, Id<model::Link> link) const {
+    auto& parts = draft.robot.parts;
     Remarks comments = comments_without_joint(node, link);
+    // The root's frame is the model's, whatever link it is a frame of.
     if (!node.carrier) {
-      return {node.name, draft.node(node.holder).name, {"__model__", {}}, std::move(comments)};
+      parts.emplace_back(SdfFrame{
+          node.name, draft.node(node.holder).name, {"__model__", {}}, std::move(comments)});
+      return;
     }
-    return {node.name,
-            draft.node(node.parent).name,
-            {{}, urdf_written_origin(source_.documents, root_[node.carrier].pose)},
-            std::move(comments)};
+    const std::string& joint = draft.tree.joint_names[node.carrier.value];
+    parts.emplace_back(
+        SdfFrame{joint,
+                 draft.node(node.parent).name,
+                 {{}, urdf_written_origin(source_.documents, root_[node.carrier].pose)},
+                 std::move(comments)});
+    parts.emplace_back(SdfFrame{node.name, joint});
   }
 
+  /// A joint comes after the links that it names.
   void add_link(SdfDraft& draft, Id<model::Link> id) {
     const SdfNode& node = draft.node(id);
     SdfLink& link = *draft.links[id.value];
     auto& parts = draft.robot.parts;
-    if (node.carrier && draft.joints[node.carrier.value].empty()) {
+    if (!node.carrier) {
+      parts.emplace_back(std::move(link));
+      return;
+    }
+    auto& row = draft.joints[node.carrier.value];
+    const std::string joint = draft.tree.joint_names[node.carrier.value];
+    if (row.empty()) {
       // Placed without a joint: the heir of a root that became its frame, or a free one.
       const SdfNode& parent = draft.node(node.parent);
       link.pose = {parent.role == Role::kWorld ? std::string() : parent.name,
                    urdf_written_origin(source_.documents, root_[node.carrier].pose)};
       link.comments = comments_without_joint(node, id);
-    } else if (node.carrier) {
-      auto& joint = draft.joints[node.carrier.value];
-      link.pose.relative_to = std::get<SdfJoint>(joint.back()).name;
-      std::move(joint.begin(), joint.end(), std::back_inserter(parts));
+      const std::string name = link.name;
+      parts.emplace_back(std::move(link));
+      if (node.carried_by_frame) parts.emplace_back(SdfFrame{joint, name});
+      return;
     }
+    link.pose.relative_to = std::get<SdfJoint>(row.back()).name;
     parts.emplace_back(std::move(link));
+    std::stable_partition(row.begin(), row.end(), [](const SdfPart& part) {
+      return std::holds_alternative<SdfLink>(part);
+    });
+    std::move(row.begin(), row.end(), std::back_inserter(parts));
   }
 
   void name_map(const SdfDraft& draft) {

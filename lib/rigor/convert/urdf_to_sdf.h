@@ -50,10 +50,18 @@ enum class MasslessPolicy : std::uint8_t {
   kFrame,  ///< becomes a frame in any case; its shapes are held by what carries it
 };
 
+/// Transmissions, and plugins of Gazebo classic that drive joints.
+enum class ControlPolicy : std::uint8_t {
+  kKeep,         ///< plugins as they are; transmissions are lost
+  kRos2Control,  ///< a `<ros2_control>` block and controllers in files beside the result
+  kGz,           ///< plugins of Gazebo Sim
+};
+
 struct SdfOptions {
   SdfMeshUri mesh_uri;
   FixedPolicy fixed = FixedPolicy::kKeep;
   MasslessPolicy massless = MasslessPolicy::kLink;
+  ControlPolicy control = ControlPolicy::kKeep;
   /// SDF 1.`version`; 0: 1.9, or 1.11, the first that has them, where joints mimic others.
   int version = 0;
 };
@@ -62,6 +70,7 @@ struct SdfConversion {
   /// Nothing when there is none to write: no robot, no tree, a joint that leads nowhere.
   std::optional<SdfRobot> robot;
   Account account;
+  std::vector<SideFile> files;
   /// URDF name → SDF name; a planar joint has three.
   std::map<std::string, std::string> links;
   std::map<std::string, std::vector<std::string>> joints;

@@ -44,15 +44,17 @@ std::string inherited_prefixes(const xml::Document& document, xml::Element eleme
 
 class XmlLayout {
  public:
-  XmlLayout(const xml::Document& document, xml::Element element,
-            const std::optional<std::string>& pose)
+  XmlLayout(const xml::Document& document, xml::Element element, const LayoutChanges& changes)
       : document_(document),
         bytes_(document.bytes()),
         end_(element.span().end),
         tag_end_(element.tag_span().end),
         prefixes_(inherited_prefixes(document, element)),
-        pose_(pose) {
-    if (const auto old = element.child("pose"); pose && old) old_pose_ = old->span();
+        changes_(changes),
+        first_(changes.added) {
+    const auto old = element.child("pose");
+    if (changes.pose && old) old_pose_ = old->span();
+    if (changes.pose && !old) first_.insert(first_.begin(), *changes.pose);
     const auto first = std::lower_bound(
         document.tokens().begin(), document.tokens().end(), element.span().begin,
         [](const Token& token, std::uint32_t begin) { return token.begin < begin; });
@@ -70,14 +72,14 @@ class XmlLayout {
   void next() {
     if (token().begin == old_pose_.begin && !old_pose_.nowhere()) {
       while (at_ < document_.tokens().size() && token().begin < old_pose_.end) ++at_;
-      return line(*pose_);
+      return line(*changes_.pose);
     }
     const Token& here = token();
-    const std::string_view text = bytes_.substr(here.begin, here.end - here.begin);
+    const std::string text = changed(here.begin, here.end);
     switch (here.kind) {
       case TokenKind::kStartTag: return start_tag(here);
       case TokenKind::kEmptyTag:
-        if (pose_ && here.end == tag_end_) return empty_with_pose(text);
+        if (!first_.empty() && here.end == tag_end_) return empty_with_children(text);
         line(tag_text(here));
         break;
       case TokenKind::kEndTag:
@@ -92,11 +94,11 @@ class XmlLayout {
   }
 
   void start_tag(const Token& tag) {
-    if (const std::size_t last = end_of_leaf(); last != 0 && (!pose_ || tag.end != tag_end_)) {
+    if (const std::size_t last = end_of_leaf();
+        last != 0 && (first_.empty() || tag.end != tag_end_)) {
       const std::uint32_t end = document_.tokens()[last].end;
       std::string leaf = tag_text(tag);
-      const std::string_view content =
-          bytes_.substr(tag.end, document_.tokens()[last].begin - tag.end);
+      const std::string content = changed(tag.end, document_.tokens()[last].begin);
       // Lines of nothing would be indented anew each time that a file goes there and back.
       const bool empty_lines =
           read::trimmed(content).empty() && content.find('\n') != std::string_view::npos;
@@ -109,15 +111,28 @@ class XmlLayout {
     line(tag_text(tag));
     ++depth_;
     ++at_;
-    if (pose_ && tag.end == tag_end_ && old_pose_.nowhere()) line(*pose_);
+    if (tag.end != tag_end_) return;
+    for (const std::string& child : first_) line(child);
   }
 
-  void empty_with_pose(std::string_view text) {
+  /// The bytes, but for what is replaced in them.
+  std::string changed(std::uint32_t begin, std::uint32_t end) const {
+    std::string text(bytes_.substr(begin, end - begin));
+    for (const auto& [where, instead] : changes_.replacements) {
+      if (where.begin < begin || where.end > end) continue;
+      // One at most in a piece of text, and of a tag its name.
+      text.replace(where.begin - begin, where.size(), instead);
+      break;
+    }
+    return text;
+  }
+
+  void empty_with_children(std::string_view text) {
     const std::string tag = joined_tag(text.substr(0, text.size() - 2));
     const std::string name = tag.substr(1, tag.find(' ') - 1);
     line(std::string(read::trimmed(tag)) + prefixes_ + '>');
     ++depth_;
-    line(*pose_);
+    for (const std::string& child : first_) line(child);
     --depth_;
     line("</" + name + '>');
     ++at_;
@@ -134,7 +149,7 @@ class XmlLayout {
   }
 
   std::string tag_text(const Token& tag) const {
-    std::string text = joined_tag(bytes_.substr(tag.begin, tag.end - tag.begin));
+    std::string text = joined_tag(changed(tag.begin, tag.end));
     if (tag.end == tag_end_) text.insert(text.find_first_of(" />", 1), prefixes_);
     return text;
   }
@@ -165,7 +180,8 @@ class XmlLayout {
   std::uint32_t end_;
   std::uint32_t tag_end_;  // of the element itself
   std::string prefixes_;   // for its tag
-  const std::optional<std::string>& pose_;
+  const LayoutChanges& changes_;
+  std::vector<std::string> first_;  // children that it has not had
   Span old_pose_;
   std::size_t at_ = 0;
   std::size_t depth_ = 0;
@@ -175,8 +191,8 @@ class XmlLayout {
 }  // namespace
 
 std::string laid_out(const xml::Document& document, xml::Element element,
-                     const std::optional<std::string>& pose) {
-  return XmlLayout(document, element, pose).lay_out();
+                     const LayoutChanges& changes) {
+  return XmlLayout(document, element, changes).lay_out();
 }
 
 }  // namespace rigor::convert

@@ -10,14 +10,27 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include <rigor/text/span.h>
 #include <rigor/xml/document.h>
 
 namespace rigor::convert {
 
-/// Lines ended by '\n'. Where there is a `pose`, it takes the place of the element's `<pose>`, or
-/// becomes its first child.
+/// What is not as it is.
+struct LayoutChanges {
+  struct Replacement {
+    Span where;  ///< of the text of an element without others in it, or of an attribute's value
+    std::string text;  ///< escaped
+  };
+  std::optional<std::string>
+      pose;  ///< takes the place of the element's `<pose>`, or is its first child
+  std::vector<Replacement> replacements;
+  std::vector<std::string> added;  ///< elements that become its first children, a line each
+};
+
+/// Lines ended by '\n'.
 std::string laid_out(const xml::Document& document, xml::Element element,
-                     const std::optional<std::string>& pose = {});
+                     const LayoutChanges& changes = {});
 
 }  // namespace rigor::convert

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <vector>
 
 #include <rigor/read/values.h>
 #include <rigor/xml/edit.h>
@@ -34,18 +35,42 @@ void each_xml_line(std::string_view text, const F& f) {
   }
 }
 
+/// Spaces and tabs that all lines with content begin with.
+std::size_t common_indent(const std::vector<std::string_view>& lines) {
+  std::size_t least = std::string_view::npos;
+  for (const std::string_view line : lines) {
+    least = std::min(least, line.find_first_not_of(" \t\r"));
+  }
+  return least == std::string_view::npos ? 0 : least;
+}
+
+/// What was commented out keeps its shape: its lines move together.
 std::string comment_line(std::string_view text, std::size_t depth) {
   const std::string indent(2 * depth, ' ');
-  std::string result = indent + "<!--";
-  bool first = true;
-  each_xml_line(read::trimmed(with_spaced_dashes(text)), [&](std::string_view line) {
-    line = read::trimmed(line);
-    if (!first) result += '\n';
-    if (!first && !line.empty()) (result += indent) += "    ";
-    if (!line.empty()) (result += ' ') += line;
-    first = false;
+  const std::string spaced = with_spaced_dashes(text);
+  std::vector<std::string_view> lines;
+  each_xml_line(spaced, [&](std::string_view line) { lines.push_back(line); });
+  while (!lines.empty() && read::trimmed(lines.back()).empty()) lines.pop_back();
+  const auto written = std::find_if(lines.begin(), lines.end(), [](std::string_view line) {
+    return !read::trimmed(line).empty();
   });
-  return result + " -->\n";
+  const bool on_own_lines = written != lines.begin() && lines.end() - written > 1;
+  lines.erase(lines.begin(), written);
+  std::string result = indent + "<!--";
+  if (!on_own_lines && !lines.empty()) {
+    (result += ' ') += read::trimmed(lines.front());
+    lines.erase(lines.begin());
+  }
+  const std::size_t shared = common_indent(lines);
+  for (const std::string_view line : lines) {
+    result += '\n';
+    if (read::trimmed(line).empty()) continue;
+    result += indent;
+    if (!on_own_lines) result += "     ";
+    const std::string_view own = line.substr(shared);
+    result += own.substr(0, own.find_last_not_of(" \t\r") + 1);
+  }
+  return result + (on_own_lines ? '\n' + indent + "-->\n" : " -->\n");
 }
 
 }  // namespace

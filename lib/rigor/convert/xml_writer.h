@@ -36,7 +36,8 @@ class XmlWriter {
   void empty(std::string_view name, const XmlAttributes& attributes = {});
   void text(std::string_view name, std::string_view text, const XmlAttributes& attributes = {});
 
-  /// What stands between `<!--` and `-->`. Lines are indented anew, dashes that would end it spaced.
+  /// What stands between `<!--` and `-->`. Its lines are indented together, dashes that would end it
+  /// spaced.
   void comment(std::string_view text);
 
   /// Comments on the element that is written between these two, each put where it belongs.

@@ -32,7 +32,8 @@ double position_limit(double value) {
   return value <= -kUnlimited ? -kNoLimit : value;
 }
 
-double magnitude_limit(double value) { return value < 0 ? kNoLimit : position_limit(value); }
+// A comparison with nan is false, so no consumer clamps to it.
+double magnitude_limit(double value) { return value >= 0 ? position_limit(value) : kNoLimit; }
 
 double effort_limit(const Root& root, const Joint& joint, const Axis& axis) {
   return limit_of(root, joint, axis.effort);

@@ -25,7 +25,7 @@ inline constexpr double kUnlimited = 1e16;
 /// 1e16 on.
 double position_limit(double value);
 
-/// The same of an effort or a velocity, where a negative number, or none at all, says that there is
+/// The same of an effort or a velocity, where a negative number, nan, or none at all, says that there is
 /// no limit.
 double magnitude_limit(double value);
 

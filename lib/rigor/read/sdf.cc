@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <utility>
 
+#include <rigor/read/include_parameters.h>
 #include <rigor/read/include_size.h>
 #include <rigor/read/merge.h>
 #include <rigor/read/rename.h>
 #include <rigor/read/sdf_reader.h>
 #include <rigor/read/urdf.h>
 #include <rigor/schema/value.h>
+#include <rigor/text/digest.h>
 
 namespace rigor::read {
 
@@ -108,7 +110,8 @@ void SdfReader::read_top(xml::Element sdf) {
     const std::string_view name = child.name();
     if (name == "world") {
       read_world(child);
-    } else if (name == "include") {  // not in the specification; libsdformat resolves it all the same
+    } else if (name ==
+               "include") {  // not in the specification; libsdformat resolves it all the same
       read_include(child, {});
     } else if (name == "model" || name == "actor" || name == "light") {
       if (!first) {
@@ -255,7 +258,7 @@ void SdfReader::read_include(xml::Element element, Scope scope) {
   include.world = scope.world;
   const auto index = static_cast<std::uint32_t>(root_.includes.size());
   root_.includes.push_back(include);
-  include.followed = follow(include, scope);
+  include.followed = follow(include, element, scope);
   root_.includes[index] = include;
   if (!include.loaded) return;
   override_model(include, index);
@@ -265,7 +268,7 @@ void SdfReader::read_include(xml::Element element, Scope scope) {
   if (include.merge.value && scope.model) merge_into_parent(root_, include.loaded);
 }
 
-bool SdfReader::follow(model::Include& include, Scope scope) {
+bool SdfReader::follow(model::Include& include, xml::Element element, Scope scope) {
   if (include.uri.value.empty()) return false;
   const Span where = include.uri.span;
   const Resolution& found =
@@ -283,10 +286,19 @@ bool SdfReader::follow(model::Include& include, Scope scope) {
   const File* file = open_model(reader_, *found.path, where, facts_);
   if (file == nullptr || !may_follow(include, file->path) || !fits(*file, where)) return false;
   include.path = file->path;
+  const File& includer = reader_.workspace.open(files_.back());
+  if (includer.document && element.name_span().source == includer.source) {
+    if (auto bytes = with_include_parameters(*file->document, *includer.document, element)) {
+      // In the same folder, so that what it refers to is found.
+      const std::string path = file->path + '#' + hex(digest_of(*bytes));
+      file = &reader_.workspace.put(path, *std::move(bytes));
+      if (!file->document || !file->document->root()) return false;
+    }
+  }
 
   const xml::Element top = *file->document->root();
   std::vector<std::string> files = files_;
-  files.push_back(file->path);
+  files.push_back(include.path);
   const std::size_t before = parts();
   if (top.name() == "robot") {
     include.loaded = read_urdf(root_, top, scope);

@@ -239,10 +239,18 @@ class UrdfReader {
       } else if (child.name() == "plugin") {
         read_plugin(child, {.model = model_}, block.reference.value);
       } else {
-        block.content.push_back(parameter_of(child));
+        block.content.push_back(block_key(child));
       }
     }
     root_.gazebo_blocks.push_back(std::move(block));
+  }
+
+  /// `<mu1 value="0.2"/>` says what `<mu1>0.2</mu1>` does: libsdformat's GetKeyValueAsString takes the
+  /// attribute before the text.
+  static model::Parameter block_key(xml::Element element) {
+    model::Parameter key = parameter_of(element);
+    if (const auto* value = attribute(key, "value")) key.value = *value;
+    return key;
   }
 
   /// Written as in SDF. It belongs to a link; what is told of a joint, or of none, belongs to no part

@@ -62,6 +62,7 @@ class JointComparer {
   /// The joint of a link that is nothing but a frame is told with that.
   static bool of_frame(const Robot& robot, const Match::Side& side, std::uint32_t i) {
     const Joint& joint = robot.joints[i];
+    if (i == side.root_joint) return true;
     return joint.type == JointType::kFixed && side.body[joint.child] == kNoIndex &&
            is_helper(robot.bodies[joint.child]);
   }

@@ -44,20 +44,21 @@ class LinkComparer {
       const std::uint32_t j = c_.match.a.body[i];
       if (j != kNoIndex) {
         pair(i, j);
-      } else if (!c_.match.a.silent_body[i] && !is_frame(c_.a, i)) {
+      } else if (!c_.match.a.silent_body[i] && !is_frame(c_.a, c_.match.a, i)) {
         only_in_one(DifferenceKind::kLinkOnlyInA, c_.a.bodies[i]);
       }
     }
     for (std::uint32_t j = 0; j < c_.b.bodies.size(); ++j) {
       if (c_.match.b.body[j] != kNoIndex || c_.match.b.silent_body[j]) continue;
-      if (!is_frame(c_.b, j)) only_in_one(DifferenceKind::kLinkOnlyInB, c_.b.bodies[j]);
+      if (!is_frame(c_.b, c_.match.b, j)) only_in_one(DifferenceKind::kLinkOnlyInB, c_.b.bodies[j]);
     }
   }
 
  private:
   /// Told with the frames.
-  static bool is_frame(const Robot& robot, std::uint32_t i) {
+  static bool is_frame(const Robot& robot, const Match::Side& side, std::uint32_t i) {
     const Body& body = robot.bodies[i];
+    if (side.root_joint != kNoIndex && robot.joints[side.root_joint].parent == i) return true;
     return is_helper(body) && body.carrier != kNoIndex &&
            robot.joints[body.carrier].type == model::JointType::kFixed;
   }

@@ -96,6 +96,8 @@ class RobotMatcher {
     find_ancestors(a_, match_.a);
     find_ancestors(b_, match_.b);
     find_reference();
+    find_root_joint(a_, match_.a);
+    find_root_joint(b_, match_.b);
     find_silent(a_, b_, match_.a);
     find_silent(b_, a_, match_.b);
     return std::move(match_);
@@ -246,6 +248,20 @@ class RobotMatcher {
       if (match_.a.body[i] == kNoIndex) continue;
       match_.reference_a = i;
       match_.reference_b = match_.a.body[i];
+      return;
+    }
+  }
+
+  static void find_root_joint(const Robot& robot, Match::Side& side) {
+    const auto root = std::find_if(robot.order.begin(), robot.order.end(), [&](std::uint32_t i) {
+      return robot.bodies[i].name != kWorldBody;
+    });
+    if (root == robot.order.end() || side.body[*root] != kNoIndex) return;
+    if (robot.bodies[*root].carrier != kNoIndex || !is_helper(robot.bodies[*root])) return;
+    for (std::uint32_t i = 0; i < robot.joints.size(); ++i) {
+      const Joint& joint = robot.joints[i];
+      if (joint.parent != *root || side.body[joint.child] == kNoIndex) continue;
+      if (is_fixed(joint)) side.root_joint = i;
       return;
     }
   }

@@ -27,6 +27,9 @@ struct Match {
         ancestor;                   ///< the nearest matched body above each, kNoIndex for none
     std::vector<bool> silent_body;  ///< unmatched, and no difference: a helper or substitute
     std::vector<bool> silent_joint;
+    /// The fixed joint by which a root that only this robot has, and that is but a frame, carries a matched
+    /// body: the other may have that body as its root. kNoIndex for none.
+    std::uint32_t root_joint = kNoIndex;
   };
   Side a, b;
   std::vector<bool> renamed_body;   ///< of A: paired by content, not by name

@@ -37,7 +37,7 @@ class BodyHolder {
     to.bodies.clear();
     to.joints.clear();
     add_bodies(to);
-    add_joints(to);
+    const std::vector<Frame> joints = add_joints(to);
     for (Frame& frame : to.frames) {
       if (frame.body == kNoIndex) continue;
       frame.X_BF = in_holder(frame.body, frame.X_BF);
@@ -47,6 +47,7 @@ class BodyHolder {
       const Body& body = from_.bodies[i];
       if (is_held(i)) to.frames.push_back({body.name, new_index(i), in_holder(i, {}), body.span});
     }
+    to.frames.insert(to.frames.end(), joints.begin(), joints.end());
     connect(to);
     return to;
   }
@@ -120,18 +121,28 @@ class BodyHolder {
     return order;
   }
 
-  /// What carried a body that is held is no joint any more, nor what lies inside a holder.
-  void add_joints(Robot& to) const {
+  /// What carried a body that is held is no joint any more, nor what lies inside a holder: the frames
+  /// where these joints were.
+  std::vector<Frame> add_joints(Robot& to) const {
+    std::vector<Frame> gone;
     for (std::uint32_t i = 0; i < from_.joints.size(); ++i) {
       Joint joint = from_.joints[i];
       const bool fixed = joint.type == JointType::kFixed;
       const bool carries_held = is_held(joint.child) && from_.bodies[joint.child].carrier == i;
-      if (fixed && (carries_held || holder_[joint.parent] == holder_[joint.child])) continue;
+      if (fixed && (carries_held || holder_[joint.parent] == holder_[joint.child])) {
+        gone.push_back({.name = joint.name,
+                        .body = new_index(joint.child),
+                        .X_BF = in_holder(joint.child, {}),
+                        .span = joint.span,
+                        .of_joint = true});
+        continue;
+      }
       joint.X_PJ = in_holder(joint.parent, joint.X_PJ);
       joint.parent = new_index(joint.parent);
       joint.child = new_index(joint.child);
       to.joints.push_back(std::move(joint));
     }
+    return gone;
   }
 
   const Robot& from_;

@@ -130,6 +130,7 @@ struct Frame {
   std::uint32_t body = kNoIndex;
   model::Pose X_BF;
   Span span;
+  bool of_joint = false;  ///< it was a fixed joint, which lumping took away
 };
 
 struct Robot {

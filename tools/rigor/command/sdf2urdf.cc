@@ -13,7 +13,8 @@ namespace {
 constexpr std::string_view kUrdfVersions[] = {"1.0", "1.1"};
 // The first is the default.
 constexpr std::string_view kLoopNames[] = {"cut", "comment"};
-constexpr std::string_view kShapePolicies[] = {"lose", "mesh"};
+constexpr std::string_view kShapePolicies[] = {"mesh", "lose"};
+constexpr std::string_view kPlanePolicies[] = {"lose", "box"};
 constexpr std::string_view kFramePolicies[] = {"links", "drop"};
 constexpr std::string_view kModelPoses[] = {"drop", "world-link"};
 constexpr std::string_view kStaticPolicies[] = {"block", "world-link"};
@@ -47,7 +48,9 @@ class SdfToUrdf final : public Command {
       offer(app->add_option(name, value, what)->group(group), known);
     };
     policy("--loop", loop_, "A joint that closes a loop: cut, comment", kLoopNames);
-    policy("--shapes", shapes_, "Shapes that URDF lacks: lose, mesh", kShapePolicies);
+    policy("--shapes", shapes_,
+           "Shapes that URDF lacks: mesh (files next to the result of -o), lose", kShapePolicies);
+    policy("--plane", plane_, "Planes: lose, box (a thin one)", kPlanePolicies);
     policy("--frames", frames_, "Frames: links, drop", kFramePolicies);
     policy("--model-pose", model_pose_, "Pose of the model: drop, world-link", kModelPoses);
     policy("--static", static_, "A static model: block (for Gazebo), world-link", kStaticPolicies);
@@ -93,7 +96,11 @@ class SdfToUrdf final : public Command {
     convert::UrdfOptions how = how_;
     how.mesh_uri = mesh_uri_of(mesh_uri_);
     if (second("--loop value", loop_, kLoopNames)) how.loop = convert::LoopPolicy::kComment;
-    if (second("--shapes value", shapes_, kShapePolicies)) how.shapes = convert::ShapePolicy::kMesh;
+    const bool lose_shapes = second("--shapes value", shapes_, kShapePolicies);
+    if (!lose_shapes && (common_.writes_file() || !shapes_.empty())) {
+      how.shapes = convert::ShapePolicy::kMesh;
+    }
+    if (second("--plane value", plane_, kPlanePolicies)) how.planes = convert::PlanePolicy::kBox;
     if (second("--frames value", frames_, kFramePolicies)) how.frames = convert::FramePolicy::kDrop;
     if (second("--model-pose value", model_pose_, kModelPoses)) {
       how.model_pose = convert::ModelPosePolicy::kWorldLink;
@@ -112,7 +119,8 @@ class SdfToUrdf final : public Command {
 
   ConversionCommand common_{model::Format::kSdf, ".urdf"};
   convert::UrdfOptions how_;
-  std::string mesh_uri_, urdf_version_, loop_, shapes_, frames_, model_pose_, static_, roots_;
+  std::string mesh_uri_, urdf_version_, loop_, shapes_, plane_, frames_, model_pose_, static_,
+      roots_;
   std::string unlimited_;
   bool keep_link_frames_ = false;
 };

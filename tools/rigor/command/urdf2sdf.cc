@@ -11,6 +11,7 @@ namespace {
 constexpr std::string_view kSdfVersions[] = {"1.9", "1.10", "1.11"};
 constexpr std::string_view kFixedNames[] = {"keep", "lump"};
 constexpr std::string_view kMasslessNames[] = {"link", "frame"};
+constexpr std::string_view kControlNames[] = {"keep", "ros2_control", "gz"};
 
 class UrdfToSdf final : public Command {
  public:
@@ -38,6 +39,11 @@ class UrdfToSdf final : public Command {
                         "frame (its shapes move to the parent link)")
             ->group(group),
         kMasslessNames);
+    offer(app->add_option("--control", control_,
+                          "Transmissions and plugins that drive joints: keep (plugins alone), "
+                          "ros2_control (files next to the result), gz (plugins of Gazebo Sim)")
+              ->group(group),
+          kControlNames);
     return app;
   }
 
@@ -75,11 +81,15 @@ class UrdfToSdf final : public Command {
     if (!massless_.empty() && choice("--massless value", massless_, kMasslessNames) == 1) {
       how.massless = convert::MasslessPolicy::kFrame;
     }
+    if (!control_.empty()) {
+      how.control =
+          static_cast<convert::ControlPolicy>(choice("--control value", control_, kControlNames));
+    }
     return how;
   }
 
   ConversionCommand common_{model::Format::kUrdf, ".sdf"};
-  std::string mesh_uri_, version_, fixed_, massless_;
+  std::string mesh_uri_, version_, fixed_, massless_, control_;
 };
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
 #include <rigor/robot/compare.h>
+#include <rigor/text/grouping.h>
 #include <rigor/text/path.h>
 
 #include "model/model_file.h"
@@ -39,6 +40,12 @@ Diagnostics without_infos(const author::Conversion& result) {
   return list;
 }
 
+/// One finding for one cause.
+author::Conversion grouped_result(author::Conversion result) {
+  result.diagnostics = grouped(result.diagnostics);
+  return result;
+}
+
 }  // namespace
 
 void ConversionCommand::declare(CLI::App& app) {
@@ -49,6 +56,8 @@ void ConversionCommand::declare(CLI::App& app) {
   app.add_option("-o,--out", out_, "Write the result there; to stdout when absent")
       ->type_name("FILE");
   app.add_flag("--allow-loss", allow_loss_, "Write the result even if a loss is an error");
+  app.add_flag("--header", header_,
+               "Begin the result with a comment: its source, and what was lost");
   app.add_flag("--verify", verify_, "Read the result again and compare (the default)");
   app.add_flag("--no-verify", no_verify_, "Do not");
   app.add_option("--check", check_, "Compare the result with this file instead of writing it")
@@ -96,10 +105,12 @@ int ConversionCommand::run(const Convert& convert) const {
   require_known(options.selection, environment.registry);
   options.proof = no_verify_ || !check_.empty() ? author::Proof::kNone : author::Proof::kVerify;
   options.losses = allow_loss_ ? author::Losses::kAllowed : author::Losses::kRefused;
+  if (header_) options.header = author::AccountHeader::kComment;
   options.out = !out_.empty() ? out_ : file.path + ending_;
   std::error_code error;
   options.working_folder = std::filesystem::current_path(error).string();
-  author::Conversion result = convert(environment, sources, workspace, loaded, options);
+  author::Conversion result =
+      grouped_result(convert(environment, sources, workspace, loaded, options));
   result.diagnostics = withheld(result.diagnostics, sources, disk.reach());
   if (!check_.empty()) return check(environment, sources, workspace, loaded, result);
   tell(result, sources);
@@ -134,7 +145,7 @@ void ConversionCommand::tell(const author::Conversion& result, const Sources& so
 /// The side files first: a result that names a file is never there without it.
 void ConversionCommand::write_result(const author::Conversion& result) const {
   if (out_.empty() && !result.files.empty()) {
-    throw UsageError("some shapes become files next to the result: give it with -o FILE");
+    throw UsageError("some of it goes into files next to the result: write it with -o FILE");
   }
   for (const convert::SideFile& file : result.files) {
     put_file(std::string(parent_path(out_)), file.name, file.bytes);

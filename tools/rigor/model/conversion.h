@@ -36,6 +36,9 @@ class ConversionCommand {
   void declare(CLI::App& app);
   int run(const Convert& convert) const;
 
+  /// Whether there is a folder that further files may be written to.
+  bool writes_file() const { return !out_.empty(); }
+
  private:
   int check(const Environment& environment, Sources& sources, read::Workspace& workspace,
             const read::Loaded& loaded, const author::Conversion& result) const;
@@ -50,6 +53,7 @@ class ConversionCommand {
   std::string out_;
   std::string check_;
   bool allow_loss_ = false;
+  bool header_ = false;
   bool no_verify_ = false;
   bool verify_ = false;
   bool verbose_ = false;

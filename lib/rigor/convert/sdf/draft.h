@@ -17,6 +17,7 @@
 #include <vector>
 
 #include <rigor/convert/ledger.h>
+#include <rigor/convert/plugin_text.h>
 #include <rigor/convert/sdf/robot.h>
 #include <rigor/convert/urdf_to_sdf.h>
 #include <rigor/model/model.h>
@@ -60,7 +61,8 @@ struct SdfDraft {
   std::vector<std::vector<SdfPart>> joints;   ///< by joint; several parts for a planar one
   std::unordered_map<std::string_view, xml::Element> materials;  ///< what defines each name
   std::set<std::string, std::less<>> used_materials;             ///< that a visual names
-  double next_to_nothing = 0;  ///< kg, of a link that must have mass
+  double next_to_nothing = 0;     ///< kg, of a link that must have mass
+  PluginNames plugin_names = {};  ///< what plugins have to say otherwise (gazebo.cc)
 
   const SdfNode& node(model::Id<model::Link> id) const { return tree.nodes[id.value]; }
   /// The one that a joint became, of several the one that turns; null when it became none.
@@ -69,6 +71,9 @@ struct SdfDraft {
 
 /// No inertial, or one without mass.
 bool is_massless(const model::Link& link);
+
+/// As SDF takes it: without `::`, which is a scope there, and the dunder of names that are SDF's own.
+std::string sdf_name(std::string_view name);
 
 /// The tree, when the links and joints are one; else notes say why not.
 std::optional<SdfTree> sdf_tree(const Source& source, const SdfOptions& options, Ledger& ledger);
@@ -81,6 +86,8 @@ void add_sdf_links(SdfDraft& draft);
 
 /// Inertial of a link with no mass of its own that SDF needs as a link (inertial.cc).
 UrdfInertial next_to_nothing(const SdfDraft& draft);
+/// The pose of a link in the one that holds what it held.
+model::Pose pose_in_holder(const SdfDraft& draft, model::Id<model::Link> id);
 /// Takes the inertials of all that a link holds.
 std::optional<UrdfInertial> sdf_inertial(SdfDraft& draft, model::Id<model::Link> id);
 

@@ -3,14 +3,21 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include <rigor/convert/plugin_text.h>
+#include <rigor/convert/sdf/control.h>
 #include <rigor/convert/sdf/draft.h>
 #include <rigor/convert/xml_layout.h>
 #include <rigor/model/subject.h>
 #include <rigor/read/values.h>
+#include <rigor/schema/script_material.h>
+#include <rigor/write/numbers.h>
 #include <rigor/xml/edit.h>
 
 namespace rigor::convert {
@@ -73,6 +80,12 @@ void set_at(std::vector<SdfElement>& elements, std::string_view path, std::strin
   elements = std::move(all.children);
 }
 
+/// `<mu1 value="0.2"/>` or `<mu1>0.2</mu1>`; of both libsdformat takes the attribute.
+std::string_view value_of_key(xml::Element element) {
+  const auto attribute = element.attribute("value");
+  return read::trimmed(attribute ? attribute->value() : element.text());
+}
+
 /// Elements are as deep as the file, at most xml::kMaxDepth.
 SdfElement tree_of(xml::Element element) {
   SdfElement tree{.name = std::string(element.name()),
@@ -115,6 +128,10 @@ class BlockConverter {
       if (is_among(kHints, child.name())) {
         ledger_.pass_over(child, whose(),
                           std::string(child.name()) + ", advice to another converter");
+      } else if (is_empty_key(child)) {
+        continue;
+      } else if (whole && child.name() == "plugin" && is_control(draft_.options.control, child)) {
+        continue;  // written anew (control.cc)
       } else if (whole) {
         add_to_model(child);
       } else if (joint_ && (is_joint_key(child.name()) || !link_)) {
@@ -131,7 +148,17 @@ class BlockConverter {
     return find_key(kJointKeys, name) != nullptr || find_key(kAxisKeys, name) != nullptr;
   }
 
-  static std::string_view value(xml::Element element) { return read::trimmed(element.text()); }
+  static std::string_view value(xml::Element element) { return value_of_key(element); }
+
+  /// A key without a value says nothing: nobody takes it, so it is in the account as lost.
+  static bool is_key(std::string_view name) {
+    return find_key(kCollisionKeys, name) != nullptr || find_key(kLinkKeys, name) != nullptr ||
+           is_joint_key(name) || name == "turnGravityOff" || name == "dampingFactor" ||
+           name == "static" || name == "material";
+  }
+  static bool is_empty_key(xml::Element element) {
+    return is_key(element.name()) && element.children().empty() && value(element).empty();
+  }
 
   std::string whose() const {
     return model::subject(draft_.source.root, draft_.source.root.models[0]);
@@ -153,12 +180,50 @@ class BlockConverter {
   }
 
   void add_to_model(xml::Element child) {
-    ledger_.take_all(child);
-    if (child.name() == "static" || child.name() == "self_collide") {
-      put(draft_.robot.settings, tree_of(child));
+    if (child.name() == "static" || child.name() == "self_collide" ||
+        child.name() == "selfCollide") {
+      const char* name = child.name() == "static" ? "static" : "self_collide";
+      put(draft_.robot.settings, {.name = name, .text = std::string(value(child))});
     } else {
-      draft_.robot.raw.push_back(laid_out(document(), child));
+      draft_.robot.raw.push_back(as_it_stands(child));
     }
+    ledger_.take_all(child);
+  }
+
+  /// With the names and frames of the result.
+  std::string as_it_stands(xml::Element child, std::optional<std::string> pose = {}) {
+    if (child.name() != "plugin") {
+      LayoutChanges changes = without_scopes(child);
+      changes.pose = std::move(pose);
+      in_plugins_of(child, changes);
+      return laid_out(document(), child, changes);
+    }
+    return laid_out(document(), child, changes_in(child));
+  }
+
+  /// Plugins of sensors.
+  void in_plugins_of(xml::Element element, LayoutChanges& changes) {
+    for (const xml::Element child : element.children()) {
+      if (child.name() != "plugin") continue;
+      const LayoutChanges inner = changes_in(child);
+      changes.replacements.insert(changes.replacements.end(), inner.replacements.begin(),
+                                  inner.replacements.end());
+    }
+  }
+
+  LayoutChanges changes_in(xml::Element plugin) {
+    const std::string own = link_ ? draft_.source.root[link_].name.value : std::string();
+    PluginText text = plugin_text(plugin, draft_.plugin_names, own);
+    for (PluginRemark& remark : text.remarks) {
+      const bool left = remark.kind == PluginRemark::Kind::kLeftInFrame;
+      ledger_.note({.kind = left ? NoteKind::kPluginFrame : NoteKind::kPluginReference,
+                    .outcome = left ? Outcome::kConverted : Outcome::kRewritten,
+                    .where = remark.where,
+                    .subject = whose(),
+                    .written = std::move(remark.written),
+                    .instead = std::move(remark.instead)});
+    }
+    return std::move(text.layout);
   }
 
   const xml::Document& document() const {
@@ -174,7 +239,7 @@ class BlockConverter {
       if (!joint->axis) return;
       set_at(joint->axis->rest, axis_key->path, value(child));
     } else {
-      joint->raw.push_back(laid_out(document(), child));
+      joint->raw.push_back(as_it_stands(child));
     }
     ledger_.take_all(child);
   }
@@ -190,7 +255,7 @@ class BlockConverter {
       set_at(held->settings, link_key->path, value(child));
       ledger_.take_all(child);
     } else if (child.name() == "turnGravityOff") {
-      const bool off = read::bool_field(read::Text{child.text(), child.text_span()}, false).value;
+      const bool off = read::bool_field(read::Text{value(child), child.text_span()}, false).value;
       set_at(held->settings, "gravity", off ? "false" : "true");
       ledger_.take_all(child);
     } else if (child.name() == "dampingFactor") {
@@ -204,7 +269,7 @@ class BlockConverter {
     } else if (child.name() == "collision") {
       for_own(held->collisions, child, [&](SdfShape& shape) { merge(shape, child); });
     } else if (!is_joint_key(child.name())) {
-      held->raw.push_back(laid_out(document(), child, pose_in_holder(child, node)));
+      held->raw.push_back(as_it_stands(child, pose_in_frame(child, node)));
       ledger_.take_all(child);
     }
   }
@@ -234,6 +299,13 @@ class BlockConverter {
   static void add_script(SdfShape& shape, std::string_view name) {
     set_at(shape.rest, "material/script/uri", "file://media/materials/scripts/gazebo.material");
     set_at(shape.rest, "material/script/name", name);
+    // Gazebo Sim reads no scripts: it has the color beside it, as Gazebo classic draws it.
+    const auto known = schema::find_material(name);
+    if (!known) return;
+    const auto& [r, g, b] = known->ambient;
+    set_at(shape.rest, "material/ambient", write::joined({r, g, b, known->diffuse[3]}));
+    set_at(shape.rest, "material/diffuse",
+           write::joined({known->diffuse.begin(), known->diffuse.end()}));
   }
 
   static void merge(SdfShape& shape, xml::Element child) {
@@ -244,7 +316,7 @@ class BlockConverter {
   }
 
   /// What stood in a link that became a frame stands there still.
-  static std::optional<std::string> pose_in_holder(xml::Element child, const SdfNode& node) {
+  static std::optional<std::string> pose_in_frame(xml::Element child, const SdfNode& node) {
     if (node.role != SdfNode::Role::kFrame || !is_among(kPlaced, child.name())) return std::nullopt;
     const auto pose = child.child("pose");
     const std::string tag = "<pose relative_to=\"" + xml::escaped(node.name) + '"';
@@ -262,9 +334,37 @@ class BlockConverter {
   std::string without_collision_;
 };
 
+PluginNames plugin_names_of(const SdfDraft& draft) {
+  PluginNames names;
+  const model::Root& root = draft.source.root;
+  std::vector<model::Pose> X_HL(root.links.size());  // of each link in the one that holds it
+  for (const Id<model::Link> id : draft.tree.order) {
+    const SdfNode& node = draft.node(id);
+    const std::string& name = root[id].name.value;
+    if (node.holder && node.holder != id) {
+      const bool below = node.carrier && draft.node(node.parent).holder == node.holder;
+      X_HL[id.value] = below ? compose(X_HL[node.parent.value], root[node.carrier].pose.pose.value)
+                             : pose_in_holder(draft, id);
+    }
+    if (node.role == SdfNode::Role::kFrame) {
+      names.moved.insert_or_assign(
+          name, PluginNames::Moved{draft.node(node.holder).name, X_HL[id.value]});
+    }
+    if (node.name != name) names.links.insert_or_assign(name, node.name);
+  }
+  for (std::uint32_t i = 0; i < root.joints.size(); ++i) {
+    const std::string& name = root.joints[i].name.value;
+    if (draft.tree.joint_names[i] != name) {
+      names.joints.insert_or_assign(name, draft.tree.joint_names[i]);
+    }
+  }
+  return names;
+}
+
 }  // namespace
 
 void add_gazebo_blocks(SdfDraft& draft) {
+  draft.plugin_names = plugin_names_of(draft);
   for (const model::GazeboBlock& block : draft.source.root.gazebo_blocks) {
     BlockConverter(draft, block).convert();
   }

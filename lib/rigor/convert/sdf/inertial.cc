@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include <rigor/convert/comments.h>
@@ -51,13 +53,14 @@ bool has_bare_tensor(const Link& link) {
          std::any_of(tensor.begin(), tensor.end(), [](const auto* e) { return e->value != 0; });
 }
 
-/// The pose of a link that became a frame, in the link that holds it.
-Pose pose_in_holder(const SdfDraft& draft, Id<Link> id) {
+/// The pose of a link in one that it hangs on; nothing where it does not.
+std::optional<Pose> pose_below(const SdfDraft& draft, Id<Link> id, Id<Link> above) {
   Pose X;
-  const Id<Link> holder = draft.node(id).holder;
-  while (id != holder) {
-    X = compose(draft.source.root[draft.node(id).carrier].pose.pose.value, X);
-    id = draft.node(id).parent;
+  while (id != above) {
+    const SdfNode& node = draft.node(id);
+    if (!node.carrier) return std::nullopt;
+    X = compose(draft.source.root[node.carrier].pose.pose.value, X);
+    id = node.parent;
   }
   return X;
 }
@@ -83,7 +86,35 @@ UrdfInertial summed(const mass::MassProperties& sum) {
            Number{I.iyz, {}}, Number{I.izz, {}}}};
 }
 
+std::string missing_entries(const model::Inertial& inertial) {
+  static constexpr std::array kNames{"ixx", "ixy", "ixz", "iyy", "iyz", "izz"};
+  const auto entries = tensor_of(inertial);
+  std::string names;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (!entries[i]->written) names += (names.empty() ? "" : ", ") + std::string(kNames[i]);
+  }
+  return names;
+}
+
+void note_on_inertial(const SdfDraft& draft, NoteKind kind, const Link& link, std::string written,
+                      std::string instead) {
+  draft.ledger.note({.kind = kind,
+                     .outcome = Outcome::kSubstituted,
+                     .where = link.inertial.tensor_site.name,
+                     .subject = model::subject(draft.source.root, link),
+                     .written = std::move(written),
+                     .instead = std::move(instead)});
+}
+
 }  // namespace
+
+Pose pose_in_holder(const SdfDraft& draft, Id<Link> id) {
+  const Id<Link> holder = draft.node(id).holder;
+  if (const auto X = pose_below(draft, id, holder)) return *X;
+  // A root that became a frame of what hangs on it.
+  const auto X = pose_below(draft, holder, id);
+  return X ? inverse(*X) : Pose{};
+}
 
 UrdfInertial next_to_nothing(const SdfDraft& draft) {
   const Number moment{draft.next_to_nothing * kNothingGyration * kNothingGyration, {}};
@@ -96,6 +127,16 @@ std::optional<UrdfInertial> sdf_inertial(SdfDraft& draft, Id<Link> id) {
   for (const Id<Link> link : draft.tree.order) {
     if (draft.node(link).holder != id) continue;
     if (!is_massless(root[link]) || has_bare_tensor(root[link])) held.push_back(link);
+  }
+  for (const Id<Link> link : held) {
+    const std::string missing = missing_entries(root[link].inertial);
+    if (!missing.empty()) {
+      note_on_inertial(draft, NoteKind::kInertiaIncomplete, root[link], missing, "0");
+    }
+    if (link != id && is_massless(root[link])) {
+      note_on_inertial(draft, NoteKind::kBareInertia, root[link], root[link].name.value,
+                       draft.node(id).name);
+    }
   }
   if (held.empty()) return std::nullopt;
   if (held.size() == 1 && held[0] == id) {

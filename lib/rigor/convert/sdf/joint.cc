@@ -56,6 +56,7 @@ class SdfJointConverter {
       case JointType::kPlanar: return planar();
       default: break;
     }
+    if (joint_.type_name.value == "spherical") return ball();
     note(NoteKind::kJointTypeLost, Outcome::kSubstituted, joint_.type_name.span,
          joint_.type_name.value, "a fixed joint");
     return fixed();
@@ -117,6 +118,15 @@ class SdfJointConverter {
   std::vector<SdfPart> fixed() {
     take_idle_axis();
     return {joint_of("fixed")};
+  }
+
+  /// Bullet's URDF has it; SDF has the same joint by another name.
+  std::vector<SdfPart> ball() {
+    ledger_.take(joint_.type_name, Outcome::kSubstituted);
+    note(NoteKind::kJointDialect, Outcome::kSubstituted, joint_.type_name.span, "spherical",
+         "ball");
+    take_idle_axis();
+    return {joint_of("ball")};
   }
 
   /// The child is free; its link stands where the joint would put it.
@@ -225,9 +235,21 @@ class SdfJointConverter {
              limit.at("lower").text + " > " + limit.at("upper").text, {});
       }
     }
-    if (axis.effort.written) limit.at("effort").text = digits(axis.effort);
-    if (axis.velocity.written) limit.at("velocity").text = digits(axis.velocity);
+    add_ceiling(limit, "effort", axis.effort, NoteKind::kEffortStandIn);
+    add_ceiling(limit, "velocity", axis.velocity, NoteKind::kVelocityStandIn);
     result.rest.push_back(std::move(limit));
+  }
+
+  /// What is no number limits nothing; SDF says so by saying nothing.
+  void add_ceiling(SdfElement& limit, const char* name, const model::Field<double>& field,
+                   NoteKind kind) {
+    if (!field.written) return;
+    if (std::isfinite(field.value)) {
+      limit.at(name).text = digits(field);
+      return;
+    }
+    ledger_.take(field, Outcome::kRewritten);
+    note(kind, Outcome::kRewritten, field.span, std::isnan(field.value) ? "nan" : "inf", "none");
   }
 
   void add_dynamics(SdfAxis& result, const model::Axis& axis) {
@@ -242,11 +264,11 @@ class SdfJointConverter {
   void add_mimic(SdfAxis& result, const model::Mimic& mimic) {
     const Id<Joint> leader =
         draft_.source.frames.names().find_joint(joint_.model, mimic.joint.value);
-    const char* why_not = !leader                                ? "there is no such joint"
-                          : draft_.robot.version < kMimicVersion ? "SDF has mimic from 1.11 on"
-                          : closes_circle() ? "they would follow each other in a circle"
-                                            : nullptr;
-    if (why_not != nullptr) {
+    const std::string why_not = !leader ? "there is no such joint"
+                                : draft_.robot.version < kMimicVersion
+                                    ? "SDF has mimic from 1.11 on"
+                                    : ring();
+    if (!why_not.empty()) {
       ledger_.take_all(mimic.site, Outcome::kLost);
       note(NoteKind::kMimicLost, Outcome::kLost, mimic.site.name, mimic.joint.value, why_not);
       return;
@@ -258,19 +280,22 @@ class SdfJointConverter {
                              written_number(documents, mimic.offset)};
   }
 
-  /// Of joints that follow each other in a circle, the last in the file.
-  bool closes_circle() const {
+  /// The joints that follow each other in a ring, of which the last in the file is this one; empty where
+  /// there is none.
+  std::string ring() const {
     const Id<Joint> own = draft_.source.frames.names().find_joint(joint_.model, joint_.name.value);
+    std::string text = joint_.name.value;
     Id<Joint> at = own;
     for (std::size_t steps = 0; steps < root_.joints.size(); ++steps) {
       const Joint& follower = root_[at];
-      if (follower.axes.empty() || !follower.axes[0].mimic) return false;
+      if (follower.axes.empty() || !follower.axes[0].mimic) return {};
       at = draft_.source.frames.names().find_joint(joint_.model,
                                                    follower.axes[0].mimic->joint.value);
-      if (!at || at.value > own.value) return false;
-      if (at == own) return true;
+      if (!at || at.value > own.value) return {};
+      text += " → " + root_[at].name.value;
+      if (at == own) return text + " is a ring, cut at " + joint_.name.value;
     }
-    return false;
+    return {};
   }
 
   SdfDraft& draft_;

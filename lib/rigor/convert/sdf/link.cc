@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -27,7 +28,7 @@ class ShapeNames {
  public:
   /// `fallback` is for what has none.
   std::string add(const std::string& name, const std::string& fallback) {
-    const std::string& base = name.empty() ? fallback : name;
+    const std::string base = sdf_name(name.empty() ? fallback : name);
     std::string result = base;
     // Thousands of one name do not try all numbers each.
     for (int& i = last_[base]; !taken_.insert(result).second;) {
@@ -121,13 +122,21 @@ class SdfLinkConverter {
     return remarks_on(draft_.source.documents, site, CommentsFor::kSdf);
   }
 
+  /// What a link that is none becomes, with the joint that fixed it.
+  std::string frames_of(Id<Link> id) const {
+    const SdfNode& node = draft_.node(id);
+    const std::string holder = " of link " + draft_.node(holder_).name;
+    if (!node.carrier) return "a frame" + holder;
+    return "frames " + draft_.tree.joint_names[node.carrier.value] + " (its joint) and " +
+           node.name + holder;
+  }
+
   void take_head(Id<Link> id) {
     const Link& link = root_[id];
     const bool frame = draft_.node(id).role == SdfNode::Role::kFrame;
     const Outcome outcome = frame ? Outcome::kRewritten : Outcome::kConverted;
     if (frame) {
-      const std::string holder = "a frame of link " + draft_.node(holder_).name;
-      if (is_massless(link)) note_massless(id, outcome, holder);
+      if (is_massless(link)) note_massless(id, outcome, frames_of(id));
     }
     ledger_.take(link.site, outcome);
     ledger_.take(link.name, outcome);
@@ -151,9 +160,12 @@ class SdfLinkConverter {
     return shape;
   }
 
+  enum class Use : std::uint8_t { kVisual, kCollision };
+
   /// Whether there is one that SDF has.
-  bool set_geometry(SdfShape& shape, const model::Geometry& geometry, const std::string& subject) {
-    if (!geometry.written) return lose_geometry(geometry, subject);
+  bool set_geometry(SdfShape& shape, const model::Geometry& geometry, const std::string& subject,
+                    Use use) {
+    if (!geometry.written) return lose_geometry(geometry, subject, use);
     const xml::Element element = draft_.source.documents.element(geometry.site);
     const auto around = element.name() == "geometry" ? element : element.parent();
     if (const auto name = around ? around->attribute("name") : std::nullopt) {
@@ -165,12 +177,15 @@ class SdfLinkConverter {
       shape.geometry = *std::move(converted);
       return true;
     }
-    return lose_geometry(geometry, subject);
+    return lose_geometry(geometry, subject, use);
   }
 
-  bool lose_geometry(const model::Geometry& geometry, const std::string& subject) {
+  bool lose_geometry(const model::Geometry& geometry, const std::string& subject, Use use) {
+    const bool touches = use == Use::kCollision;
     if (geometry.written) ledger_.take_all(geometry.site, Outcome::kLost);
-    ledger_.note({.kind = NoteKind::kShapeLost,
+    const bool nothing = std::holds_alternative<model::NoShape>(geometry.shape) ||
+                         std::holds_alternative<model::Mesh>(geometry.shape);
+    ledger_.note({.kind = touches && !nothing ? NoteKind::kCollisionLost : NoteKind::kShapeLost,
                   .outcome = Outcome::kLost,
                   .where = geometry.site.name,
                   .subject = subject,
@@ -181,7 +196,7 @@ class SdfLinkConverter {
   void add_visual(Id<Link> id, const model::Visual& visual) {
     SdfShape shape = head_of(id, visual, visual_names_, "visual");
     const std::string whose = model::subject(root_, visual);
-    if (!set_geometry(shape, visual.geometry, whose)) return;
+    if (!set_geometry(shape, visual.geometry, whose, Use::kVisual)) return;
     add_material(shape, visual.material, whose);
     link_.visuals.push_back(std::move(shape));
   }
@@ -195,7 +210,7 @@ class SdfLinkConverter {
         ledger_.pass_over(*child, whose, std::string(idle) + " of a collision");
       }
     }
-    if (!set_geometry(shape, collision.geometry, whose)) return;
+    if (!set_geometry(shape, collision.geometry, whose, Use::kCollision)) return;
     link_.collisions.push_back(std::move(shape));
   }
 

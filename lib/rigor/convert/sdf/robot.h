@@ -78,7 +78,7 @@ struct SdfJoint {
 struct SdfFrame {
   std::string name;
   std::string attached_to;
-  SdfPose pose;
+  SdfPose pose = {};
   Remarks comments = {};
 };
 

@@ -7,6 +7,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include <rigor/convert/plugin_text.h>
 #include <rigor/convert/sdf/draft.h>
 #include <rigor/convert/urdf/names.h>
 #include <rigor/model/subject.h>
@@ -230,6 +231,8 @@ class SdfTreeBuilder {
 };
 
 }  // namespace
+
+std::string sdf_name(std::string_view name) { return without_dunder(without_scope(name)); }
 
 bool is_massless(const model::Link& link) {
   const model::Inertial& i = link.inertial;

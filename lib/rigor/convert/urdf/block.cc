@@ -9,8 +9,10 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <rigor/convert/number_text.h>
+#include <rigor/convert/plugin_text.h>
 #include <rigor/convert/urdf/draft.h>
 #include <rigor/convert/urdf/parts.h>
 #include <rigor/convert/written_number.h>
@@ -41,9 +43,9 @@ class BlockMaker {
   void add_key(std::string_view key, std::string_view value) { lines_ += block_line(key, value); }
 
   /// How many elements and attributes that are.
-  std::size_t add_as_it_stands(xml::Element element, const std::optional<std::string>& pose = {}) {
+  std::size_t add_as_it_stands(xml::Element element, const LayoutChanges& changes = {}) {
     const SourceId source = element.name_span().source;
-    lines_ += laid_out(draft_.source.documents.of(source), element, pose);
+    lines_ += laid_out(draft_.source.documents.of(source), element, changes);
     return draft_.ledger.take_all(element, Outcome::kCarried);
   }
 
@@ -57,8 +59,11 @@ class BlockMaker {
                         .subject = std::move(subject),
                         .written = name ? std::string(name->value()) : std::string(),
                         .instead = {},
-                        .count = add_as_it_stands(element, pose)});
+                        .count = add_as_it_stands(element, changes_in(element, pose))});
   }
+
+  /// Of the source's link that plugins are in.
+  void of_link(const std::string& name) { own_link_ = name; }
 
   void note(NoteKind kind, Span where, std::string subject, std::string written) {
     draft_.ledger.note({.kind = kind,
@@ -73,8 +78,38 @@ class BlockMaker {
   }
 
  private:
+  LayoutChanges changes_in(xml::Element element, const std::optional<std::string>& pose) {
+    LayoutChanges changes;
+    changes.pose = pose;
+    if (element.name() == "plugin") changes.added = add_changes(element, changes);
+    for (const xml::Element child : element.children()) {
+      if (child.name() == "plugin") add_changes(child, changes);
+    }
+    return changes;
+  }
+
+  /// What a plugin says of links whose frames moved to their joints, and of what has a new name; gives
+  /// the elements that it has not had.
+  std::vector<std::string> add_changes(xml::Element plugin, LayoutChanges& changes) {
+    PluginText text = plugin_text(plugin, draft_.plugin_names, own_link_);
+    auto& all = changes.replacements;
+    all.insert(all.end(), text.layout.replacements.begin(), text.layout.replacements.end());
+    const auto name = plugin.attribute("name");
+    for (PluginRemark& remark : text.remarks) {
+      const bool left = remark.kind == PluginRemark::Kind::kLeftInFrame;
+      draft_.ledger.note({.kind = left ? NoteKind::kPluginFrame : NoteKind::kPluginReference,
+                          .outcome = left ? Outcome::kCarried : Outcome::kRewritten,
+                          .where = remark.where,
+                          .subject = "plugin " + std::string(name ? name->value() : ""),
+                          .written = std::move(remark.written),
+                          .instead = std::move(remark.instead)});
+    }
+    return std::move(text.layout.added);
+  }
+
   UrdfDraft& draft_;
   std::string reference_;
+  std::string own_link_;
   std::string lines_;
 };
 
@@ -237,6 +272,7 @@ void add_link_blocks(UrdfDraft& draft, Id<model::Link> id, const Pose& X_JL, con
   const model::Link& link = root[id];
   const std::string whose = subject(root, link);
   BlockMaker block(draft, draft.link_names.at(id));
+  block.of_link(model::name_in(root, draft.top, id));
   if (!keys.script.empty()) block.add_key("material", keys.script);
   block.add(keys.surface);
   if (const auto self_collide = self_collide_of(draft, link); self_collide.value) {

@@ -3,11 +3,14 @@
 
 #include <rigor/convert/urdf/build.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <rigor/convert/comments.h>
@@ -55,7 +58,9 @@ class UrdfBuilder {
         top_(tree.models.front()),
         places_(source.root, source.frames, top_),
         naming_(urdf_naming(source, options, tree, ledger)),
-        draft_{source, options_, ledger} {}
+        draft_{source, options_, ledger} {
+    for (const auto& [frame, joint] : tree.fixed_by) written_frames_.insert(joint);
+  }
 
   void build() && {
     draft_.robot.name = root_[top_].name.value.empty() ? "robot" : root_[top_].name.value;
@@ -64,6 +69,8 @@ class UrdfBuilder {
     for (const auto& [id, names] : naming_.joints) {
       draft_.joint_names.emplace(id, names.joints.front());
     }
+    draft_.top = top_;
+    name_for_plugins();
     if (options_.loop == LoopPolicy::kComment) comment_on_cuts();
     for (const Id<model::Model> id : tree_.models) add_model(id);
     add_root_link();
@@ -97,6 +104,27 @@ class UrdfBuilder {
       cut_.emplace(source_.frames.ends(id).child,
                    "Cut: " + joint.type_name.value + " joint " + joint.name.value + ", parent " +
                        joint.parent.value + ", child " + joint.child.value);
+    }
+  }
+
+  /// Plugins name links and joints inside their model.
+  void name_for_plugins() {
+    PluginNames& plugins = draft_.plugin_names;
+    for (const auto& [id, name] : naming_.links) {
+      const std::string inside = name_inside(tree_, root_, scoped_name(root_, id));
+      if (inside != name) plugins.links.insert_or_assign(inside, name);
+      const Id<model::Joint> carrier = tree_.carriers[id.value];
+      if (!carrier) continue;
+      const Pose X_LJ = places_.X_L(carrier, id);
+      if (!is_identity(X_LJ)) {
+        plugins.moved.insert_or_assign(inside, PluginNames::Moved{name, inverse(X_LJ)});
+      }
+    }
+    for (const auto& [id, names] : naming_.joints) {
+      const std::string inside = name_inside(tree_, root_, scoped_name(root_, id));
+      if (inside != names.joints.front()) {
+        plugins.joints.insert_or_assign(inside, names.joints.front());
+      }
     }
   }
 
@@ -200,11 +228,54 @@ class UrdfBuilder {
       return;
     }
     const bool lost = !is_identity(X_ML);
+    if (lost && hang_root_on_frame(id, name, X_ML)) return;
     take_pose(source_, ledger_, link.pose, lost ? Outcome::kLost : Outcome::kConverted);
     if (!lost) return;
     note(NoteKind::kRootPose, Outcome::kLost,
          link.pose.pose.written ? link.pose.pose.span : link.site.name, model::subject(root_, link),
          pose_text(origin_like(source_.documents, X_ML, {&link.pose})));
+  }
+
+  /// A frame of the root link at the model's origin, such as `base_footprint`, becomes the root: so URDF
+  /// has a place for the link's pose in the model. The joint between has the name of a frame at the link,
+  /// where one is called a joint.
+  bool hang_root_on_frame(Id<model::Link> id, const std::string& name, const Pose& X_ML) {
+    const auto is_frame_of_root = [&](Id<model::Frame> frame) {
+      return root_[frame].model == top_ && source_.frames.carrier(frame) == id &&
+             naming_.frames.contains(frame);
+    };
+    const auto origin =
+        std::find_if(tree_.frames.begin(), tree_.frames.end(), [&](Id<model::Frame> frame) {
+          return is_frame_of_root(frame) && !tree_.fixed_by.contains(frame) &&
+                 is_identity(places_.X_M(frame));
+        });
+    if (origin == tree_.frames.end()) return false;
+    const auto joint =
+        std::find_if(tree_.frames.begin(), tree_.frames.end(), [&](Id<model::Frame> frame) {
+          return frame != *origin && is_frame_of_root(frame) && !tree_.fixed_by.contains(frame) &&
+                 root_[frame].attached_to.value == root_[id].name.value &&
+                 is_joint_name(root_[frame].name.value) &&
+                 is_identity(compose(inverse(X_ML), places_.X_M(frame)));
+        });
+    std::string joint_name = name + "_joint";
+    if (joint != tree_.frames.end()) {
+      joint_name = naming_.frames.at(*joint);
+      take_frame(*joint);
+      naming_.frames.erase(*joint);
+      written_frames_.insert(*joint);
+    }
+    written_frames_.insert(*origin);
+    take_pose(source_, ledger_, root_[id].pose);
+    take_frame(*origin);
+    const std::string& root = naming_.frames.at(*origin);
+    draft_.robot.links.push_back(
+        {.name = root,
+         .comments = remarks_on(source_.documents, root_[*origin].site, CommentsFor::kUrdf)});
+    add_fixed(joint_name, root, name, origin_like(source_.documents, X_ML, {&root_[id].pose}));
+    note(NoteKind::kFrame, Outcome::kRewritten, root_[*origin].site.name,
+         model::subject(root_, root_[*origin]), root_[*origin].name.value,
+         "the root link " + root + ", which has the pose of link " + name);
+    return true;
   }
 
   void move_link_frame(Id<model::Link> id, const std::string& name, const Pose& X_JL) {
@@ -285,32 +356,68 @@ class UrdfBuilder {
 
   // --- Frames ---
 
-  void add_frame(Id<model::Frame> id) {
+  struct FrameParent {
+    std::string link;  ///< empty where it has none
+    Pose X_MP;
+  };
+
+  /// What a frame is attached to: a frame that became a link, else the link that carries both.
+  FrameParent parent_of(Id<model::Frame> id) const {
     const model::Frame& frame = root_[id];
+    if (!frame.attached_to.value.empty()) {
+      const model::Named named =
+          source_.frames.names().find({frame.model, {}}, frame.attached_to.value);
+      if (const auto* base = std::get_if<Id<model::Frame>>(&named)) {
+        const auto name = naming_.frames.find(*base);
+        if (name != naming_.frames.end()) return {name->second, places_.X_M(*base)};
+      }
+    }
     const Id<model::Link> carrier = source_.frames.carrier(id);
     const auto parent = naming_.links.find(carrier);
+    if (parent == naming_.links.end()) return {};
+    return {parent->second, X_M_frame(carrier)};
+  }
+
+  void add_frame(Id<model::Frame> id) {
+    const model::Frame& frame = root_[id];
+    if (written_frames_.contains(id)) return;
+    const auto fixed = tree_.fixed_by.find(id);
+    const Id<model::Frame> placed = fixed == tree_.fixed_by.end() ? id : fixed->second;
+    const FrameParent parent = parent_of(placed);
     const auto name = naming_.frames.find(id);
     Note told{.kind = NoteKind::kFrame, .subject = model::subject(root_, frame)};
-    if (parent == naming_.links.end() || name == naming_.frames.end()) {
+    if (parent.link.empty() || name == naming_.frames.end()) {
+      if (placed != id) ledger_.take_all(root_[placed].site, Outcome::kLost);
       return ledger_.lose(frame.site, std::move(told));
     }
-    const Pose X_MP = X_M_frame(carrier);
     const Pose X_MF = places_.X_M(id);
-    const Pose X_PF = X_MP == Pose{} ? X_MF : compose(inverse(X_MP), X_MF);
+    const Pose X_PF = parent.X_MP == Pose{} ? X_MF : compose(inverse(parent.X_MP), X_MF);
     draft_.robot.links.push_back(
         {.name = name->second,
          .comments = remarks_on(source_.documents, frame.site, CommentsFor::kUrdf)});
-    add_fixed(name->second + "_joint", parent->second, name->second,
-              origin_like(source_.documents, X_PF, {&frame.pose}));
-    ledger_.take(frame.site, Outcome::kRewritten);
-    ledger_.take(frame.name, Outcome::kRewritten);
-    ledger_.take(frame.attached_to, Outcome::kRewritten);
-    take_pose(source_, ledger_, frame.pose, Outcome::kRewritten);
+    const std::string joint = placed == id ? name->second + "_joint"
+                                           : name_inside(tree_, root_, scoped_name(root_, placed));
+    add_fixed(joint, parent.link, name->second,
+              origin_like(source_.documents, X_PF, {&root_[placed].pose}));
+    for (const Id<model::Frame> taken : {id, placed}) take_frame(taken);
+    if (placed != id) {
+      draft_.robot.joints.back().comments =
+          remarks_on(source_.documents, root_[placed].site, CommentsFor::kUrdf);
+    }
     told.outcome = Outcome::kRewritten;
     told.where = frame.name.written ? frame.name.span : frame.site.name;
     told.written = frame.name.value;
     told.instead = "a link named " + name->second + " on a fixed joint";
+    if (placed != id) told.instead += " named " + draft_.robot.joints.back().name;
     ledger_.note(std::move(told));
+  }
+
+  void take_frame(Id<model::Frame> id) {
+    const model::Frame& frame = root_[id];
+    ledger_.take(frame.site, Outcome::kRewritten);
+    ledger_.take(frame.name, Outcome::kRewritten);
+    ledger_.take(frame.attached_to, Outcome::kRewritten);
+    take_pose(source_, ledger_, frame.pose, Outcome::kRewritten);
   }
 
   // --- The result ---
@@ -338,6 +445,7 @@ class UrdfBuilder {
   UrdfNaming naming_;
   UrdfDraft draft_;
   std::multimap<Id<model::Link>, std::string> cut_;  // comments on joints that are left out
+  std::set<Id<model::Frame>> written_frames_;        // with a link or as its joint
   std::string root_link_;                            // empty where the root is the model's own
 };
 

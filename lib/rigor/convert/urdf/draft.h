@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <rigor/convert/ledger.h>
+#include <rigor/convert/plugin_text.h>
 #include <rigor/convert/sdf_to_urdf.h>
 #include <rigor/convert/urdf/robot.h>
 
@@ -27,6 +28,8 @@ struct UrdfDraft {
   std::vector<SideFile> files;
   std::map<model::Id<model::Link>, std::string> link_names;  ///< of all links that are converted
   std::map<model::Id<model::Joint>, std::string> joint_names;
+  model::Id<model::Model> top;  ///< that is converted
+  PluginNames plugin_names;     ///< what plugins have to say otherwise
   /// Joints in a row that stand for one.
   struct Row {
     std::vector<std::size_t> links;  ///< between them, of `robot.links`
@@ -36,6 +39,7 @@ struct UrdfDraft {
 
   // What was met so far, so that equals are told once.
   std::map<std::array<double, 4>, std::string> material_names;  ///< by red, green, blue and opacity
+  std::map<std::string, int> color_names;  ///< how many are named after a link
   std::map<std::string, std::string> file_names;                ///< of `files`, by what they hold
   /// What a link or joint carries and the model does not list with it; filled when first needed.
   struct Riders {

@@ -22,6 +22,9 @@ std::array<Number, 6> computed_tensor(const mass::Inertia& I) {
           Number{I.iyy, {}}, Number{I.iyz, {}}, Number{I.izz, {}}};
 }
 
+/// kg. libsdformat takes less for 0 where it reads URDF: `equal(mass, 0.0)` of its mathematics library.
+constexpr double kLeastMassInGazebo = 1e-6;
+
 class InertialConverter {
  public:
   InertialConverter(UrdfDraft& draft, model::Id<model::Link> id, const model::Pose& X_JL)
@@ -31,6 +34,20 @@ class InertialConverter {
         taken_(mass::resolve(draft.source.root, draft.source.frames, id, mesh_finder())) {}
 
   std::optional<UrdfInertial> convert() {
+    std::optional<UrdfInertial> result = inertial();
+    if (result && result->mass.value > 0 && result->mass.value < kLeastMassInGazebo) {
+      draft_.ledger.note(
+          {.kind = NoteKind::kTinyMass,
+           .outcome = Outcome::kConverted,
+           .where = link_.inertial.mass.written ? link_.inertial.mass.span : link_.site.name,
+           .subject = subject(draft_.source.root, link_),
+           .written = to_text(result->mass)});
+    }
+    return result;
+  }
+
+ private:
+  std::optional<UrdfInertial> inertial() {
     take_written();
     switch (taken_.taken) {
       case mass::Taken::kNothing: return std::nullopt;
@@ -54,7 +71,6 @@ class InertialConverter {
     return std::nullopt;
   }
 
- private:
   mass::FindMesh mesh_finder() {
     return [this](const model::Mesh& mesh) -> const mass::MeshSurvey* {
       const auto path = file_of(draft_.source, mesh.uri);

@@ -70,7 +70,9 @@ class LinkConverter {
     const model::Collision& collision = root_[id];
     const std::string whose = subject(root_, collision);
     const auto shapes = urdf_shapes(draft_, collision.geometry, whose);
-    if (shapes.empty()) return lose(collision.site, collision.geometry, whose);
+    if (shapes.empty()) {
+      return lose(collision.site, collision.geometry, whose, NoteKind::kCollisionLost);
+    }
     collisions_.push_back(id);
     const std::size_t first = result_.collisions.size();
     for (const auto& [name, origin, shape] :
@@ -130,19 +132,23 @@ class LinkConverter {
     }
   }
 
-  void lose(const model::Site& site, const model::Geometry& geometry, const std::string& whose) {
+  void lose(const model::Site& site, const model::Geometry& geometry, const std::string& whose,
+            NoteKind kind = NoteKind::kShapeLost) {
     if (std::holds_alternative<model::NoShape>(geometry.shape) && geometry.explicitly_empty) {
       draft_.ledger.take_all(site, Outcome::kImplied);
       return;
     }
     const auto* mesh = std::get_if<model::Mesh>(&geometry.shape);
     const bool part = mesh != nullptr && !mesh->submesh.value.empty();
-    draft_.ledger.lose(
-        site, {.kind = part ? NoteKind::kSubmesh : NoteKind::kShapeLost,
-               .outcome = Outcome::kLost,
-               .where = geometry.written ? geometry.site.name : site.name,
-               .subject = whose,
-               .written = part ? mesh->submesh.value : std::string(shape_name(geometry.shape))});
+    if (part && kind == NoteKind::kShapeLost) kind = NoteKind::kSubmesh;
+    // Of a shape that no reader knows nothing was touched before.
+    if (std::holds_alternative<model::NoShape>(geometry.shape)) kind = NoteKind::kShapeLost;
+    draft_.ledger.lose(site, {.kind = kind,
+                              .outcome = Outcome::kLost,
+                              .where = geometry.written ? geometry.site.name : site.name,
+                              .subject = whose,
+                              .written = part ? "submesh " + mesh->submesh.value
+                                              : std::string(shape_name(geometry.shape))});
   }
 
   /// A transparency without a colour has nothing to act on.

@@ -82,15 +82,6 @@ std::optional<read::Text> color_text(xml::Element material, std::string_view nam
   return attribute ? attribute : read::Text{element->text(), element->text_span()};
 }
 
-std::string shortest_color(const Rgba& rgba, std::string_view separator) {
-  std::string text;
-  for (const Number& part : rgba) {
-    if (!text.empty()) text += separator;
-    text += to_text({part.value, {}});
-  }
-  return text;
-}
-
 class MaterialConverter {
  public:
   MaterialConverter(UrdfDraft& draft, const model::Visual& visual, const std::string& in_block)
@@ -190,10 +181,17 @@ class MaterialConverter {
     for (std::size_t i = 0; i < key.size(); ++i) key[i] = color[i].value;
     const auto [known, is_new] = draft_.material_names.try_emplace(key);
     if (is_new) {
-      known->second = name_.empty() ? "rgba_" + shortest_color(color, "_") : name_;
+      known->second = name_.empty() ? color_name() : name_;
       draft_.robot.materials.push_back({known->second, color, {}});
     }
     return known->second;
+  }
+
+  /// After the first link that has it, since numbers say nothing to who reads the file.
+  std::string color_name() {
+    const std::string base = draft_.link_names.at(visual_.link) + "_color";
+    const int n = ++draft_.color_names[base];
+    return n == 1 ? base : base + '_' + std::to_string(n);
   }
 
   UrdfDraft& draft_;

@@ -3,6 +3,7 @@
 
 #include <rigor/convert/urdf/naming.h>
 
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -34,9 +35,16 @@ class UrdfNamer {
 
   void name_links(FramePolicy policy) {
     std::vector<std::string> wanted;
+    std::vector<Id<model::Frame>> frames_as_links;
+    std::set<Id<model::Frame>> joints;
+    for (const auto& [frame, joint] : tree_.fixed_by) joints.insert(joint);
     for (const auto id : tree_.links) wanted.push_back(inside(id));
     if (policy == FramePolicy::kLinks) {
-      for (const auto id : tree_.frames) wanted.push_back(inside(id));
+      for (const auto id : tree_.frames) {
+        if (joints.contains(id)) continue;
+        frames_as_links.push_back(id);
+        wanted.push_back(inside(id));
+      }
     }
     std::vector<std::string> names = naming_.link_names.take(wanted);
     const std::size_t links = tree_.links.size();
@@ -45,7 +53,7 @@ class UrdfNamer {
         tell_renamed(root_[tree_.links[i]], wanted[i], names[i]);
         naming_.links.emplace(tree_.links[i], std::move(names[i]));
       } else {
-        naming_.frames.emplace(tree_.frames[i - links], std::move(names[i]));
+        naming_.frames.emplace(frames_as_links[i - links], std::move(names[i]));
       }
     }
   }

@@ -141,7 +141,7 @@ struct UrdfRobot {
   std::vector<std::string> rest;  ///< further elements as they are: transmission, ros2_control
 };
 
-/// The file. Each link follows the joint that carries it; two spaces a level; materials first, blocks
+/// The file. Each joint follows the links that it names; two spaces a level; materials first, blocks
 /// last; numbers never "-0", never "inf".
 std::string urdf_text(const UrdfRobot& robot);
 

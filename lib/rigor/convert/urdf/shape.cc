@@ -3,20 +3,37 @@
 
 #include <rigor/convert/urdf/shape.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <string_view>
 #include <utility>
 #include <variant>
 
+#include <rigor/convert/number_text.h>
 #include <rigor/convert/urdf/shape_file.h>
 #include <rigor/convert/urdf/uri.h>
 #include <rigor/convert/written_number.h>
+#include <rigor/write/numbers.h>
 
 namespace rigor::convert {
 namespace {
 
 using model::Pose;
 using model::Vector3;
+
+/// m, of the box for a plane: thick enough that a step of a simulator does not pass it, and as wide as
+/// models of a ground are.
+constexpr double kPlaneThickness = 0.02;
+constexpr double kPlaneSize = 100;
+
+/// The shortest rotation that takes z to the unit vector.
+model::Quaternion turn_z_to(const Vector3& up) {
+  if (up.z <= -1 + 1e-12) return model::from_rpy(std::numbers::pi, 0, 0);
+  const double w = std::sqrt((1 + up.z) / 2);
+  return {w, -up.y / (2 * w), up.x / (2 * w), 0};
+}
 
 class ShapeConverter {
  public:
@@ -64,8 +81,23 @@ class ShapeConverter {
   std::vector<UrdfShape> operator()(const model::Cone& /*shape*/) const { return from_file(); }
   std::vector<UrdfShape> operator()(const model::Polyline& /*shape*/) const { return from_file(); }
 
-  /// A thin box in a plane's place would touch what the plane does not, and a plane has no end.
-  std::vector<UrdfShape> operator()(const model::Plane& /*shape*/) const { return {}; }
+  /// A thin box has an end, and lets through what is below it: only where it is asked for.
+  std::vector<UrdfShape> operator()(const model::Plane& plane) const {
+    const Vector3& normal = plane.normal.value;
+    const double size = length(normal);
+    if (draft_.options.planes != PlanePolicy::kBox || !(size > 0)) return {};
+    draft_.ledger.take_all(geometry_.site, Outcome::kSubstituted);
+    // What is drawn has a size; what collides has no end.
+    double x = kPlaneSize, y = kPlaneSize;
+    if (const auto drawn = draft_.source.documents.element(geometry_.site).child("size")) {
+      const auto sides = write::numbers_in(drawn->text());
+      if (sides && sides->size() == 2) x = std::max(x, (*sides)[0]), y = std::max(y, (*sides)[1]);
+    }
+    const Vector3 up = (1 / size) * normal;
+    UrdfBox box{numbers({x, y, kPlaneThickness})};
+    tell(Outcome::kSubstituted, "a box of " + number_texts(box.size) + " m");
+    return {{std::move(box), Pose{(-kPlaneThickness / 2) * up, turn_z_to(up)}}};
+  }
   std::vector<UrdfShape> operator()(const model::Heightmap& /*shape*/) const { return {}; }
   std::vector<UrdfShape> operator()(const model::Image& /*shape*/) const { return {}; }
 

@@ -16,7 +16,7 @@
 namespace rigor::convert {
 namespace {
 
-/// In the order in which a hand would write the tree: a joint, the link that it carries, and then
+/// In the order in which a hand would write the tree: a link, the joint that carries it, and then
 /// what hangs on that link; joints in their own order.
 class UrdfTreeOrder {
  public:
@@ -76,11 +76,10 @@ class UrdfWriter {
     for (const UrdfMaterial& material : robot.materials) write_material(material);
     std::vector<bool> written(robot.joints.size());
     for (const auto& [link, joint] : UrdfTreeOrder(robot).order()) {
-      if (joint != UrdfTreeOrder::kNone) {
-        write_joint(robot.joints[joint]);
-        written[joint] = true;
-      }
       write_link(robot.links[link]);
+      if (joint == UrdfTreeOrder::kNone) continue;
+      write_joint(robot.joints[joint]);
+      written[joint] = true;
     }
     for (std::size_t i = 0; i < robot.joints.size(); ++i) {
       if (!written[i]) write_joint(robot.joints[i]);

@@ -4,9 +4,14 @@
 #include <rigor/convert/urdf/tree.h>
 
 #include <algorithm>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <variant>
 
+#include <rigor/convert/written_number.h>
 #include <rigor/robot/swapped_joints.h>
+#include <rigor/text/letter_case.h>
 
 namespace rigor::convert {
 namespace {
@@ -20,6 +25,7 @@ class UrdfTreeBuilder {
 
   UrdfTree build(Id<model::Model> top) && {
     find_parts(top);
+    find_fixed_joints();
     tree_.carriers.resize(root_.links.size());
     for (std::uint32_t i = 0; i < root_.joints.size(); ++i) {
       if (is_inside(root_.joints[i].model)) look_at({i});
@@ -46,6 +52,31 @@ class UrdfTreeBuilder {
     }
     for (std::uint32_t i = 0; i < root_.frames.size(); ++i) {
       if (is_inside(root_.frames[i].model)) tree_.frames.push_back({i});
+    }
+  }
+
+  /// The frame that another is attached to; none when that is no frame.
+  Id<model::Frame> base_of(Id<model::Frame> id) const {
+    const model::Frame& frame = root_[id];
+    if (frame.attached_to.value.empty()) return {};
+    const model::Named named = frames_.names().find({frame.model, {}}, frame.attached_to.value);
+    const auto* base = std::get_if<Id<model::Frame>>(&named);
+    return base != nullptr ? *base : Id<model::Frame>{};
+  }
+
+  void find_fixed_joints() {
+    std::map<Id<model::Frame>, int> attached;
+    for (const Id<model::Frame> id : tree_.frames) {
+      if (const Id<model::Frame> base = base_of(id)) ++attached[base];
+    }
+    for (const Id<model::Frame> id : tree_.frames) {
+      const Id<model::Frame> joint = base_of(id);
+      const model::PoseField& pose = root_[id].pose;
+      if (!joint || attached[joint] != 1 || tree_.fixed_by.contains(joint)) continue;
+      if (!is_joint_name(root_[joint].name.value) || root_[joint].model != root_[id].model)
+        continue;
+      const bool apart = !pose.relative_to.value.empty() || !is_identity(pose.pose.value);
+      if (!apart) tree_.fixed_by.emplace(id, joint);
     }
   }
 
@@ -99,6 +130,10 @@ class UrdfTreeBuilder {
 };
 
 }  // namespace
+
+bool is_joint_name(std::string_view name) {
+  return lowered(name).find("joint") != std::string::npos;
+}
 
 UrdfTree urdf_tree(const model::Root& root, const model::Frames& frames, Id<model::Model> model) {
   return UrdfTreeBuilder(root, frames).build(model);

@@ -10,6 +10,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <string_view>
 #include <vector>
 
 #include <rigor/model/frames.h>
@@ -45,9 +47,15 @@ struct UrdfTree {
   std::vector<model::Id<model::Joint>> gearboxes;  ///< which couple joints and carry nothing
   std::vector<model::Id<model::Link>> roots;       ///< that neither a joint nor the world carries
   bool on_world = false;                           ///< whether a joint's parent is the world
+  /// Frames that are a fixed joint of URDF, by the frame on it: libsdformat and rigor write a link
+  /// without mass as `<frame name="camera_joint">` and `<frame name="camera" attached_to="camera_joint"/>`.
+  std::map<model::Id<model::Frame>, model::Id<model::Frame>> fixed_by;
   /// The joint that carries a link, by the link's id; none for roots and other models' links.
   std::vector<model::Id<model::Joint>> carriers;
 };
+
+/// Whether a frame of this name may be what is left of a joint.
+bool is_joint_name(std::string_view name);
 
 UrdfTree urdf_tree(const model::Root& root, const model::Frames& frames,
                    model::Id<model::Model> model);

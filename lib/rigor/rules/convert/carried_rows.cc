@@ -31,6 +31,24 @@ std::span<const Row> carried_rows() {
        .why = "A `<gazebo>` block carries the plugin as it is. The names of links and joints in it "
               "are the source's.",
        .what_to_do = "Look at the names in it when links or joints were renamed."},
+      {.rule = {"convert-plugin-reference", NoteKind::kPluginReference, Severity::kInfo},
+       .message = "{written} of a plugin becomes {instead}",
+       .summary = "a plugin refers to what the result has",
+       .why = "A plugin names links and joints, and speaks of places in the frame of a link. Where "
+              "the result has another name, or the frame is elsewhere, its parameters are written "
+              "anew.",
+       .what_to_do = "Nothing: the plugin does the same."},
+      {.rule = {"convert-plugin-frame", NoteKind::kPluginFrame, Severity::kWarning},
+       .message =
+           "{written} of a plugin stays as it is, but the frame of link {instead} is not the "
+           "source's",
+       .summary = "a plugin may speak in a frame that moved",
+       .why =
+           "In URDF a link's frame is at its joint, and a link that is lumped has the frame of the "
+           "link that holds it. What a plugin says in the frame of the link then means another "
+           "place or direction, unless it is one that rigor knows and rewrites: LiftDrag's cp, "
+           "forward and upward, xyzOffset and rpyOffset.",
+       .what_to_do = "Move the numbers into the new frame, or put the link's frame at its joint."},
       {.rule = {"convert-safety", NoteKind::kSafety, Severity::kWarning, Formats::kUrdf},
        .message = "the safety controller ({written}) is lost: SDF has none",
        .summary = "a safety controller is lost",
@@ -52,7 +70,9 @@ std::span<const Row> carried_rows() {
        .summary = "a transmission is lost",
        .why = "SDF has no transmissions: ros_control reads them from the robot description, which "
               "stays URDF.",
-       .what_to_do = "Keep the URDF as the robot description."},
+       .what_to_do =
+           "Keep the URDF as the robot description, or choose `--control ros2_control` or "
+           "`--control gz`."},
       {.rule = {"convert-ros2-control", NoteKind::kRos2Control, Severity::kWarning, Formats::kUrdf},
        .message =
            [](const convert::Note& note) {
@@ -63,6 +83,12 @@ std::span<const Row> carried_rows() {
        .why = "SDF has no hardware description: ros2_control reads it from the robot description, "
               "which stays URDF.",
        .what_to_do = "Keep the URDF as the robot description."},
+      {.rule = {"convert-control", NoteKind::kControl, Severity::kInfo, Formats::kUrdf},
+       .message = "{written} becomes {instead}",
+       .summary = "control is written for another simulator",
+       .why = "Gazebo Sim reads neither transmissions nor the plugins of Gazebo classic: what they "
+              "say of joints is written as its own plugins, or as ros2_control.",
+       .what_to_do = "Check the controllers; `--control keep` leaves the plugins as they are."},
       {.rule = {"convert-block-reference", NoteKind::kBlockReference, Severity::kWarning,
                 Formats::kUrdf},
        .message = "the gazebo block of {written} is lost: the robot has nothing of that name",

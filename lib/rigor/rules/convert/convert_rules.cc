@@ -33,6 +33,21 @@ bool lost_several(const convert::Note& note) {
          std::ranges::find(kWithoutElements, note.kind) == std::end(kWithoutElements);
 }
 
+/// What several notes have in common: the package that forty meshes are in, the rule that libsdformat
+/// rejects twelve inertias by. Empty where the message says it.
+std::string cause_of(const convert::Note& note) {
+  switch (note.kind) {
+    case convert::NoteKind::kUriNotFound:
+    case convert::NoteKind::kUriElsewhere: {
+      const std::size_t scheme = note.written.find("://");
+      if (scheme == std::string::npos || note.written.starts_with("file")) return {};
+      return note.written.substr(0, note.written.find('/', scheme + 3));
+    }
+    case convert::NoteKind::kRefusedSdf: return note.instead;
+    default: return {};
+  }
+}
+
 void check(const convert::Note& note, Context& context) {
   const bool lost = note.outcome == convert::Outcome::kLost;
   std::string message =
@@ -41,7 +56,10 @@ void check(const convert::Note& note, Context& context) {
                   fmt::arg("count", note.count),
                   fmt::arg("whereabouts", lost ? "is lost" : "is for Gazebo only"));
   if (lost_several(note)) message += fmt::format(" ({} elements and attributes)", note.count);
-  context.report({.where = note.where, .message = std::move(message), .subject = note.subject});
+  context.report({.where = note.where,
+                  .message = std::move(message),
+                  .subject = note.subject,
+                  .cause = cause_of(note)});
 }
 
 }  // namespace conversion

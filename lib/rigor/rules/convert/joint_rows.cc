@@ -34,6 +34,14 @@ std::span<const Row> joint_rows() {
        .why = "A joint that cannot be converted is omitted or welded: the mechanism moves "
               "differently.",
        .what_to_do = "Rebuild it from joints that both formats have."},
+      {.rule = {"convert-joint-dialect", NoteKind::kJointDialect, Severity::kWarning,
+                Formats::kUrdf},
+       .message = "a {written} joint is Bullet's own: it becomes {instead}",
+       .summary = "a joint type that only Bullet's URDF has",
+       .why =
+           "URDF has no spherical joint and urdfdom rejects it; Bullet reads it, and SDF has the "
+           "same joint under the name ball.",
+       .what_to_do = "Nothing, where the robot is for Bullet."},
       {.rule = {"convert-continuous", NoteKind::kContinuous, Severity::kInfo},
        .message = "revolute without limits: continuous in URDF",
        .summary = "a revolute joint without limits is a continuous one",
@@ -46,13 +54,13 @@ std::span<const Row> joint_rows() {
               "`inf`. The number is far beyond what any robot reaches, but planners see a limit.",
        .what_to_do = "Write the limit that the joint really has."},
       {.rule = {"convert-effort-unlimited", NoteKind::kEffortStandIn, Severity::kInfo},
-       .message = "effort has no limit ({written}): {instead} is used",
+       .message = "effort has no limit ({written}): {instead} is written",
        .summary = "a finite number is used as unlimited effort",
        .why = "URDF demands an effort, urdfdom rejects `inf`, and 0 would mean to controllers that "
               "the joint cannot push.",
        .what_to_do = "Write the effort that the actuator really has."},
       {.rule = {"convert-velocity-unlimited", NoteKind::kVelocityStandIn, Severity::kInfo},
-       .message = "velocity has no limit ({written}): {instead} is used",
+       .message = "velocity has no limit ({written}): {instead} is written",
        .summary = "a finite number is used as unlimited velocity",
        .why = "URDF demands a velocity, urdfdom rejects `inf`, and 0 would mean to planners that "
               "the joint cannot move.",

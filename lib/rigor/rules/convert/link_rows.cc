@@ -34,6 +34,28 @@ std::span<const Row> link_rows() {
        .why = "In URDF a link without an inertial weighs nothing and mostly serves as a frame; SDF "
               "would give it 1 kg, and the official converter drops it with all links below it.",
        .what_to_do = "Nothing, or write the inertial that the link really has."},
+      {.rule = {"convert-inertia-incomplete", NoteKind::kInertiaIncomplete, Severity::kError,
+                Formats::kUrdf},
+       .message = "the inertia has no {written}: with --allow-loss it is {instead}",
+       .summary = "an inertia lacks some of its six entries",
+       .why = "urdfdom, and with it ROS and Gazebo, rejects a robot whose inertia lacks an entry; "
+              "Bullet and others take 0.",
+       .what_to_do = "Write all six entries, 0 where the link is symmetric."},
+      {.rule = {"convert-inertia-without-mass", NoteKind::kBareInertia, Severity::kWarning,
+                Formats::kUrdf},
+       .message = "the inertia of a link without mass is added to that of link {instead}",
+       .summary = "an inertia without a mass moves to another link",
+       .why = "A link without mass becomes a frame of the link that it is fixed to. Its inertia is "
+              "still there in URDF, so the robot keeps it, in that link.",
+       .what_to_do = "Remove the inertia, or write the mass that belongs to it."},
+      {.rule = {"convert-mass-tiny", NoteKind::kTinyMass, Severity::kWarning, Formats::kSdf},
+       .message = "the mass {written} kg counts as none where Gazebo reads the URDF: the link and "
+                  "what hangs on it are dropped",
+       .summary = "Gazebo drops a link of this mass when it reads URDF",
+       .why =
+           "libsdformat takes a mass of up to 1e-6 kg in URDF for 0 and leaves out the link, with "
+           "all links below it unless it is fixed; in SDF it takes the same mass as it is.",
+       .what_to_do = "Write the mass that the link really has, or give Gazebo the SDF."},
       {.rule = {"convert-surface", NoteKind::kSurface, Severity::kWarning},
        .message =
            [](const convert::Note& note) {

@@ -25,6 +25,22 @@ std::span<const Row> proof_rows() {
        .summary = "the official parser rejects the result",
        .why = "Whatever reads the file next will reject it as well.",
        .what_to_do = "Please report it, with the file."},
+      {.rule = {"convert-rejected-by-libsdformat", NoteKind::kRefusedSdf, Severity::kError,
+                Formats::kUrdf},
+       .message = "libsdformat rejects the result: {written}",
+       .summary = "libsdformat would reject the result",
+       .why =
+           "libsdformat 12, which Gazebo loads SDF with, rejects a file for this; the source has "
+           "it already, and the conversion keeps what the source says.",
+       .what_to_do =
+           "Correct the source, for inertias with `rigor inertia MODEL --write`; or write "
+           "the result all the same with `--allow-loss`."},
+      {.rule = {"convert-reference-lost", NoteKind::kDangling, Severity::kWarning, Formats::kUrdf},
+       .message = "in the result {written}",
+       .summary = "a reference of the result leads nowhere",
+       .why = "A plugin or sensor of the source names something that the result does not have "
+              "under this name: it will not work in Gazebo.",
+       .what_to_do = "Give the plugin the name that the result has."},
   };
   return kRows;
 }

@@ -26,11 +26,20 @@ std::span<const Row> shape_rows() {
               "falls through things.",
        .what_to_do = "Convert with `--shapes mesh`, which writes mesh files, or choose a shape "
                      "that both formats have."},
+      {.rule = {"convert-collision-lost", NoteKind::kCollisionLost, Severity::kError},
+       .message = "there is no {written} in the target: the collision is left out",
+       .summary = "a collision whose shape the target lacks is left out",
+       .why =
+           "What the robot touches and is touched by is another: it falls through the ground, or "
+           "an arm plans through it.",
+       .what_to_do =
+           "Write to a file with `-o`: shapes that have a mesh become mesh files beside it; "
+           "for a plane choose `--plane box`. `--allow-loss` leaves the collision out."},
       {.rule = {"convert-submesh", NoteKind::kSubmesh, Severity::kWarning, Formats::kSdf},
        .message =
            [](const convert::Note& note) {
-             return note.instead.empty() ? "submesh {written} is left out: URDF takes meshes whole"
-                                         : "submesh {written} becomes {instead}";
+             return note.instead.empty() ? "{written} is left out: URDF takes meshes whole"
+                                         : "{written} becomes {instead}";
            },
        .summary = "a part of a mesh file",
        .why = "URDF uses whole mesh files. A submesh cannot be selected by name.",

@@ -228,7 +228,9 @@ std::optional<Surface> Materials::of_block(const model::Visual& visual) {
       if (!element) continue;
       std::optional<Surface> surface;
       if (const auto material = element->child("material")) {
-        if (const auto color = script_color(read::trimmed(material->text()))) {
+        const auto value = material->attribute("value");
+        const std::string_view name = value ? value->value() : material->text();
+        if (const auto color = script_color(read::trimmed(name))) {
           surface = Surface{.color = *color};
         }
       } else if (const auto inner = element->child("visual")) {

@@ -97,7 +97,19 @@ class MimicAdder {
     if (!moves(*leader)) return "it does not move";
     if (follower == nullptr || !moves(*follower)) return "this joint does not move";
     if (follower->mimic) return "it follows another one";
-    return leads(joints_, follower, leader) ? "they would follow each other in a circle" : "";
+    return leads(joints_, follower, leader) ? ring_of(*follower, *leader) : "";
+  }
+
+  /// The joints of a ring, which ends where one of them no longer follows.
+  std::string ring_of(const UrdfJoint& follower, const UrdfJoint& leader) const {
+    std::string text = follower.name;
+    const UrdfJoint* joint = &leader;
+    for (int steps = 0; joint != nullptr && joint != &follower && steps < kMostLeaders; ++steps) {
+      text += " → " + joint->name;
+      const auto found = joint->mimic ? joints_.find(joint->mimic->joint) : joints_.end();
+      joint = found == joints_.end() ? nullptr : found->second;
+    }
+    return text + " → " + follower.name + " is a ring, cut at " + follower.name;
   }
 
   void take(const model::Mimic& mimic) {

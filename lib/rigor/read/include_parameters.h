@@ -1,0 +1,34 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// `<experimental:params>` of an `<include>`: what it adds to the included model, changes in it, or takes
+// from it, as libsdformat 12 does (http://sdformat.org/tutorials?tut=param_passing_proposal).
+//
+//   <include>
+//     <uri>model://arm</uri>
+//     <experimental:params>
+//       <visual element_id="hand" name="mark" action="add"><geometry>…</geometry></visual>
+//       <link element_id="hand" action="modify"><inertial><mass>2</mass></inertial></link>
+//       <collision element_id="hand::palm" action="remove"/>
+//     </experimental:params>
+//   </include>
+//
+// An `element_id` is a path of names below the model, of `add` that of the parent. Without an `action`
+// each child has its own. What leads nowhere is left out, as there.
+
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <rigor/xml/document.h>
+
+namespace rigor::read {
+
+/// The bytes of the included file with the parameters done; nothing where there are none, or none does
+/// anything. `source` is the file that `include` is in.
+std::optional<std::string> with_include_parameters(const xml::Document& included,
+                                                   const xml::Document& source,
+                                                   xml::Element include);
+
+}  // namespace rigor::read
