@@ -4,9 +4,7 @@
 # A compiler cache and a quick linker, where they are installed. Neither changes what is built.
 find_program(RIGOR_CCACHE ccache)
 if(RIGOR_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${RIGOR_CCACHE})
-  # ccache takes the precompiled header that is there for a part of what makes a new one, and brings the old one again.
-  set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${PROJECT_SOURCE_DIR}/cmake/ccache.sh ${RIGOR_CCACHE})
 endif()
 find_program(RIGOR_MOLD mold)
 if(RIGOR_MOLD)

@@ -32,7 +32,7 @@ constexpr std::string_view kGreeting =
   inspect, render, view    tree, poses and masses; pictures without a window; a page to turn it
   inertia, mesh-check      mass and inertia, exactly; check, repair, reduce and convert meshes
   sdf2urdf, urdf2sdf       convert, with an account of every loss
-  diff, upgrade            what differs between robots; a newer SDF of the same robot
+  diff, upgrade, fmt       what differs between robots; a newer SDF of the same robot; one layout
   simulate, merge          drop it, drive it, sweep its joints: a verdict; join sharded runs
   new, init                a robot to begin with, done right and explained; a rigor.toml
   rules, explain           what is checked; why, and what to do about it
@@ -90,6 +90,7 @@ constexpr CommandEntry kCommands[] = {
     {"new", new_command},
     {"merge", merge_command},
     {"upgrade", upgrade_command},
+    {"fmt", fmt_command},
     {"init", init_command},
     {"rules", rules_command},
     {"explain", explain_command},

@@ -50,6 +50,9 @@ Config extended(Config config, Config base) {
   add_missing(config.resolve_packages, std::move(base.resolve_packages));
   add_missing(config.materials, std::move(base.materials));
   append(config.templates, std::move(base.templates));
+  default_to(config.layout.indent, std::move(base.layout.indent));
+  default_to(config.layout.width, base.layout.width);
+  default_to(config.layout.quotes, std::move(base.layout.quotes));
   append(config.problems, std::move(base.problems));
   return config;
 }

@@ -17,6 +17,8 @@
 //   paths = ["models"]
 //   [materials]
 //   our-foam = 42          # kg/m³
+//   [format]
+//   indent = 4
 //   [[xacro]]
 //   file      = "urdf/arm.urdf.xacro"
 //   arguments = [{ side = "left" }, { side = "right", sim = true }]
@@ -29,6 +31,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -76,6 +79,14 @@ struct TemplateArguments {
   std::vector<std::vector<std::pair<std::string, std::string>>> sets;
 };
 
+/// How `rigor fmt` lays files out.
+struct Layout {
+  std::optional<Name> indent;              ///< what a level adds: one to eight spaces, or a tab
+  std::optional<Setting<unsigned>> width;  ///< columns
+  std::optional<Name> quotes;              ///< one of `kQuotes`
+};
+inline constexpr std::array<std::string_view, 3> kQuotes{"double", "single", "keep"};
+
 struct Config {
   /// The file, then what it extends, the nearest first; none when nothing is configured.
   std::vector<std::string> files;
@@ -93,6 +104,7 @@ struct Config {
   std::map<std::string, Setting<double>> materials;  ///< kg/m³, by name
 
   std::vector<TemplateArguments> templates;
+  Layout layout;
 
   std::vector<Problem> problems;
 };

@@ -61,6 +61,7 @@ class ConfigReader {
     top.each_table("per-file", [this](const toml::table& table) { per_file(table); });
     top.each_table("xacro", [this](const toml::table& table) { template_arguments(table); });
     table(top, "resolve", [this](const toml::table& table) { resolve(table); });
+    table(top, "format", [this](const toml::table& table) { layout(table); });
     table(top, "materials", [&](const toml::table& table) { materials(table, top); });
     top.done();
   }
@@ -241,6 +242,30 @@ class ConfigReader {
         }
       }
     });
+    from.done();
+  }
+
+  void layout(const toml::table& toml) const {
+    TomlTable from(toml, "format", config_.problems);
+    if (const toml::node* node = from.find("indent")) {
+      const auto spaces = node->value_exact<std::int64_t>();
+      if (node->value_exact<std::string>() == "tab") {
+        config_.layout.indent = {"\t", at(*node)};
+      } else if (spaces && *spaces >= 1 && *spaces <= 8) {
+        config_.layout.indent = {std::string(static_cast<std::size_t>(*spaces), ' '), at(*node)};
+      } else {
+        from.say(line_of(*node), "indent must be 1 to 8 spaces, or \"tab\"");
+      }
+    }
+    unsigned width = 0;
+    if (from.take("width", width)) config_.layout.width = {width, at(*from.find("width"))};
+    if (auto quotes = text(from, "quotes")) {
+      if (std::find(kQuotes.begin(), kQuotes.end(), quotes->value) != kQuotes.end()) {
+        config_.layout.quotes = std::move(quotes);
+      } else {
+        from.say(quotes->place.line, "quotes must be one of double, single, keep");
+      }
+    }
     from.done();
   }
 

@@ -50,6 +50,12 @@ std::string_view starter_config() {
 #paths = ["models"]
 #packages = {my_robot_description = "../my_robot_description"}
 
+# How `rigor fmt` lays files out: spaces a level or "tab", columns, quotes of attributes.
+#[format]
+#indent = 2
+#width = 120
+#quotes = "double"
+
 # Densities in kg/m³, for `rigor inertia --material`.
 #[materials]
 #our-foam = 42

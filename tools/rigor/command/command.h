@@ -64,6 +64,7 @@ std::unique_ptr<Command> report_command();
 std::unique_ptr<Command> new_command();
 std::unique_ptr<Command> merge_command();
 std::unique_ptr<Command> upgrade_command();
+std::unique_ptr<Command> fmt_command();
 std::unique_ptr<Command> init_command();
 std::unique_ptr<Command> rules_command();
 std::unique_ptr<Command> explain_command();

@@ -70,6 +70,14 @@ ShownSettings settings_shown(const SaidOfFile& said, const config::Config& confi
   for (const auto& [package, folder] : config.resolve_packages) {
     shown.add("resolve.packages." + package, folder, options.shown(folder.value));
   }
+  if (const auto& indent = config.layout.indent) {
+    shown.add("format.indent", *indent,
+              indent->value == "\t" ? "tab" : std::to_string(indent->value.size()));
+  }
+  if (const auto& width = config.layout.width) {
+    shown.add("format.width", {{}, width->place}, std::to_string(width->value));
+  }
+  if (const auto& quotes = config.layout.quotes) shown.add("format.quotes", *quotes, quotes->value);
   for (const auto& [name, density] : config.materials) {
     shown.add("materials." + name, {{}, density.place}, fmt::format("{} kg/m³", density.value));
   }

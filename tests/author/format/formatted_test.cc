@@ -1,0 +1,183 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/author/format/formatted.h>
+
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <rigor/author/format/same_content.h>
+#include <rigor/xml/document.h>
+
+#include "support/corpus.h"
+
+namespace rigor::author {
+namespace {
+
+Formatted formatted_of(std::string_view bytes, const FormatStyle& style = {}) {
+  return formatted(xml::parse(bytes, SourceId{0}), style);
+}
+
+std::string text_of(std::string_view bytes, const FormatStyle& style = {}) {
+  const Formatted result = formatted_of(bytes, style);
+  EXPECT_EQ(result.refused, "");
+  return result.text;
+}
+
+TEST(Formatted, AFileIsIndentedByItsNesting) {
+  EXPECT_EQ(
+      text_of("<?xml version='1.0'?><robot name='a'><link name='b'/>\n"
+              "\t<link\n name = 'c' ><inertial>\n<mass value='1' /></inertial></link ></robot>"),
+      "<?xml version='1.0'?>\n"
+      "<robot name=\"a\">\n"
+      "  <link name=\"b\"/>\n"
+      "  <link name=\"c\">\n"
+      "    <inertial>\n"
+      "      <mass value=\"1\"/>\n"
+      "    </inertial>\n"
+      "  </link>\n"
+      "</robot>\n");
+}
+
+TEST(Formatted, NumbersAreKeptAndRowsOfThemTakeOneLine) {
+  EXPECT_EQ(text_of("<a>\n  <pose>\n    0 0  1e-3\n    +.5 0 1.50\n  </pose>\n"
+                    "  <origin xyz=\" 0  0 1\" name=\"x  y\"/>\n</a>\n"),
+            "<a>\n  <pose>0 0 1e-3 +.5 0 1.50</pose>\n"
+            "  <origin xyz=\"0 0 1\" name=\"x  y\"/>\n</a>\n");
+}
+
+TEST(Formatted, TextThatIsNoRowOfNumbersKeepsItsBytes) {
+  const std::string text = "<a>\n  <uri> model://x </uri>\n  <b>1 ${two}\n 3</b>\n</a>\n";
+  EXPECT_EQ(text_of(text), text);
+}
+
+TEST(Formatted, CommentsStayWhereTheyAre) {
+  EXPECT_EQ(text_of("<a> <!-- of a -->\n<!-- of b,\n   two lines -->\n <b/>   <!-- behind b -->\n"
+                    "<!-- rigor: ignore[x] --><c/></a><!-- end -->"),
+            "<a> <!-- of a -->\n  <!-- of b,\n   two lines -->\n  <b/> <!-- behind b -->\n"
+            "  <!-- rigor: ignore[x] -->\n  <c/>\n</a> <!-- end -->\n");
+}
+
+TEST(Formatted, OneBlankLineOfARunStays) {
+  EXPECT_EQ(text_of("<a>\n\n\n  <b/>\n  \n\n\n  <c/>\n  <d/>\n\n</a>\n\n\n"),
+            "<a>\n  <b/>\n\n  <c/>\n  <d/>\n</a>\n");
+}
+
+TEST(Formatted, APluginKeepsItsContent) {
+  EXPECT_EQ(text_of("<a>\n<plugin  name='p'>\n   <x>1   2</x> odd </plugin>\n</a>\n"),
+            "<a>\n  <plugin name=\"p\">\n   <x>1   2</x> odd </plugin>\n</a>\n");
+}
+
+TEST(Formatted, TextAmongElementsKeepsTheContentOfItsElement) {
+  const std::string text = "<a>\n  <b>one <c  x='1'/>\n two</b>\n</a>\n";
+  EXPECT_EQ(text_of(text), text);
+}
+
+TEST(Formatted, CharacterDataKeepsItsBytes) {
+  const std::string text = "<a>\n  <b><![CDATA[ 1  2 ]]></b>\n</a>\n";
+  EXPECT_EQ(text_of(text), text);
+}
+
+TEST(Formatted, ALongTagGetsALineForEachAttribute) {
+  FormatStyle style;
+  style.width = 30;
+  EXPECT_EQ(
+      text_of("<a><limit lower=\"-1.57\" upper=\"1.57\" effort=\"10\"/></a>", style),
+      "<a>\n  <limit\n      lower=\"-1.57\"\n      upper=\"1.57\"\n      effort=\"10\"/>\n</a>\n");
+  EXPECT_EQ(text_of("<a>\n<limit\n   lower=\"-1\"\n   upper=\"1\"/></a>", style),
+            "<a>\n  <limit lower=\"-1\" upper=\"1\"/>\n</a>\n");
+}
+
+TEST(Formatted, AValueKeepsItsQuotesWhereItHoldsTheOther) {
+  EXPECT_EQ(text_of("<a b='say \"no\"' c='1'/>\n"), "<a b='say \"no\"' c=\"1\"/>\n");
+  FormatStyle single;
+  single.quotes = FormatQuotes::kSingle;
+  EXPECT_EQ(text_of("<a b=\"${'x'}\" c=\"1\"/>\n", single), "<a b=\"${'x'}\" c='1'/>\n");
+  FormatStyle keep;
+  keep.quotes = FormatQuotes::kKeep;
+  EXPECT_EQ(text_of("<a  b='1' c=\"1\"/>\n", keep), "<a b='1' c=\"1\"/>\n");
+}
+
+TEST(Formatted, LineEndsAreTheFilesOwn) {
+  EXPECT_EQ(text_of("<a>\r\n<b/><c/></a>"), "<a>\r\n  <b/>\r\n  <c/>\r\n</a>\r\n");
+}
+
+TEST(Formatted, AnEmptyElementStaysAsItIsWritten) {
+  EXPECT_EQ(text_of("<a><b>\n</b><c /><d></d></a>"), "<a>\n  <b></b>\n  <c/>\n  <d></d>\n</a>\n");
+}
+
+TEST(Formatted, WhatIsNotWellFormedIsRefused) {
+  for (const std::string_view bytes : {"<a><b></a>", "<a", "", "<a/>text", "text<a/>"}) {
+    const Formatted result = formatted_of(bytes);
+    EXPECT_EQ(result.outcome, FormatOutcome::kUnreadable) << bytes;
+    EXPECT_EQ(result.text, "") << bytes;
+  }
+}
+
+TEST(Formatted, OnlyTheLinesThatAreAskedForChange) {
+  const std::string text = "<a>\n<b/>\n<c/>\n<d/>\n</a>\n";
+  const Formatted result = formatted_in_lines(xml::parse(text, SourceId{0}), {}, 3, 3);
+  EXPECT_EQ(result.text, "<a>\n<b/>\n  <c/>\n<d/>\n</a>\n");
+}
+
+TEST(SameContent, SeesWhatAReaderSees) {
+  const auto same = [](std::string_view a, std::string_view b) {
+    return same_content(xml::parse(a, SourceId{0}), xml::parse(b, SourceId{1}));
+  };
+  EXPECT_TRUE(same("<a><b x='1'>1  2</b></a>", "<a>\n<b x=\"1\">1 2</b>\n</a>"));
+  EXPECT_FALSE(same("<a><b/></a>", "<a><c/></a>"));
+  EXPECT_FALSE(same("<a><b/></a>", "<a><b/><b/></a>"));
+  EXPECT_FALSE(same("<a x='1'/>", "<a x='2'/>"));
+  EXPECT_FALSE(same("<a x='1' y='2'/>", "<a x='1'/>"));
+  EXPECT_FALSE(same("<a>1 2</a>", "<a>12</a>"));
+  EXPECT_FALSE(same("<a>x  y</a>", "<a>x y</a>"));
+  EXPECT_FALSE(same("<a><!-- b --></a>", "<a><!--b--></a>"));
+  EXPECT_FALSE(same("<a><plugin><b/></plugin></a>", "<a><plugin> <b/></plugin></a>"));
+  EXPECT_FALSE(same("<a><b/></a>", "<a><b></b></a>"));
+}
+
+/// What a formatter may not touch: all that is neither white space nor a quote.
+std::string ink(std::string_view bytes) {
+  std::string kept;
+  for (const char c : bytes) {
+    if (std::isspace(static_cast<unsigned char>(c)) == 0 && c != '\'' && c != '"') kept += c;
+  }
+  return kept;
+}
+
+/// With those of the xacro corpus that lies beside.
+std::vector<std::string> files_as_written() {
+  std::vector<std::string> paths = test::corpus_models();
+  const std::string templates = test::corpus() + "/../corpus-xacro";
+  if (std::filesystem::exists(templates)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(templates)) {
+      if (entry.path().extension() == ".xacro") paths.push_back(entry.path().string());
+    }
+  }
+  return paths;
+}
+
+TEST(FormattedCorpus, EveryFileReadsAsBeforeAndIsLaidOutOnce) {
+  RIGOR_NEEDS_CORPUS();
+  std::size_t files = 0;
+  std::size_t changed = 0;
+  for (const std::string& path : files_as_written()) {
+    const std::string bytes = test::read_file(path);
+    const Formatted once = formatted_of(bytes);
+    EXPECT_NE(once.outcome, FormatOutcome::kWouldDiffer) << path;
+    if (once.outcome != FormatOutcome::kDone) continue;
+    ++files;
+    changed += once.edits.empty() ? 0 : 1;
+    EXPECT_EQ(ink(once.text), ink(bytes)) << path;
+    EXPECT_TRUE(formatted_of(once.text).edits.empty()) << path;
+  }
+  EXPECT_GT(changed, files / 2);
+}
+
+}  // namespace
+}  // namespace rigor::author
