@@ -104,7 +104,7 @@ GroupCounts count_groups(const Diagnostics& findings) {
   std::unordered_set<std::string> known;
   for (const Diagnostic& finding : findings.list()) {
     counts.places += finding.count + finding.others.size();
-    const bool is_new = finding.count != 1 || known.insert(cause_key(finding)).second;
+    const bool is_new = finding.count != 1 || known.insert(cause_of(finding)).second;
     counts.joined = counts.joined || !is_new || !finding.others.empty();
     if (is_new) counts.by_severity[static_cast<std::size_t>(finding.severity)] += finding.count;
   }

@@ -19,9 +19,6 @@ constexpr const char* kDeviceSettings = "threads=1,set_affinity=0,start_threads=
 /// Of the ground's radius: from here on it fades.
 constexpr double kGroundFades = 0.45;
 
-/// Of the distance: so much apart, two surfaces are in one place.
-constexpr double kInOnePlace = 1e-5;
-
 // Bodies of one mesh in exactly one place of which a ray meets all: thousands take a picture minutes. Nothing is seen
 // of more, whatever light the others let through.
 constexpr unsigned kMostInOnePlace = 16;

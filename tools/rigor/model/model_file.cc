@@ -34,11 +34,19 @@ std::string model_named_by(const std::string& config, const read::ModelConfig& r
 
 constexpr std::size_t kMaxListed = 3;
 
+read::Discovered discovered_in(const Disk& disk, const std::string& folder) {
+  read::Discovered found = read::discover(disk, {folder});
+  for (const std::string& unusable : found.unusable) throw UsageError(unusable);
+  std::erase_if(found.files,
+                [](const std::string& path) { return path.ends_with("model.config"); });
+  return found;
+}
+
 /// Its model.config, or the only model in it.
 std::string model_file_in(const Disk& disk, const std::string& folder) {
   std::string config = join_path(folder, "model.config");
   if (disk.kind(config) == PathKind::kFile) return config;
-  std::vector<std::string> found = model_paths(disk, {folder});
+  std::vector<std::string> found = discovered_in(disk, folder).files;
   std::erase_if(found, [](const std::string& path) { return path.ends_with(".srdf"); });
   if (found.empty()) throw UsageError(folder + ": no model in this folder");
   if (found.size() == 1) return found.front();
@@ -122,11 +130,8 @@ std::vector<std::string> model_paths(const Environment& environment,
       all.push_back(path);
       continue;
     }
-    const read::Discovered found = read::discover(disk, {path});
-    for (const std::string& unusable : found.unusable) throw UsageError(unusable);
-    for (const std::string& file : found.files) {
-      if (!file.ends_with("model.config")) all.push_back(file);
-    }
+    const read::Discovered found = discovered_in(disk, path);
+    all.insert(all.end(), found.files.begin(), found.files.end());
     for (std::string& robot : robot_templates(environment, found.left_out))
       all.push_back(std::move(robot));
   }
