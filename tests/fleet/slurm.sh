@@ -15,7 +15,7 @@ rigor=$(realpath "$1")
 work=$(realpath -m "$2")
 array=$(realpath "$(dirname "$0")/array.sbatch")
 shards=6
-models=${RIGOR_FLEET_MODELS:-24}
+models=${RIGOR_FLEET_MODELS:-300}
 limit=${RIGOR_FLEET_SECONDS:-480}  # of the whole array: it hangs beyond
 
 skip() { echo "the fleet is not tested: $1"; exit 77; }
@@ -122,10 +122,29 @@ job=$(RIGOR="$rigor" OUT="$work/parts" sbatch --parsable --array="1-$shards" \
   --output="$work/log/task-%a" "$array" models)
 echo "array $job of $shards tasks on n1 and n2, $models models"
 
-# In the middle: a task on n2 has written some of its simulations, and not all.
+# In the middle: a task on n2 has written some of its simulations and still runs. The node is stopped while that is
+# looked at, and goes on if the task was done.
 running_on_n2() { squeue -h -r -j "$job" -w n2 -t R -o %K | head -n 1; }
-has_begun() { task=$(running_on_n2) && [ -s "$work/parts/simulate-$task.jsonl" ]; }
-await "$limit" 'a task on n2' has_begun
+processes_of_n2() {
+  local space process
+  space=$(readlink "/proc/$cut/ns/pid_for_children")
+  for process in /proc/[0-9]*; do
+    if [ "$(readlink "$process/ns/pid" 2>/dev/null)" = "$space" ]; then basename "$process"; fi
+  done
+}
+is_in_the_middle() {
+  local process processes
+  task=$(running_on_n2)
+  [ -n "$task" ] && [ -s "$work/parts/simulate-$task.jsonl" ] || return 1
+  processes=$(processes_of_n2)
+  kill -STOP $processes 2>/dev/null || true
+  for process in $processes; do
+    if tr '\0' ' ' 2>/dev/null <"/proc/$process/cmdline" | grep -q "simulate.*simulate-$task.jsonl"; then return 0; fi
+  done
+  kill -CONT $processes 2>/dev/null || true
+  return 1
+}
+await "$limit" 'a task on n2' is_in_the_middle
 kept=$(wc -l <"$work/parts/simulate-$task.jsonl")
 kill -KILL "$cut"
 echo "n2 lost power while it ran task $task, $kept simulations done"
