@@ -104,6 +104,21 @@ TEST_F(XacroProgram, AProjectSaysItsArguments) {
   EXPECT_EQ(validate(".").exit, 2);
 }
 
+TEST_F(XacroProgram, ArgumentsWithoutADefaultHaveStandIns) {
+  folder_.put("config/small/size.yaml", "mass: -1\n");
+  folder_.put("arm.urdf.xacro",
+              "<robot name=\"$(arg name)\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n"
+              "  <xacro:arg name=\"name\"/>\n"
+              "  <xacro:arg name=\"size\" default=\"none\"/>\n"
+              "  <xacro:property name=\"file\" value=\"$(dirname)/config/$(arg size)/size.yaml\"/>\n"
+              "  <xacro:property name=\"data\" value=\"${xacro.load_yaml(file)}\"/>\n"
+              "  <link name=\"arm\"><inertial><mass value=\"${data['mass']}\"/></inertial></link>\n"
+              "</robot>\n");
+  const Ran ran = validate(".");
+  EXPECT_NE(ran.out.find("arm.urdf.xacro:6:"), std::string::npos) << ran.out << ran.err;
+  EXPECT_NE(ran.err.find("1 file checked"), std::string::npos) << ran.err;
+}
+
 TEST_F(XacroProgram, OfAFolderRobotsAreCheckedAndTheirPartsThroughThem) {
   folder_.put("parts/hand.xacro",
               "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n"

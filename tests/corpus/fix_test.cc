@@ -5,6 +5,7 @@
 // has less found in it and nothing new, is not changed by a second run, and with safe fixes is the same
 // robot. Then real files are damaged in ways that a safe fix mends, and have to come out as they were.
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -142,9 +143,11 @@ class FixedCorpus {
     // What is behind a place that ended the reading was never looked at.
     if (!xml::parse(file.before, kNoSource).complete()) return;
     const auto before = counts_of(file);
-    EXPECT_LT(total(after.counts), total(before));
+    EXPECT_LT(totals(after.counts), totals(before));
+    const bool fewer_errors = totals(after.counts).front() < totals(before).front();
     for (const auto& [rule, count] : after.counts) {
-      if (rule.ends_with(" info")) continue;
+      // What an error hid may show when it is gone: an element that was not read, a file that was not found.
+      if (rule.ends_with(" info") || (fewer_errors && rule.ends_with(" warning"))) continue;
       const auto known = before.find(rule);
       EXPECT_TRUE(known != before.end() && count <= known->second) << rule;
     }
@@ -171,14 +174,11 @@ class FixedCorpus {
     return counts;
   }
 
-  /// Errors and warnings, and all: infos may come where warnings go.
-  static std::pair<std::size_t, std::size_t> total(
-      const std::map<std::string, std::size_t>& counts) {
-    std::pair<std::size_t, std::size_t> sums{0, 0};
-    for (const auto& [rule, count] : counts) {
-      if (!rule.ends_with(" info")) sums.first += count;
-      sums.second += count;
-    }
+  /// Errors, warnings and infos: less severe ones may come where severe ones go.
+  static std::array<std::size_t, 3> totals(const std::map<std::string, std::size_t>& counts) {
+    std::array<std::size_t, 3> sums{};
+    for (const auto& [rule, count] : counts)
+      sums[rule.ends_with(" error") ? 0 : rule.ends_with(" warning") ? 1 : 2] += count;
     return sums;
   }
 

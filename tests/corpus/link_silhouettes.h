@@ -64,7 +64,8 @@ class LinkSilhouettes {
         // Through a pinhole one over the depth is what is linear in the picture.
         const double nearness = a * c[0].nearness + b * c[1].nearness + (1 - a - b) * c[2].nearness;
         const std::size_t at = std::size_t{y} * width_ + x;
-        if (nearness <= nearness_[at]) continue;
+        // Of what lies in one place the first that was added is seen.
+        if (nearness <= nearness_[at] * (1 + 1e-5)) continue;
         nearness_[at] = nearness;
         owner_[at] = link;
       }

@@ -277,7 +277,7 @@ TEST(UnusedSuppression, IsNotToldOfInertiasWhenMeshesAreNotOpened) {
 TEST(ManySuppressed, FoldedFindingsAreHiddenOnlyByWhatCoversThemAll) {
   // 1,000 of a rule are listed; where the others stand is not known.
   std::string elements;
-  for (int i = 0; i < 1200; ++i) elements += "<zz/>";
+  for (int i = 0; i < 1200; ++i) elements += "<zz" + std::to_string(i) + "/>";
   const std::string link = "<link name='a'>" + elements + "</link>\n";
   const std::string name = "[unknown-element] -->";
   EXPECT_EQ(told_of("<!-- rigor: file-ignore" + name + model_of(link)), Lines{});

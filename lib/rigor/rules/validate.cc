@@ -123,6 +123,40 @@ class Run {
     return paths;
   }
 
+  /// For arguments that make no robot by their defaults, as a `name` without one or a `ur_type` that is no model's:
+  /// their own names, and the first values of others with which there is a robot. Nothing where none of these is.
+  std::optional<read::TemplateArguments> stand_ins(const std::string& path) {
+    constexpr std::size_t kMostTries = 12;
+    const read::File& file = workspace_.open(path);
+    if (!file.expanded) return std::nullopt;
+    std::map<std::string, std::string> names;
+    for (const xacro::Fact& fact : file.expanded->expansion().facts) {
+      if (fact.kind == xacro::FactKind::kUndefinedArgument) names.emplace(fact.name, fact.name);
+    }
+    if (names.empty()) return std::nullopt;
+    read::ArgumentPlan plan;
+    plan.sets.emplace_back();
+    plan = read::all_arguments(file.expanded->expansion(), sources_, environment_.disk,
+                               std::move(plan));
+    for (std::size_t i = 0; i < std::min(plan.sets.size(), kMostTries); ++i) {
+      std::map<std::string, std::string> values = names;
+      for (const auto& [name, value] : plan.sets[i]) values[name] = value;
+      read::TemplateArguments arguments(values.begin(), values.end());
+      // By numbers that no set has which is checked.
+      const std::size_t number = read::kMaxArgumentSets + 2 + i;
+      const read::File& robot = workspace_.open(path, number, with_given(arguments));
+      if (robot.expanded && robot.expanded->ok() && makes_robot(robot)) return arguments;
+    }
+    return std::nullopt;
+  }
+
+  /// Behind those that are given to all templates.
+  read::TemplateArguments with_given(const read::TemplateArguments& more) const {
+    read::TemplateArguments arguments = environment_.resolver.paths().templates.arguments;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+
   /// Templates that are robots join the paths; what is left of the others is left out.
   void add_templates(std::vector<read::LeftOut>& found, std::vector<std::string>& paths,
                      std::vector<read::LeftOut>& left_out) {
@@ -139,6 +173,13 @@ class Run {
       if (!options_.arguments_for) break;
       auto& sets = arguments_[path] = options_.arguments_for(path);
       if (!sets.empty()) named.insert(path);
+    }
+    for (const std::string& path : templates) {
+      if (!arguments_[path].empty()) continue;
+      std::optional<read::TemplateArguments> arguments = stand_ins(path);
+      if (!arguments) continue;
+      stand_ins_.emplace(path, *std::move(arguments));
+      named.insert(path);
     }
     EntryPoints entries = entry_points(templates, named, workspace_,
                                        environment_.resolver.paths().templates.working_folder);
@@ -222,7 +263,8 @@ class Run {
     const auto is_new = [this](const Diagnostic& each) {
       const std::string path =
           each.where.nowhere() ? each.path : std::string(sources_.path(each.where.source));
-      return reported_.insert({each.rule, path, each.where.begin, each.where.end, each.message}).second;
+      return reported_.insert({each.rule, path, each.where.begin, each.where.end, each.message})
+          .second;
     };
     Diagnostics fresh;
     for (const Diagnostic& each : found.list()) {
@@ -320,11 +362,17 @@ class Run {
       plan = read::all_arguments(first.expanded->expansion(), sources_, environment_.disk,
                                  std::move(plan));
     }
+    const auto stand_ins = stand_ins_.find(path);
+    if (stand_ins != stand_ins_.end()) {
+      plan.sets.insert(plan.sets.begin(), read::TemplateArguments());
+      for (read::TemplateArguments& set : plan.sets)
+        set.insert(set.begin(), stand_ins->second.begin(), stand_ins->second.end());
+    }
     if (!plan.left_out.empty()) checked.not_looked_at.push_back({path, "xacro: " + plan.left_out});
-    if (plan.sets.empty() || takes_all) check_expansion(first, {}, checked, run);
+    if (plan.sets.empty() || (takes_all && stand_ins == stand_ins_.end()))
+      check_expansion(first, {}, checked, run);
     for (std::size_t i = 0; i < plan.sets.size(); ++i) {
-      read::TemplateArguments arguments = environment_.resolver.paths().templates.arguments;
-      arguments.insert(arguments.end(), plan.sets[i].begin(), plan.sets[i].end());
+      const read::TemplateArguments arguments = with_given(plan.sets[i]);
       const std::string shown = read::shown_arguments(plan.sets[i]);
       check_expansion(workspace_.open(path, i + 1, arguments), shown, checked, run);
     }
@@ -502,6 +550,7 @@ class Run {
   std::map<std::string, std::string>
       part_of_;  // robots, by the path of a template that they include
   std::map<std::string, std::vector<read::TemplateArguments>> arguments_;  // sets, by path
+  std::map<std::string, read::TemplateArguments> stand_ins_;               // by path
   std::set<std::tuple<std::string_view, std::string, std::uint32_t, std::uint32_t, std::string>>
       reported_;
   ValidateResult result_;

@@ -73,6 +73,11 @@ TEST(Formatted, APluginKeepsItsContent) {
             "<a>\n  <plugin name=\"p\">\n   <x>1   2</x> odd </plugin>\n</a>\n");
 }
 
+TEST(Formatted, SoDoesOneOfWhiteSpace) {
+  const std::string text = "<a>\n  <plugin name=\"p\">\n \n  </plugin>\n</a>\n";
+  EXPECT_EQ(text_of(text), text);
+}
+
 TEST(Formatted, TextAmongElementsKeepsTheContentOfItsElement) {
   const std::string text = "<a>\n  <b>one <c  x='1'/>\n two</b>\n</a>\n";
   EXPECT_EQ(text_of(text), text);
@@ -85,7 +90,7 @@ TEST(Formatted, CharacterDataKeepsItsBytes) {
 
 TEST(Formatted, ALongTagGetsALineForEachAttribute) {
   FormatStyle style;
-  style.width = 30;
+  style.width = 31;
   EXPECT_EQ(
       text_of("<a><limit lower=\"-1.57\" upper=\"1.57\" effort=\"10\"/></a>", style),
       "<a>\n  <limit\n      lower=\"-1.57\"\n      upper=\"1.57\"\n      effort=\"10\"/>\n</a>\n");

@@ -16,8 +16,8 @@ struct Open {
 };
 
 ContentKind kind_of(const Open& open, std::string_view name) {
-  if (!open.has_text && !open.has_markup) return ContentKind::kNothing;
   if (name == "plugin" || (open.has_text && open.has_markup)) return ContentKind::kVerbatim;
+  if (!open.has_text && !open.has_markup) return ContentKind::kNothing;
   return open.has_text ? ContentKind::kText : ContentKind::kBlock;
 }
 

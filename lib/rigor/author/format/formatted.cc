@@ -3,6 +3,8 @@
 
 #include <rigor/author/format/formatted.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <utility>
 
@@ -53,9 +55,11 @@ Formatted formatted_in_lines(const xml::Document& document, const FormatStyle& s
     return {.outcome = FormatOutcome::kUnreadable, .refused = std::move(why)};
   const LineTable lines(document.bytes());
   std::vector<Edit> edits = layout_edits(document, style);
+  // White space in front of a piece is the piece's line.
   std::erase_if(edits, [&](const Edit& edit) {
-    return lines.position(edit.span.end).line < first ||
-           lines.position(edit.span.begin).line > last;
+    const std::size_t ink = document.bytes().find_first_not_of(" \t\r\n", edit.span.begin);
+    const auto begin = static_cast<std::uint32_t>(std::min<std::size_t>(ink, edit.span.end));
+    return lines.position(edit.span.end).line < first || lines.position(begin).line > last;
   });
   return proven(document, std::move(edits));
 }

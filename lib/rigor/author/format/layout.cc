@@ -151,8 +151,14 @@ class Layout {
     behind_ = behind;
   }
 
+  /// Edits that touch are one: two in one place have no order.
   void replace(std::uint32_t begin, std::uint32_t end, std::string text) {
     if (document_.bytes().substr(begin, end - begin) == text) return;
+    if (!edits_.empty() && edits_.back().span.end == begin) {
+      edits_.back().span.end = end;
+      edits_.back().text += text;
+      return;
+    }
     edits_.push_back({{document_.source(), begin, end}, std::move(text)});
   }
 

@@ -51,7 +51,7 @@ class TemplateRoots {
     // Without a working folder nothing is known of where relative paths are.
     if (!is_absolute(normal)) return !normal.starts_with("..");
     return std::any_of(roots_.begin(), roots_.end(), [&normal](const std::string& root) {
-      return root == "/" || root == "." || normal.starts_with(root + '/');
+      return root == "/" || normal.starts_with(root + '/');
     });
   }
 
