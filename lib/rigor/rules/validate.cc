@@ -4,6 +4,7 @@
 #include <rigor/rules/validate.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -28,6 +29,8 @@
 #include <rigor/rules/xacro/template_suppressions.h>
 #include <rigor/text/for_each_index.h>
 #include <rigor/text/path.h>
+#include <rigor/xacro/fact.h>
+#include <rigor/xml/document.h>
 
 namespace rigor::rules {
 namespace {
@@ -123,6 +126,20 @@ class Run {
     return paths;
   }
 
+  /// Whether one of the files has `<xacro:arg name="…"/>`.
+  bool declares_argument(const xacro::Expansion& expansion, std::string_view name) const {
+    return std::any_of(expansion.files.begin(), expansion.files.end(), [&](const auto& file) {
+      const xml::Document document = xml::parse_own(sources_.bytes(file.source), file.source);
+      for (std::uint32_t i = 0; i < document.element_count(); ++i) {
+        const xml::Element element = document.element(i);
+        if (element.name() != "xacro:arg") continue;
+        const auto declared = element.attribute("name");
+        if (declared && declared->value() == name) return true;
+      }
+      return false;
+    });
+  }
+
   /// For arguments that make no robot by their defaults, as a `name` without one or a `ur_type` that is no model's:
   /// their own names, and the first values of others with which there is a robot. Nothing where none of these is.
   std::optional<read::TemplateArguments> stand_ins(const std::string& path) {
@@ -131,7 +148,9 @@ class Run {
     if (!file.expanded) return std::nullopt;
     std::map<std::string, std::string> names;
     for (const xacro::Fact& fact : file.expanded->expansion().facts) {
-      if (fact.kind == xacro::FactKind::kUndefinedArgument) names.emplace(fact.name, fact.name);
+      if (fact.kind != xacro::FactKind::kUndefinedArgument) continue;
+      if (!declares_argument(file.expanded->expansion(), fact.name)) return std::nullopt;
+      names.emplace(fact.name, fact.name);
     }
     if (names.empty()) return std::nullopt;
     read::ArgumentPlan plan;
