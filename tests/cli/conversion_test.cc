@@ -523,17 +523,31 @@ TEST_F(ConversionCli, ParametersOfAnIncludeChangeTheModel) {
   folder.put("models/arm/model.config",
              "<model><name>arm</name><sdf version='1.9'>model.sdf</sdf></model>");
   folder.put("models/arm/model.sdf", arm("revolute"));
-  folder.put("two.sdf",
-             "<sdf version='1.9' xmlns:experimental='e'><model name='two'><include>"
-             "<uri>model://arm</uri><experimental:params>"
-             "<link element_id='tip' action='modify'><inertial><mass>7</mass></inertial></link>"
-             "<collision element_id='base' name='skin' action='add'><geometry><sphere>"
-             "<radius>0.25</radius></sphere></geometry></collision>"
-             "</experimental:params></include></model></sdf>");
+  const std::string two =
+      "<sdf version='1.9' xmlns:experimental='e'><model name='two'><include>"
+      "<uri>model://arm</uri><experimental:params>"
+      "<link element_id='tip' action='modify'><inertial><mass>7</mass></inertial></link>"
+      "<collision element_id='base' name='skin' action='add'><geometry><sphere>"
+      "<radius>0.25</radius></sphere></geometry></collision>"
+      "</experimental:params></include></model></sdf>";
+  folder.put("two.sdf", two);
   const Ran ran = folder.rigor("sdf2urdf two.sdf --model-path models");
   EXPECT_EQ(ran.exit, 0) << ran.err;
   EXPECT_NE(ran.out.find("<mass value=\"7\"/>"), std::string::npos) << ran.out;
   EXPECT_NE(ran.out.find("<sphere radius=\"0.25\"/>"), std::string::npos);
+
+  // Of an include in a model that parameters of an include have changed themselves.
+  folder.put("models/two/model.config",
+             "<model><name>two</name><sdf version='1.9'>model.sdf</sdf></model>");
+  folder.put("models/two/model.sdf", two);
+  folder.put("three.sdf",
+             "<sdf version='1.9' xmlns:experimental='e'><model name='three'><include>"
+             "<uri>model://two</uri><experimental:params><frame element_id='' name='mark' "
+             "action='add'/></experimental:params></include></model></sdf>");
+  const Ran three = folder.rigor("sdf2urdf three.sdf --model-path models");
+  EXPECT_EQ(three.exit, 0) << three.err;
+  EXPECT_NE(three.out.find("mark"), std::string::npos) << three.out;
+  EXPECT_NE(three.out.find("<mass value=\"7\"/>"), std::string::npos) << three.out;
 }
 
 }  // namespace

@@ -154,9 +154,12 @@ TEST(Comments, OfAUrdfFileStandWhereTheyDid) {
         <!-- its middle -->
         <pose>0 0 1 0 0 0</pose>
         <mass>)");
-  EXPECT_EQ(part_of(text, "    <!-- a mere frame -->", "<frame "), R"(    <!-- a mere frame -->
+  EXPECT_EQ(part_of(text, "    <!-- a mere frame -->", "\"f\"/>"), R"(    <!-- a mere frame -->
+    <frame name="f" attached_to="base">
+      <pose>0 0 2 0 0 0</pose>
+    </frame>
     <!-- at its end -->
-    <frame )");
+    <frame name="tip" attached_to="f"/>)");
   EXPECT_NE(text.find("      <!-- it has no origin -->\n      <axis>"), std::string::npos) << text;
   EXPECT_NE(text.find("        <!-- from the data sheet -->\n        <limit>"), std::string::npos)
       << text;

@@ -358,8 +358,7 @@ TEST(UrdfJoint, AMimicWithoutALeaderIsLost) {
   EXPECT_TRUE(circle.joint("j").mimic);
   EXPECT_FALSE(circle.joint("k").mimic);
   ASSERT_EQ(circle.notes(NoteKind::kMimicLost).size(), 1U);
-  EXPECT_EQ(circle.notes(NoteKind::kMimicLost)[0].instead,
-            "they would follow each other in a circle");
+  EXPECT_EQ(circle.notes(NoteKind::kMimicLost)[0].instead, "k → j → k is a ring, cut at k");
 }
 
 TEST(UrdfJoint, WhoFollowsAFollowerFollowsItsLeader) {

@@ -155,9 +155,10 @@ TEST(UrdfShape, WhatUrdfLacksIsLostWhole) {
     UrdfPart part(link_with_shape("<" + shape + "/>"), "1.11");
     EXPECT_TRUE(part.link.collisions.empty()) << shape;
     EXPECT_TRUE(part.link.visuals.empty()) << shape;
-    const auto notes = of_kind(part.account().notes, NoteKind::kShapeLost);
+    const Account account = part.account();
+    const auto notes = of_kind(account.notes, NoteKind::kShapeLost);
     // A collision without a shape that anybody reads touches nothing, so nothing of it is lost.
-    const auto collisions = of_kind(part.account().notes, NoteKind::kCollisionLost);
+    const auto collisions = of_kind(account.notes, NoteKind::kCollisionLost);
     EXPECT_EQ(collisions.size(), shape == "nonsense" ? 0U : 1U) << shape;
     ASSERT_EQ(notes.size() + collisions.size(), 2U) << shape;
     EXPECT_EQ(notes[0].written, shape == "nonsense" ? "none" : shape);
@@ -215,9 +216,10 @@ TEST(UrdfShape, APartOfAMeshIsLostRatherThanShownWhole) {
   UrdfPart part(link_with_shape("<mesh><uri>two.obj</uri><submesh><name>b</name></submesh></mesh>"),
                 "1.9", {}, {}, {{"/robots/arm/two.obj", kTwoCubes}});
   EXPECT_TRUE(part.link.visuals.empty());
-  const auto notes = of_kind(part.account().notes, NoteKind::kSubmesh);
+  const Account account = part.account();
+  const auto notes = of_kind(account.notes, NoteKind::kSubmesh);
   ASSERT_EQ(notes.size(), 1U);
-  EXPECT_EQ(of_kind(part.account().notes, NoteKind::kCollisionLost).size(), 1U);
+  EXPECT_EQ(of_kind(account.notes, NoteKind::kCollisionLost).size(), 1U);
   EXPECT_EQ(notes[0].written, "submesh b");
   EXPECT_EQ(notes[0].outcome, Outcome::kLost);
 }

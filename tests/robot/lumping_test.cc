@@ -84,9 +84,12 @@ TEST(CompareHeld, ARootIsHeldByItsHeir) {
   const std::string sdf =
       R"(<sdf version="1.9"><model name="r"><link name="b"><pose>4 0 0 0 0 0</pose>
 <inertial><mass>3</mass></inertial><visual name="v"><pose>-4 0 0 0 0 0</pose>
-<geometry><sphere><radius>0.5</radius></sphere></geometry></visual></link></model></sdf>)";
+<geometry><sphere><radius>0.5</radius></sphere></geometry></visual></link>
+<frame name="a" attached_to="b"><pose>-4 0 0 0 0 0</pose></frame></model></sdf>)";
   const Correspondence names{.held_by = {{"a", "b"}}};
   EXPECT_EQ(told_with(urdf, sdf, names), Lines{});
+  EXPECT_EQ(told_with(urdf, with(sdf, "frame name=\"a\"", "frame name=\"c\""), names),
+            (Lines{"frame-only-in-a frame a", "frame-only-in-b frame c"}));
   EXPECT_EQ(told_with(urdf, with(sdf, "<pose>-4", "<pose>4"), names),
             Lines{"visual-moved visual b/1"});
 }

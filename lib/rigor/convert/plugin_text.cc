@@ -133,6 +133,10 @@ class PluginRewriter {
   }
 
   void replace(xml::Element element, const std::string& text, PluginRemark::Kind kind) {
+    if (kind == PluginRemark::Kind::kRewritten &&
+        write::numbers_in(element.text()) == write::numbers_in(text)) {
+      return;
+    }
     text_.layout.replacements.push_back({element.text_span(), xml::escaped(text)});
     text_.remarks.push_back(
         {kind, element.text_span(), std::string(element.name()) + ' ' + leaf_value(element), text});

@@ -215,10 +215,10 @@ class UrdfToSdf {
                   .instead = "the world"});
   }
 
-  /// The link and the joint that fixes it, by their names.
+  /// The link and the joint that fixes it, by their names, each with what was remarked on it.
   void add_frames(SdfDraft& draft, const SdfNode& node, Id<model::Link> link) const {
     auto& parts = draft.robot.parts;
-    Remarks comments = comments_without_joint(node, link);
+    Remarks comments = comments_on(root_[link].site);
     // The root's frame is the model's, whatever link it is a frame of.
     if (!node.carrier) {
       parts.emplace_back(SdfFrame{
@@ -230,8 +230,8 @@ class UrdfToSdf {
         SdfFrame{joint,
                  draft.node(node.parent).name,
                  {{}, urdf_written_origin(source_.documents, root_[node.carrier].pose)},
-                 std::move(comments)});
-    parts.emplace_back(SdfFrame{node.name, joint});
+                 comments_on(root_[node.carrier].site)});
+    parts.emplace_back(SdfFrame{node.name, joint, {}, std::move(comments)});
   }
 
   /// A joint comes after the links that it names.

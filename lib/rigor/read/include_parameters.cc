@@ -15,9 +15,6 @@
 namespace rigor::read {
 namespace {
 
-/// Each one reads the file anew; people write a handful.
-constexpr std::size_t kMaxParameters = 64;
-
 std::string_view value_of_attribute(xml::Element element, std::string_view name) {
   const auto attribute = element.attribute(name);
   return attribute ? attribute->value() : std::string_view();
@@ -156,7 +153,7 @@ std::optional<std::string> with_include_parameters(const xml::Document& included
   std::optional<std::string> result;
   std::size_t count = 0;
   for (const xml::Element parameter : parameters->children()) {
-    if (++count > kMaxParameters) break;
+    if (++count > kMostIncludeParameters) break;
     const xml::Document target =
         xml::parse(result ? std::string_view(*result) : included.bytes(), included.source());
     const auto root = target.root();

@@ -18,12 +18,16 @@
 
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
 #include <rigor/xml/document.h>
 
 namespace rigor::read {
+
+/// Further ones are left out: each one reads the file anew, and people write a handful.
+inline constexpr std::size_t kMostIncludeParameters = 64;
 
 /// The bytes of the included file with the parameters done; nothing where there are none, or none does
 /// anything. `source` is the file that `include` is in.

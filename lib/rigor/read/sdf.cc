@@ -268,6 +268,14 @@ void SdfReader::read_include(xml::Element element, Scope scope) {
   if (include.merge.value && scope.model) merge_into_parent(root_, include.loaded);
 }
 
+/// The one that is read, or what parameters of an include have made of it.
+const File* SdfReader::file_of(xml::Element element) const {
+  for (const File* file : reader_.workspace.files()) {
+    if (file->document && file->source == element.name_span().source) return file;
+  }
+  return nullptr;
+}
+
 bool SdfReader::follow(model::Include& include, xml::Element element, Scope scope) {
   if (include.uri.value.empty()) return false;
   const Span where = include.uri.span;
@@ -286,9 +294,9 @@ bool SdfReader::follow(model::Include& include, xml::Element element, Scope scop
   const File* file = open_model(reader_, *found.path, where, facts_);
   if (file == nullptr || !may_follow(include, file->path) || !fits(*file, where)) return false;
   include.path = file->path;
-  const File& includer = reader_.workspace.open(files_.back());
-  if (includer.document && element.name_span().source == includer.source) {
-    if (auto bytes = with_include_parameters(*file->document, *includer.document, element)) {
+  const File* includer = element.child("experimental:params") ? file_of(element) : nullptr;
+  if (includer != nullptr) {
+    if (auto bytes = with_include_parameters(*file->document, *includer->document, element)) {
       // In the same folder, so that what it refers to is found.
       const std::string path = file->path + '#' + hex(digest_of(*bytes));
       file = &reader_.workspace.put(path, *std::move(bytes));

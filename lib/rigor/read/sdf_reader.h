@@ -58,6 +58,7 @@ class SdfReader {
   model::Id<model::Model> read_model(xml::Element element, Scope scope);
   void read_model_parts(xml::Element element, model::Id<model::Model> id);
   void read_include(xml::Element element, Scope scope);
+  const File* file_of(xml::Element element) const;
   bool follow(model::Include& include, xml::Element element, Scope scope);
   bool may_follow(const model::Include& include, const std::string& path);
   void override_model(const model::Include& include, std::uint32_t index);

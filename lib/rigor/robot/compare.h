@@ -24,8 +24,9 @@
 
 namespace rigor::robot {
 
-/// What has no part in motion and mass: massless bodies without shapes on fixed joints, and frames,
-/// that only one of the two has; new names of collisions and visuals.
+/// What has no part in motion and mass: massless bodies without shapes on fixed joints, and these
+/// joints, that only one of the two has; new names of collisions and visuals. A frame that only one has
+/// is told in any case.
 enum class Helpers : std::uint8_t { kIgnored, kTold };
 
 /// Model pose, pose of the root, static: what one of two formats may have no place for.

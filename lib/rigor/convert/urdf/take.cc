@@ -3,9 +3,11 @@
 
 #include <rigor/convert/urdf/take.h>
 
+#include <cstddef>
 #include <string_view>
 
 #include <rigor/model/subject.h>
+#include <rigor/read/include_parameters.h>
 
 namespace rigor::convert {
 namespace {
@@ -21,8 +23,22 @@ void take_overridden(Ledger& ledger, xml::Element model, std::string_view name) 
   if (const auto child = model.child(name)) ledger.take_all(*child, Outcome::kImplied);
 }
 
-void take_include(Ledger& ledger, const model::Include& include, xml::Element model) {
+/// The model was read with them done.
+void take_parameters(Ledger& ledger, xml::Element include) {
+  const auto parameters = include.child("experimental:params");
+  if (!parameters) return;
+  ledger.take(*parameters);
+  std::size_t count = 0;
+  for (const xml::Element parameter : parameters->children()) {
+    if (++count > read::kMostIncludeParameters) return;
+    ledger.take_all(parameter);
+  }
+}
+
+void take_include(const Source& source, Ledger& ledger, const model::Include& include,
+                  xml::Element model) {
   ledger.take(include.site);
+  take_parameters(ledger, source.documents.element(include.site));
   ledger.take(include.uri);
   ledger.take(include.name);
   ledger.take(include.merge);
@@ -53,7 +69,7 @@ void take_model(const Source& source, Ledger& ledger, model::Id<model::Model> id
   if (model.include < root.includes.size()) {
     const model::Include& include = root.includes[model.include];
     ledger.open(include.site, model::subject(root, model));
-    take_include(ledger, include, element);
+    take_include(source, ledger, include, element);
   }
   ledger.open(model.site, model::subject(root, model));
   ledger.take(model.site);
