@@ -104,13 +104,13 @@ TEST_F(XacroProgram, AProjectSaysItsArguments) {
   EXPECT_EQ(validate(".").exit, 2);
 }
 
-TEST_F(XacroProgram, ArgumentsWithoutADefaultHaveStandIns) {
+TEST_F(XacroProgram, ArgumentsUsedBeforeTheirDefaultHaveStandIns) {
   folder_.put("config/small/size.yaml", "mass: -1\n");
   folder_.put("arm.urdf.xacro",
               "<robot name=\"$(arg name)\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n"
-              "  <xacro:arg name=\"name\"/>\n"
+              "  <xacro:arg name=\"name\" default=\"arm\"/>\n"
               "  <xacro:arg name=\"size\" default=\"none\"/>\n"
-              "  <xacro:property name=\"file\" value=\"$(dirname)/config/$(arg size)/size.yaml\"/>\n"
+              "  <xacro:property name=\"file\" value=\"config/$(arg size)/size.yaml\"/>\n"
               "  <xacro:property name=\"data\" value=\"${xacro.load_yaml(file)}\"/>\n"
               "  <link name=\"arm\"><inertial><mass value=\"${data['mass']}\"/></inertial></link>\n"
               "</robot>\n");

@@ -119,7 +119,7 @@ TEST(Suggestions, EndWhereTheyCostMoreThanTheyHelp) {
 TEST(ManyFindings, AreCountedAndNotAllListed) {
   std::string text = "<sdf version='1.9'><model name='m'><static>1</static><link name='l'/>";
   for (int i = 0; i < 2500; ++i) text += "<x" + std::to_string(i) + "/>";  // a warning each
-  text += "<y/></model></sdf>";
+  text += "<zz/></model></sdf>";
   const MemoryDisk disk(Files{{"a.sdf", text}});
   const Environment environment(disk, {});
   Sources sources;

@@ -126,22 +126,25 @@ class Run {
     return paths;
   }
 
-  /// Whether one of the files has `<xacro:arg name="…"/>`.
-  bool declares_argument(const xacro::Expansion& expansion, std::string_view name) const {
-    return std::any_of(expansion.files.begin(), expansion.files.end(), [&](const auto& file) {
+  /// Of the `<xacro:arg name="…" default="…"/>` in one of the files; it may stand behind the argument's use, as behind
+  /// the robot's name. Nothing where the argument is not declared.
+  std::optional<std::string> declared_default(const xacro::Expansion& expansion,
+                                              std::string_view name) const {
+    for (const auto& file : expansion.files) {
       const xml::Document document = xml::parse_own(sources_.bytes(file.source), file.source);
       for (std::uint32_t i = 0; i < document.element_count(); ++i) {
         const xml::Element element = document.element(i);
-        if (element.name() != "xacro:arg") continue;
         const auto declared = element.attribute("name");
-        if (declared && declared->value() == name) return true;
+        const auto value = element.attribute("default");
+        if (element.name() != "xacro:arg" || !declared || !value) continue;
+        if (declared->value() == name) return std::string(value->value());
       }
-      return false;
-    });
+    }
+    return std::nullopt;
   }
 
-  /// For arguments that make no robot by their defaults, as a `name` without one or a `ur_type` that is no model's:
-  /// their own names, and the first values of others with which there is a robot. Nothing where none of these is.
+  /// For arguments that make no robot, as a `name` that is used before it has a default or a `ur_type` whose default is
+  /// no model's: those defaults, and the first values of others with which there is a robot. Nothing without any.
   std::optional<read::TemplateArguments> stand_ins(const std::string& path) {
     constexpr std::size_t kMostTries = 12;
     const read::File& file = workspace_.open(path);
@@ -149,8 +152,9 @@ class Run {
     std::map<std::string, std::string> names;
     for (const xacro::Fact& fact : file.expanded->expansion().facts) {
       if (fact.kind != xacro::FactKind::kUndefinedArgument) continue;
-      if (!declares_argument(file.expanded->expansion(), fact.name)) return std::nullopt;
-      names.emplace(fact.name, fact.name);
+      const auto value = declared_default(file.expanded->expansion(), fact.name);
+      if (!value) return std::nullopt;
+      names.emplace(fact.name, value->find('$') == std::string::npos ? *value : fact.name);
     }
     if (names.empty()) return std::nullopt;
     read::ArgumentPlan plan;
