@@ -157,9 +157,8 @@ TEST(Fix, OfAnErrorMayRevealAWarning) {
     options.buffer = {"a.sdf", bytes};
     Sources sources;
     std::map<Severity, int> count;
-    for (const Diagnostic& found :
-         rules::validate(environment, options, sources).diagnostics.list())
-      ++count[found.severity];
+    const rules::ValidateResult result = rules::validate(environment, options, sources);
+    for (const Diagnostic& found : result.diagnostics.list()) ++count[found.severity];
     return count;
   };
   const auto files = fix(disk, {.paths = {"a.sdf"}}, kUnsafe);

@@ -77,7 +77,7 @@ class ViewPage final : public Command {
     const GuardedDisk disk = search_.disk({path_});
     const MadePage made = make_page(disk, search_, path_, PageUse::kFile);
     if (!made.problem.empty()) return refuse(made);
-    const std::string file = out_.empty() ? default_file(disk, made.path) : out_;
+    const std::string file = out_.empty() ? default_file(RealDisk(), made.path) : out_;
     const std::string html = report::model_page(made.data, report::page_template(PageUse::kFile));
     if (out_.empty()) {
       put_file(".", file, html);
@@ -94,7 +94,7 @@ class ViewPage final : public Command {
     return kFindings;
   }
 
-  /// "my_robot.html" of my_robot/model.sdf. A UsageError when something else is called so.
+  /// "my_robot.html" of my_robot/model.sdf, in the working folder, which a model need not reach. A UsageError when something else is called so.
   static std::string default_file(const Disk& disk, const std::string& model) {
     const std::string_view name = file_name(model);
     const std::string_view folder = file_name(parent_path(model));
