@@ -111,6 +111,11 @@ class Fmt final : public Command {
     if (asked.empty()) asked.emplace_back(".");
     read::Discovered found = read::discover(disk_, asked, options);
     if (!found.unusable.empty()) throw UsageError(found.unusable.front());
+    for (read::LeftOut& left : found.left_out) {
+      if (!left.excluded && read::is_template(left.path))
+        found.files.push_back(std::move(left.path));
+    }
+    if (found.files.empty()) throw UsageError("no model file in " + asked.front());
     return std::move(found.files);
   }
 
