@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 
 #include "cli/program.h"
@@ -76,6 +77,17 @@ TEST(CliFmt, WhatIsNotWellFormedStaysAsItIs) {
   EXPECT_NE(ran.err.find("a.urdf is unchanged: it is not well-formed XML"), std::string::npos)
       << ran.err;
   EXPECT_EQ(folder.get("a.urdf"), "<robot><link></robot>");
+}
+
+TEST(CliFmt, NothingIsWrittenThroughALinkOfTheFolder) {
+  const Folder elsewhere;
+  elsewhere.put("a.urdf", kUneven);
+  const Folder folder;
+  std::filesystem::create_symlink(elsewhere.path("a.urdf"), folder.path("a.urdf"));
+  EXPECT_EQ(folder.rigor("fmt .").exit, 2);
+  EXPECT_EQ(elsewhere.get("a.urdf"), kUneven);
+  EXPECT_EQ(folder.rigor("fmt a.urdf").exit, 0) << "who names a link means it";
+  EXPECT_EQ(elsewhere.get("a.urdf"), kEven);
 }
 
 TEST(CliFmt, AFolderWithoutModelsIsAWrongInvocation) {

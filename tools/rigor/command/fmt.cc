@@ -102,20 +102,22 @@ class Fmt final : public Command {
   }
 
  private:
+  std::vector<std::string> asked() const {
+    return paths_.empty() ? std::vector<std::string>{"."} : paths_;
+  }
+
   std::vector<std::string> files_of() const {
     read::DiscoverOptions options = files_.discover();
     options.excluded = [this](const std::string& inside, PathKind kind) {
       return config_.why_excluded(inside, kind);
     };
-    std::vector<std::string> asked = paths_;
-    if (asked.empty()) asked.emplace_back(".");
-    read::Discovered found = read::discover(disk_, asked, options);
+    read::Discovered found = read::discover(disk_, asked(), options);
     if (!found.unusable.empty()) throw UsageError(found.unusable.front());
     for (read::LeftOut& left : found.left_out) {
       if (!left.excluded && read::is_template(left.path))
         found.files.push_back(std::move(left.path));
     }
-    if (found.files.empty()) throw UsageError("no model file in " + asked.front());
+    if (found.files.empty()) throw UsageError("no model file in " + asked().front());
     return std::move(found.files);
   }
 
@@ -138,7 +140,7 @@ class Fmt final : public Command {
     } else if (check_) {
       write({0, {}}, path + '\n');
     } else {
-      replace_file(path, result.text);
+      replace_found(asked(), path, result.text);
     }
   }
 
