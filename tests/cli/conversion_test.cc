@@ -489,15 +489,17 @@ TEST_F(ConversionCli, FindingsOfOneCauseAreOne) {
   folder.put("m.urdf",
              "<robot name='r'><link name='a'><inertial><mass value='1'/><inertia ixx='1' "
              "ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>" +
-                 meshes + "</link></robot>");
+                 meshes +
+                 "</link><transmission name='t'><type>x</type></transmission>"
+                 "<transmission name='u'><type>x</type></transmission></robot>");
   const Ran ran = folder.rigor("urdf2sdf m.urdf -o m.sdf");
   EXPECT_EQ(ran.exit, 0) << ran.out;
-  std::size_t count = 0;
-  for (std::size_t at = 0;
-       (at = ran.out.find("warning[convert-uri-not-found]", at)) != std::string::npos; ++at) {
-    ++count;
+  for (const std::string rule : {"convert-uri-not-found", "convert-transmission"}) {
+    const std::string head = "warning[" + rule + "]";
+    const std::size_t first = ran.out.find(head);
+    ASSERT_NE(first, std::string::npos) << ran.out;
+    EXPECT_EQ(ran.out.find(head, first + 1), std::string::npos) << ran.out;
   }
-  EXPECT_EQ(count, 1U) << ran.out;
 }
 
 /// What stood in comments, in its shape, and without the banner of what made the file.

@@ -34,7 +34,7 @@ bool lost_several(const convert::Note& note) {
 }
 
 /// What several notes have in common: the package that forty meshes are in, the rule that libsdformat
-/// rejects twelve inertias by. Empty where the message says it.
+/// rejects twelve inertias by, that SDF has no transmissions. Empty where the message says it.
 std::string cause_of(const convert::Note& note) {
   switch (note.kind) {
     case convert::NoteKind::kUriNotFound:
@@ -44,6 +44,9 @@ std::string cause_of(const convert::Note& note) {
       return note.written.substr(0, note.written.find('/', scheme + 3));
     }
     case convert::NoteKind::kRefusedSdf: return note.instead;
+    // SDF has no such thing, whatever their names.
+    case convert::NoteKind::kTransmission:
+    case convert::NoteKind::kRos2Control: return note.instead.empty() ? "lost" : "";
     default: return {};
   }
 }
