@@ -4,7 +4,7 @@
 #include <rigor/rules/validate.h>
 
 #include <algorithm>
-#include <cstdint>
+#include <cstddef>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -19,6 +19,7 @@
 #include <rigor/read/discover.h>
 #include <rigor/read/load.h>
 #include <rigor/read/template/argument_sets.h>
+#include <rigor/read/template/stand_ins.h>
 #include <rigor/read/template/template_expander.h>
 #include <rigor/read/workspace.h>
 #include <rigor/rules/runner.h>
@@ -29,8 +30,6 @@
 #include <rigor/rules/xacro/template_suppressions.h>
 #include <rigor/text/for_each_index.h>
 #include <rigor/text/path.h>
-#include <rigor/xacro/fact.h>
-#include <rigor/xml/document.h>
 
 namespace rigor::rules {
 namespace {
@@ -126,51 +125,16 @@ class Run {
     return paths;
   }
 
-  /// Of the `<xacro:arg name="…" default="…"/>` in one of the files; it may stand behind the argument's use, as behind
-  /// the robot's name. Nothing where the argument is not declared.
-  std::optional<std::string> declared_default(const xacro::Expansion& expansion,
-                                              std::string_view name) const {
-    for (const auto& file : expansion.files) {
-      const xml::Document document = xml::parse_own(sources_.bytes(file.source), file.source);
-      for (std::uint32_t i = 0; i < document.element_count(); ++i) {
-        const xml::Element element = document.element(i);
-        const auto declared = element.attribute("name");
-        const auto value = element.attribute("default");
-        if (element.name() != "xacro:arg" || !declared || !value) continue;
-        if (declared->value() == name) return std::string(value->value());
-      }
-    }
-    return std::nullopt;
-  }
-
-  /// For arguments that make no robot, as a `name` that is used before it has a default or a `ur_type` whose default is
-  /// no model's: those defaults, and the first values of others with which there is a robot. Nothing without any.
+  /// By numbers that no set has which is checked.
   std::optional<read::TemplateArguments> stand_ins(const std::string& path) {
-    constexpr std::size_t kMostTries = 12;
     const read::File& file = workspace_.open(path);
     if (!file.expanded) return std::nullopt;
-    std::map<std::string, std::string> names;
-    for (const xacro::Fact& fact : file.expanded->expansion().facts) {
-      if (fact.kind != xacro::FactKind::kUndefinedArgument) continue;
-      const auto value = declared_default(file.expanded->expansion(), fact.name);
-      if (!value) return std::nullopt;
-      names.emplace(fact.name, value->find('$') == std::string::npos ? *value : fact.name);
-    }
-    if (names.empty()) return std::nullopt;
-    read::ArgumentPlan plan;
-    plan.sets.emplace_back();
-    plan = read::all_arguments(file.expanded->expansion(), sources_, environment_.disk,
-                               std::move(plan));
-    for (std::size_t i = 0; i < std::min(plan.sets.size(), kMostTries); ++i) {
-      std::map<std::string, std::string> values = names;
-      for (const auto& [name, value] : plan.sets[i]) values[name] = value;
-      read::TemplateArguments arguments(values.begin(), values.end());
-      // By numbers that no set has which is checked.
-      const std::size_t number = read::kMaxArgumentSets + 2 + i;
-      const read::File& robot = workspace_.open(path, number, with_given(arguments));
-      if (robot.expanded && robot.expanded->ok() && makes_robot(robot)) return arguments;
-    }
-    return std::nullopt;
+    return read::stand_ins(file.expanded->expansion(), sources_, environment_.disk,
+                           [&](std::size_t number, const read::TemplateArguments& arguments) {
+                             const read::File& robot = workspace_.open(
+                                 path, read::kMaxArgumentSets + 2 + number, with_given(arguments));
+                             return robot.expanded && robot.expanded->ok() && makes_robot(robot);
+                           });
   }
 
   /// Behind those that are given to all templates.
