@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <string_view>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -102,8 +103,16 @@ class Roots {
 std::span<const Consequences> consequences() { return kConsequences; }
 
 Diagnostics without_consequences(Diagnostics found) {
+  // Few rules report on a file, and fewer rows are about two of them.
+  std::unordered_set<std::string_view> reported;
+  for (const Diagnostic& finding : found.list()) reported.insert(finding.rule);
+  const auto is_any_reported = [&reported](std::string_view list) {
+    return std::any_of(reported.begin(), reported.end(),
+                       [list](std::string_view rule) { return names(list, rule); });
+  };
   std::vector<bool> follows(found.list().size(), false);
   for (const Consequences& row : kConsequences) {
+    if (!is_any_reported(row.roots) || !is_any_reported(row.rules)) continue;
     Roots roots;
     std::vector<std::size_t> followers;
     for (std::size_t i = 0; i < found.list().size(); ++i) {

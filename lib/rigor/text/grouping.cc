@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <string>
 #include <string_view>
 #include <unordered_set>
 #include <utility>
@@ -13,6 +14,8 @@
 
 namespace rigor {
 namespace {
+
+constexpr std::size_t kReservedForSeparators = 32;
 
 /// Of "arm::hand/link palm/collision box": arm::hand, arm, hand, palm, box.
 std::vector<std::string_view> names_in(std::string_view subject) {
@@ -37,38 +40,49 @@ std::vector<std::string_view> names_in(std::string_view subject) {
   return names;
 }
 
-}  // namespace
-
-std::string cause_of(const Diagnostic& finding) {
-  std::string key(finding.rule);
-  key.append(1, '\0').append(to_string(finding.severity)).append(1, '\0');
-  if (!finding.cause.empty()) return key.append("cause").append(1, '\0').append(finding.cause);
-  const std::string message = without_names(finding.message, finding.subject);
-  key.append(message).append(1, '\0').append(without_names(finding.help, finding.subject));
-  if (message == finding.message) return key;
-  key.append(1, '\0');
-  return finding.where.nowhere()
-             ? key + finding.path
-             : key + std::to_string(static_cast<std::uint32_t>(finding.where.source));
-}
-
-std::string without_names(const std::string& message, std::string_view subject) {
-  std::string out;
-  const std::vector<std::string_view> names = names_in(subject);
+/// Appends the text with … for each quoted name; whether there was one.
+bool append_without_names(std::string_view text, const std::vector<std::string_view>& names,
+                          std::string& out) {
   std::size_t done = 0;
-  for (std::size_t open = message.find('\''); open != message.npos && !names.empty();) {
-    const std::size_t close = message.find('\'', open + 1);
-    if (close == message.npos) break;
-    const auto quoted = std::string_view(message).substr(open + 1, close - open - 1);
+  for (std::size_t open = names.empty() ? text.npos : text.find('\''); open != text.npos;) {
+    const std::size_t close = text.find('\'', open + 1);
+    if (close == text.npos) break;
+    const auto quoted = text.substr(open + 1, close - open - 1);
     if (std::find(names.begin(), names.end(), quoted) == names.end()) {
       open = close;  // which may as well be where the next name begins
       continue;
     }
-    out.append(message, done, open + 1 - done).append("…'");
+    out.append(text, done, open + 1 - done).append("…'");
     done = close + 1;
-    open = message.find('\'', done);
+    open = text.find('\'', done);
   }
-  return out.append(message, done);
+  out.append(text, done);
+  return done != 0;
+}
+
+}  // namespace
+
+std::string cause_of(const Diagnostic& finding) {
+  std::string key;
+  key.reserve(finding.rule.size() + finding.message.size() + finding.help.size() +
+              finding.cause.size() + finding.path.size() + kReservedForSeparators);
+  key.append(finding.rule).append(1, '\0').append(to_string(finding.severity)).append(1, '\0');
+  if (!finding.cause.empty()) return key.append("cause").append(1, '\0').append(finding.cause);
+  const std::vector<std::string_view> names = names_in(finding.subject);
+  const bool is_named = append_without_names(finding.message, names, key);
+  key.append(1, '\0');
+  append_without_names(finding.help, names, key);
+  if (!is_named) return key;
+  key.append(1, '\0');
+  return finding.where.nowhere()
+             ? key.append(finding.path)
+             : key.append(std::to_string(static_cast<std::uint32_t>(finding.where.source)));
+}
+
+std::string without_names(const std::string& message, std::string_view subject) {
+  std::string out;
+  append_without_names(message, names_in(subject), out);
+  return out;
 }
 
 void Grouping::add(const Diagnostic& finding) {

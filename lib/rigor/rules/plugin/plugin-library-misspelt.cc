@@ -23,16 +23,14 @@ struct Misspelt {
 };
 
 std::optional<Misspelt> of_gazebo(std::string_view file) {
-  const auto parts = system_file(file);
+  const auto parts = gazebo_system(file) == nullptr ? system_file(file) : std::nullopt;
   if (!parts || parts->name.empty()) return std::nullopt;
   Misspelt misspelt{std::string(parts->before) + std::string(parts->prefix),
                     parts->name,
                     std::string(parts->after),
                     {}};
   for (const GazeboSystem& system : kGazeboSystems) {
-    const std::string name = std::string(system.library) + "-system";
-    if (name == parts->name) return std::nullopt;
-    misspelt.candidates.push_back(name);
+    misspelt.candidates.push_back(std::string(system.library) + "-system");
   }
   return misspelt;
 }
