@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
@@ -17,6 +18,7 @@
 #include <rigor/text/sources.h>
 
 #include "simulate/hand_robot.h"
+#include "simulate/hand_scene.h"
 
 namespace rigor {
 namespace {
@@ -98,6 +100,20 @@ TEST(Advice, ACasterThatGrips) {
   const std::vector<Fact> casters = of_kind(causes_of(scene), FactKind::kCauseCasterFriction);
   ASSERT_EQ(casters.size(), 1U);
   EXPECT_EQ(casters[0].value, 0.8);
+}
+
+/// A cart's front wheel that a universal joint steers and rolls is no caster, whatever its friction.
+TEST(Advice, ASteeredWheelThatRollsIsNoCaster) {
+  Scene scene = tutorial_robot();
+  hand::add_body(scene, hand::drum_mass(0.5, 0.05, 0.02), {-0.15, 0, 0.05},
+                 model::from_rpy(std::numbers::pi / 2, 0, 0));
+  scene.shapes.erase(scene.shapes.begin() + 1);
+  hand::add_shape(scene, 3, mesh::Cylinder{0.05, 0.02});
+  hand::add_joint(scene, model::JointType::kUniversal, 0, 3, {-0.15, 0, 0.05},
+                  {{0, 0, 1}, {0, 1, 0}});
+  EXPECT_TRUE(of_kind(causes_of(scene), FactKind::kCauseCasterFriction).empty());
+  scene.joints.back().axes[1].direction_W = {1, 0, 0};  // about which it does not roll
+  EXPECT_EQ(of_kind(causes_of(scene), FactKind::kCauseCasterFriction).size(), 1U);
 }
 
 TEST(Advice, AWheelWithoutFrictionOrSmallerThanTheOther) {

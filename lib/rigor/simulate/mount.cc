@@ -15,9 +15,6 @@
 namespace rigor::simulate {
 namespace {
 
-/// Of the scene's size: feet are not drawn to the same height, and a robot sinks onto all of them.
-constexpr double kFeetSlack = 0.01;
-
 /// A slope of 1 in 20 throws it over: that is balancing, as a biped on two points does, and not standing.
 constexpr double kStandAngle = 0.05;  // rad
 
@@ -85,7 +82,7 @@ MountChoice choose_mount(std::string_view test, const Scene& scene, const DriveT
   if (model == kWorld || !has_joint_to_move(scene, model)) return {};
   const bool drives = test == "drive" || test == "turn" || test == "brake";
   if (drives) return {};  // without wheels there is another reason to leave it out
-  if (test == "joint-sweep") return {Base::kHang, "how it stands is no matter of its joints"};
+  if (test == "joint-sweep") return {Base::kHang, "the test is about the joints"};
   // What nothing can hold falls, and is to be said so.
   if (test == "settle" && !has_any_shape(scene, model)) return {};
   if (stands_by_itself(scene, model)) return {};

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <variant>
 
 #include <rigor/mass/resolve.h>
 #include <rigor/simulate/metric/parts.h>
@@ -21,6 +22,11 @@ namespace {
 /// Times the moment of the solid shapes. A thin shell of the same mass has up to 2, a part whose mass
 /// is all at one end up to 4; beyond 10 no part of this shape comes.
 constexpr double kInertiaFactor = 10;
+
+/// A mesh in centimeters that is read in meters has 1e4 times its moment, one in millimeters 1e6 times. An inertia that is
+/// only badly guessed is off by a thousand; and what is not this long is no robot in the wrong unit.
+constexpr double kScaleMoment = 5e3;
+constexpr double kScaleLength = 10;  // m
 
 /// Iterative solvers converge slowly from here on; and at ten times as much, not in 200 iterations.
 constexpr double kMassFactor = 100;
@@ -59,12 +65,40 @@ MomentFactor farthest_off(const mass::Inertia& has, const mass::Inertia& should,
       [](const MomentFactor& a, const MomentFactor& b) { return a.badness() < b.badness(); });
 }
 
+/// Of the moments of all that is fixed to each other: what of it is less than that changes nothing that a run shows.
+constexpr double kShareOfBody = 0.01;
+
+/// Whether a link's own inertia makes up a part of that of its body: a camera's on a trunk does not.
+bool matters_to_body(const Causes& causes, const SceneLink& link, const mass::Inertia& has) {
+  const mass::MassProperties& whole = causes.scene.bodies[link.body].mass;
+  return mass::trace(has) >= kShareOfBody * mass::trace(whole.about_com);
+}
+
 std::optional<Vector3> wheel_axis_in(const Causes& causes, const SceneLink& link) {
   const Quaternion R_WL = compose(causes.scene.bodies[link.body].X_WB, link.X_BL).rotation;
   for (const auto* side : {&causes.wheels.left, &causes.wheels.right}) {
     for (const Wheel& wheel : *side) {
       const SceneJoint& joint = causes.scene.joints[wheel.joint];
       if (joint.child == link.body) return rotate(conjugate(R_WL), joint.axes[0].direction_W);
+    }
+  }
+  return std::nullopt;
+}
+
+/// The collision mesh of a link that makes it so large that only a wrong unit explains it; nothing else.
+std::optional<Fact> oversized_mesh(const Causes& causes, const SceneLink& link, double factor) {
+  if (!(factor < 1 / kScaleMoment)) return std::nullopt;
+  for (const SceneShape& shape : causes.scene.shapes) {
+    if (shape.link >= causes.scene.links.size()) continue;
+    if (&causes.scene.links[shape.link] != &link || !(shape.extent > kScaleLength)) continue;
+    for (const model::Collision& collision : causes.input.root.collisions) {
+      const bool is_it = collision.geometry.site.name == shape.where;
+      if (!is_it || !std::holds_alternative<model::Mesh>(collision.geometry.shape)) continue;
+      // Moments go with the square of the length.
+      return Fact{.where = shape.where,
+                  .subject = subject_of(link.name, "link"),
+                  .value = shape.extent,
+                  .limit = shape.extent * std::sqrt(factor)};
     }
   }
   return std::nullopt;
@@ -83,8 +117,19 @@ void add_inertia_causes(Causes& causes) {
     const MomentFactor off =
         farthest_off(taken.body.about_com, *should, wheel_axis_in(causes, link));
     if (!std::isfinite(off.badness()) || off.badness() < kInertiaFactor) continue;
+    if (!matters_to_body(causes, link, taken.body.about_com) &&
+        !matters_to_body(causes, link, *should)) {
+      continue;
+    }
     const bool defaults =
         taken.taken == mass::Taken::kDefaults || taken.taken == mass::Taken::kIdentity;
+    const std::optional<Fact> oversized =
+        defaults ? std::nullopt : oversized_mesh(causes, link, off.factor);
+    if (oversized) {
+      causes.add(FactKind::kCauseMeshScale, *oversized, oversized->value, oversized->limit,
+                 off.badness() / kInertiaFactor, 1);
+      continue;
+    }
     Fact about{.where = link.where, .subject = subject_of(link.name, "link"), .name = off.name};
     causes.add(defaults ? FactKind::kCauseDefaultInertia : FactKind::kCauseInertia,
                std::move(about), off.factor, kInertiaFactor, off.badness() / kInertiaFactor, 1);
