@@ -249,11 +249,13 @@ def show(judge, path, tests, results):
 
 def kind_of(judge, path):
     """Which tests fit: what rigor leaves out tells; nothing where nothing moves or nothing can be run."""
-    said = judge.simulated(path, "settle,drive,hold")
+    if judge.simulated(path, "drive")["runs"]:
+        return "wheels"
+    said = judge.simulated(path, "settle,hold")
     if said is None or not said["runs"]:
         return None
     tests = {run["test"] for run in said["runs"]}
-    return "wheels" if "drive" in tests else "joints" if "hold" in tests else "none"
+    return "joints" if "hold" in tests else "none"
 
 
 def draw(judge, options):

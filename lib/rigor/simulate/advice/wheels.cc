@@ -121,6 +121,7 @@ void add_wheel_causes(Causes& causes) {
       if (wheel.sign > 0) continue;
       Fact about = about_joint(causes.scene, wheel.joint);
       about.name = "reversed";
+      about.help = "negate the joint's `axis`";
       causes.add(FactKind::kCauseWheelAxis, std::move(about), wheel.sign, 0, 2, 1);
     }
   }
