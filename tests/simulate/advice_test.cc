@@ -116,6 +116,38 @@ TEST(Advice, ASteeredWheelThatRollsIsNoCaster) {
   EXPECT_EQ(of_kind(causes_of(scene), FactKind::kCauseCasterFriction).size(), 1U);
 }
 
+/// TurtleBot3's base_footprint: a frame that was written as a link, 60 times as hard to turn as the robot of 1 kg.
+TEST(Advice, AFrameThatIsALinkHasTheDefaultInertia) {
+  const auto defaults = [](const std::string& marker) {
+    const MemoryDisk disk(
+        {{"a.sdf",
+          "<sdf version='1.9'><model name='m'><link name='body'><inertial><mass>1</mass>"
+          "<inertia><ixx>0.007</ixx><iyy>0.007</iyy><izz>0.007</izz></inertia></inertial>"
+          "<collision name='c'><geometry><box><size>0.2 0.2 0.2</size></box></geometry>"
+          "</collision></link>" +
+              marker +
+              "<joint name='j' type='fixed'><parent>body</parent>"
+              "<child>marker</child></joint></model></sdf>"}});
+    const Environment environment(disk, {});
+    Sources sources;
+    read::Workspace workspace(disk, sources);
+    const read::Loaded loaded =
+        read::load({workspace, environment.resolver, environment.sdf, environment.urdf},
+                   workspace.open("a.sdf"));
+    const SceneFiles files(loaded, workspace, environment.resolver, environment.workers);
+    const SceneResult made = build_scene(files.input(), {});
+    return of_kind(causes_in(made.scene, files.input(), {}), FactKind::kCauseDefaultInertia);
+  };
+  const std::vector<Fact> found = defaults("<link name='marker'/>");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].subject, "m/link marker");
+  EXPECT_TRUE(found[0].severe);
+  EXPECT_NE(found[0].help.find("<frame>"), std::string::npos);
+  EXPECT_TRUE(defaults("<link name='marker'><inertial><mass>0.01</mass><inertia><ixx>1e-6</ixx>"
+                       "<iyy>1e-6</iyy><izz>1e-6</izz></inertia></inertial></link>")
+                  .empty());
+}
+
 TEST(Advice, AWheelWithoutFrictionOrSmallerThanTheOther) {
   Scene scene = tutorial_robot();
   scene.shapes[2].surface.mu = 0.02;

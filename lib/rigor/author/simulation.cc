@@ -181,7 +181,7 @@ void Simulator::advise_inertias(const read::Loaded& loaded, Facts& causes) const
   mass::MeshSurveys surveys(environment_.disk, {.workers = &environment_.workers});
   const ModelInertia table = model_inertia(environment_, sources_, loaded, surveys, {});
   for (simulate::Fact& cause : causes) {
-    if (!is_about_inertia(cause)) continue;
+    if (!is_about_inertia(cause) || !cause.help.empty()) continue;
     const auto row = std::find_if(
         table.links.begin(), table.links.end(),
         [&](const LinkInertia& link) { return loaded.root[link.link].name.span == cause.where; });

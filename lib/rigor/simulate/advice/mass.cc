@@ -104,6 +104,21 @@ std::optional<Fact> oversized_mesh(const Causes& causes, const SceneLink& link, 
   return std::nullopt;
 }
 
+/// kg·m²: a solid cube of that mass whose diagonal is the size of the scene, as a measure of how hard a model is to turn.
+double moment_of_model(const Scene& scene) {
+  return moving_mass(scene) * scene.size * scene.size / 18;
+}
+
+/// A link that is only a frame and has no `<inertial>`: SDFormat gives it 1 kg and 1 kg·m², which turns a small robot into a
+/// flywheel.
+void add_default_of_frame(Causes& causes, const SceneLink& link, const mass::Resolved& taken) {
+  const double factor = mass::trace(taken.body.about_com) / 3 / moment_of_model(causes.scene);
+  if (!(factor > 1)) return;
+  Fact about{.where = link.where, .subject = subject_of(link.name, "link")};
+  about.help = "replace the link with a `<frame>`, or give it a small `<inertial>`";
+  causes.add(FactKind::kCauseDefaultInertia, std::move(about), 0, kInertiaFactor, factor, 1);
+}
+
 }  // namespace
 
 void add_inertia_causes(Causes& causes) {
@@ -113,7 +128,12 @@ void add_inertia_causes(Causes& causes) {
         mass::resolve(causes.input.root, causes.input.frames, link.id, causes.input.find_mesh);
     if (!(taken.body.mass > 0)) continue;
     const std::optional<mass::Inertia> should = solid_inertia(causes, link, taken.body.mass);
-    if (!should || !(mass::trace(*should) > 0)) continue;
+    const bool defaults =
+        taken.taken == mass::Taken::kDefaults || taken.taken == mass::Taken::kIdentity;
+    if (!should || !(mass::trace(*should) > 0)) {
+      if (defaults) add_default_of_frame(causes, link, taken);
+      continue;
+    }
     const MomentFactor off =
         farthest_off(taken.body.about_com, *should, wheel_axis_in(causes, link));
     if (!std::isfinite(off.badness()) || off.badness() < kInertiaFactor) continue;
@@ -121,8 +141,6 @@ void add_inertia_causes(Causes& causes) {
         !matters_to_body(causes, link, *should)) {
       continue;
     }
-    const bool defaults =
-        taken.taken == mass::Taken::kDefaults || taken.taken == mass::Taken::kIdentity;
     const std::optional<Fact> oversized =
         defaults ? std::nullopt : oversized_mesh(causes, link, off.factor);
     if (oversized) {
