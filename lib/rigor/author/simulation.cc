@@ -122,6 +122,13 @@ class Causes {
   std::string remedies_;
 };
 
+bool is_listed(const Diagnostic& diagnostic, const std::vector<Diagnostic>& list) {
+  return std::any_of(list.begin(), list.end(), [&](const Diagnostic& known) {
+    return known.rule == diagnostic.rule && known.where == diagnostic.where &&
+           known.message == diagnostic.message;
+  });
+}
+
 }  // namespace
 
 Simulator::Simulator(const Environment& environment, const Sources& sources,
@@ -272,12 +279,17 @@ Diagnostics Simulator::told(const SimulationCase& one, const Facts& facts) const
   bool of_last = false;  // whether causes belong to the last finding of the list
   for (std::size_t i = 0; i < facts.size(); ++i) {
     const simulate::Fact& fact = facts[i];
+    if (!is_cause(fact)) {
+      if (of_last) causes.go_into(list.back());
+      of_last = false;
+    }
     for (Diagnostic diagnostic : said[i].list()) {
       if (is_cause(fact) && of_last) {
         causes.add(diagnostic);
         continue;
       }
-      if (of_last) causes.go_into(list.back());
+      // Several facts that nobody asked for may have one cause.
+      if (is_cause(fact) && is_listed(diagnostic, list)) continue;
       of_last = !is_cause(fact);
       if (!fact.severe && diagnostic.severity == Severity::kError) {
         diagnostic.severity = Severity::kWarning;
