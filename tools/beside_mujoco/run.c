@@ -23,6 +23,7 @@
 
 enum { kMostCommands = 4096, kMostJoints = 1024, kRow = 20 };
 
+static const double kRise = 0.02;  // s: in which the integral part of a servo takes over a load
 static const double kGain = 0.1;  // of what a step can take: explicit, and stable below 2
 
 typedef struct {
@@ -35,7 +36,7 @@ typedef struct {
   mjData* d;
   Command commands[kMostCommands];
   int count;
-  double limit[kMostJoints], force[kMostJoints], row[kMostJoints][kRow], drop, duration;
+  double limit[kMostJoints], force[kMostJoints], integral[kMostJoints], row[kMostJoints][kRow], drop, duration;
   mjtNum begin[kMostJoints];  // qpos
   int down;
 } Run;
@@ -129,7 +130,9 @@ static void control(Run* run) {
     impedance[0] = impedance[1] = 0.9999;  // else dry friction creeps
     run->m->dof_frictionloss[a] = target == 0 ? fmin(run->limit[j], 1e6) : 0;
     const double gain = kGain * run->m->dof_M0[a] / run->m->opt.timestep;
-    const double force = target == 0 ? 0 : run->d->qfrc_bias[a] + gain * (target - run->d->qvel[a]);
+    const double error = target - run->d->qvel[a];
+    run->integral[j] = target == 0 ? 0 : run->integral[j] + error * run->m->opt.timestep;
+    const double force = target == 0 ? 0 : run->d->qfrc_bias[a] + gain * (error + run->integral[j] / kRise);
     run->d->qfrc_applied[a] = fmax(-run->limit[j], fmin(run->limit[j], force));
     run->force[j] = target == 0 ? friction_force(run, a) : run->d->qfrc_applied[a];
   }
