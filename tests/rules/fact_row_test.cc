@@ -69,7 +69,7 @@ TEST(FactRow, IsThereForEachKindOfNote) {
 
 TEST(FactRow, IsThereForEachKindOfFact) {
   std::vector<simulate::Fact> facts;
-  for (int kind = 0; kind <= static_cast<int>(simulate::FactKind::kCauseMeshMissing); ++kind) {
+  for (int kind = 0; kind <= static_cast<int>(simulate::FactKind::kCauseMeshScale); ++kind) {
     for (const double value : {0.0, -1.0, 2.0}) {
       facts.push_back({.kind = static_cast<simulate::FactKind>(kind), .value = value, .name = "a"});
     }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
@@ -17,6 +18,7 @@
 #include <rigor/text/sources.h>
 
 #include "simulate/hand_robot.h"
+#include "simulate/hand_scene.h"
 
 namespace rigor {
 namespace {
@@ -98,6 +100,52 @@ TEST(Advice, ACasterThatGrips) {
   const std::vector<Fact> casters = of_kind(causes_of(scene), FactKind::kCauseCasterFriction);
   ASSERT_EQ(casters.size(), 1U);
   EXPECT_EQ(casters[0].value, 0.8);
+}
+
+/// A cart's front wheel that a universal joint steers and rolls is no caster, whatever its friction.
+TEST(Advice, ASteeredWheelThatRollsIsNoCaster) {
+  Scene scene = tutorial_robot();
+  hand::add_body(scene, hand::drum_mass(0.5, 0.05, 0.02), {-0.15, 0, 0.05},
+                 model::from_rpy(std::numbers::pi / 2, 0, 0));
+  scene.shapes.erase(scene.shapes.begin() + 1);
+  hand::add_shape(scene, 3, mesh::Cylinder{0.05, 0.02});
+  hand::add_joint(scene, model::JointType::kUniversal, 0, 3, {-0.15, 0, 0.05},
+                  {{0, 0, 1}, {0, 1, 0}});
+  EXPECT_TRUE(of_kind(causes_of(scene), FactKind::kCauseCasterFriction).empty());
+  scene.joints.back().axes[1].direction_W = {1, 0, 0};  // about which it does not roll
+  EXPECT_EQ(of_kind(causes_of(scene), FactKind::kCauseCasterFriction).size(), 1U);
+}
+
+/// TurtleBot3's base_footprint: a frame that was written as a link, 60 times as hard to turn as the robot of 1 kg.
+TEST(Advice, AFrameThatIsALinkHasTheDefaultInertia) {
+  const auto defaults = [](const std::string& marker) {
+    const MemoryDisk disk(
+        {{"a.sdf",
+          "<sdf version='1.9'><model name='m'><link name='body'><inertial><mass>1</mass>"
+          "<inertia><ixx>0.007</ixx><iyy>0.007</iyy><izz>0.007</izz></inertia></inertial>"
+          "<collision name='c'><geometry><box><size>0.2 0.2 0.2</size></box></geometry>"
+          "</collision></link>" +
+              marker +
+              "<joint name='j' type='fixed'><parent>body</parent>"
+              "<child>marker</child></joint></model></sdf>"}});
+    const Environment environment(disk, {});
+    Sources sources;
+    read::Workspace workspace(disk, sources);
+    const read::Loaded loaded =
+        read::load({workspace, environment.resolver, environment.sdf, environment.urdf},
+                   workspace.open("a.sdf"));
+    const SceneFiles files(loaded, workspace, environment.resolver, environment.workers);
+    const SceneResult made = build_scene(files.input(), {});
+    return of_kind(causes_in(made.scene, files.input(), {}), FactKind::kCauseDefaultInertia);
+  };
+  const std::vector<Fact> found = defaults("<link name='marker'/>");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].subject, "m/link marker");
+  EXPECT_TRUE(found[0].severe);
+  EXPECT_NE(found[0].help.find("<frame>"), std::string::npos);
+  EXPECT_TRUE(defaults("<link name='marker'><inertial><mass>0.01</mass><inertia><ixx>1e-6</ixx>"
+                       "<iyy>1e-6</iyy><izz>1e-6</izz></inertia></inertial></link>")
+                  .empty());
 }
 
 TEST(Advice, AWheelWithoutFrictionOrSmallerThanTheOther) {

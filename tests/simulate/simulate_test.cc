@@ -128,6 +128,30 @@ TEST(Simulate, AFaultOfTheModelsNeedsOneRunMore) {
   EXPECT_TRUE(run.confirmations[0].agrees);
 }
 
+/// A chain that would use up its budget in one test is not begun. It has no shapes, so that any answer is quick.
+TEST(Simulate, MoreJointsThanTheBudgetSufficesForAreLeftOutAndSaid) {
+  Scene chain = hand::scene();
+  hand::add_body(chain, hand::ball_mass(1, 0.1), {});
+  for (std::uint32_t i = 1; i <= 60; ++i) {
+    hand::add_body(chain, hand::ball_mass(1, 0.1), {0.2 * i, 0, 0});
+    hand::add_joint(chain, model::JointType::kRevolute, i - 1, i, {0.2 * i - 0.1, 0, 0},
+                    {{0, 0, 1}});
+  }
+  chain.gravity = {};
+  const DriveTrain wheels;
+  const Facts causes;
+  const Task task{
+      chain, causes, {Scenario{.name = "settle", .duration = 0.01}}, wheels, chain.solver};
+  const auto within = [&](double budget) {
+    return simulate::simulate({task}, {.budget = budget}, test::workers())[0];
+  };
+  const Simulation none = within(1);
+  EXPECT_TRUE(none.runs.empty());
+  ASSERT_EQ(none.left_out.size(), 1U);
+  EXPECT_EQ(none.left_out[0].substr(0, 38), "settle: 60 joints are more than the 50");
+  EXPECT_EQ(within(10).runs.size(), 1U);
+}
+
 TEST(Simulate, WhatTheBudgetDoesNotSufficeForIsLeftOutAndSaid) {
   const Simulation none = simulated_within(0.5);
   EXPECT_TRUE(none.runs.empty());

@@ -12,6 +12,8 @@
 #include <rigor/rules/runner.h>
 #include <rigor/rules/suppression.h>
 #include <rigor/simulate/advice/advice.h>
+#include <rigor/simulate/pose/group_state.h>
+#include <rigor/simulate/pose/stand_pose.h>
 #include <rigor/simulate/scene/input.h>
 
 namespace rigor::author {
@@ -120,6 +122,13 @@ class Causes {
   std::string remedies_;
 };
 
+bool is_listed(const Diagnostic& diagnostic, const std::vector<Diagnostic>& list) {
+  return std::any_of(list.begin(), list.end(), [&](const Diagnostic& known) {
+    return known.rule == diagnostic.rule && known.where == diagnostic.where &&
+           known.message == diagnostic.message;
+  });
+}
+
 }  // namespace
 
 Simulator::Simulator(const Environment& environment, const Sources& sources,
@@ -144,9 +153,26 @@ PreparedModel Simulator::prepare(const read::Loaded& loaded,
   if (solver.gravity) scene.gravity = *solver.gravity;
   if (model.made.blocked() || scene.bodies.empty()) return model;
   model.wheels = simulate::find_wheels(scene, options_.plan.wheels);
+  if (positions.empty()) take_stand_pose(loaded, model);
   model.causes = simulate::causes_in(scene, files.input(), model.wheels);
   advise_inertias(loaded, model.causes);
   return model;
+}
+
+/// A legged robot begins on its feet, where a pose for that is known or found.
+void Simulator::take_stand_pose(const read::Loaded& loaded, PreparedModel& model) const {
+  simulate::SceneResult& made = model.made;
+  std::vector<simulate::GroupState> states;
+  if (loaded.root.format == model::Format::kUrdf && made.scene.alone) {
+    states = simulate::group_states(loaded.file->path, made.scene.name, workspace_);
+  }
+  const simulate::StandPose pose = simulate::find_stand_pose(made.scene, model.wheels, states);
+  model.note = simulate::in_words(made.scene, pose);
+  if (!pose.found()) return;
+  made.scene = simulate::in_stand_pose(made.scene, pose);
+  std::erase_if(made.facts, [](const simulate::Fact& fact) {
+    return fact.kind == simulate::FactKind::kStartMoved;  // it begins elsewhere now
+  });
 }
 
 /// The help of a cause in a link's inertia names `rigor inertia --write`. That is tried here: where it would write
@@ -162,7 +188,7 @@ void Simulator::advise_inertias(const read::Loaded& loaded, Facts& causes) const
   mass::MeshSurveys surveys(environment_.disk, {.workers = &environment_.workers});
   const ModelInertia table = model_inertia(environment_, sources_, loaded, surveys, {});
   for (simulate::Fact& cause : causes) {
-    if (!is_about_inertia(cause)) continue;
+    if (!is_about_inertia(cause) || !cause.help.empty()) continue;
     const auto row = std::find_if(
         table.links.begin(), table.links.end(),
         [&](const LinkInertia& link) { return loaded.root[link.link].name.span == cause.where; });
@@ -221,6 +247,7 @@ void Simulator::run(const std::vector<SimulationCase>& cases,
     simulate::Planned planned = planned_in(result.scene, model);
     result.left_out = std::move(planned.left_out);
     result.notes = std::move(planned.notes);
+    if (!model.note.empty()) result.notes.insert(result.notes.begin(), model.note);
     result.problems = std::move(planned.problems);
     tasks.push_back({result.scene, model.causes, std::move(planned.scenarios), model.wheels,
                      result.scene.solver});
@@ -252,12 +279,17 @@ Diagnostics Simulator::told(const SimulationCase& one, const Facts& facts) const
   bool of_last = false;  // whether causes belong to the last finding of the list
   for (std::size_t i = 0; i < facts.size(); ++i) {
     const simulate::Fact& fact = facts[i];
+    if (!is_cause(fact)) {
+      if (of_last) causes.go_into(list.back());
+      of_last = false;
+    }
     for (Diagnostic diagnostic : said[i].list()) {
       if (is_cause(fact) && of_last) {
         causes.add(diagnostic);
         continue;
       }
-      if (of_last) causes.go_into(list.back());
+      // Several facts that nobody asked for may have one cause.
+      if (is_cause(fact) && is_listed(diagnostic, list)) continue;
       of_last = !is_cause(fact);
       if (!fact.severe && diagnostic.severity == Severity::kError) {
         diagnostic.severity = Severity::kWarning;

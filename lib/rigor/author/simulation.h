@@ -54,6 +54,7 @@ struct PreparedModel {
   simulate::SceneResult made;
   simulate::Facts causes;
   simulate::DriveTrain wheels;
+  std::string note;  ///< of the pose that its legs begin in, where one was chosen for it
 };
 
 struct SimulationCase {
@@ -101,6 +102,7 @@ class Simulator {
   simulate::Planned planned(const SimulationCase& one) const;
 
  private:
+  void take_stand_pose(const read::Loaded& loaded, PreparedModel& model) const;
   void advise_inertias(const read::Loaded& loaded, simulate::Facts& causes) const;
   simulate::Planned planned_in(const simulate::Scene& scene, const PreparedModel& model) const;
   SimulatedModel start(const SimulationCase& one) const;

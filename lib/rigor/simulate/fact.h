@@ -97,6 +97,7 @@ enum class FactKind : std::uint8_t {
   kCauseWheelRadii,     ///< of two on one axle; `value`: m, `limit`: the other's, `name`: the other
   kCauseSoftContact,    ///< `value`: m that it sinks where an engine honours kp
   kCauseMeshMissing,    ///< `value`: how many of a model's collisions, `limit`: of how many
+  kCauseMeshScale,  ///< `value`: m, its longest side; `limit`: m, that of a shape with the link's inertia
 };
 
 struct Fact {

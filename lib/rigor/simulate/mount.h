@@ -21,6 +21,9 @@
 
 namespace rigor::simulate {
 
+/// Of the scene's size: feet are not drawn to the same height, and a robot sinks onto all of them.
+inline constexpr double kFeetSlack = 0.01;
+
 struct MountChoice {
   Base base = Base::kFree;
   std::string why;  ///< of a base that is held: "its center of mass is not above what it stands on"

@@ -175,8 +175,8 @@ class MountNotes {
   std::vector<std::string> in_words() const {
     std::vector<std::string> notes;
     for (const auto& [why, tests] : tests_) {
-      notes.push_back(tests + ": its base is held in place, without ground: " + why +
-                      " (--base free lets it stand or fall)");
+      notes.push_back(tests + ": the base is fixed in place and there is no ground, since " + why +
+                      " (--base free changes that)");
     }
     return notes;
   }

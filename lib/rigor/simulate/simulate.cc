@@ -24,6 +24,10 @@ namespace {
 /// s: with less left nothing is begun. A worker's limit is in whole seconds.
 constexpr double kLeastBudget = 1;
 
+/// A second of budget suffices for so many joints: a test of 1 s takes 7 ms of CPU time for each of them (a chain of
+/// 2,000 hinges, 200 iterations), so that 1,000 of them take half of the default budget.
+constexpr double kJointsOfBudget = 50;
+
 /// A scenario of a task with settings, to be run in a worker.
 struct RunOrder {
   const Task* task = nullptr;
@@ -86,13 +90,6 @@ using FactKey = std::tuple<FactKind, std::string_view, std::string_view>;
 
 FactKey key_of(const Fact& fact) { return {fact.kind, fact.subject, fact.name}; }
 
-void add_once(Facts& facts, const Fact& fact, const std::string& test) {
-  const auto same = [&](const Fact& other) { return key_of(other) == key_of(fact); };
-  if (std::any_of(facts.begin(), facts.end(), same)) return;
-  facts.push_back(fact);
-  facts.back().test = test;
-}
-
 /// What nobody had time to confirm is not called a failure.
 void call_unconfirmed(Run& run) {
   for (Metric& metric : run.metrics) {
@@ -102,7 +99,8 @@ void call_unconfirmed(Run& run) {
   }
 }
 
-/// The verdict, and what is to be said about it, each fact with what is likely to be behind it.
+/// The verdict, and what is to be said about it, each fact with what is likely to be behind it: a cause of several is told
+/// with each.
 void conclude_run(const Scene& scene, const Facts& causes, Run& run) {
   if (was_stopped(run.record)) {
     Fact refused{.kind = FactKind::kEngineRefused, .name = run.record.message, .test = run.test};
@@ -114,13 +112,20 @@ void conclude_run(const Scene& scene, const Facts& causes, Run& run) {
     run.verdict = worse(run.verdict, metric.verdict);
     if (!metric.fact) continue;
     run.facts.push_back(*metric.fact);
-    for (const Fact& cause : explain(*metric.fact, causes)) add_once(run.facts, cause, run.test);
+    for (Fact& cause : explain(*metric.fact, causes)) {
+      cause.test = run.test;
+      run.facts.push_back(std::move(cause));
+    }
   }
   for (Fact& broken : broken_assertions(scene, run.scenario, run.record, run.metrics)) {
     run.verdict = worse(run.verdict, Verdict::kFail);
     run.facts.push_back(std::move(broken));
   }
 }
+
+/// A model of another size than its masses: whatever the runs show, and however solvers differ on it, it is not the robot
+/// that its file describes.
+bool is_another_robot(const Fact& cause) { return cause.kind == FactKind::kCauseMeshScale; }
 
 /// What is plainly wrong is worth a word even where no run showed it: such causes come first.
 void add_unexplained(const Facts& causes, Simulation& simulation) {
@@ -131,15 +136,17 @@ void add_unexplained(const Facts& causes, Simulation& simulation) {
   }
   Facts alone;
   for (const Fact& cause : causes) {
-    if (!cause.severe || !told.insert(key_of(cause)).second) continue;
+    const bool is_new = told.insert(key_of(cause)).second;
+    if (!cause.severe || !(is_new || is_another_robot(cause))) continue;
     alone.push_back(cause);
     alone.back().test.clear();
-    alone.back().severe = false;  // nothing failed by it
+    alone.back().severe = is_another_robot(cause);  // else nothing failed by it
   }
   if (alone.empty()) return;
   Run& first = simulation.runs.front();
   first.facts.insert(first.facts.begin(), alone.begin(), alone.end());
-  first.verdict = worse(first.verdict, Verdict::kWarn);
+  const bool fails = std::any_of(alone.begin(), alone.end(), is_another_robot);
+  first.verdict = worse(first.verdict, fails ? Verdict::kFail : Verdict::kWarn);
 }
 
 /// A run on its way, and what it is held against when it failed.
@@ -149,7 +156,7 @@ struct TaskRun {
   Run run;
   std::vector<Variant> variants;  ///< none when it is believed
   std::vector<Again> agains;      ///< of the first variants; the last may be on its way
-  bool left_out = false;          ///< there was no time for it
+  std::string left_out;           ///< why there was no time for it
   bool unconfirmed = false;       ///< or none to confirm it
 };
 
@@ -168,13 +175,20 @@ class Runs {
       first_.push_back(runs_.size());
       left_.push_back(task.scenarios.size());
       spent_.push_back(0);
+      const std::string too_large = why_too_large(task.scene);
       for (const Scenario& scenario : task.scenarios) {
-        waiting_.push_back({runs_.size(), std::nullopt});
-        runs_.push_back(
-            {{&task, &scenario, settings_in(scenario, task.solver)}, i, {}, {}, {}, false, false});
+        if (too_large.empty()) waiting_.push_back({runs_.size(), std::nullopt});
+        runs_.push_back({{&task, &scenario, settings_in(scenario, task.solver)},
+                         i,
+                         {},
+                         {},
+                         {},
+                         too_large,
+                         false});
+        if (!too_large.empty()) --left_[i];
       }
     }
-    total_ = runs_.size();
+    total_ = waiting_.size();
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
       if (left_[i] == 0) hand_over(i);
     }
@@ -221,7 +235,7 @@ class Runs {
       one.agains.pop_back();
       one.unconfirmed = true;
     } else {
-      one.left_out = true;
+      one.left_out = budget_words();
     }
     ++ended_;
     conclude(one);
@@ -285,7 +299,7 @@ class Runs {
       one.agains.clear();  // trajectories
     }
     if (one.unconfirmed) call_unconfirmed(one.run);
-    if (!one.left_out) conclude_run(task.scene, task.causes, one.run);
+    if (one.left_out.empty()) conclude_run(task.scene, task.causes, one.run);
     --left_[one.task];
     if (left_[one.task] == 0) hand_over(one.task);
   }
@@ -295,8 +309,8 @@ class Runs {
     for (std::size_t i = 0; i < tasks_[task].scenarios.size(); ++i) {
       TaskRun& one = runs_[first_[task] + i];
       const std::string& test = one.order.scenario->name;
-      if (one.left_out) {
-        simulation.left_out.push_back(test + ": " + budget_words());
+      if (!one.left_out.empty()) {
+        simulation.left_out.push_back(test + ": " + one.left_out);
         continue;
       }
       if (one.unconfirmed) {
@@ -312,9 +326,21 @@ class Runs {
     done_(task, std::move(simulation));
   }
 
+  /// What would use up the budget in its first test is not begun.
+  std::string why_too_large(const Scene& scene) const {
+    const double most = kJointsOfBudget * options_.budget;
+    if (!(static_cast<double>(scene.joints.size()) > most)) return {};
+    return std::to_string(scene.joints.size()) + " joints are more than the " +
+           std::to_string(static_cast<long>(most)) + " that " + seconds_of_budget() +
+           " suffice for (--budget 0 has no limit)";
+  }
+
+  std::string seconds_of_budget() const {
+    return std::to_string(static_cast<long>(options_.budget)) + " s of CPU time";
+  }
+
   std::string budget_words() const {
-    return "over the budget of " + std::to_string(static_cast<long>(options_.budget)) +
-           " s of CPU time (--budget)";
+    return "over the budget of " + seconds_of_budget() + " (--budget)";
   }
 
   const std::vector<Task>& tasks_;

@@ -27,13 +27,17 @@ using author::SimulatedModel;
 
 /// Findings that are told beside the image.
 constexpr std::size_t kCauses = 3;
-constexpr std::size_t kLongestCause = 400;
+constexpr std::size_t kLongestCause = 240;  // of a help; all of it is in the folded list
 
+/// A model takes no more height than its image, so that ten fit on three screens.
 constexpr std::string_view kSimulationStyle = R"(
-.facts>div{flex:1 1 24rem}.model:first-of-type{margin-top:1rem}.model h2{font-size:1.3rem}.causes{padding-left:1.2rem;margin:.5rem 0}
-.causes li{margin:.5rem 0;max-width:46rem}.causes small{display:block;font-size:.85rem}
-.verdict{font-size:1.1rem;font-weight:bold;border:1px solid currentColor;border-radius:.4rem;padding:.05rem .6rem}
-.runs{list-style:none;padding:0;margin:.6rem 0}.runs li{display:inline-block;margin-right:1.2rem}
+.model{margin-top:.8rem;padding-top:.6rem;contain-intrinsic-size:auto 15rem}.model>.facts{gap:1rem;flex-wrap:nowrap}
+.facts>img{width:15rem;flex:none}.facts>div{flex:1 1 24rem}.model h2{font-size:1.1rem;display:inline;margin:0 .7rem 0 0}
+.verdict{font-weight:bold;border:1px solid currentColor;border-radius:.4rem;padding:0 .5rem}
+.causes{padding-left:1.2rem;margin:.3rem 0;line-height:1.3;font-size:.9rem}.causes li{margin:.25rem 0}.causes small{display:block;font-size:.8rem}
+.runs{list-style:none;padding:0;margin:.2rem 0;font-size:.9rem}.runs li{display:inline-block;margin-right:1.2rem}
+.model details{margin:.2rem 0}
+@media(max-width:40rem){.model>.facts{flex-wrap:wrap}}
 )";
 
 using Findings = std::vector<const Diagnostic*>;
@@ -80,29 +84,35 @@ std::string picture_html(const std::string& png) {
       base64(png), kSimulatedPictureWidth, kSimulatedPictureHeight);
 }
 
+/// What is folded: "3 findings, 2 tests with plots, 1 note, 1 left out".
+std::string folded_words(const SimulatedModel& model) {
+  std::string words = counted(model.diagnostics.list().size(), "finding") + ", " +
+                      counted(model.simulation.runs.size(), "test") + " with metrics and plots";
+  if (!model.notes.empty()) words += ", " + counted(model.notes.size(), "note");
+  if (!model.left_out.empty()) words += ", " + std::to_string(model.left_out.size()) + " left out";
+  return words;
+}
+
 std::string model_section(const SimulatedModel& model, const std::string& png, Places& places) {
   const std::vector<simulate::Run>& runs = model.simulation.runs;
   std::string out = fmt::format(
-      "<section class=\"model\">\n<div class=\"facts\">{}<div>\n<h2>{}</h2>\n<p><span "
-      "class=\"verdict {}\">{}</span></p>\n{}{}</div></div>\n",
+      "<section class=\"model\">\n<div class=\"facts\">{}<div>\n<h2>{}</h2>\n<span "
+      "class=\"verdict {}\">{}</span>\n{}{}{}",
       picture_html(png), escaped(printable(case_name(model))), to_string(model.verdict()),
-      to_string(model.verdict()), runs_html(runs), causes_html(model));
-  if (model.untested()) out += "<p>Nothing was tested.</p>\n";
-  Findings findings;
-  for (const Diagnostic& each : model.diagnostics.list()) findings.push_back(&each);
-  if (!findings.empty()) {
-    out +=
-        fmt::format("<details><summary>{}, with their places</summary>\n{}</details>\n",
-                    counted(findings.size(), "finding"), finding_list(findings, places, "#rule-"));
-  }
-  for (const simulate::Run& run : runs) out += run_html(model.scene, run);
+      to_string(model.verdict()), runs_html(runs), causes_html(model),
+      model.untested() ? "<p>Nothing was tested.</p>\n" : "");
+  out += "<details><summary>" + folded_words(model) + "</summary>\n";
   for (const std::string& note : model.notes) {
     out += "<p>" + escaped(printable(note)) + "</p>\n";
   }
   for (const std::string& why : model.left_out) {
     out += "<p>left out: " + escaped(printable(why)) + "</p>\n";
   }
-  return out + "</section>\n";
+  Findings findings;
+  for (const Diagnostic& each : model.diagnostics.list()) findings.push_back(&each);
+  if (!findings.empty()) out += finding_list(findings, places, "#rule-");
+  for (const simulate::Run& run : runs) out += run_html(model.scene, run);
+  return out + "</details></div></div>\n</section>\n";
 }
 
 }  // namespace

@@ -207,7 +207,9 @@ std::string TeamReport::rule_entries() const {
   for (const std::string_view name : rules_) {
     if (const rules::Rule* rule = validation_.registry.find(name)) out += rule_entry(*rule);
   }
-  return out.empty() ? "" : "<h2>Rules that spoke</h2>\n" + out;
+  if (out.empty()) return out;
+  return "<details><summary>" + counted(rules_.size(), "rule") + " with findings</summary>\n" + out +
+         "</details>\n";
 }
 
 /// Of model.config and whatever else is no model: only what is wrong with them.

@@ -29,9 +29,10 @@ th[aria-sort=descending] button::after{content:" ▼"}
 .over{color:var(--fail);font-size:.8rem;white-space:nowrap}
 td.thumbnail{padding-right:.6rem}.thumbnail img{display:block;width:6rem;height:4.5rem}
 img{border-radius:.3rem;background:#f2f5f7;color:#1c2430;font-size:.75rem}
-.model{border-top:2px solid var(--line);margin-top:2.5rem;content-visibility:auto;
-contain-intrinsic-size:auto 60rem}.model h2{margin-top:1rem;overflow-wrap:anywhere}.model h2 small{display:block;font-size:.85rem}
-.facts{display:flex;flex-wrap:wrap;gap:1.5rem;align-items:flex-start}.facts img{max-width:100%;height:auto}.facts div{min-width:0}
+.model{border-top:2px solid var(--line);margin-top:1rem;content-visibility:auto;
+contain-intrinsic-size:auto 16rem}.model h2{font-size:1.1rem;margin:.5rem 0;overflow-wrap:anywhere}.model h2 small{display:block;font-size:.85rem}
+.facts{display:flex;flex-wrap:wrap;gap:1rem;align-items:flex-start}.facts img{max-width:100%;height:auto}.facts>img{width:14rem}.facts div{min-width:0}
+.facts>div{flex:1 1 18rem}.facts table{font-size:.85rem}.causes{padding-left:1.2rem;margin:.3rem 0;line-height:1.3;font-size:.9rem}
 .findings{list-style:none;padding:0;margin:0}.finding{border-left:.25rem solid var(--soft);padding-left:.8rem;
 margin:.8rem 0}.finding.error{border-color:var(--fail)}.finding.warning{border-color:var(--warn)}
 .finding p{margin:0;overflow-wrap:anywhere}.finding pre{margin:.3rem 0 0;padding:.4rem .7rem;font-size:.8rem;line-height:1.35;

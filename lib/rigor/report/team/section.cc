@@ -22,6 +22,10 @@ namespace {
 /// Lines of a list that are shown; what is missing in a large world is counted.
 constexpr std::size_t kMostLines = 20;
 
+/// Of a model, before what is folded.
+constexpr std::size_t kFirstFindings = 3;
+constexpr std::size_t kLongestFinding = 200;
+
 std::string list_of(const std::vector<std::string>& lines) {
   std::string out = "<ul>\n";
   for (std::size_t i = 0; i < std::min(lines.size(), kMostLines); ++i) {
@@ -99,12 +103,34 @@ std::string mesh_table(std::vector<MeshUse> meshes) {
   return out + "</table></div></details>\n";
 }
 
+std::string verdict_words(const TeamReportRow& row) {
+  return row.verdict ? verdict_html(*row.verdict) : row.no_verdict;
+}
+
+/// The most severe findings of all, in a line each: what a reader wants to know before anything is unfolded.
+std::string first_findings(std::vector<const Diagnostic*> findings, const ReportedModel& model) {
+  if (model.simulation != nullptr) {
+    for (const Diagnostic& each : model.simulation->diagnostics.list()) findings.push_back(&each);
+  }
+  std::stable_sort(findings.begin(), findings.end(), [](const Diagnostic* a, const Diagnostic* b) {
+    return a->severity < b->severity;
+  });
+  std::string items;
+  for (std::size_t i = 0; i < std::min(findings.size(), kFirstFindings); ++i) {
+    const Diagnostic& each = *findings[i];
+    items += fmt::format(
+        "<li>{}</li>\n",
+        escaped(printable(each.subject.empty() ? each.message : each.subject + ": " + each.message,
+                          kLongestFinding)));
+  }
+  return items.empty() ? "" : "<ol class=\"causes\">\n" + items + "</ol>\n";
+}
+
 std::string simulation_part(const ReportedModel& model, const TeamReportRow& row,
                             const SectionPage& page) {
   if (model.simulation == nullptr) return {};
   const author::SimulatedModel& simulation = *model.simulation;
-  std::string out = fmt::format("<h3>Simulation: {}</h3>\n",
-                                row.verdict ? verdict_html(*row.verdict) : row.no_verdict);
+  std::string out = "<h3>Simulation: " + verdict_words(row) + "</h3>\n";
   std::vector<const Diagnostic*> findings;
   for (const Diagnostic& each : simulation.diagnostics.list()) findings.push_back(&each);
   out += finding_list(findings, page.places, page.rules);
@@ -153,14 +179,24 @@ std::string format_text(const rules::FileSummary& file) {
 
 std::string team_report_section(const ReportedModel& model, const TeamReportRow& row,
                                 const SectionPage& page) {
-  std::string out =
-      fmt::format("<h2>{} <small>{}</small></h2>\n<div class=\"facts\">{}<div>{}{}{}</div></div>\n",
-                  escaped(printable(row.name, 200)), escaped(row.path), page.image,
-                  facts(model, row), top_models_table(model.models), mesh_table(model.meshes));
   const std::vector<const Diagnostic*> findings = findings_of(page.validation, model.file);
-  out += findings.empty() ? "<h3>No findings</h3>\n" : "<h3>Findings</h3>\n";
+  std::string summary = findings.empty() ? "No findings" : counted(findings.size(), "finding");
+  std::string verdict;
+  if (model.simulation != nullptr) {
+    verdict = "<p>Simulation: " + verdict_words(row) + "</p>\n";
+    summary += ", simulation";
+  }
+  const std::string skipped = not_looked_at(model, page);
+  if (!skipped.empty()) summary += ", what was skipped";
+  std::string out = fmt::format(
+      "<h2>{} <small>{}</small></h2>\n<div class=\"facts\">{}<div>{}{}</div><div>{}{}{}",
+      escaped(printable(row.name, 200)), escaped(row.path), page.image, verdict,
+      first_findings(findings, model), facts(model, row), top_models_table(model.models),
+      mesh_table(model.meshes));
+  out += "</div></div>\n<details><summary>" + summary + "</summary>\n";
+  if (!findings.empty()) out += "<h3>Findings</h3>\n";
   out += finding_list(findings, page.places, page.rules);
-  return out + simulation_part(model, row, page) + not_looked_at(model, page);
+  return out + simulation_part(model, row, page) + skipped + "</details>\n";
 }
 
 }  // namespace rigor::report

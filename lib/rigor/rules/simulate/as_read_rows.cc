@@ -106,8 +106,8 @@ std::span<const Row> as_read_rows() {
            },
        .summary = "an element that the model relies on has no effect here",
        .why = "What the element asks for exists in Gazebo's own engine only, or in none; "
-              "docs/simulate.md lists what is honoured, approximated and ignored.",
-       .what_to_do = "Nothing, if the behaviour without it is what you want to see."},
+              "docs/simulate.md lists what is honored, approximated and ignored.",
+       .what_to_do = "Nothing, if the behavior without it is what you want to see."},
       {.rule = {"simulate-start-moved", FactKind::kStartMoved, Severity::kInfo, Formats::kUrdf},
        .message = "initial position {value:.4g} {unit}: zero is outside its limits",
        .summary = "initial position at a limit: zero is outside the limits",

@@ -38,7 +38,7 @@ std::span<const Row> cause_rows() {
               "of a ball three meters wide.",
        .what_to_do = "Run `rigor inertia MODEL --write`."},
       {.rule = {"simulate-cause-mass-ratio", FactKind::kCauseMassRatio, Severity::kWarning},
-       .message = "a joint connects it to {name}, which is {value:.3g} times as heavy",
+       .message = "is connected by a joint to {name}, which has {value:.3g} times its mass",
        .help = "keep neighboring masses within a factor of about 50",
        .summary = "large mass ratio across a joint",
        .why =
@@ -47,7 +47,7 @@ std::span<const Row> cause_rows() {
                      "their neighbors."},
       {.rule = {"simulate-cause-wheel-off-center", FactKind::kCauseWheelOffCentre,
                 Severity::kWarning},
-       .message = "its wheel is {value_mm:.3g} mm off the joint's axis",
+       .message = "has an axis that misses the center of the wheel by {value_mm:.3g} mm",
        .help = "put the wheel's collision on the axis",
        .summary = "a wheel's shape is not on its axis",
        .why = "It rolls like an egg: the robot bounces, and its speed varies within each turn.",
@@ -56,18 +56,18 @@ std::span<const Row> cause_rows() {
       {.rule = {"simulate-cause-wheel-axis", FactKind::kCauseWheelAxis, Severity::kWarning},
        .message =
            [](const simulate::Fact& fact) {
-             return fact.name == "reversed" ? "its axis points the other way: a positive velocity "
-                                              "rolls the wheel backwards"
-                                            : "its axis is {value_deg:.3g}° off the wheel's own";
+             return fact.name == "reversed"
+                        ? "has a reversed axis: a positive velocity rolls the wheel backward"
+                        : "has an axis {value_deg:.3g}° off the wheel's axis of symmetry";
            },
-       .help = "make the joint's axis that of the wheel",
+       .help = "align the joint's `axis` with the wheel",
        .summary = "a wheel's joint axis is not the wheel's own",
        .why = "The wheel wobbles, drags to the side, or rotates against the other one.",
        .what_to_do =
-           "Make the joint's axis that of the cylinder, and the same way round on both sides."},
+           "Align the joint's axis with that of the cylinder, with the same sign on both sides."},
       {.rule = {"simulate-cause-caster-friction", FactKind::kCauseCasterFriction,
                 Severity::kWarning},
-       .message = "it is dragged over the ground with a friction of {value:.3g}",
+       .message = "slides on the ground with a friction coefficient of {value:.3g}",
        .help = "set its mu and mu2 to 0",
        .summary = "a caster that cannot turn has friction",
        .why = "A sphere in place of a caster is dragged along: the robot cannot turn.",
@@ -75,15 +75,15 @@ std::span<const Row> cause_rows() {
       {.rule = {"simulate-cause-top-heavy", FactKind::kCauseTopHeavy, Severity::kWarning},
        .message =
            [](const simulate::Fact& fact) {
-             return fact.value > 0 ? "a slope of {value_deg:.3g}° tips it over"
-                                   : "its center of mass is not above its support";
+             return fact.value > 0 ? "tips over on a slope of {value_deg:.3g}°"
+                                   : "has its center of mass outside its support";
            },
        .help = "lower the center of mass or widen the stance",
        .summary = "the center of mass is high above a narrow stance",
        .why = "The slope that tips it is the ratio of the stance to the height.",
        .what_to_do = "Lower the center of mass, or widen the stance."},
       {.rule = {"simulate-cause-mesh-wheel", FactKind::kCauseMeshWheel, Severity::kWarning},
-       .message = "the wheel collides as a mesh with flat sides",
+       .message = "collides as a mesh with flat sides, and is a wheel",
        .help = "make its collision a cylinder",
        .summary = "a wheel collides as a mesh",
        .why =
@@ -99,13 +99,14 @@ std::span<const Row> cause_rows() {
               "one in the first step.",
        .what_to_do = "Shift the limits and the joint's pose so that zero lies between them."},
       {.rule = {"simulate-cause-no-collision", FactKind::kCauseNoCollision, Severity::kWarning},
-       .message = "nothing of it that moves has a collision",
-       .help = "give its links some",
+       .message = "has no collision on any link that moves",
+       .help = "give its links collisions",
        .summary = "nothing of the model collides",
        .why = "It goes through the ground and through everything else.",
        .what_to_do = "Give it a collision."},
       {.rule = {"simulate-cause-effort", FactKind::kCauseEffort, Severity::kWarning},
-       .message = "carries {value:.3g} {effort_unit} and may use {limit:.3g} {effort_unit}",
+       .message = "carries a load of {value:.3g} {effort_unit}, above its effort limit of "
+                  "{limit:.3g} {effort_unit}",
        .help = "raise the effort limit or lighten what it carries",
        .summary = "a joint's effort limit is below what it carries",
        .why = "At its limit the joint cannot hold the weight of its subtree.",
@@ -115,8 +116,8 @@ std::span<const Row> cause_rows() {
            [](const simulate::Fact& fact) {
              return fact.name == "kinematic" ? "is kinematic: no force moves it"
                     : fact.name == "max_contacts"
-                        ? "has a max_contacts of 0: it touches nothing"
-                        : "gravity does not act on it, as it does on other links of the model";
+                        ? "has a max_contacts of 0: nothing touches it"
+                        : "has gravity switched off, unlike other links of the model";
            },
        .help = "remove the flag",
        .summary = "forces or gravity do not act on a link",
@@ -125,26 +126,27 @@ std::span<const Row> cause_rows() {
        .what_to_do =
            "Take out `<kinematic>` and `<gravity>false` where they were left by mistake."},
       {.rule = {"simulate-cause-wheel-friction", FactKind::kCauseWheelFriction, Severity::kWarning},
-       .message = "the wheel that drives has a friction of only {value:.3g}",
+       .message = "has a friction coefficient of only {value:.3g}, and is a driven wheel",
        .help = "raise its mu and mu2",
        .summary = "a wheel that drives has no friction",
-       .why = "What it cannot hold on to it cannot push itself along on: the wheel spins, and the "
-              "robot stays or turns to its side.",
+       .why = "Without friction the wheel spins, and the robot stays where it is or turns to that "
+              "side.",
        .what_to_do = "Set mu and mu2 of the wheel's surface to that of rubber, about 1."},
       {.rule = {"simulate-cause-wheel-radii", FactKind::kCauseWheelRadii, Severity::kWarning},
-       .message =
-           "its radius is {value:.4g} m, and that of {name} on the same axle is {limit:.4g} m",
-       .help = "make both alike",
+       .message = "has a radius of {value:.4g} m; {name} on the same axle has {limit:.4g} m",
+       .help = "give both wheels the same radius",
        .summary = "two wheels of an axle differ in size",
-       .why = "Turning alike they roll different ways, so that a robot that is commanded to drive "
+       .why = "At the same velocity they roll different distances, so that a robot that is "
+              "commanded to drive "
               "straight turns; and it leans to one side.",
        .what_to_do = "Give both wheels one radius."},
       {.rule = {"simulate-cause-soft-contact", FactKind::kCauseSoftContact, Severity::kWarning},
-       .message = "with its kp the model sinks {value_mm:.3g} mm into the ground where a simulator "
-                  "honours it",
+       .message =
+           "has a kp that lets the model sink {value_mm:.3g} mm into the ground in simulators "
+           "that use it",
        .help = "raise kp or remove it",
        .summary = "a contact is too soft for the weight on it",
-       .why = "A simulator that honours `<kp>` lets the model sink by its weight over the "
+       .why = "A simulator that uses `<kp>` lets the model sink by its weight over the "
               "stiffness of its contacts, and wheels stick.",
        .what_to_do = "Raise `<kp>` of the contact, or remove it: the default is as good as rigid."},
       {.rule = {"simulate-cause-mesh-missing", FactKind::kCauseMeshMissing, Severity::kWarning},
@@ -155,6 +157,18 @@ std::span<const Row> cause_rows() {
               "that are warnings at most.",
        .what_to_do = "Put the files where the URIs lead; `rigor resolve URI` lists every place "
                      "that was tried."},
+      {.rule = {"simulate-cause-mesh-scale", FactKind::kCauseMeshScale, Severity::kError},
+       .message = "has a collision mesh {value:.3g} m long, and the inertia of one {limit:.3g} m "
+                  "long",
+       .help = "set the mesh's `scale` to the unit of its file: 0.001 for millimeters, 0.01 for "
+               "centimeters",
+       .summary = "a collision mesh is read in the wrong unit",
+       .why =
+           "The mesh is a hundred times and more as large as its link's inertia allows: its file "
+           "is in millimeters or centimeters, and `scale` is missing. The model fails whatever "
+           "the simulation shows, since it is not the robot that the file describes.",
+       .what_to_do = "Set `scale` of the mesh: 0.001 for millimeters, 0.01 for centimeters. `rigor "
+                     "mesh-check FILE` prints its bounds."},
   };
   return kRows;
 }

@@ -14,20 +14,20 @@ using simulate::FactKind;
 std::span<const Row> drive_rows() {
   static constexpr Row kRows[] = {
       {.rule = {"simulate-drive-slips", FactKind::kDriveSlips, Severity::kError},
-       .message = "goes {value_percent:.3g} % short of, or beyond, what its wheels turn (limit "
+       .message = "travels a distance {value_percent:.3g} % off what its wheels roll (limit "
                   "{limit_percent:.3g} %)",
-       .summary = "the robot does not go as far as its wheels turn",
+       .summary = "the robot does not travel as far as its wheels roll",
        .why = "Wheels slip, bounce or drag something along: odometry that is computed from them is "
               "wrong by that much.",
        .what_to_do = "Make wheels cylinders or spheres, not meshes; give casters no friction; "
                      "check that driven wheels bear weight and have friction."},
       {.rule = {"simulate-drives-backwards", FactKind::kDriveBackwards, Severity::kError},
-       .message = "goes {value:.3g} m ahead for each meter that its wheels roll (at least "
+       .message = "travels {value:.3g} m forward for each meter that its wheels roll (at least "
                   "{limit:.3g} m is expected)",
        .summary = "the robot does not go ahead when its wheels turn forward",
        .why = "An axis points the wrong way, or the inertias are such that the body rotates "
               "instead of the wheels.",
-       .what_to_do = "Turn the axis round; run `rigor inertia MODEL` when inertias are missing."},
+       .what_to_do = "Reverse the axis; run `rigor inertia MODEL` when inertias are missing."},
       {.rule = {"simulate-drive-drifts", FactKind::kDriveDrifts, Severity::kError},
        .message =
            [](const simulate::Fact& fact) {
@@ -46,16 +46,18 @@ std::span<const Row> drive_rows() {
        .why = "A wheel is not round about its axis: off center, or a mesh with flat sides.",
        .what_to_do = "Put the wheel's collision on its axis, and make it a cylinder."},
       {.rule = {"simulate-turns-off", FactKind::kTurnOff, Severity::kError},
-       .message = "turns {value_percent:.3g} % more or less than its wheels allow (limit "
-                  "{limit_percent:.3g} %)",
+       .message =
+           "turns by an angle {value_percent:.3g} % outside what its wheels' speeds give (limit "
+           "{limit_percent:.3g} %)",
        .summary = "the robot does not turn as its wheels do",
        .why = "The turn is outside what the track, plus or minus the width of the wheels, allows: "
               "a caster drags, or wheels slip sideways.",
        .what_to_do =
            "Give casters no friction (mu and mu2 of 0), and check the wheels' positions."},
       {.rule = {"simulate-does-not-brake", FactKind::kDoesNotBrake, Severity::kError},
-       .message = "has {value_percent:.3g} % of its speed a second after its wheels stopped (limit "
-                  "{limit_percent:.3g} %)",
+       .message =
+           "keeps {value_percent:.3g} % of its speed one second after its wheels stop (limit "
+           "{limit_percent:.3g} %)",
        .summary = "the robot does not stop when its wheels do",
        .why = "It slides or tips over its front wheels.",
        .what_to_do =

@@ -14,7 +14,7 @@ using simulate::FactKind;
 std::span<const Row> joint_rows() {
   static constexpr Row kRows[] = {
       {.rule = {"simulate-joint-pulled-apart", FactKind::kAnchorError, Severity::kError},
-       .message = "the joint's two sides are {value_mm:.3g} mm apart (limit {limit_mm:.3g} mm)",
+       .message = "has its two sides {value_mm:.3g} mm apart (limit {limit_mm:.3g} mm)",
        .summary = "a joint is pulled apart",
        .why = "The two sides of the joint separate: the load or the ratio of masses is more than "
               "the solver can hold together, or a closed loop does not close.",
@@ -26,15 +26,15 @@ std::span<const Row> joint_rows() {
        .why = "The stop gives way, or the joint begins outside its limits and is thrown back.",
        .what_to_do = "Put the start inside the limits; check the load that the stop must bear."},
       {.rule = {"simulate-joint-jitters", FactKind::kJointJitters, Severity::kError},
-       .message = "the joint jitters with {value:.3g} {unit}/s above 20 Hz (limit {limit:.3g})",
+       .message = "jitters with {value:.3g} {unit}/s above 20 Hz (limit {limit:.3g})",
        .summary = "a joint jitters",
        .why = "Its velocity changes faster than any command: a controller or spring that is too "
               "stiff for the inertia and the time step, or collisions that fight.",
        .what_to_do =
            "Give the link its true inertia, lower gains or stiffness, or use a smaller time step."},
       {.rule = {"simulate-control-too-stiff", FactKind::kStiffControl, Severity::kError},
-       .message = "damping times time step is {value:.3g} times the inertia that it acts on (limit "
-                  "{limit:.3g})",
+       .message = "has a damping times time step of {value:.3g} times the inertia that it acts on "
+                  "(limit {limit:.3g})",
        .summary = "damping or a gain is too large for the inertia and the time step",
        .why = "An explicit controller is stable only while d·h/I stays below 2: beyond, each step "
               "overshoots the one before. This is arithmetic and was found before the run.",
@@ -52,8 +52,7 @@ std::span<const Row> joint_rows() {
            "They should pass each other, or their collision shapes are larger than what is drawn.",
        .what_to_do = "Make the collisions smaller, or limit the joint to where they do not meet."},
       {.rule = {"simulate-joint-does-not-reach", FactKind::kJointShort, Severity::kError},
-       .message = "{value_percent:.3g} % of its way from limit to limit is out of reach (limit "
-                  "{limit_percent:.3g} %)",
+       .message = "does not reach {value_percent:.3g} % of its range (limit {limit_percent:.3g} %)",
        .summary = "a joint does not reach its limits",
        .why = "Something is in the way: the ground, another link, or the other joints of a closed "
               "loop.",
@@ -62,13 +61,15 @@ std::span<const Row> joint_rows() {
        .message =
            [](const simulate::Fact& fact) {
              if (fact.name == "drive.reached")
-               return "the wheels turn {value_percent:.3g} % of the command (at "
-                      "least {limit_percent:.3g} % is expected), this one least";
+               return "rolls its wheel by {value_percent:.3g} % of the command, the least of all "
+                      "wheels (at least {limit_percent:.3g} % is expected)";
              if (fact.name == "joint.reach")
-               return "gives all its effort, and {value_percent:.3g} % of its way is out of reach "
+               return "is at its effort limit and does not reach {value_percent:.3g} % of its "
+                      "range "
                       "(limit {limit_percent:.3g} %)";
              if (fact.name == "hold.error")
-               return "gives all its effort, and is {value:.3g} {unit} off (limit {limit:.3g})";
+               return "is at its effort limit and {value:.3g} {unit} off its position (limit "
+                      "{limit:.3g})";
              return "needs {value_percent:.3g} % of its effort limit (limit {limit_percent:.3g} %)";
            },
        .summary = "a joint needs all the effort that its limit allows",
@@ -76,7 +77,7 @@ std::span<const Row> joint_rows() {
        .what_to_do =
            "Raise `<effort>` to what the actuator can give, or make what it carries lighter."},
       {.rule = {"simulate-does-not-hold", FactKind::kDoesNotHold, Severity::kError},
-       .message = "is {value:.3g} {unit} off when it is to hold (limit {limit:.3g})",
+       .message = "is {value:.3g} {unit} off the position that it is to hold (limit {limit:.3g})",
        .summary = "the joints do not hold their position",
        .why = "With a controller on each joint the pose is off or swings: the joint begins outside "
               "its limits, something pushes it, or it cannot be controlled at this time step.",

@@ -26,7 +26,7 @@ std::span<const Row> run_rows() {
        .message =
            [](const simulate::Fact& fact) {
              return fact.name == "accel.peak"
-                        ? "is jerked with {value:.3g} g (limit {limit:.3g} g)"
+                        ? "accelerates with {value:.3g} g (limit {limit:.3g} g)"
                         : "moves {value:.3g} times as fast as falling by its own size and its "
                           "commands explain (limit {limit:.3g})";
            },
@@ -37,21 +37,21 @@ std::span<const Row> run_rows() {
                      "too small."},
       {.rule = {"simulate-energy-gained", FactKind::kEnergyGained, Severity::kError},
        .message =
-           "gains {value:.3g} of the energy of lifting it by its own size (limit {limit:.3g})",
+           "gains {value:.3g} times the energy of lifting it by its own size (limit {limit:.3g})",
        .summary = "energy appears from nowhere",
        .why = "Nothing put it in: an overlap is pushed apart, a controller or spring is too stiff "
               "for the time step, or an inertia is not that of a rigid body.",
        .what_to_do = "Mend what overlaps at the start; give small links their true inertia; use a "
                      "smaller time step."},
       {.rule = {"simulate-step-sensitive", FactKind::kStepSensitive, Severity::kWarning},
-       .message = "ends elsewhere with half the time step, by {value_percent:.3g} % of its way or "
-                  "size (limit {limit_percent:.3g} %)",
+       .message = "ends {value_percent:.3g} % of its path or size away with half the time step "
+                  "(limit {limit_percent:.3g} %)",
        .summary = "half the time step gives another result",
        .why = "The model is at the edge of what can be computed with this step: small changes will "
               "break it.",
        .what_to_do = "Use a smaller `<max_step_size>`; look for stiff springs and small inertias."},
       {.rule = {"simulate-seed-sensitive", FactKind::kSeedSensitive, Severity::kWarning},
-       .message = "ends elsewhere with another seed, by {value_percent:.3g} % of its way or size "
+       .message = "ends {value_percent:.3g} % of its path or size away with another seed "
                   "(limit {limit_percent:.3g} %)",
        .summary = "another seed of the solver gives another result",
        .why = "The model is chaotic, or the solver does not converge on it: tests of it will be "
@@ -62,11 +62,13 @@ std::span<const Row> run_rows() {
        .message =
            [](const simulate::Fact& fact) {
              return fact.name == "solver.agreement"
-                        ? "ends elsewhere with the other solver, by {value_percent:.3g} % of its "
-                          "way or size (limit {limit_percent:.3g} %)"
-                        : "{name} is the solver's: other solvers, steps or seeds do not show it";
+                        ? "ends in different places with Dantzig and quick-step, "
+                          "{value_percent:.3g} % of its path or size apart (limit "
+                          "{limit_percent:.3g} %)"
+                        : "fails {name} with one solver only: other solvers, steps or seeds do "
+                          "not show it";
            },
-       .summary = "the other solver gives another result",
+       .summary = "Dantzig and quick-step give different results",
        .why = "What was seen is as much the solver's doing as the model's; it is not called a "
               "failure of the model.",
        .what_to_do =

@@ -77,7 +77,7 @@ std::span<const Row> stand_rows() {
        .what_to_do = "Check that its support is symmetric, that wheels are not driven by a spring "
                      "or by gravity, and the friction of its contacts."},
       {.rule = {"simulate-ground-reaction-missing", FactKind::kUnbalanced, Severity::kError},
-       .message = "at rest the ground bears {value_percent:.4g} % more or less than the weight "
+       .message = "has a ground reaction force {value_percent:.4g} % off its weight at rest "
                   "(limit {limit_percent:.3g} %)",
        .summary = "the ground does not bear the model's weight",
        .why = "At rest, what the ground pushes back must be the weight. Here it is not: something "
@@ -93,11 +93,12 @@ std::span<const Row> stand_rows() {
       {.rule = {"simulate-nearly-tips", FactKind::kNearlyTips, Severity::kError},
        .message =
            [](const simulate::Fact& fact) {
-             return fact.value < 0
-                        ? "its center of mass is outside its support by {deficit_percent:.3g} % of "
-                          "half its width"
-                        : "its center of mass is inside its support by only {value_percent:.3g} % "
-                          "of half its width (limit {limit_percent:.3g} %)";
+             return fact.value < 0 ? "has its center of mass outside its support by "
+                                     "{deficit_percent:.3g} % of "
+                                     "half the support's width"
+                                   : "has its center of mass inside its support by only "
+                                     "{value_percent:.3g} % of half the support's width (limit "
+                                     "{limit_percent:.3g} %)";
            },
        .summary = "the center of mass is near the edge of the support",
        .why = "A push, a slope or a brake will tip it over that edge.",

@@ -35,20 +35,22 @@ std::vector<FactKind> kinds_behind(FactKind shown) {
     case kSeedSensitive:
     case kSolverDiffers:
     case kEngineRefused:
-      return {kCauseStartOutsideLimits, kCauseDefaultInertia, kCauseInertia,    kCauseMassRatio,
-              kCauseWheelOffCentre,     kCauseMeshWheel,      kCauseNoCollision};
-    case kCreeps: return {kCauseMeshWheel, kCauseWheelAxis, kCauseDefaultInertia, kCauseInertia};
+      return {kCauseMeshScale, kCauseStartOutsideLimits, kCauseDefaultInertia, kCauseInertia,
+              kCauseMassRatio, kCauseWheelOffCentre,     kCauseMeshWheel,      kCauseNoCollision};
+    case kCreeps:
+      return {kCauseMeshScale, kCauseMeshWheel, kCauseWheelAxis, kCauseDefaultInertia,
+              kCauseInertia};
     case kTips:
     case kNearlyTips:
     case kTiltsEarly:
     case kPushedOver:
-      return {kCauseTopHeavy,       kCauseWheelOffCentre, kCauseWheelAxis,
-              kCauseDefaultInertia, kCauseNoCollision,    kCauseInertia};
+      return {kCauseMeshScale,      kCauseTopHeavy,    kCauseWheelOffCentre, kCauseWheelAxis,
+              kCauseDefaultInertia, kCauseNoCollision, kCauseInertia};
     case kUnbalanced:
     case kFalls:
     case kSinks:
-      return {kCauseNoCollision, kCauseFlag,           kCauseSoftContact,
-              kCauseMassRatio,   kCauseDefaultInertia, kCauseInertia};
+      return {kCauseMeshScale, kCauseNoCollision,    kCauseFlag,   kCauseSoftContact,
+              kCauseMassRatio, kCauseDefaultInertia, kCauseInertia};
     case kLimitViolated:
       return {kCauseStartOutsideLimits, kCauseMassRatio, kCauseDefaultInertia, kCauseInertia};
     case kStiffControl: return {kCauseInertia, kCauseDefaultInertia};

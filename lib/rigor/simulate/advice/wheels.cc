@@ -89,11 +89,18 @@ void add_geometry(Causes& causes, const Wheel& wheel) {
   }
 }
 
+/// A hinge without limits; the axle of a wheel that a universal joint steers, too. What a hinge with limits turns is
+/// driven as the robot steers, and rolls on the axle that carries it.
 bool rolls_by_itself(const Scene& scene, const SceneShape& shape) {
+  using enum model::JointType;
   return std::any_of(scene.joints.begin(), scene.joints.end(), [&](const SceneJoint& joint) {
-    if (joint.child != shape.body || joint.axes.empty())
-      return joint.child == shape.body && joint.type == model::JointType::kBall;
-    return can_turn_over(joint) && round_about(scene, shape, joint.axes[0].direction_W);
+    if (joint.child != shape.body) return false;
+    if (joint.type == kBall) return true;
+    const bool has_two = joint.type == kUniversal || joint.type == kRevolute2;
+    if (!has_two && !can_turn_over(joint)) return false;
+    return std::any_of(joint.axes.begin(), joint.axes.end(), [&](const SceneAxis& axis) {
+      return round_about(scene, shape, axis.direction_W).has_value();
+    });
   });
 }
 
@@ -114,6 +121,7 @@ void add_wheel_causes(Causes& causes) {
       if (wheel.sign > 0) continue;
       Fact about = about_joint(causes.scene, wheel.joint);
       about.name = "reversed";
+      about.help = "negate the joint's `axis`";
       causes.add(FactKind::kCauseWheelAxis, std::move(about), wheel.sign, 0, 2, 1);
     }
   }

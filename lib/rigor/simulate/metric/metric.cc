@@ -88,10 +88,10 @@ Fact about_scene(const Scene& scene) {
 
 bool hangs_on_contacts(FactKind shown) {
   using enum FactKind;
-  constexpr std::array kShown{kNeverSettles, kRestless,       kCreeps,      kUnbalanced,
-                              kTips,         kNearlyTips,     kSinks,       kFalls,
-                              kDriveSlips,   kDriveBackwards, kDriveDrifts, kDriveBounces,
-                              kTurnOff,      kDoesNotBrake,   kPushedOver,  kTiltsEarly};
+  constexpr std::array kShown{
+      kNeverSettles, kRestless,     kCreeps,     kUnbalanced,     kTips,        kNearlyTips,
+      kSinks,        kFalls,        kDriveSlips, kDriveBackwards, kDriveDrifts, kDriveBounces,
+      kTurnOff,      kDoesNotBrake, kPushedOver, kTiltsEarly,     kTooFast};
   return std::find(kShown.begin(), kShown.end(), shown) != kShown.end();
 }
 

@@ -113,6 +113,12 @@ Gains hold_gains(const JointLoads& loads, const SceneJoint& joint) {
   return gains;
 }
 
+/// Where it begins, a load's sag off its stops: a spring and a stop at one place throw the joint to and fro.
+double held_position(const SceneAxis& axis) {
+  const double margin = std::min(kHoldSag, (axis.upper - axis.lower) / 2);
+  return std::clamp(axis.start, axis.lower + margin, axis.upper - margin);
+}
+
 /// When each joint is swept. One after the other; but joints on different branches of a base that is held do not
 /// feel each other and go at the same time, unless links may touch or a joint moves others along.
 class SweepSchedule {
@@ -202,7 +208,7 @@ MadeTest make_hold(const Scene& scene, const DriveTrain& wheels) {
     const SceneAxis& axis = scene.joints[j].axes[0];
     scenario.commands.push_back({.joint = j,
                                  .kind = CommandKind::kPosition,
-                                 .value = std::clamp(axis.start, axis.lower, axis.upper),
+                                 .value = held_position(axis),
                                  .end = kHoldTime,
                                  .gains = hold_gains(loads, scene.joints[j]),
                                  .control = Control::kImplicit});
