@@ -84,10 +84,12 @@ void Expander::report(FactKind kind, Place place, std::string name, std::string 
     key.second = {(std::uint64_t{static_cast<std::uint32_t>(where.source)} << 32U) | 0xffffffffU,
                   symbols_.of(heap_.keep(name))};
   }
+  // A package that is missing is one fault of an expansion, whoever names it.
+  if (kind == FactKind::kPackageNotFound) key.second = {0, symbols_.of(name)};
   const auto [known, added] = fact_by_place_.emplace(key, result_.facts.size());
   if (!added && known->second < result_.facts.size() && result_.facts[known->second].name == name) {
     Fact& first = result_.facts[known->second];
-    ++first.count;
+    if (kind != FactKind::kPackageNotFound) ++first.count;
     // What is like it may be defined behind the first use.
     if (kind == FactKind::kUndefinedName && first.near.empty()) first.near = std::move(detail);
     return;
