@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <string>
 
 #include "cli/program.h"
@@ -144,6 +145,33 @@ TEST_F(XacroProgram, OfAFolderRobotsAreCheckedAndTheirPartsThroughThem) {
   EXPECT_NE(ran.err.find("skipped: parts/alone.xacro: xacro: no robot by itself"),
             std::string::npos)
       << ran.err;
+}
+
+TEST_F(XacroProgram, OfAFolderTemplatesThatLackAPackageAreCheckedAsFarAsTheyGo) {
+  const std::string root = "<robot name=\"cart\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n";
+  const std::string lacks = "  <xacro:include filename=\"$(find no_such)/wheel.xacro\"/>\n";
+  folder_.put("arm.urdf.xacro", root + "  <link name=\"base\"/>\n</robot>\n");
+  folder_.put("cart.urdf.xacro", root + lacks +
+                                     "  <xacro:include filename=\"axle.xacro\"/>\n"
+                                     "  <xacro:wheel radius=\"${wheel_radius}\"/>\n"
+                                     "  <xacro:property name=\"a\" value=\"${1 / 0}\"/>\n"
+                                     "  <link name=\"${a}\"/>\n</robot>\n");
+  folder_.put("axle.xacro", "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n" + lacks +
+                                "  <xacro:wheel/>\n</robot>\n");
+  folder_.put("long.urdf.xacro", root + lacks + "  <xacro:wheel/>\n</robot>\n");
+  const auto report = findings(".");
+  std::map<std::string, std::size_t> times;
+  for (const auto& found : report["diagnostics"]) ++times[found["rule"].get<std::string>()];
+  // One package, however many files name it; what it would define is not reported.
+  EXPECT_EQ(times, (std::map<std::string, std::size_t>{{"xacro-package-not-found", 1},
+                                                       {"xacro-division-by-zero", 1}}))
+      << report;
+  const auto& found = report["diagnostics"][0];
+  EXPECT_EQ(found["path"], "cart.urdf.xacro");
+  EXPECT_EQ(found["line"], 2);
+  EXPECT_EQ(found["places"].size(), 1U) << found;
+  EXPECT_NE(found["help"].get<std::string>().find("--package no_such=DIR"), std::string::npos);
+  EXPECT_EQ(report["summary"]["not_looked_at"], 0);
 }
 
 TEST_F(XacroProgram, ANamedFileOfMacrosIsNoRobotWithoutLinks) {

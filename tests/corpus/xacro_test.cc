@@ -22,6 +22,7 @@
 #include <vector>
 
 #include <rigor/author/fix.h>
+#include <rigor/read/resolver.h>
 #include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 #include <rigor/text/disk.h>
@@ -163,100 +164,97 @@ class DiskWithOneFix final : public Disk {
   std::string bytes_;
 };
 
-using XacroRanges = std::vector<std::pair<std::size_t, std::size_t>>;
-
-/// Where the bytes of edits are, before and after they are done.
-std::pair<XacroRanges, XacroRanges> ranges_of(std::vector<Edit> edits) {
-  std::sort(edits.begin(), edits.end(),
-            [](const Edit& a, const Edit& b) { return a.span.begin < b.span.begin; });
-  XacroRanges before;
-  XacroRanges after;
-  std::ptrdiff_t shift = 0;
-  for (const Edit& edit : edits) {
-    before.emplace_back(edit.span.begin, edit.span.end);
-    const auto begin = static_cast<std::size_t>(edit.span.begin + shift);
-    after.emplace_back(begin, begin + edit.text.size());
-    shift += static_cast<std::ptrdiff_t>(edit.text.size()) - edit.span.size();
-  }
-  return {before, after};
+/// With the defaults of its arguments.
+xacro::Expansion expansion_of(const std::string& file, const std::string& repository,
+                              const XacroPackages& packages, const Disk& disk, Sources& sources) {
+  xacro::World world{disk};
+  world.find_package = [&](std::string_view name, std::string_view) {
+    return find_xacro_package(packages, repository, std::string(name));
+  };
+  return xacro::expand(file, world, {}, sources);
 }
 
-/// The elements and texts of an expansion that no edit of `file` touches, one a line.
-void print_untouched(const xacro::Node& node, std::string_view file, const XacroRanges& edited,
-                     const Sources& sources, std::string& out) {
-  const Span where = node.where.span;
-  const bool is_there = !where.nowhere() && sources.path(where.source) == file;
-  const bool touched =
-      is_there && std::any_of(edited.begin(), edited.end(), [where](const auto& range) {
-        return range.first <= where.end && where.begin <= range.second;
-      });
-  const bool blank = node.kind == xacro::NodeKind::kText &&
-                     node.text.find_first_not_of(" \t\r\n") == std::string_view::npos;
-  if (!touched && !blank) {
-    out += std::string(node.name) + ' ' + std::string(node.text);
-    for (const xacro::NodeAttribute& attribute : node.attributes)
-      out += ' ' + std::string(attribute.name) + '=' + std::string(attribute.value);
-    out += '\n';
+/// The name of the first link of a robot; empty where there is none.
+std::string first_link(const xacro::Node& root) {
+  for (const xacro::Node* child = root.first_element(); child != nullptr;
+       child = child->next_element()) {
+    const xacro::NodeAttribute* name = child->attribute("name");
+    if (child->name == "link" && name != nullptr) return std::string(name->value);
   }
-  for (const xacro::Node* child = node.first; child != nullptr; child = child->next)
-    print_untouched(*child, file, edited, sources, out);
+  return {};
 }
 
-/// `--fix` over the robots, and every expansion that reads a file which it changed.
+/// A link on a continuous joint, as a template has it and as xacro prints it.
+std::string planted_joint(const std::string& parent, const std::string& axis) {
+  return "  <link name=\"planted_link\"/>\n"
+         "  <joint name=\"planted_joint\" type=\"continuous\">\n"
+         "    <parent link=\"" +
+         parent +
+         "\"/>\n"
+         "    <child link=\"planted_link\"/>\n"
+         "    <axis xyz=\"" +
+         axis +
+         "\"/>\n"
+         "  </joint>\n";
+}
+
+/// Into copies of real robots a joint is planted whose axis has the length 2, which has a safe fix. With
+/// `--fix` the axis is a unit vector, no other byte of the file differs, and neither does any other of the
+/// expansion.
 TEST(CorpusXacro, FixesChangeNothingElseInAnyExpansion) {
   RIGOR_NEEDS_CORPUS();
   const XacroCorpus corpus;
   if (corpus.rows.empty()) GTEST_SKIP() << "there is no corpus-xacro beside the corpus";
   const auto& [root, rows, packages] = corpus;
-  const RealDisk disk;
-  std::set<std::string> robots;
-  for (const XacroJson& row : rows) {
-    if (row["links"] > 0) robots.insert(root + '/' + row["path"].get<std::string>());
-  }
-  const Environment environment(disk, {});
-  Sources found_in;
-  const rules::ValidateOptions options{.paths = {robots.begin(), robots.end()}, .threads = 0};
-  const rules::ValidateResult result = rules::validate(environment, options, found_in);
+  const RealDisk real;
+  constexpr std::size_t kMostRobots = 45;
   std::size_t fixed = 0;
-  std::size_t expansions = 0;
-  for (const author::FixedFile& file :
-       author::fix_files(environment, options, result, found_in, Applicability::kUnsafe)) {
-    if (!file.changed()) continue;
+  std::set<std::string> done;
+  for (const XacroJson& row : rows) {
+    const std::string path = row["path"];
+    if (fixed == kMostRobots) break;
+    if (row["rc"] != 0 || row["links"] == 0 || !row["args"].empty() || !done.insert(path).second)
+      continue;
+    const std::string file = root + '/' + path;
+    const std::string repository = path.substr(0, path.find('/'));
+    Sources sources;
+    const xacro::Expansion before = expansion_of(file, repository, packages, real, sources);
+    ASSERT_TRUE(before.ok()) << path;
+    const std::string parent = first_link(*before.root);
+    std::string planted = test::read_file(file);
+    const std::size_t end = planted.rfind("</robot>");
+    if (parent.empty() || end == std::string::npos) continue;
+    planted.insert(end, planted_joint(parent, "0 0 2"));
+    std::string mended = planted;
+    mended.replace(mended.find("0 0 2", end), 5, "0 0 1");
+
+    const DiskWithOneFix disk(normalize_path(file), planted);
+    read::SearchPaths paths;
+    if (const auto own = packages.find(repository); own != packages.end())
+      paths.packages = own->second;
+    for (const auto& [other, folders] : packages)
+      paths.packages.insert(folders.begin(), folders.end());
+    const Environment environment(disk, paths);
+    const rules::ValidateOptions options{.paths = {file}, .meshes = rules::MeshPolicy::kDoNotOpen};
+    Sources found_in;
+    const rules::ValidateResult result = rules::validate(environment, options, found_in);
+    const auto fixes =
+        author::fix_files(environment, options, result, found_in, Applicability::kSafe);
+    ASSERT_EQ(fixes.size(), 1U) << path;
+    EXPECT_EQ(fixes.front().after, mended) << path;
+
+    const DiskWithOneFix fixed_disk(normalize_path(file), fixes.front().after);
+    const xacro::Expansion after = expansion_of(file, repository, packages, fixed_disk, sources);
+    ASSERT_TRUE(after.ok()) << path;
+    std::string text = xacro::print(*after.document, file);
+    const std::string shown = planted_joint(parent, "0 0 1");
+    const std::size_t at = text.find(shown);
+    ASSERT_NE(at, std::string::npos) << path;
+    EXPECT_EQ(text.erase(at, shown.size()), xacro::print(*before.document, file)) << path;
     ++fixed;
-    const auto [before, after] = ranges_of(file.edits);
-    const DiskWithOneFix fixed_disk(normalize_path(file.path), file.after);
-    const std::string repository = file.path.substr(root.size() + 1);
-    for (const XacroJson& row : rows) {
-      const std::string path = row["path"];
-      const std::string own = path.substr(0, path.find('/'));
-      if (row["rc"] != 0 || !repository.starts_with(own + '/')) continue;
-      std::string texts[2];
-      bool reads_it = false;
-      for (const bool is_fixed : {false, true}) {
-        xacro::World world{is_fixed ? static_cast<const Disk&>(fixed_disk) : disk};
-        world.find_package = [&](std::string_view name, std::string_view) {
-          return find_xacro_package(packages, own, std::string(name));
-        };
-        xacro::Options arguments;
-        for (const std::string argument : row["args"]) {
-          const std::size_t assign = argument.find(":=");
-          if (assign + 2 == argument.size()) continue;
-          arguments.arguments.emplace_back(argument.substr(0, assign), argument.substr(assign + 2));
-        }
-        Sources sources;
-        const xacro::Expansion made = xacro::expand(root + '/' + path, world, arguments, sources);
-        ASSERT_TRUE(made.ok()) << path;
-        for (const xacro::FileUse& use : made.files)
-          reads_it = reads_it || normalize_path(use.path) == normalize_path(file.path);
-        print_untouched(*made.document, file.path, is_fixed ? after : before, sources,
-                        texts[is_fixed ? 1 : 0]);
-      }
-      if (reads_it) ++expansions;
-      EXPECT_EQ(texts[0], texts[1]) << file.path << " in " << path;
-    }
   }
-  if (expansions == 0) GTEST_SKIP() << "no template of the corpus has a fix: nothing is compared";
-  std::printf("%zu templates fixed, %zu expansions compared\n", fixed, expansions);
+  EXPECT_GE(fixed, 30U);
+  std::printf("%zu templates fixed\n", fixed);
 }
 
 }  // namespace

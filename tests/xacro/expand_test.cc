@@ -186,6 +186,19 @@ TEST(XacroExpand, WhatIsOutsideOfTheLanguageIsNamed) {
   }
 }
 
+TEST(XacroExpand, AMissingPackageIsOneFindingAndTheRestIsChecked) {
+  const Expanded expanded(
+      robot("<xacro:include filename=\"$(find no_such)/arm.xacro\"/>\n"
+            "<xacro:include filename=\"$(find no_such)/hand.xacro\"/>\n"
+            "<xacro:arm size=\"${arm_size}\"/>\n"
+            "<mesh filename=\"file://$(find no_such)/a.stl\"/>\n"
+            "<a>${1 / 0}</a>"));
+  const std::vector<std::string> told = {"2:28 package 'no_such' is not found",
+                                         "6:6 division by zero"};
+  EXPECT_EQ(expanded.findings(), told);
+  EXPECT_EQ(expanded.expansion.facts.front().count, 1U);
+}
+
 TEST(XacroExpand, AMissingIncludeDoesNotMakeEveryNameUndefined) {
   const Expanded expanded(
       robot("<xacro:include filename=\"gone.xacro\"/>\n<xacro:leg/>\n<v>${x}</v>"));

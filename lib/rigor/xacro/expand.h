@@ -19,9 +19,9 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -74,6 +74,25 @@ struct PartOrigin {
   Span from;
 };
 
+/// Those of all texts. A text is known by where its first byte lies.
+class PartOrigins {
+ public:
+  void add(std::string_view text, std::span<const PartOrigin> parts);
+  /// Once all are there, before the first is asked for.
+  void sort();
+  /// Empty where a text has no more than one expression.
+  std::span<const PartOrigin> of(std::string_view text) const;
+
+ private:
+  struct Row {
+    const char* text;
+    std::uint32_t begin;
+    std::uint32_t count;
+  };
+  std::vector<Row> rows_;
+  std::vector<PartOrigin> parts_;
+};
+
 struct FileUse {
   std::string path;  ///< as it was opened
   SourceId source = kNoSource;
@@ -104,8 +123,8 @@ struct Expansion {
   /// What brought a frame's nodes, innermost first; no more than `kMaxShownFrames`.
   std::vector<FactFrame> stack_of(std::uint32_t frame) const;
 
-  /// Of attributes and texts with several expressions, by the first byte of the value.
-  std::unordered_map<const char*, std::vector<PartOrigin>> part_origins;
+  /// Of attributes and texts with several expressions.
+  PartOrigins part_origins;
 
   // What the nodes live in.
   std::unique_ptr<Heap> heap;

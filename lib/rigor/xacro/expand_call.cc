@@ -156,8 +156,9 @@ void Expander::bind_attributes(const Node& node, const Macro& macro, Names names
     Binding binding;
     binding.place = attribute.where;
     used_ = {};
-    const Value value = evaluate(attribute.value, *names.values, attribute.where);
-    if (used_ != Span{} && templates_.of(attribute.value).is_reference) binding.from = used_;
+    const Value value = evaluate(attribute.value, *names.values, attribute.where, attribute.code);
+    if (used_ != Span{} && templates_.of(attribute.code, attribute.value).is_reference)
+      binding.from = used_;
     bind(scope, macro.parameters[i].symbol, value, binding);
   }
 }

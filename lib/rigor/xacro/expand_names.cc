@@ -169,7 +169,7 @@ Expander::File& Expander::file_at(const std::string& path) {
   file.source = sources_.add(shown_path(found), std::move(*read.bytes));
   result_.files.push_back({found, file.source});
   heap_.charge(sources_.bytes(file.source).size());
-  file.tree = read_source_tree(sources_.bytes(file.source), file.source, nodes_, heap_);
+  file.tree = read_source_tree(sources_.bytes(file.source), file.source, nodes_, heap_, templates_);
   return file;
 }
 

@@ -4,6 +4,7 @@
 // Texts with expressions and commands in them, and the values of names.
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include <rigor/xacro/expander.h>
@@ -13,49 +14,64 @@
 #include <rigor/xacro/yaml.h>
 
 namespace rigor::xacro {
+namespace {
 
-Value Expander::evaluate(std::string_view text, Scope& scope, Place place) {
-  if (text.find('$') == std::string_view::npos) return Value::text(text);
-  const TextTemplate& parts = templates_.of(text);
-  if (parts.segments.size() == 1 && !parts.trouble) {
-    const Value v = evaluate_segment(parts.segments[0], scope, place);
-    if (const auto failure = evaluator_.take_failure()) report_failure(*failure, place);
-    return v;
-  }
-  std::string joined;
+bool has_no_code(std::string_view text, TextCode code) {
+  return code == TextCode::kPlain ||
+         (code == TextCode::kUnknown && text.find('$') == std::string_view::npos);
+}
+
+}  // namespace
+
+Value Expander::evaluate(std::string_view text, Scope& scope, Place place, TextCode code) {
+  if (has_no_code(text, code)) return Value::text(text);
+  const TextTemplate& parts = templates_.of(code, text);
+  if (parts.segments.size() != 1 || parts.trouble)
+    return evaluate_joined(parts, text, scope, place);
+  const Value v = evaluate_segment(parts.segments[0], scope, place);
+  if (const auto failure = evaluator_.take_failure()) report_failure(*failure, place);
+  return v;
+}
+
+Value Expander::evaluate_joined(const TextTemplate& parts, std::string_view text, Scope& scope,
+                                Place place) {
   bool whole = true;
-  std::vector<PartOrigin> origins;
+  const std::size_t begin = joined_.size();
+  const std::size_t first_origin = joined_origins_.size();
   for (const TextSegment& segment : parts.segments) {
     used_ = {};
     const Value v = evaluate_segment(segment, scope, place);
     std::optional<std::string> printed;
     if (!v.failed() && !v.is_text()) printed = evaluator_.text_of(v);
     if (v.is_text()) {
-      joined += v.as_text();
+      joined_ += v.as_text();
     } else if (printed) {
-      joined += *printed;
+      joined_ += *printed;
     } else {
       if (const auto failure = evaluator_.take_failure()) report_failure(*failure, place);
       whole = false;
       continue;
     }
     if (segment.kind != TextSegment::Kind::kText && !used_.nowhere()) {
-      origins.push_back(
+      joined_origins_.push_back(
           {segment.begin, segment.begin + static_cast<std::uint32_t>(segment.text.size()), used_});
     }
   }
   // Of one part only it can be said of the whole.
-  used_ = origins.size() == 1 ? origins.front().from : Span{};
+  const std::size_t origins = joined_origins_.size() - first_origin;
+  used_ = origins == 1 ? joined_origins_.back().from : Span{};
   if (parts.trouble) {
     report(FactKind::kBadText, place.part(*parts.trouble, *parts.trouble + 2),
            std::string(text.substr(*parts.trouble, 40)));
     whole = false;
   }
-  if (!whole) return Value::error();
-  const Value result = evaluator_.text(joined);
+  const Value result =
+      whole ? evaluator_.text(std::string_view(joined_).substr(begin)) : Value::error();
   if (const auto failure = evaluator_.take_failure()) report_failure(*failure, place);
-  if (origins.size() > 1 && result.is_text())
-    result_.part_origins.emplace(result.as_text().data(), std::move(origins));
+  if (origins > 1 && result.is_text())
+    result_.part_origins.add(result.as_text(), std::span(joined_origins_).subspan(first_origin));
+  joined_.resize(begin);
+  joined_origins_.resize(first_origin);
   return result;
 }
 
@@ -98,9 +114,9 @@ Value Expander::evaluate_expression(std::string_view, const Expression& expressi
 }
 
 std::optional<std::string_view> Expander::evaluate_text(std::string_view text, Scope& scope,
-                                                        Place place) {
-  if (text.find('$') == std::string_view::npos) return text;
-  const Value v = evaluate(text, scope, place);
+                                                        Place place, TextCode code) {
+  if (has_no_code(text, code)) return text;
+  const Value v = evaluate(text, scope, place, code);
   if (v.failed()) return std::nullopt;
   if (v.is_text()) return v.as_text();
   const auto printed = evaluator_.text_of(v);

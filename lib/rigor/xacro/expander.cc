@@ -14,13 +14,16 @@
 namespace rigor::xacro {
 namespace {
 
-constexpr std::string_view kPrefix = "xacro:";
-
 /// What the reference has without a module's name before it.
 constexpr std::string_view kGlobalFunctions[] = {"list",  "dict",   "map",  "len", "str",
                                                  "float", "int",    "bool", "min", "max",
                                                  "round", "sorted", "range"};
 constexpr std::string_view kGlobalXacroFunctions[] = {"load_yaml", "abs_filename", "dotify"};
+
+/// Whether two texts are the same; where they lie at one place, without a look at them.
+bool is_same(std::string_view a, std::string_view b) {
+  return a.size() == b.size() && (a.data() == b.data() || a == b);
+}
 
 }  // namespace
 
@@ -54,7 +57,7 @@ void Expander::define_builtins() {
 }
 
 void Expander::define_builtin(std::string_view name, Value value) {
-  const Symbol symbol = symbols_.of(name);
+  const Symbol symbol = symbols_.of_constant(name);
   if (symbol >= builtins_.size()) builtins_.resize(symbol + 1, Value::error());
   builtins_[symbol] = value;
 }
@@ -76,6 +79,7 @@ Expansion Expander::run(const std::string& path) {
     // What failed may have been the use.
     if (result_.ok()) report_unused();
     relate_definitions();
+    result_.part_origins.sort();
   }
   return std::move(result_);
 }
@@ -128,6 +132,8 @@ Node& Expander::clone(const Node& node) {
   Node& copy = new_node(node);
   copy.text = node.text;
   copy.from = node.from;
+  copy.tag = node.tag;
+  copy.code = node.code;
   copy.attributes = node.attributes;
   for (const Node* child = node.first; child != nullptr && !stopped_; child = child->next) {
     if (depth_ > options_.bounds.depth) continue;
@@ -159,15 +165,24 @@ void Expander::expand_children(const Node& source, Names names, Node& out) {
     switch (child->kind) {
       case NodeKind::kElement:
         in_comments = false;
-        expand_element(*child, child->name, names, out);
+        if (child->tag == Tag::kPlain) {
+          expand_plain(*child, child->name, names, out);
+        } else {
+          expand_element(*child, child->tag, child->name, names, out);
+        }
         continue;
       case NodeKind::kText: {
         Node& made = new_node(*child);
-        used_ = child->from;
-        made.text = evaluate_text(child->text, *names.values, child->where).value_or(child->text);
-        made.where.verbatim = made.where.verbatim && made.text == child->text;
-        made.from = used_;
-        if (!stripped(made.text).empty()) in_comments = false;
+        made.text = child->text;
+        made.from = child->from;
+        made.code = child->code;
+        if (child->code != TextCode::kPlain) {
+          used_ = child->from;
+          made.text = evaluate_text(child->text, *names.values, child->where).value_or(child->text);
+          made.where.verbatim = made.where.verbatim && is_same(made.text, child->text);
+          made.from = used_;
+        }
+        if (in_comments && !stripped(made.text).empty()) in_comments = false;
         out.append(made);
         continue;
       }
@@ -193,25 +208,29 @@ void Expander::expand_children(const Node& source, Names names, Node& out) {
   leave();
 }
 
-void Expander::expand_element(const Node& node, std::string_view name, Names names, Node& out) {
-  if (!name.starts_with(kPrefix)) return expand_plain(node, name, names, out);
-  const std::string_view tag = name.substr(kPrefix.size());
-  if (tag == "property") return define_property(node, names, out);
-  if (tag == "macro") return define_macro(node, names, out);
-  if (tag == "if") return expand_condition(node, true, names, out);
-  if (tag == "unless") return expand_condition(node, false, names, out);
-  if (tag == "include") return expand_include(node, names, out);
-  if (tag == "insert_block") return insert_block(node, names, out);
-  if (tag == "arg") return define_argument(node, names, out);
-  if (tag == "element") return expand_renamed(node, names, out);
-  if (tag == "attribute") return expand_attribute_tag(node, names, out);
-  if (tag == "call") return expand_dynamic_call(node, names, out);
-  expand_call(node, tag, names, out);
+void Expander::expand_element(const Node& node, Tag tag, std::string_view name, Names names,
+                              Node& out) {
+  switch (tag == Tag::kUnknown ? tag_of(name) : tag) {
+    case Tag::kUnknown:
+    case Tag::kPlain: return expand_plain(node, name, names, out);
+    case Tag::kProperty: return define_property(node, names, out);
+    case Tag::kMacro: return define_macro(node, names, out);
+    case Tag::kIf: return expand_condition(node, true, names, out);
+    case Tag::kUnless: return expand_condition(node, false, names, out);
+    case Tag::kInclude: return expand_include(node, names, out);
+    case Tag::kInsertBlock: return insert_block(node, names, out);
+    case Tag::kArgument: return define_argument(node, names, out);
+    case Tag::kElement: return expand_renamed(node, names, out);
+    case Tag::kAttribute: return expand_attribute_tag(node, names, out);
+    case Tag::kDynamicCall: return expand_dynamic_call(node, names, out);
+    case Tag::kCall: return expand_call(node, name.substr(kTagPrefix.size()), names, out);
+  }
 }
 
 void Expander::expand_plain(const Node& node, std::string_view name, Names names, Node& out) {
   Node& made = new_node(node);
   made.name = name;
+  if (node.tag == Tag::kPlain) made.tag = Tag::kPlain;
   // In the robot itself, or in what is to become part of it.
   if (out.name.empty() || &out == result_.root) report_missing_prefix(node, *names.macros);
   out.append(made);
@@ -222,22 +241,32 @@ void Expander::expand_plain(const Node& node, std::string_view name, Names names
 void Expander::expand_attributes(const Node& node, Names names, Node& out) {
   out.attributes.reserve(node.attributes.size());
   element_ = &node;
+  // A tag has no attribute twice.
+  const bool is_empty = out.attributes.empty();
   for (const NodeAttribute& attribute : node.attributes) {
-    if (attribute.name.starts_with(kPrefix) || attribute.name == "xmlns:xacro") continue;
-    used_ = attribute.from;
-    const std::string_view value =
-        evaluate_text(attribute.value, *names.values, attribute.where).value_or(attribute.value);
-    Place where = attribute.where;
-    where.verbatim = where.verbatim && value == attribute.value;
-    out.set_attribute({attribute.name, value, where, used_});
+    if (attribute.name.starts_with('x') &&
+        (attribute.name.starts_with(kTagPrefix) || attribute.name == "xmlns:xacro"))
+      continue;
+    NodeAttribute made = attribute;
+    if (attribute.code != TextCode::kPlain) {
+      used_ = attribute.from;
+      made.value = evaluate_text(attribute, names).value_or(attribute.value);
+      made.where.verbatim = attribute.where.verbatim && is_same(made.value, attribute.value);
+      made.from = used_;
+      made.code = TextCode::kUnknown;
+    }
+    if (is_empty) {
+      out.attributes.push_back(made);
+    } else {
+      out.set_attribute(made);
+    }
   }
 }
 
 void Expander::check_attributes(const Node& node, Names names) {
   for (const NodeAttribute& attribute : node.attributes) {
-    if (attribute.name.starts_with(kPrefix) || attribute.value.find('$') == std::string_view::npos)
-      continue;
-    evaluate_text(attribute.value, *names.values, attribute.where);
+    if (attribute.code == TextCode::kPlain || attribute.name.starts_with(kTagPrefix)) continue;
+    evaluate_text(attribute, names);
   }
 }
 
@@ -249,7 +278,7 @@ void Expander::expand_renamed(const Node& node, Names names, Node& out) {
   if (tag->empty()) return report(FactKind::kBadName, name->where, "xacro:element", "it is empty");
   if (*tag == "xacro:element")
     return report(FactKind::kBadName, name->where, "xacro:element", "it is its own");
-  expand_element(node, *tag, names, out);
+  expand_element(node, tag_of(*tag), *tag, names, out);
 }
 
 void Expander::expand_attribute_tag(const Node& node, Names names, Node& out) {

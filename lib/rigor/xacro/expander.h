@@ -73,7 +73,8 @@ class Expander final : public Host {
   }
   void expand_document(const File& file);
   void expand_children(const Node& source, Names names, Node& out);
-  void expand_element(const Node& node, std::string_view name, Names names, Node& out);
+  /// With the name that the element has when it is written, which may come from an expression.
+  void expand_element(const Node& node, Tag tag, std::string_view name, Names names, Node& out);
   void expand_plain(const Node& node, std::string_view name, Names names, Node& out);
   void expand_attributes(const Node& node, Names names, Node& out);
   /// For what their expressions do and fail at; the values are of no use.
@@ -122,12 +123,20 @@ class Expander final : public Host {
   std::string macro_near(std::string_view name, MacroScope& macros);
 
   // expand_text.cc: texts, expressions and commands.
-  Value evaluate(std::string_view text, Scope& scope, Place place);
+  Value evaluate(std::string_view text, Scope& scope, Place place,
+                 TextCode code = TextCode::kUnknown);
+  /// Several segments as one text.
+  Value evaluate_joined(const TextTemplate& parts, std::string_view text, Scope& scope,
+                        Place place);
   Value evaluate_segment(const TextSegment& segment, Scope& scope, Place place);
   Value evaluate_expression(std::string_view text, const Expression& expression, Scope& scope,
                             Place place);
   /// `str` of it; nothing on failure.
-  std::optional<std::string_view> evaluate_text(std::string_view text, Scope& scope, Place place);
+  std::optional<std::string_view> evaluate_text(std::string_view text, Scope& scope, Place place,
+                                                TextCode code = TextCode::kUnknown);
+  std::optional<std::string_view> evaluate_text(const NodeAttribute& attribute, Names names) {
+    return evaluate_text(attribute.value, *names.values, attribute.where, attribute.code);
+  }
   std::optional<bool> evaluate_condition(std::string_view text, Scope& scope, Place place);
   Value resolve(Binding& binding, Symbol name, Scope& scope);
 
@@ -191,6 +200,9 @@ class Expander final : public Host {
   };
   std::vector<IncludeUse> includes_;
 
+  // The ends of texts that are being joined, each behind the one that waits for it.
+  std::string joined_;
+  std::vector<PartOrigin> joined_origins_;
   std::vector<std::string_view> file_stack_;
   std::vector<std::string_view> resolving_;  // properties whose lazy texts are being evaluated
   Node* marker_ = nullptr;                   // see place_marker

@@ -8,6 +8,21 @@
 
 namespace rigor::xacro {
 
+Tag tag_of(std::string_view name) {
+  if (!name.starts_with(kTagPrefix)) return Tag::kPlain;
+  constexpr std::pair<std::string_view, Tag> kTags[] = {
+      {"property", Tag::kProperty}, {"macro", Tag::kMacro},     {"if", Tag::kIf},
+      {"unless", Tag::kUnless},     {"include", Tag::kInclude}, {"insert_block", Tag::kInsertBlock},
+      {"arg", Tag::kArgument},      {"element", Tag::kElement}, {"attribute", Tag::kAttribute},
+      {"call", Tag::kDynamicCall},
+  };
+  name.remove_prefix(kTagPrefix.size());
+  for (const auto& [known, tag] : kTags) {
+    if (name == known) return tag;
+  }
+  return Tag::kCall;
+}
+
 const NodeAttribute* Node::attribute(std::string_view wanted) const {
   const auto found = std::find_if(attributes.begin(), attributes.end(),
                                   [wanted](const NodeAttribute& a) { return a.name == wanted; });

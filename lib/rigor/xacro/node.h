@@ -35,17 +35,44 @@ struct Place {
   }
 };
 
+/// What is known of a text before it is evaluated: nothing, that it holds no `$`, or the number of the
+/// text among those that `TextTemplates` takes apart.
+enum class TextCode : std::uint32_t { kUnknown, kPlain, kFirst };
+
 struct NodeAttribute {
   std::string_view name;
   std::string_view value;  ///< expanded, not escaped
   Place where;             ///< of the value as it is written, without the quotes
   Span from = {};          ///< where a property, argument or YAML value in it is set; else nowhere
+  TextCode code = TextCode::kUnknown;
 };
 
 enum class NodeKind : std::uint8_t { kElement, kText, kCData, kComment, kInstruction, kDoctype };
 
+/// What an element means to the expander, by its name.
+enum class Tag : std::uint8_t {
+  kUnknown,  ///< not looked at
+  kPlain,    ///< none of xacro's
+  kProperty,
+  kMacro,
+  kIf,
+  kUnless,
+  kInclude,
+  kInsertBlock,
+  kArgument,
+  kElement,
+  kAttribute,
+  kDynamicCall,
+  kCall,  ///< of a macro
+};
+
+inline constexpr std::string_view kTagPrefix = "xacro:";
+
+Tag tag_of(std::string_view name);
+
 struct Node {
   NodeKind kind = NodeKind::kElement;
+  Tag tag = Tag::kUnknown;
   std::uint32_t frame = 0;     ///< index in `Expansion::frames`; 0 is the file itself
   std::string_view name = {};  ///< of an element; the target of an instruction
   std::string_view text = {};  ///< of all others
@@ -57,6 +84,7 @@ struct Node {
   Node* last = nullptr;
   Place where = {};  ///< the start tag; the text
   Span from = {};    ///< as of an attribute, of a text
+  TextCode code = TextCode::kUnknown;
 
   const NodeAttribute* attribute(std::string_view wanted) const;
   void set_attribute(NodeAttribute attribute);

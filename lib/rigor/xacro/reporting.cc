@@ -4,6 +4,7 @@
 // What the expander found, once for all instances of a macro that show it, with the stack of the first.
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include <rigor/xacro/expander.h>
@@ -14,6 +15,26 @@ Expansion::Expansion() = default;
 Expansion::Expansion(Expansion&&) noexcept = default;
 Expansion& Expansion::operator=(Expansion&&) noexcept = default;
 Expansion::~Expansion() = default;
+
+void PartOrigins::add(std::string_view text, std::span<const PartOrigin> parts) {
+  if (text.empty()) return;
+  rows_.push_back({text.data(), static_cast<std::uint32_t>(parts_.size()),
+                   static_cast<std::uint32_t>(parts.size())});
+  parts_.insert(parts_.end(), parts.begin(), parts.end());
+}
+
+void PartOrigins::sort() {
+  std::sort(rows_.begin(), rows_.end(),
+            [](const Row& a, const Row& b) { return std::less<const char*>()(a.text, b.text); });
+}
+
+std::span<const PartOrigin> PartOrigins::of(std::string_view text) const {
+  const auto row = std::lower_bound(
+      rows_.begin(), rows_.end(), text.data(),
+      [](const Row& a, const char* wanted) { return std::less<const char*>()(a.text, wanted); });
+  if (row == rows_.end() || row->text != text.data()) return {};
+  return std::span(parts_).subspan(row->begin, row->count);
+}
 
 bool Expansion::ok() const {
   return root != nullptr &&
@@ -63,10 +84,12 @@ void Expander::report(FactKind kind, Place place, std::string name, std::string 
     key.second = {(std::uint64_t{static_cast<std::uint32_t>(where.source)} << 32U) | 0xffffffffU,
                   symbols_.of(heap_.keep(name))};
   }
+  // A package that is missing is one fault of an expansion, whoever names it.
+  if (kind == FactKind::kPackageNotFound) key.second = {0, symbols_.of(name)};
   const auto [known, added] = fact_by_place_.emplace(key, result_.facts.size());
   if (!added && known->second < result_.facts.size() && result_.facts[known->second].name == name) {
     Fact& first = result_.facts[known->second];
-    ++first.count;
+    if (kind != FactKind::kPackageNotFound) ++first.count;
     // What is like it may be defined behind the first use.
     if (kind == FactKind::kUndefinedName && first.near.empty()) first.near = std::move(detail);
     return;

@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -23,8 +22,8 @@ class SymbolMap {
  public:
   T* find(Symbol symbol) {
     if (!index_.empty()) {
-      const auto found = index_.find(symbol);
-      return found == index_.end() ? nullptr : &rows_[found->second].second;
+      const std::uint32_t row = index_[slot_of(symbol)];
+      return row == kNoRow ? nullptr : &rows_[row].second;
     }
     for (auto& [key, value] : rows_) {
       if (key == symbol) return &value;
@@ -34,10 +33,12 @@ class SymbolMap {
   T& operator[](Symbol symbol) {
     if (T* found = find(symbol)) return *found;
     rows_.emplace_back(symbol, T{});
-    if (!index_.empty()) {
-      index_.emplace(symbol, rows_.size() - 1);
-    } else if (rows_.size() > kIndexed) {
-      rebuild();
+    if (!index_.empty() || rows_.size() > kIndexed) {
+      if (2 * rows_.size() > index_.size()) {
+        rebuild();
+      } else {
+        index_[slot_of(symbol)] = static_cast<std::uint32_t>(rows_.size() - 1);
+      }
     }
     return rows_.back().second;
   }
@@ -54,13 +55,26 @@ class SymbolMap {
 
  private:
   static constexpr std::size_t kIndexed = 16;
+  static constexpr std::uint32_t kNoRow = 0xffffffffU;
+
+  /// Where a symbol's row is noted, or would be: open addressing, at most half full.
+  std::size_t slot_of(Symbol symbol) const {
+    constexpr std::uint32_t kGoldenRatio = 0x9e3779b1U;
+    const std::size_t last = index_.size() - 1;
+    std::size_t slot = (symbol * kGoldenRatio >> 12U) & last;
+    while (index_[slot] != kNoRow && rows_[index_[slot]].first != symbol) slot = (slot + 1) & last;
+    return slot;
+  }
   void rebuild() {
-    index_.clear();
-    for (std::size_t i = 0; i < rows_.size(); ++i) index_.emplace(rows_[i].first, i);
+    std::size_t size = 4 * kIndexed;
+    while (size < 4 * rows_.size()) size *= 2;
+    index_.assign(size, kNoRow);
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      index_[slot_of(rows_[i].first)] = static_cast<std::uint32_t>(i);
   }
 
   std::vector<std::pair<Symbol, T>> rows_;
-  std::unordered_map<Symbol, std::size_t> index_;
+  std::vector<std::uint32_t> index_;  ///< of rows; a power of two, or empty while they are few
 };
 
 inline constexpr std::uint32_t kNoDefinition = 0xffffffffU;

@@ -4,9 +4,11 @@
 #include <rigor/xacro/source_tree.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
+#include <rigor/xacro/expression/text_template.h>
 #include <rigor/xacro/value/heap.h>
 #include <rigor/xml/decode.h>
 #include <rigor/xml/document.h>
@@ -45,10 +47,32 @@ std::string fault_words(const xml::Fault& fault) {
   }
 }
 
+/// What a value is looked at for, byte by byte: most are short.
+enum ValueByte : std::uint8_t { kDecodedByte = 1, kDollarByte = 2, kLineByte = 4 };
+
+constexpr std::array<std::uint8_t, 256> kValueBytes = [] {
+  std::array<std::uint8_t, 256> bytes{};
+  for (const char c : {'&', '\r'}) bytes[static_cast<unsigned char>(c)] = kDecodedByte;
+  for (const char c : {'\n', '\t'}) bytes[static_cast<unsigned char>(c)] = kLineByte;
+  bytes[static_cast<unsigned char>('$')] = kDollarByte;
+  return bytes;
+}();
+
+std::uint8_t bytes_in(std::string_view raw) {
+  std::uint8_t found = 0;
+  for (const char c : raw) found |= kValueBytes[static_cast<unsigned char>(c)];
+  return found;
+}
+
 class SourceReader {
  public:
-  SourceReader(std::string_view bytes, SourceId source, Nodes& nodes, Heap& heap)
-      : bytes_(bytes), nodes_(nodes), heap_(heap), document_(xml::parse_own(bytes, source)) {}
+  SourceReader(std::string_view bytes, SourceId source, Nodes& nodes, Heap& heap,
+               TextTemplates& templates)
+      : bytes_(bytes),
+        nodes_(nodes),
+        heap_(heap),
+        templates_(templates),
+        document_(xml::parse_own(bytes, source)) {}
 
   SourceTree run() {
     SourceTree tree;
@@ -85,8 +109,22 @@ class SourceReader {
     return heap_.keep(text);
   }
 
-  std::string_view attribute_value(std::string_view raw) {
-    if (raw.find_first_of("&\r\n\t") == std::string_view::npos) return raw;
+  void take_attribute(std::string_view name, Span span) {
+    const std::string_view raw = bytes_.substr(span.begin, span.size());
+    const std::uint8_t found = bytes_in(raw);
+    const std::string_view value = (found & ~kDollarByte) == 0 ? raw : flattened(raw);
+    // A reference may stand for a dollar.
+    const bool plain =
+        (found & (kDollarByte | kDecodedByte)) == 0 || value.find('$') == std::string_view::npos;
+    attributes_.push_back({name,
+                           value,
+                           {span, value.size() == raw.size()},
+                           {},
+                           plain ? TextCode::kPlain : templates_.new_code()});
+  }
+
+  /// An attribute's value with references replaced and each line end, each tab as a space.
+  std::string_view flattened(std::string_view raw) {
     std::string flat;
     for (std::size_t i = 0; i < raw.size(); ++i) {
       if (raw[i] == '\r' && i + 1 < raw.size() && raw[i + 1] == '\n') continue;
@@ -117,15 +155,18 @@ class SourceReader {
 
   void take_text(std::string_view raw, std::size_t begin, bool references) {
     if (open_->parent == nullptr || raw.empty()) return;  // outside of the root
-    const std::string_view text = decoded(raw, references);
+    const std::uint8_t found = bytes_in(raw);
+    const std::string_view text = (found & kDecodedByte) == 0 ? raw : decoded(raw, references);
     Node* before = open_->last;
     if (before != nullptr && before->kind == NodeKind::kText) {
       // What an empty CDATA section parted.
       before->text = heap_.keep(std::string(before->text) + std::string(text));
+      before->code = TextCode::kUnknown;
       before->where = place(before->where.span.begin, begin + raw.size(), false);
       return;
     }
     add(NodeKind::kText, {}, text, place(begin, begin + raw.size(), text.data() == raw.data()));
+    if (found == 0 || found == kLineByte) open_->last->code = TextCode::kPlain;
   }
 
   void take_cdata(std::string_view raw, std::size_t begin) {
@@ -147,13 +188,11 @@ class SourceReader {
     const xml::Element element = document_.element(next_element_++);
     Node& node = nodes_.emplace_back();
     node.name = element.name();
+    node.tag = tag_of(node.name);
     node.where = {element.tag_span(), true};
     attributes_.clear();
     for (const xml::Attribute attribute : element.attributes()) {
-      const Span span = attribute.value_span();
-      const std::string_view raw = bytes_.substr(span.begin, span.size());
-      const std::string_view value = attribute_value(raw);
-      attributes_.push_back({attribute.name(), value, {span, value.size() == raw.size()}});
+      take_attribute(attribute.name(), attribute.value_span());
     }
     node.attributes.assign(attributes_.begin(), attributes_.end());
     open_->append(node);
@@ -172,6 +211,7 @@ class SourceReader {
   std::string_view bytes_;
   Nodes& nodes_;
   Heap& heap_;
+  TextTemplates& templates_;
   xml::Document document_;
   Node* open_ = nullptr;
   std::uint32_t next_element_ = 0;
@@ -180,8 +220,9 @@ class SourceReader {
 
 }  // namespace
 
-SourceTree read_source_tree(std::string_view bytes, SourceId source, Nodes& nodes, Heap& heap) {
-  return SourceReader(bytes, source, nodes, heap).run();
+SourceTree read_source_tree(std::string_view bytes, SourceId source, Nodes& nodes, Heap& heap,
+                            TextTemplates& templates) {
+  return SourceReader(bytes, source, nodes, heap, templates).run();
 }
 
 }  // namespace rigor::xacro

@@ -16,6 +16,7 @@
 namespace rigor::xacro {
 
 class Heap;
+class TextTemplates;
 
 struct NotWellFormed {
   Span where;
@@ -30,7 +31,9 @@ struct SourceTree {
   std::vector<NotWellFormed> faults;
 };
 
-/// `bytes` outlive the nodes, which are added to `nodes`; decoded texts go to the heap.
-SourceTree read_source_tree(std::string_view bytes, SourceId source, Nodes& nodes, Heap& heap);
+/// `bytes` outlive the nodes, which are added to `nodes`; decoded texts go to the heap, those with a `$` get
+/// a number of `templates`.
+SourceTree read_source_tree(std::string_view bytes, SourceId source, Nodes& nodes, Heap& heap,
+                            TextTemplates& templates);
 
 }  // namespace rigor::xacro

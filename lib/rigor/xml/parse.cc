@@ -22,7 +22,14 @@ namespace rigor::xml {
 namespace {
 
 /// What a byte may be part of; in a table, since every byte of a tag is asked.
-enum ByteClass : std::uint8_t { kSpaceByte = 1, kNameStartByte = 2, kNameByte = 4 };
+enum ByteClass : std::uint8_t {
+  kSpaceByte = 1,
+  kNameStartByte = 2,
+  kNameByte = 4,
+  kColonByte = 8,
+  kAngleByte = 16,  ///< a `<`, which no value may hold
+  kCodeByte = 32,   ///< what a value is decoded for
+};
 
 constexpr std::array<std::uint8_t, 256> kByteClasses = [] {
   std::array<std::uint8_t, 256> classes{};
@@ -32,6 +39,10 @@ constexpr std::array<std::uint8_t, 256> kByteClasses = [] {
     if (letter || c == '_' || c == ':' || c >= 0x80) classes[c] = kNameStartByte | kNameByte;
     if ((c >= '0' && c <= '9') || c == '-' || c == '.') classes[c] = kNameByte;
   }
+  classes[':'] |= kColonByte;
+  classes['<'] |= kAngleByte;
+  classes['&'] |= kCodeByte;
+  classes['\r'] |= kCodeByte;
   return classes;
 }();
 
@@ -61,6 +72,7 @@ class Builder {
  public:
   Builder(std::string_view bytes, SourceId source) : bytes_(bytes) {
     document_.source_ = source;
+    last_child_[0] = kNone;
     document_.bytes_ = bytes;
     // Real models have an element every 60 to 90 bytes and a token every 30.
     document_.elements_.reserve(bytes.size() / 64 + 4);
@@ -251,6 +263,7 @@ class Builder {
       return fail({kind, span(at_, name_end(at_ + 1)), {}, {}});
     }
     const std::uint32_t begin = at_;
+    has_colon_ = false;
     Record record{};
     record.begin = begin;
     record.name_end = name_end(begin + 1);
@@ -268,9 +281,12 @@ class Builder {
     token(empty ? TokenKind::kEmptyTag : TokenKind::kStartTag, end);
   }
 
-  std::uint32_t name_end(std::uint32_t begin) const {
+  std::uint32_t name_end(std::uint32_t begin) {
     std::uint32_t end = begin;
-    while (end < bytes_.size() && is_name(bytes_[end])) ++end;
+    std::uint8_t seen = 0;
+    while (end < bytes_.size() && is_name(bytes_[end]))
+      seen |= kByteClasses[static_cast<unsigned char>(bytes_[end++])];
+    has_colon_ = has_colon_ || (seen & kColonByte) != 0;
     return end;
   }
 
@@ -303,22 +319,26 @@ class Builder {
     if (at < bytes_.size() && bytes_[at] == '=') {
       at = skip_space(at + 1);
       if (at < bytes_.size() && (bytes_[at] == '"' || bytes_[at] == '\'')) {
-        const std::size_t close = bytes_.find(bytes_[at], at + 1);
-        if (close == std::string_view::npos) {
+        const std::uint32_t value = at + 1;
+        std::uint32_t close = value;
+        std::uint8_t seen = 0;
+        while (close < bytes_.size() && bytes_[close] != bytes_[at])
+          seen |= kByteClasses[static_cast<unsigned char>(bytes_[close++])];
+        if (close == bytes_.size()) {
           fail({FaultKind::kUnclosedValue, span(at, at + 1), {}, {}});
           return false;
         }
-        const std::uint32_t value = at + 1;
-        at = static_cast<std::uint32_t>(close + 1);
-        return keep_attribute(begin, end, value, static_cast<std::uint32_t>(close), record);
+        at = close + 1;
+        return keep_attribute(begin, end, {value, close, kNone}, seen, record);
       }
     }
     fail({FaultKind::kBadAttribute, span(begin, end), {}, {}});
     return false;
   }
 
-  bool keep_attribute(std::uint32_t begin, std::uint32_t end, std::uint32_t value,
-                      std::uint32_t close, const Record& record) {
+  /// With the classes that the bytes of its value are of.
+  bool keep_attribute(std::uint32_t begin, std::uint32_t end, Document::TextRecord value,
+                      std::uint8_t seen, const Record& record) {
     if (document_.attributes_.size() - record.first_attribute >= kMaxAttributes) {
       fail({FaultKind::kTooMany, span(record.begin, record.name_end), {}, {}});
       return false;
@@ -326,17 +346,22 @@ class Builder {
     const std::string_view name = bytes_.substr(begin, end - begin);
     for (std::size_t i = record.first_attribute; i < document_.attributes_.size(); ++i) {
       const auto& other = document_.attributes_[i];
-      if (bytes_.substr(other.name_begin, other.name_end - other.name_begin) == name) {
+      // Of one length, `ixx` and `ixy` differ in the last letter.
+      if (other.name_end - other.name_begin != name.size() ||
+          bytes_[other.name_end - 1] != name.back())
+        continue;
+      if (bytes_.substr(other.name_begin, name.size()) == name) {
         fail({FaultKind::kDuplicateAttribute, span(begin, end),
               span(other.name_begin, other.name_end), std::string(name)});
         return false;
       }
     }
-    const std::size_t angle = bytes_.substr(value, close - value).find('<');
-    if (angle != std::string_view::npos) {
-      note({FaultKind::kAngleInValue, span(value + angle, value + angle + 1), {}, {}});
+    if ((seen & kAngleByte) != 0) {
+      const std::size_t angle = bytes_.find('<', value.begin);
+      note({FaultKind::kAngleInValue, span(angle, angle + 1), {}, {}});
     }
-    document_.attributes_.push_back({begin, end, text_record(value, close)});
+    if ((seen & kCodeByte) != 0) value = text_record(value.begin, value.end);
+    document_.attributes_.push_back({begin, end, value});
     return true;
   }
 
@@ -395,9 +420,8 @@ class Builder {
   /// Namespaces in XML 1.0: a prefix must be bound by an `xmlns:` attribute. One bound anywhere
   /// before is taken as bound; where it ends is of no use to anybody who writes models.
   void check_prefixes(std::uint32_t index) {
+    if (!has_colon_) return;
     const Element element(document_, index);
-    const Span tag = element.tag_span();
-    if (bytes_.substr(tag.begin, tag.size()).find(':') == std::string_view::npos) return;
     for (const Attribute attribute : element.attributes()) {
       const std::string_view name = attribute.name();
       if (name.starts_with("xmlns:") && known_prefixes_.size() < kMaxPrefixes) {
@@ -475,14 +499,11 @@ class Builder {
   std::string_view bytes_;
   Document document_;
   bool has_codes_ = false;  // whether any text may need decoding
+  bool has_colon_ = false;  // whether a name of the tag at hand has a prefix
   std::uint32_t at_ = 0;
   std::uint32_t open_ = kNone;
   int depth_ = 0;
-  std::array<std::uint32_t, kMaxDepth + 1> last_child_ = [] {
-    std::array<std::uint32_t, kMaxDepth + 1> none{};
-    none.fill(kNone);
-    return none;
-  }();
+  std::array<std::uint32_t, kMaxDepth + 1> last_child_;  // by depth, up to the open element's
   std::array<Kept, static_cast<std::size_t>(FaultKind::kNoSpaceBetween) + 1> kept_{};
   std::vector<std::string_view> known_prefixes_{"xml", "xmlns"};
 };

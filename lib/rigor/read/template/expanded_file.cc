@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -119,12 +120,12 @@ Origin ExpandedFile::of_part(const xacro::NodeAttribute& made, std::uint32_t fra
     Origin origin{
         span_at(value.source, value.begin + written[i].first, value.begin + written[i].second),
         frame};
-    const auto parts = expansion_.part_origins.find(made.value.data());
-    if (parts == expansion_.part_origins.end()) {
+    const std::span<const xacro::PartOrigin> parts = expansion_.part_origins.of(made.value);
+    if (parts.empty()) {
       origin.from = made.from;
       return origin;
     }
-    for (const xacro::PartOrigin& part : parts->second) {
+    for (const xacro::PartOrigin& part : parts) {
       if (part.begin >= written[i].first && part.end <= written[i].second) origin.from = part.from;
     }
     return origin;

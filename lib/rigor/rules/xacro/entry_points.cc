@@ -23,6 +23,7 @@ struct TemplateCandidate {
   bool ok = false;
   bool broken = false;                // no XML: it is unknown what it was to be
   std::string left_out;               // why a robot is none that can be checked by itself
+  std::string lacks_package;          // whose files may hold all that makes it a robot
   std::vector<std::string> includes;  // absolute, all that was read below it
   const TemplateCandidate* includer = nullptr;
 };
@@ -32,6 +33,11 @@ struct TemplateCandidate {
 bool has_name(const read::File& file) {
   const xacro::Node& root = *file.expanded->expansion().root;
   return root.name != "robot" || root.attribute("name") != nullptr;
+}
+
+bool is_named_robot(const read::File& file) {
+  const xacro::Node* root = file.expanded->expansion().root;
+  return root != nullptr && root->name == "robot" && has_name(file);
 }
 
 TemplateCandidate candidate_of(const std::string& path, read::Workspace& workspace,
@@ -46,15 +52,14 @@ TemplateCandidate candidate_of(const std::string& path, read::Workspace& workspa
   for (const xacro::Fact& fact : expansion.facts) {
     one.broken = one.broken || (fact.kind == xacro::FactKind::kNotWellFormed &&
                                 fact.where.source == expansion.files.front().source);
-    if (!one.left_out.empty()) continue;
-    if (fact.kind == xacro::FactKind::kPackageNotFound) {
-      one.left_out = "xacro: package '" + fact.name +
-                     "' is not found: name its folder with --package " + fact.name + "=DIR";
-    } else if (fact.kind == xacro::FactKind::kUndefinedArgument) {
+    if (fact.kind == xacro::FactKind::kPackageNotFound && one.lacks_package.empty())
+      one.lacks_package = fact.name;
+    if (fact.kind == xacro::FactKind::kUndefinedArgument && one.left_out.empty()) {
       one.left_out = "xacro: argument '" + fact.name +
                      "' has no default: give sets of arguments in [[xacro]] of rigor.toml";
     }
   }
+  if (!one.lacks_package.empty() && is_named_robot(file)) one.is_robot = one.has_name = true;
   for (std::size_t i = 1; i < expansion.files.size(); ++i)
     one.includes.push_back(join_path(working_folder, expansion.files[i].path));
   return one;
@@ -117,9 +122,13 @@ EntryPoints entry_points(const std::vector<std::string>& paths, const std::set<s
     } else if ((one.is_robot && one.has_name) || one.broken) {
       found.robots.push_back(one.path);
     } else {
-      const char* why = one.has_name ? "xacro: no robot by itself, and none includes it"
-                                     : "xacro: its <robot> has no name, and none includes it";
-      found.unreached.push_back({one.path, why});
+      const std::string why = !one.lacks_package.empty()
+                                  ? "package '" + one.lacks_package +
+                                        "' is not found: name its folder with --package " +
+                                        one.lacks_package + "=DIR"
+                              : one.has_name ? "no robot by itself, and none includes it"
+                                             : "its <robot> has no name, and none includes it";
+      found.unreached.push_back({one.path, "xacro: " + why});
     }
   }
   return found;

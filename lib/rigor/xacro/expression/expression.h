@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory_resource>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -106,16 +107,17 @@ struct ExpressionTrouble {
 
 struct Expression {
   std::string_view text;
-  std::vector<ExpressionNode> nodes;
-  std::vector<std::uint32_t> lists;  ///< a list is its size, then its nodes
+  std::pmr::vector<ExpressionNode> nodes;
+  std::pmr::vector<std::uint32_t> lists;  ///< a list is its size, then its nodes
   std::uint32_t root = kNoNode;
   std::optional<ExpressionTrouble> trouble;
   /// The call of a trigonometric function with a whole number of degrees in it, when there is one.
   std::uint32_t degrees = kNoNode;
 };
 
-/// `text` must live as long as the expression; so must the heap and the symbols.
-Expression parse_expression(std::string_view text, Heap& heap, Symbols& symbols);
+/// `text` must live as long as the expression; so must the heap, the symbols and the memory of its nodes.
+Expression parse_expression(std::string_view text, Heap& heap, Symbols& symbols,
+                            std::pmr::memory_resource& memory = *std::pmr::get_default_resource());
 
 /// Of `Expression::degrees`: `sin(90)`, `math.cos(180)`. No angle in radians is a whole number over 6.
 std::uint32_t find_degrees(const Expression& expression, const Symbols& symbols);

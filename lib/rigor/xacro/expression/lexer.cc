@@ -205,7 +205,7 @@ Token Lexer::quoted(std::uint32_t begin, bool raw) {
 Token Lexer::operation() {
   const std::uint32_t begin = at_;
   for (const std::string_view known : kOperators) {
-    if (!text_.substr(at_).starts_with(known)) continue;
+    if (known[0] != text_[at_] || !text_.substr(at_).starts_with(known)) continue;
     at_ += static_cast<std::uint32_t>(known.size());
     if (known == "(" || known == "[" || known == "{") ++open_brackets_;
     if ((known == ")" || known == "]" || known == "}") && open_brackets_ > 0) --open_brackets_;

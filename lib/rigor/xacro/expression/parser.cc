@@ -56,15 +56,20 @@ constexpr std::array<std::pair<std::string_view, Operation>, 6> kComparisons{
 using NodeId = std::uint32_t;
 using NodeList = std::vector<NodeId>;
 
+/// Room for the nodes of an expression as most are.
+constexpr std::size_t kFirstNodes = 12;
+
 /// Levels of the tree. A sum of 1,000 terms is a tree of 1,000 levels, which Python compiles, too.
 constexpr std::uint16_t kMaxTreeDepth = 1'000;
 
 class Parser {
  public:
-  Parser(std::string_view text, Heap& heap, Symbols& symbols)
-      : heap_(heap), symbols_(symbols), lexer_(text) {
-    result_.text = text;
-  }
+  Parser(std::string_view text, Heap& heap, Symbols& symbols, std::pmr::memory_resource& memory)
+      : heap_(heap),
+        symbols_(symbols),
+        lexer_(text),
+        result_{text, std::pmr::vector<ExpressionNode>(&memory),
+                std::pmr::vector<std::uint32_t>(&memory)} {}
 
   Expression run() {
     if (result_.text.size() > kMaxExpressionBytes) {
@@ -74,7 +79,12 @@ class Parser {
     }
     advance();
     if (!failed() && at_end()) fail(FactKind::kSyntax, 0, 0, "an empty expression");
-    result_.root = is_one_name() ? parse_name() : parse_tuple();
+    if (is_one_name()) {
+      result_.root = parse_name();
+    } else {
+      result_.nodes.reserve(std::min(result_.text.size() / 2 + 1, kFirstNodes));
+      result_.root = parse_tuple();
+    }
     if (!failed() && !at_end()) unexpected();
     return std::move(result_);
   }
@@ -121,10 +131,15 @@ class Parser {
     return result_.text.substr(token_.begin, token_.end - token_.begin);
   }
   bool is_operator(std::string_view text) const {
-    return token_.type == TokenType::kOperator && word() == text;
+    return token_.type == TokenType::kOperator && is_written(text);
   }
   bool is_word(std::string_view text) const {
-    return token_.type == TokenType::kName && word() == text;
+    return token_.type == TokenType::kName && is_written(text);
+  }
+  /// Most tokens differ in their length or first byte.
+  bool is_written(std::string_view text) const {
+    return token_.end - token_.begin == text.size() && result_.text[token_.begin] == text[0] &&
+           word() == text;
   }
   bool take(std::string_view op) {
     if (!is_operator(op)) return false;
@@ -285,7 +300,7 @@ class Parser {
     NodeId left = parse_unary();
     while (!failed() && token_.type == TokenType::kOperator) {
       const auto* found = std::find_if(kBinaryOperators.begin(), kBinaryOperators.end(),
-                                       [this](const auto& o) { return o.text == word(); });
+                                       [this](const auto& o) { return is_written(o.text); });
       if (found == kBinaryOperators.end() || found->precedence < lowest) break;
       advance();
       const NodeId right = parse_binary(found->precedence + 1);
@@ -611,8 +626,9 @@ std::string_view to_string(Operation operation) {
   return kTexts[static_cast<std::size_t>(operation)];
 }
 
-Expression parse_expression(std::string_view text, Heap& heap, Symbols& symbols) {
-  return Parser(text, heap, symbols).run();
+Expression parse_expression(std::string_view text, Heap& heap, Symbols& symbols,
+                            std::pmr::memory_resource& memory) {
+  return Parser(text, heap, symbols, memory).run();
 }
 
 bool is_identifier(std::string_view text) {

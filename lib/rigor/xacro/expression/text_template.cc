@@ -25,27 +25,40 @@ bool names_a_value(const Expression& expression) {
 }  // namespace
 
 const Expression& TextTemplates::expression(std::string_view text) {
-  std::unique_ptr<Expression>& kept = expressions_[text];
-  if (!kept) {
-    kept = std::make_unique<Expression>(parse_expression(text, heap_, symbols_));
-    if (!kept->trouble) kept->degrees = find_degrees(*kept, symbols_);
-    heap_.charge(sizeof(Expression) + kept->nodes.size() * sizeof(ExpressionNode));
-  }
-  return *kept;
+  const auto known = expressions_.find(text);
+  if (known != expressions_.end()) return known->second;
+  Expression parsed = parse_expression(text, heap_, symbols_, memory_);
+  if (!parsed.trouble) parsed.degrees = find_degrees(parsed, symbols_);
+  heap_.charge(sizeof(Expression) + parsed.nodes.size() * sizeof(ExpressionNode));
+  return expressions_.emplace(text, std::move(parsed)).first->second;
 }
 
 const TextTemplate& TextTemplates::of(std::string_view text) {
   const TextTemplate*& known = by_place_[text];
   if (known == nullptr) {
-    std::unique_ptr<TextTemplate>& kept = templates_[text];
-    if (!kept) kept = std::make_unique<TextTemplate>(taken_apart(text));
-    known = kept.get();
+    auto kept = templates_.find(text);
+    if (kept == templates_.end()) kept = templates_.emplace(text, taken_apart(text)).first;
+    known = &kept->second;
   }
   return *known;
 }
 
+const TextTemplate& TextTemplates::of(TextCode code, std::string_view text) {
+  if (code < TextCode::kFirst) return of(text);
+  const TextTemplate*& known =
+      by_code_[static_cast<std::uint32_t>(code) - static_cast<std::uint32_t>(TextCode::kFirst)];
+  // Few are written twice, so none is looked for.
+  if (known == nullptr) known = &coded_.emplace_back(taken_apart(text));
+  return *known;
+}
+
+TextCode TextTemplates::new_code() {
+  by_code_.push_back(nullptr);
+  return static_cast<TextCode>(static_cast<std::uint32_t>(TextCode::kFirst) + by_code_.size() - 1);
+}
+
 TextTemplate TextTemplates::taken_apart(std::string_view text) {
-  TextTemplate result;
+  TextTemplate result{std::pmr::vector<TextSegment>(&memory_)};
   const auto add = [&](TextSegment::Kind kind, std::size_t begin, std::size_t end) -> TextSegment& {
     result.segments.push_back(
         {kind, text.substr(begin, end - begin), static_cast<std::uint32_t>(begin)});

@@ -10,13 +10,14 @@
 
 #include <cstdint>
 #include <deque>
-#include <memory>
+#include <memory_resource>
 #include <optional>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
 #include <rigor/xacro/expression/expression.h>
+#include <rigor/xacro/node.h>
 
 namespace rigor::xacro {
 
@@ -32,7 +33,7 @@ struct TextSegment {
 };
 
 struct TextTemplate {
-  std::vector<TextSegment> segments;
+  std::pmr::vector<TextSegment> segments;
   /// Where a `$` begins neither, when one does.
   std::optional<std::uint32_t> trouble;
   /// Whether it is one expression that names a value: `${size}`, `${robot.mass}`.
@@ -45,13 +46,21 @@ class TextTemplates {
   TextTemplates(Heap& heap, Symbols& symbols) : heap_(heap), symbols_(symbols) {}
 
   const TextTemplate& of(std::string_view text);
+  /// The same of a text with a code, which needs no search for it.
+  const TextTemplate& of(TextCode code, std::string_view text);
   const Expression& expression(std::string_view text);
+
+  /// The next number, for a text that holds a `$`; it is taken apart when it is asked for.
+  TextCode new_code();
 
  private:
   TextTemplate taken_apart(std::string_view text);
 
   Heap& heap_;
   Symbols& symbols_;
+  static constexpr std::size_t kFirstBlock = std::size_t{32} << 10U;
+  static constexpr std::size_t kFirstTexts = 128;
+  std::pmr::monotonic_buffer_resource memory_{kFirstBlock};
   struct SamePlace {
     std::size_t operator()(std::string_view text) const {
       return std::hash<const void*>{}(text.data()) + text.size();
@@ -61,9 +70,12 @@ class TextTemplates {
     }
   };
   /// The same bytes in memory, which are most often asked for, need no look at each of them.
-  std::unordered_map<std::string_view, const TextTemplate*, SamePlace, SamePlace> by_place_;
-  std::unordered_map<std::string_view, std::unique_ptr<TextTemplate>> templates_;
-  std::unordered_map<std::string_view, std::unique_ptr<Expression>> expressions_;
+  std::pmr::unordered_map<std::string_view, const TextTemplate*, SamePlace, SamePlace> by_place_{
+      &memory_};
+  std::pmr::unordered_map<std::string_view, TextTemplate> templates_{kFirstTexts, &memory_};
+  std::pmr::unordered_map<std::string_view, Expression> expressions_{kFirstTexts, &memory_};
+  std::vector<const TextTemplate*> by_code_;  ///< null as long as nobody asked
+  std::pmr::deque<TextTemplate> coded_{&memory_};
 };
 
 }  // namespace rigor::xacro

@@ -10,7 +10,7 @@
 namespace rigor::xacro {
 namespace {
 
-constexpr std::size_t kHeapChunk = std::size_t{64} << 10U;
+constexpr std::size_t kHeapChunk = std::size_t{32} << 10U;
 
 }  // namespace
 
@@ -18,7 +18,7 @@ std::string_view Heap::keep(std::string_view bytes) {
   if (bytes.empty()) return {};
   if (bytes.size() > left_) {
     const std::size_t size = std::max(kHeapChunk, bytes.size());
-    chunks_.push_back(std::make_unique<char[]>(size));
+    chunks_.push_back(std::make_unique_for_overwrite<char[]>(size));
     next_ = chunks_.back().get();
     left_ = size;
   }

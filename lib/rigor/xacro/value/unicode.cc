@@ -83,6 +83,11 @@ bool is_blank(std::uint32_t c) {
 std::string_view stripped_left(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t begin = at;
+    // Nearly all texts of a file are blanks between tags.
+    if (const char c = text[at]; c == ' ' || c == '\n') {
+      ++at;
+      continue;
+    }
     if (!is_blank(next_code_point(text, at))) return text.substr(begin);
   }
   return text.substr(text.size());
