@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
@@ -17,6 +18,9 @@
 #include <rigor/text/disk.h>
 
 namespace rigor::lsp::test {
+
+/// Of a `MemoryDisk`: bytes by path.
+using Files = std::map<std::string, std::string>;
 
 class Editor {
  public:

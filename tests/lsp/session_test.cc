@@ -69,7 +69,7 @@ TEST(LspSession, FindingsAreThoseOfTheCommandLine) {
   Editor editor(disk);
   editor.open("/ws/r.urdf", kTwoLinks);
   Sources sources;
-  MemoryDisk same({{"/ws/r.urdf", kTwoLinks}});
+  MemoryDisk same(test::Files{{"/ws/r.urdf", kTwoLinks}});
   const Environment environment(same, {});
   const auto result = rules::validate(
       environment, {.paths = {"/ws/r.urdf"}, .meshes = rules::MeshPolicy::kDoNotOpen}, sources);
@@ -117,10 +117,10 @@ TEST(LspSession, AClosedDocumentHasNoFindings) {
 }
 
 TEST(LspSession, OpenFilesShadowTheDisk) {
-  MemoryDisk disk(
-      {{"/ws/arm.xacro",
-        "<robot xmlns:xacro='http://www.ros.org/wiki/xacro'><xacro:macro name='arm' params=''>"
-        "<link name='a'/></xacro:macro></robot>"}});
+  MemoryDisk disk(test::Files{
+      {"/ws/arm.xacro",
+       "<robot xmlns:xacro='http://www.ros.org/wiki/xacro'><xacro:macro name='arm' params=''>"
+       "<link name='a'/></xacro:macro></robot>"}});
   Editor editor(disk);
   const std::string robot =
       "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'>\n<xacro:include "
@@ -137,7 +137,7 @@ TEST(LspSession, OpenFilesShadowTheDisk) {
 }
 
 TEST(LspSession, SettingsAreThoseOfTheNearestConfiguration) {
-  MemoryDisk disk({{"/ws/rigor.toml", "ignore = [\"joint-limit-inverted\"]\n"}});
+  MemoryDisk disk(test::Files{{"/ws/rigor.toml", "ignore = [\"joint-limit-inverted\"]\n"}});
   Editor editor(disk);
   editor.open("/ws/r.urdf", kTwoLinks);
   EXPECT_FALSE(has(editor.rules("/ws/r.urdf"), "joint-limit-inverted"));

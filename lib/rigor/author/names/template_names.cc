@@ -202,8 +202,18 @@ class TemplateNameCollector {
     }
   }
 
-  void names_in(std::string_view expression, Span span, xml::Element element,
+  /// Substitutions within an expression are made before it is evaluated; to the lexer they are a number.
+  void names_in(std::string_view written, Span span, xml::Element element,
                 const MacroAround* around) {
+    std::string expression(written);
+    for (std::size_t at = written.find("$("); at != std::string_view::npos;
+         at = written.find("$(", at)) {
+      const std::size_t end = end_of_expression(written, at + 2, ')');
+      if (end == std::string_view::npos) return;
+      expressions(written.substr(at, end + 1 - at), sub(span, at, end + 1), element, around);
+      expression.replace(at, end + 1 - at, end + 1 - at, '0');
+      at = end;
+    }
     xacro::Lexer lexer(expression);
     bool is_attribute = false;
     while (true) {
@@ -211,8 +221,9 @@ class TemplateNameCollector {
       if (token.type == xacro::TokenType::kEnd || token.type == xacro::TokenType::kTrouble) return;
       if (token.type == xacro::TokenType::kName && !is_attribute)
         refer(sub(span, token.begin, token.end), element, around);
-      is_attribute = token.type == xacro::TokenType::kOperator &&
-                     expression.substr(token.begin, token.end - token.begin) == ".";
+      is_attribute =
+          token.type == xacro::TokenType::kOperator &&
+          std::string_view(expression).substr(token.begin, token.end - token.begin) == ".";
     }
   }
 

@@ -5,7 +5,7 @@
 
 #include <rigor/config/config.h>
 #include <rigor/config/configs.h>
-#include <rigor/lsp/protocol/uri.h>
+#include <rigor/lsp/answer/edits_json.h>
 #include <rigor/text/grouping.h>
 #include <rigor/text/path.h>
 
@@ -100,8 +100,9 @@ std::map<std::string, std::vector<Json>> diagnostics_by_uri(const State& state,
   PlacesJson places(*checked.sources, state.client.encoding);
   for (const Diagnostic& finding : checked.result.diagnostics.list()) {
     const bool is_own = stands_in(document, checked, finding);
-    by_uri[is_own ? document.uri() : places.uri(finding.where)].push_back(
-        diagnostic_json(state, finding, places));
+    by_uri[is_own ? document.uri()
+                  : uri_of_file(state, checked.sources->path(finding.where.source))]
+        .push_back(diagnostic_json(state, finding, places));
   }
   return by_uri;
 }

@@ -26,6 +26,9 @@ Client client_of(const Json& params) {
   client.snippets =
       flag_at(capabilities, "textDocument", "completion", "completionItem", "snippetSupport");
   client.document_changes = flag_at(capabilities, "workspace", "workspaceEdit", "documentChanges");
+  client.pulls_diagnostics = member(capabilities, "textDocument", "diagnostic").is_object();
+  client.registers_watchers =
+      flag_at(capabilities, "workspace", "didChangeWatchedFiles", "dynamicRegistration");
   client.rule_pages = text_at(params, "initializationOptions", "rulePages");
   for (const Json& folder : member(params, "workspaceFolders"))
     client.folders.push_back(normalize_path(path_of_uri(text_at(folder, "uri"))));
@@ -36,10 +39,9 @@ Client client_of(const Json& params) {
 }
 
 Json server_capabilities(const Client& client) {
-  return {
+  Json capabilities{
       {"positionEncoding", client.encoding == PositionEncoding::kUtf8 ? "utf-8" : "utf-16"},
       {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", true}}},
-      {"diagnosticProvider", {{"interFileDependencies", true}, {"workspaceDiagnostics", false}}},
       {"codeActionProvider",
        {{"codeActionKinds", {"quickfix", "refactor.rewrite", "source.fixAll.rigor"}},
         {"resolveProvider", true}}},
@@ -68,6 +70,11 @@ Json server_capabilities(const Client& client) {
       {"callHierarchyProvider", true},
       {"workspace", {{"workspaceFolders", {{"supported", true}, {"changeNotifications", true}}}}},
   };
+  if (client.pulls_diagnostics) {
+    capabilities["diagnosticProvider"] = {{"interFileDependencies", true},
+                                          {"workspaceDiagnostics", false}};
+  }
+  return capabilities;
 }
 
 }  // namespace rigor::lsp

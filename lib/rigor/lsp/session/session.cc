@@ -95,6 +95,7 @@ Json Session::initialize(const Json& params) {
 }
 
 void Session::notification(const std::string& method, const Json& params) {
+  if (method == "initialized") return watch_files();
   if (method == "textDocument/didOpen") return did_open(params);
   if (method == "textDocument/didChange") return did_change(params);
   if (method == "textDocument/didClose") return did_close(params);
@@ -107,6 +108,21 @@ void Session::notification(const std::string& method, const Json& params) {
     for (const Json& folder : member(params, "event", "added"))
       folders.push_back(normalize_path(path_of_uri(text_at(folder, "uri"))));
   }
+}
+
+/// Whoever else writes files that models are made of: a build, a version control.
+void Session::watch_files() {
+  if (!state_.client.registers_watchers) return;
+  Json watchers = Json::array({{{"globPattern", "**/*.{sdf,world,urdf,xacro,srdf,config,yaml}"}},
+                               {{"globPattern", "**/{rigor.toml,package.xml}"}}});
+  peer_.send({{"jsonrpc", "2.0"},
+              {"id", "watch"},
+              {"method", "client/registerCapability"},
+              {"params",
+               {{"registrations",
+                 {{{"id", "watch"},
+                   {"method", "workspace/didChangeWatchedFiles"},
+                   {"registerOptions", {{"watchers", std::move(watchers)}}}}}}}}});
 }
 
 void Session::did_open(const Json& params) {
@@ -153,7 +169,6 @@ void Session::did_close(const Json& params) {
   state_.documents.erase(found);
   state_.checks.erase(uri);
   drop(to_check_, uri);
-  drop(to_survey_, uri);
   publish_of_root(uri, {});
   check_dependents(path);
 }

@@ -46,7 +46,7 @@ class Session {
   void receive(const Json& message);
 
   /// Whether documents wait to be checked.
-  bool has_work() const { return !to_check_.empty() || !to_survey_.empty(); }
+  bool has_work() const { return !to_check_.empty(); }
   /// Checks one of them and publishes what is found.
   void work();
 
@@ -61,6 +61,7 @@ class Session {
   Json pulled_diagnostics(const Json& params);
   void fail(const Json& id, ErrorCode code, const std::string& message);
 
+  void watch_files();
   void did_open(const Json& params);
   void did_change(const Json& params);
   void did_close(const Json& params);
@@ -75,8 +76,7 @@ class Session {
   Peer peer_;
   enum class Phase { kNew, kInitialized, kShutDown } phase_ = Phase::kNew;
   std::optional<int> exit_code_;
-  std::vector<std::string> to_check_;   // URIs
-  std::vector<std::string> to_survey_;  // URIs: with their meshes
+  std::vector<std::string> to_check_;  // URIs
   /// What each checked document shows, by the URI that it is shown at.
   std::map<std::string, std::map<std::string, std::vector<Json>>> published_;
 };

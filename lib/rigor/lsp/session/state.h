@@ -49,10 +49,11 @@ class RequestError : public std::runtime_error {
 
 struct Client {
   PositionEncoding encoding = PositionEncoding::kUtf16;
-  bool snippets = false;          ///< whether completions may have places to fill in
-  bool document_changes = false;  ///< whether edits may name the versions of documents
-  bool pulls_diagnostics = false;
-  std::string rule_pages;            ///< base of the addresses of rules' pages; empty for no links
+  bool snippets = false;            ///< whether completions may have places to fill in
+  bool document_changes = false;    ///< whether edits may name the versions of documents
+  bool pulls_diagnostics = false;   ///< then none are published
+  bool registers_watchers = false;  ///< whether it takes the files that are to be watched from here
+  std::string rule_pages;           ///< base of the addresses of rules' pages; empty for no links
   std::vector<std::string> folders;  ///< of the workspace; normalized paths
 };
 
