@@ -136,6 +136,17 @@ TEST(LspSession, OpenFilesShadowTheDisk) {
       << editor.diagnostics("/ws/r.urdf.xacro").dump(1);
 }
 
+TEST(LspSession, AFileThatIsOnlyInTheEditorIsFound) {
+  MemoryDisk disk;
+  Editor editor(disk);
+  editor.open(
+      "/ws/w.sdf",
+      "<sdf version='1.9'><world name='w'><include><uri>box.sdf</uri></include></world></sdf>");
+  EXPECT_TRUE(has(editor.rules("/ws/w.sdf"), "include-not-found"));
+  editor.open("/ws/box.sdf", "<sdf version='1.9'><model name='box'><link name='a'/></model></sdf>");
+  EXPECT_FALSE(has(editor.rules("/ws/w.sdf"), "include-not-found"));
+}
+
 TEST(LspSession, SettingsAreThoseOfTheNearestConfiguration) {
   MemoryDisk disk(test::Files{{"/ws/rigor.toml", "ignore = [\"joint-limit-inverted\"]\n"}});
   Editor editor(disk);

@@ -4,6 +4,7 @@
 #include <rigor/author/names/name_graph.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include <rigor/read/model_config.h>
@@ -13,9 +14,6 @@ namespace rigor::author {
 namespace {
 
 constexpr std::string_view kScopeMark = "::";
-
-/// Includes that lead to each other end here; libsdformat's own limit on nesting is far higher than any world's.
-constexpr int kMaxMergeDepth = 16;
 
 constexpr NameKinds kAnyKind{NameKind::kLink, NameKind::kJoint, NameKind::kFrame, NameKind::kModel};
 
@@ -74,26 +72,32 @@ std::optional<NameGraph::Place> NameGraph::inside(const EntityId& model) {
   return std::nullopt;
 }
 
+/// Here, then in the models that are merged into the place, however they include each other.
 std::optional<EntityId> NameGraph::find_here(const Place& place, std::string_view name,
-                                             NameKinds kinds, int depth) {
-  const std::string path = normalize_path(place.path);
-  const Indexed& file = indexed(path);
-  if (const auto named = file.by_name.find({place.scope, name}); named != file.by_name.end()) {
-    for (const std::uint32_t index : named->second) {
-      if (kinds.has(file.names.entities[index].kind)) return EntityId{path, index};
+                                             NameKinds kinds) {
+  std::vector<Place> open{{normalize_path(place.path), place.scope}};
+  std::set<std::pair<std::string, std::uint32_t>> seen;
+  for (std::size_t next = 0; next < open.size(); ++next) {
+    const Place here = open[next];
+    if (!seen.emplace(here.path, here.scope).second) continue;
+    const Indexed& file = indexed(here.path);
+    if (const auto named = file.by_name.find({here.scope, name}); named != file.by_name.end()) {
+      for (const std::uint32_t index : named->second) {
+        if (kinds.has(file.names.entities[index].kind)) return EntityId{here.path, index};
+      }
     }
-  }
-  const auto unnamed = file.unnamed.find(place.scope);
-  if (unnamed == file.unnamed.end() || depth >= kMaxMergeDepth) return std::nullopt;
-  for (const std::uint32_t index : unnamed->second) {
-    const auto there = inside({path, index});
-    if (!there) continue;
-    if (file.names.entities[index].merged) {
-      if (auto found = find_here(*there, name, kinds, depth + 1)) return found;
-    } else if (kinds.has(NameKind::kModel)) {
-      const FileNames& names = this->names(there->path);
-      const std::uint32_t model = names.scopes[there->scope].model;
-      if (names.entities[model].name == name) return EntityId{there->path, model};
+    const auto unnamed = file.unnamed.find(here.scope);
+    if (unnamed == file.unnamed.end()) continue;
+    for (const std::uint32_t index : unnamed->second) {
+      const auto there = inside({here.path, index});
+      if (!there) continue;
+      if (file.names.entities[index].merged) {
+        open.push_back(*there);
+      } else if (kinds.has(NameKind::kModel)) {
+        const FileNames& names = this->names(there->path);
+        const std::uint32_t model = names.scopes[there->scope].model;
+        if (names.entities[model].name == name) return EntityId{there->path, model};
+      }
     }
   }
   return std::nullopt;
@@ -105,7 +109,7 @@ std::vector<NameUse> NameGraph::parts_in(Place place, const NameReference& refer
   std::string_view rest = reference.text;
   std::uint32_t begin = reference.where.begin;
   while (true) {
-    if (const auto whole = find_here(place, rest, reference.kinds, 0)) {
+    if (const auto whole = find_here(place, rest, reference.kinds)) {
       const Span where{reference.where.source, begin,
                        begin + static_cast<std::uint32_t>(rest.size())};
       uses.push_back({*whole, where});
@@ -114,7 +118,7 @@ std::vector<NameUse> NameGraph::parts_in(Place place, const NameReference& refer
     const std::size_t mark = rest.find(kScopeMark);
     if (mark == std::string_view::npos) return {};
     const std::string_view first = rest.substr(0, mark);
-    const auto model = find_here(place, first, {NameKind::kModel}, 0);
+    const auto model = find_here(place, first, {NameKind::kModel});
     const auto next = model ? inside(*model) : std::nullopt;
     if (!next) return {};
     uses.push_back(
@@ -222,7 +226,7 @@ std::optional<EntityId> NameGraph::taken(const EntityId& target, std::string_vie
   const FileNames& names = this->names(target.path);
   const NamedEntity& entity = names.entities[target.index];
   const NameKinds same{entity.kind};
-  return find_here({target.path, entity.scope}, name, names.shared_kinds ? kAnyKind : same, 0);
+  return find_here({target.path, entity.scope}, name, names.shared_kinds ? kAnyKind : same);
 }
 
 }  // namespace rigor::author

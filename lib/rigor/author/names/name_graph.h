@@ -75,8 +75,7 @@ class NameGraph {
     std::string path;
     std::uint32_t scope = 0;
   };
-  std::optional<EntityId> find_here(const Place& place, std::string_view name, NameKinds kinds,
-                                    int depth);
+  std::optional<EntityId> find_here(const Place& place, std::string_view name, NameKinds kinds);
   /// Where the parts of a model are defined; nothing where its file is not there.
   std::optional<Place> inside(const EntityId& model);
   std::optional<std::string> included(const std::string& path, const NamedEntity& include);

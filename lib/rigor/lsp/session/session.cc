@@ -131,10 +131,13 @@ void Session::did_open(const Json& params) {
   if (uri.empty()) return;
   auto document = std::make_unique<OpenDocument>(uri, number_at(item, "version"),
                                                  text_at(item, "text"), state_.client.encoding);
-  state_.disk.open_in_editor(document->path(), document->text());
   const std::string path = document->path();
+  const bool is_new = state_.disk.kind(path) == PathKind::kMissing;
+  state_.disk.open_in_editor(path, document->text());
   state_.documents[uri] = std::move(document);
   state_.checks.erase(uri);
+  // Whoever looked for the file in vain is not known.
+  if (is_new) files_changed();
   check_later(uri);
   check_dependents(path);
 }
@@ -178,7 +181,7 @@ void Session::files_changed() {
   for (const auto& [uri, document] : state_.documents) check_later(uri);
 }
 
-/// Documents that were checked with the file at a path, or that could not find it.
+/// Documents that were checked with the file at a path.
 void Session::check_dependents(const std::string& path) {
   const std::string normal = normalize_path(path);
   if (file_name(normal) == config::kConfigName) return files_changed();
