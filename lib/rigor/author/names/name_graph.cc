@@ -144,15 +144,14 @@ std::vector<NameUse> NameGraph::parts(const std::string& path, const NameReferen
     uses = parts_in({normalize_path(path), scope}, reference);
     if (!uses.empty()) return uses;
   }
-  if (!names.shared_kinds && names.entities.size() == 1) {
-    for (const std::string& robot : robots_) {
-      const FileNames& others = this->names(robot);
-      if (others.entities.empty() || others.entities[0].name != names.entities[0].name) continue;
-      uses = parts_in({robot, 0}, reference);
-      if (!uses.empty()) return uses;
-    }
+  if (names.shared_kinds || names.entities.size() != 1) return {};
+  // SRDF says of which robot it is by that one's name; several files may have it.
+  for (const std::string& robot : robots_) {
+    const FileNames& others = this->names(robot);
+    if (others.entities.empty() || others.entities[0].name != names.entities[0].name) continue;
+    for (NameUse& use : parts_in({robot, 0}, reference)) uses.push_back(std::move(use));
   }
-  return {};
+  return uses;
 }
 
 std::vector<NameUse> NameGraph::find_uses(const std::string& path) {

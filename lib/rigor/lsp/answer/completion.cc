@@ -208,14 +208,15 @@ class Completer {
 
   void attribute_names() {
     const std::string_view tag = cursor_.open.back().tag;
-    if (const auto node = place()) {
+    const bool is_xacro = element().starts_with("xacro:");
+    if (const auto node = is_xacro ? std::nullopt : place()) {
       for (const schema::Node attribute : node->attributes()) {
         if (!attribute_in(tag, attribute.name()).empty()) continue;
         add(attribute.name(), ItemKind::kProperty, fmt::format("{}=\"\"", attribute.name()),
             schema_text(attribute), fmt::format("{}=\"$1\"", attribute.name()));
       }
     }
-    if (!element().starts_with("xacro:")) return;
+    if (!is_xacro) return;
     defined_names();
     for (const author::TemplateName& name : names_) {
       if (name.kind == author::TemplateNameKind::kParameter && name.owner == element().substr(6))

@@ -47,7 +47,7 @@ std::string link_text(Analysis& analysis, const model::Link& link, model::Id<mod
   if (!shapes.complete()) return text;
   const mass::MassProperties solid = mass::of_density(shapes, 1);
   if (solid.mass <= 0 || body.mass <= 0) return text;
-  const mass::MassProperties same_mass = mass::scaled_at_density(body.mass / solid.mass, solid);
+  const mass::MassProperties same_mass = mass::with_mass(solid, body.mass);
   const double ratio = mass::trace(body.about_com) / mass::trace(same_mass.about_com);
   return text + fmt::format(
                     "\n\nIts collisions as a solid of that mass: center of mass ({}) m, density {} "
