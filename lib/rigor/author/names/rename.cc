@@ -147,6 +147,8 @@ std::string name_fault(std::string_view name) {
 Renaming renamed(const RenameContext& context, const EntityId& target, std::string_view name,
                  const std::vector<std::string>& files) {
   if (std::string fault = name_fault(name); !fault.empty()) return {{}, std::move(fault)};
+  // A URDF's link of this name is the world itself.
+  if (context.graph.entity(target).name == "world") return {{}, "'world' is reserved"};
   if (const auto taken = context.graph.taken(target, name)) {
     const NamedEntity& other = context.graph.entity(*taken);
     return {{}, fmt::format("a {} is named '{}' already", to_string(other.kind), name)};
