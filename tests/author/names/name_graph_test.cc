@@ -67,39 +67,43 @@ class NamedFiles {
   NameGraph graph_;
 };
 
-std::string sdf(const std::string& content) { return "<sdf version='1.9'>" + content + "</sdf>"; }
+std::string sdf_of(const std::string& content) {
+  return "<sdf version='1.9'>" + content + "</sdf>";
+}
 
 TEST(NameGraph, NamesAreThoseOfTheirScope) {
-  const std::string text =
-      sdf("<model name='m'><link name='a'/><model name='n'><link name='a'/><frame name='f' "
-          "attached_to='a'/></model>"
-          "<frame name='g' attached_to='a'/><frame name='h' attached_to='n::a'/></model>");
+  const std::string text = sdf_of(
+      "<model name='m'><link name='a'/><model name='n'><link name='a'/><frame name='f' "
+      "attached_to='a'/></model>"
+      "<frame name='g' attached_to='a'/><frame name='h' attached_to='n::a'/></model>");
   NamedFiles files({{"m.sdf", text}});
   EXPECT_EQ(files.uses("m.sdf", "n::a").size(), 3U);
   EXPECT_EQ(
       files.renamed("m.sdf", "n::a", "b"),
-      sdf("<model name='m'><link name='a'/><model name='n'><link name='b'/><frame name='f' "
+      sdf_of(
+          "<model name='m'><link name='a'/><model name='n'><link name='b'/><frame name='f' "
           "attached_to='b'/>"
           "</model><frame name='g' attached_to='a'/><frame name='h' attached_to='n::b'/></model>"));
   EXPECT_EQ(files.renamed("m.sdf", "n", "a"), "a link is named 'a' already");
 }
 
 TEST(NameGraph, TheModelsOwnPoseIsInTheScopeAroundIt) {
-  const std::string text =
-      sdf("<world name='w'><frame name='a'/><model name='m'><pose relative_to='a'/><link name='a'>"
-          "<pose relative_to='a'/></link></model></world>");
+  const std::string text = sdf_of(
+      "<world name='w'><frame name='a'/><model name='m'><pose relative_to='a'/><link name='a'>"
+      "<pose relative_to='a'/></link></model></world>");
   NamedFiles files({{"w.sdf", text}});
   EXPECT_EQ(
       files.renamed("w.sdf", "a", "b"),
-      sdf("<world name='w'><frame name='b'/><model name='m'><pose relative_to='b'/><link name='a'>"
+      sdf_of(
+          "<world name='w'><frame name='b'/><model name='m'><pose relative_to='b'/><link name='a'>"
           "<pose relative_to='a'/></link></model></world>"));
 }
 
 TEST(NameGraph, MergedModelsJoinTheScope) {
   NamedFiles files(
-      {{"arm.sdf", sdf("<model name='arm'><link name='hand'/></model>")},
-       {"m.sdf", sdf("<model name='m'><include merge='true'><uri>arm.sdf</uri></include>"
-                     "<frame name='f' attached_to='hand'/></model>")}});
+      {{"arm.sdf", sdf_of("<model name='arm'><link name='hand'/></model>")},
+       {"m.sdf", sdf_of("<model name='m'><include merge='true'><uri>arm.sdf</uri></include>"
+                        "<frame name='f' attached_to='hand'/></model>")}});
   EXPECT_EQ(files.uses("m.sdf", "hand").size(), 2U);
   EXPECT_EQ(files.renamed("m.sdf", "hand", "palm").find("attached_to='hand'"), std::string::npos);
 }
@@ -107,8 +111,8 @@ TEST(NameGraph, MergedModelsJoinTheScope) {
 TEST(NameGraph, AStateNamesModelsAndLinks) {
   NamedFiles files(
       {{"w.sdf",
-        sdf("<world name='w'><model name='m'><link name='a'/></model><state world_name='w'>"
-            "<model name='m'><link name='a'/></model></state></world>")}});
+        sdf_of("<world name='w'><model name='m'><link name='a'/></model><state world_name='w'>"
+               "<model name='m'><link name='a'/></model></state></world>")}});
   EXPECT_EQ(files.uses("w.sdf", "m::a").size(), 2U);
   EXPECT_EQ(files.uses("w.sdf", "m").size(), 2U);
 }
@@ -137,8 +141,10 @@ TEST(NameGraph, LinksAndJointsOfAUrdfMayShareAName) {
 
 TEST(NameGraph, IncludesThatLeadToEachOtherEnd) {
   NamedFiles files(
-      {{"a.sdf", sdf("<model name='a'><include merge='true'><uri>b.sdf</uri></include></model>")},
-       {"b.sdf", sdf("<model name='b'><include merge='true'><uri>a.sdf</uri></include></model>")}});
+      {{"a.sdf",
+        sdf_of("<model name='a'><include merge='true'><uri>b.sdf</uri></include></model>")},
+       {"b.sdf",
+        sdf_of("<model name='b'><include merge='true'><uri>a.sdf</uri></include></model>")}});
   EXPECT_EQ(files.uses("a.sdf", "nothing").size(), 0U);
 }
 
