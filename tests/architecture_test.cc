@@ -46,12 +46,15 @@ const std::map<std::string, Names>& rooms() {
         "robot", "convert", "simulate"}},
       {"results", {"text"}},
       {"author",
-       {"xacro", "text", "xml", "schema", "model", "read", "mesh", "mass", "write", "robot",
-        "convert", "simulate", "rules"}},
+       {"xacro", "text", "xml", "schema", "model", "config", "read", "mesh", "mass", "write",
+        "robot", "convert", "simulate", "rules"}},
       {"view", {"text", "xml", "schema", "model", "read", "mesh", "mass", "robot"}},
       {"report",
        {"xacro", "text", "xml", "schema", "model", "read", "mesh", "mass", "write", "robot",
         "convert", "simulate", "rules", "author", "view", "results"}},
+      {"lsp",
+       {"xacro", "text", "xml", "schema", "model", "config", "process", "read", "mesh", "mass",
+        "write", "robot", "convert", "simulate", "rules", "author", "report"}},
   };
   return kRooms;
 }
@@ -61,8 +64,8 @@ const std::map<std::string, Names>& third_parties() {
   static const std::map<std::string, Names> kParties{
       {"tinyxml2.h", {"xml", "tools"}},
       {"Eigen/", {"mass", "report"}},
-      {"fmt/", {"convert", "rules", "author", "report", "tools"}},
-      {"nlohmann/", {"mesh", "report", "results", "tools"}},
+      {"fmt/", {"convert", "rules", "author", "report", "lsp", "tools"}},
+      {"nlohmann/", {"mesh", "report", "results", "lsp", "tools"}},
       {"CLI/", {"tools"}},
       {"httplib.h", {"tools"}},
       {"toml++", {"config"}},

@@ -36,6 +36,7 @@ constexpr std::string_view kGreeting =
   simulate, merge          drop it, drive it, sweep its joints: a verdict; join sharded runs
   new, init                a robot to begin with, done right and explained; a rigor.toml
   rules, explain           what is checked; why, and what to do about it
+  edit, lsp                another name, in all files; editors: findings and fixes as you type
   expand, schema, resolve  xacro as plain XML; a format's elements; where a URI leads
 
   rigor validate my_robot                check every model and mesh in a folder
@@ -91,7 +92,9 @@ constexpr CommandEntry kCommands[] = {
     {"merge", merge_command},
     {"upgrade", upgrade_command},
     {"fmt", fmt_command},
+    {"edit", edit_command},
     {"init", init_command},
+    {"lsp", lsp_command},
     {"rules", rules_command},
     {"explain", explain_command},
     {"schema", schema_command},

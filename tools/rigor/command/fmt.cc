@@ -15,6 +15,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/author/format/configured_style.h>
 #include <rigor/author/format/formatted.h>
 #include <rigor/read/discover.h>
 #include <rigor/read/workspace.h>
@@ -34,16 +35,6 @@ namespace rigor::tool {
 namespace {
 
 using author::FormatOutcome;
-
-author::FormatStyle style_of(const config::Layout& layout) {
-  author::FormatStyle style;
-  if (layout.indent) style.indent = layout.indent->value;
-  if (layout.width) style.width = layout.width->value;
-  if (layout.quotes && layout.quotes->value == "single")
-    style.quotes = author::FormatQuotes::kSingle;
-  if (layout.quotes && layout.quotes->value == "keep") style.quotes = author::FormatQuotes::kKeep;
-  return style;
-}
 
 /// 1-based, both included.
 struct Lines {
@@ -162,7 +153,7 @@ class Fmt final : public Command {
   }
 
   author::Formatted formatted(const std::string& path, const xml::Document& document) const {
-    const author::FormatStyle style = style_of(config_.of(path).layout);
+    const author::FormatStyle style = author::configured_style(config_.of(path).layout);
     return lines_.empty() ? author::formatted(document, style)
                           : author::formatted_in_lines(document, style, range_.first, range_.last);
   }

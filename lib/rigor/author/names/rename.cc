@@ -1,0 +1,159 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/author/names/rename.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include <rigor/read/template/expanded_file.h>
+#include <rigor/read/template/template_expander.h>
+#include <rigor/text/path.h>
+
+namespace rigor::author {
+namespace {
+
+std::string place_of(const Sources& sources, Span where) {
+  return fmt::format("{}:{}", sources.path(where.source),
+                     sources.position(where.source, where.begin).line);
+}
+
+bool before(const Edit& a, const Edit& b) {
+  return std::tie(a.span.source, a.span.begin) < std::tie(b.span.source, b.span.begin);
+}
+
+/// Renames in one file after another; `refused` ends it.
+class Renamer {
+ public:
+  Renamer(const RenameContext& context, std::string_view name) : context_(context), name_(name) {}
+
+  Renaming rename(const EntityId& target, std::vector<std::string> files) {
+    old_ = context_.graph.entity(target).name;
+    targets_.insert(target);
+    files.push_back(target.path);
+    for (std::string& file : files) file = normalize_path(file);
+    std::sort(files.begin(), files.end());
+    files.erase(std::unique(files.begin(), files.end()), files.end());
+    for (std::size_t known = 0; known != targets_.size() && refused_.empty();) {
+      known = targets_.size();
+      for (const std::string& file : files) rename_in(file);
+    }
+    for (const auto& [path, edits] : expanded_edits_) prove(path, edits);
+    if (!refused_.empty()) return {{}, refused_};
+    std::vector<Edit> edits;
+    for (const auto& [key, edit] : edits_) edits.push_back(edit);
+    std::sort(edits.begin(), edits.end(), before);
+    return {std::move(edits), {}};
+  }
+
+ private:
+  using SpanKey =
+      std::tuple<std::string, std::uint32_t, std::uint32_t>;  // by path: sources may be read twice
+
+  SpanKey key_of(Span span) const {
+    return {normalize_path(context_.sources.path(span.source)), span.begin, span.end};
+  }
+
+  void rename_in(const std::string& path) {
+    const read::File& file = context_.graph.file(path);
+    if (!file.document) return;
+    for (const NameUse& use : context_.graph.uses(path)) {
+      if (file.expanded && use.defines) take_shared(file, use);
+      if (!targets_.contains(use.target)) continue;
+      if (!file.expanded) {
+        add(use.where);
+      } else {
+        rename_expanded(path, file, use);
+      }
+    }
+  }
+
+  /// A definition in a file of macros that another robot uses, too.
+  void take_shared(const read::File& file, const NameUse& use) {
+    const read::Origin origin = file.expanded->origin(*file.document, use.where, context_.sources);
+    if (origin.literal && edits_.contains(key_of(origin.where))) targets_.insert(use.target);
+  }
+
+  void rename_expanded(const std::string& path, const read::File& file, const NameUse& use) {
+    const read::Origin origin = file.expanded->origin(*file.document, use.where, context_.sources);
+    const auto reads_so = [&](Span span) {
+      return !span.nowhere() && context_.sources.bytes(span) == context_.sources.bytes(use.where);
+    };
+    if (origin.literal && reads_so(origin.where)) {
+      add(origin.where);
+    } else if (reads_so(origin.from)) {
+      add(origin.from);
+    } else if (refused_.empty()) {
+      refused_ = fmt::format("an expression composes the name at {}",
+                             place_of(context_.sources, origin.where));
+    }
+    auto& edits = expanded_edits_[path];
+    const Edit edit{use.where, name_};
+    if (std::find(edits.begin(), edits.end(), edit) == edits.end()) edits.push_back(edit);
+  }
+
+  void add(Span where) { edits_.try_emplace(key_of(where), Edit{where, name_}); }
+
+  /// That the edits of what was written change those names of the expansion, and nothing else.
+  void prove(const std::string& path, const std::vector<Edit>& edits) {
+    if (!refused_.empty()) return;
+    const read::File& file = context_.graph.file(path);
+    const auto expected = apply_edits(file.document->bytes(), edits);
+    std::map<std::string, std::pair<SourceId, std::vector<Edit>>> by_file;
+    for (const auto& [key, edit] : edits_) {
+      auto& [source, list] = by_file[std::get<0>(key)];
+      source = edit.span.source;
+      list.push_back(edit);
+    }
+    read::TemplateExpander expander(context_.resolver);
+    for (const auto& [written, change] : by_file) {
+      if (const auto text = apply_edits(context_.sources.bytes(change.first), change.second))
+        expander.replace(written, *text);
+    }
+    const auto again = expander.expand(path, context_.sources);
+    if (!expected || !again->document || again->document->bytes() != *expected)
+      refused_ = fmt::format("what the name is written in has other uses in the template {}", path);
+  }
+
+  RenameContext context_;
+  std::string name_;
+  std::string old_;
+  std::set<EntityId> targets_;
+  std::map<SpanKey, Edit> edits_;
+  std::map<std::string, std::vector<Edit>> expanded_edits_;  // of expanded documents, by path
+  std::string refused_;
+};
+
+}  // namespace
+
+std::string name_fault(std::string_view name) {
+  if (name.empty()) return "a name cannot be empty";
+  if (name.find("::") != std::string_view::npos)
+    return "a name cannot contain '::', which separates scopes";
+  if (name == "world") return "'world' is reserved";
+  if (name.size() >= 4 && name.starts_with("__") && name.ends_with("__"))
+    return "names that begin and end with '__' are reserved";
+  if (name.find_first_of(" \t\r\n\"'<>&") != std::string_view::npos)
+    return "a name cannot contain blanks, quotes, '<', '>' or '&'";
+  return {};
+}
+
+Renaming renamed(const RenameContext& context, const EntityId& target, std::string_view name,
+                 const std::vector<std::string>& files) {
+  if (std::string fault = name_fault(name); !fault.empty()) return {{}, std::move(fault)};
+  // A URDF's link of this name is the world itself.
+  if (context.graph.entity(target).name == "world") return {{}, "'world' is reserved"};
+  if (const auto taken = context.graph.taken(target, name)) {
+    const NamedEntity& other = context.graph.entity(*taken);
+    return {{}, fmt::format("a {} is named '{}' already", to_string(other.kind), name)};
+  }
+  return Renamer(context, name).rename(target, files);
+}
+
+}  // namespace rigor::author

@@ -1,0 +1,45 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Another name for a model, link, joint or frame, in every file that refers to it, as byte edits.
+//
+//   NameGraph graph(workspace, resolver);
+//   const auto wheel = graph.find("robot.urdf", "wheel");
+//   const Renaming renaming = renamed({graph, resolver, sources}, *wheel, "left_wheel", files);
+//   if (renaming.refused.empty()) apply(renaming.edits);
+//
+// In templates the edits are of what their authors wrote. A name that an expression composes is refused; so is
+// one whose renaming would change anything else of an expansion, which is expanded again and compared.
+
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <rigor/author/names/name_graph.h>
+#include <rigor/read/resolver.h>
+#include <rigor/text/edit.h>
+#include <rigor/text/sources.h>
+
+namespace rigor::author {
+
+struct RenameContext {
+  NameGraph& graph;
+  const read::Resolver& resolver;
+  Sources& sources;  ///< of the graph's workspace
+};
+
+struct Renaming {
+  std::vector<Edit> edits;  ///< of any number of files, sorted, none of them twice
+  std::string refused;      ///< why there are none, as the end of a sentence; empty when there are
+};
+
+/// Of the file that defines the name, and of `files`: those of the workspace, or none for that file alone.
+Renaming renamed(const RenameContext& context, const EntityId& target, std::string_view name,
+                 const std::vector<std::string>& files);
+
+/// Why no model, link, joint or frame can have the name; empty when it can.
+std::string name_fault(std::string_view name);
+
+}  // namespace rigor::author

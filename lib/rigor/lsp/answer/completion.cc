@@ -1,0 +1,345 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What may stand at the cursor.
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include <rigor/author/names/file_names.h>
+#include <rigor/author/names/template_names.h>
+#include <rigor/lsp/answer/answers.h>
+#include <rigor/lsp/answer/uri_completion.h>
+#include <rigor/lsp/document/schema_place.h>
+#include <rigor/lsp/document/xml_cursor.h>
+#include <rigor/rules/plugin/systems.h>
+
+namespace rigor::lsp {
+namespace {
+
+/// Of the protocol's CompletionItemKind.
+enum class ItemKind : int {
+  kFunction = 3,
+  kField = 5,
+  kVariable = 6,
+  kProperty = 10,
+  kValue = 12,
+  kEnum = 13,
+  kSnippet = 15,
+  kFile = 17,
+  kReference = 18,
+  kFolder = 19
+};
+
+/// Of the protocol's InsertTextFormat.
+constexpr int kSnippetFormat = 2;
+
+struct Snippet {
+  std::string_view root;
+  std::string_view parent;
+  std::string_view label;
+  std::string_view text;
+};
+
+constexpr Snippet kSnippets[] = {
+    {"robot", "robot", "link with shapes",
+     "link name=\"${1:link}\">\n  <inertial>\n    <mass value=\"${2:1}\"/>\n    <inertia "
+     "ixx=\"${3:0.01}\" ixy=\"0\" "
+     "ixz=\"0\" iyy=\"${4:0.01}\" iyz=\"0\" izz=\"${5:0.01}\"/>\n  </inertial>\n  <visual>\n    "
+     "<geometry>\n      <box "
+     "size=\"${6:0.1 0.1 0.1}\"/>\n    </geometry>\n  </visual>\n  <collision>\n    <geometry>\n   "
+     "   <box "
+     "size=\"${6:0.1 0.1 0.1}\"/>\n    </geometry>\n  </collision>\n</link>"},
+    {"robot", "robot", "revolute joint",
+     "joint name=\"${1:joint}\" type=\"revolute\">\n  <parent link=\"${2:parent}\"/>\n  <child "
+     "link=\"${3:child}\"/>\n  <origin xyz=\"${4:0 0 0}\" rpy=\"0 0 0\"/>\n  <axis xyz=\"${5:0 0 "
+     "1}\"/>\n  <limit "
+     "lower=\"${6:-1.57}\" upper=\"${7:1.57}\" effort=\"${8:10}\" velocity=\"${9:1}\"/>\n</joint>"},
+    {"robot", "link", "inertial",
+     "inertial>\n  <origin xyz=\"${1:0 0 0}\"/>\n  <mass value=\"${2:1}\"/>\n  <inertia "
+     "ixx=\"${3:0.01}\" ixy=\"0\" "
+     "ixz=\"0\" iyy=\"${4:0.01}\" iyz=\"0\" izz=\"${5:0.01}\"/>\n</inertial>"},
+    {"sdf", "model", "link with shapes",
+     "link name=\"${1:link}\">\n  <inertial auto=\"true\"/>\n  <collision name=\"collision\">\n    "
+     "<geometry>\n      "
+     "<box>\n        <size>${2:0.1 0.1 0.1}</size>\n      </box>\n    </geometry>\n  "
+     "</collision>\n  <visual "
+     "name=\"visual\">\n    <geometry>\n      <box>\n        <size>${2:0.1 0.1 0.1}</size>\n      "
+     "</box>\n    "
+     "</geometry>\n  </visual>\n</link>"},
+    {"sdf", "model", "revolute joint",
+     "joint name=\"${1:joint}\" type=\"revolute\">\n  <parent>${2:parent}</parent>\n  "
+     "<child>${3:child}</child>\n  "
+     "<axis>\n    <xyz>${4:0 0 1}</xyz>\n    <limit>\n      <lower>${5:-1.57}</lower>\n      "
+     "<upper>${6:1.57}</upper>\n    </limit>\n  </axis>\n</joint>"},
+    {"sdf", "link", "inertial",
+     "inertial>\n  <mass>${1:1}</mass>\n  <inertia>\n    <ixx>${2:0.01}</ixx>\n    "
+     "<iyy>${3:0.01}</iyy>\n    "
+     "<izz>${4:0.01}</izz>\n  </inertia>\n</inertial>"},
+};
+
+class Completer {
+ public:
+  Completer(State& state, OpenDocument& document, std::uint32_t offset)
+      : state_(state),
+        document_(document),
+        offset_(offset),
+        cursor_(xml_cursor(document.text(), offset)) {
+    for (const OpenElement& element : cursor_.open) {
+      path_.push_back(element.name);
+      if (element.name == "sdf") version_ = attribute_in(element.tag, "version");
+    }
+  }
+
+  Json items() && {
+    switch (cursor_.at) {
+      case XmlCursor::At::kTagName: tag_names(); break;
+      case XmlCursor::At::kEndTagName: end_tag(); break;
+      case XmlCursor::At::kAttributeName: attribute_names(); break;
+      case XmlCursor::At::kAttributeValue: attribute_value(); break;
+      case XmlCursor::At::kText: text_value(); break;
+      case XmlCursor::At::kElsewhere: break;
+    }
+    return std::move(items_);
+  }
+
+ private:
+  std::string_view root() const { return path_.empty() ? std::string_view() : path_.front(); }
+  std::string_view element() const { return path_.empty() ? std::string_view() : path_.back(); }
+  std::string_view parent() const {
+    return path_.size() < 2 ? std::string_view() : path_[path_.size() - 2];
+  }
+  std::optional<schema::Node> place() const {
+    return schema_place(state_.environment(), path_, version_);
+  }
+
+  void add(std::string_view label, ItemKind kind, std::string_view insert,
+           std::string_view text = {}, std::string_view snippet = {}) {
+    if (!labels_.insert(std::string(label)).second) return;
+    const bool with_snippet = !snippet.empty() && state_.client.snippets;
+    Json item{
+        {"label", label},
+        {"kind", static_cast<int>(kind)},
+        {"textEdit",
+         {{"range", range_json(document_.lines(), begin_ != 0 ? begin_ : cursor_.begin, offset_)},
+          {"newText", with_snippet ? snippet : insert}}}};
+    if (with_snippet) item["insertTextFormat"] = kSnippetFormat;
+    if (!text.empty()) item["documentation"] = {{"kind", "markdown"}, {"value", text}};
+    items_.push_back(std::move(item));
+  }
+
+  /// An element with its required attributes to be filled in.
+  static std::string element_snippet(const schema::Node& node) {
+    std::string snippet(node.name());
+    int field = 1;
+    for (const schema::Node attribute : node.required_attributes())
+      snippet += fmt::format(" {}=\"${{{}}}\"", attribute.name(), field++);
+    const bool has_content = !node.children().empty() || node.type() != schema::Type::kNone;
+    if (!has_content) return snippet + "/>$0";
+    return snippet + fmt::format(">$0</{}>", node.name());
+  }
+
+  void tag_names() {
+    if (path_.empty()) {
+      for (const std::string_view name : {"sdf", "robot"}) add(name, ItemKind::kField, name);
+      return;
+    }
+    if (const auto node = place()) {
+      for (const schema::Node child : node->children()) {
+        if (child.deprecated_since()) continue;
+        add(child.name(), ItemKind::kField, child.name(), schema_text(child),
+            element_snippet(child));
+      }
+    }
+    for (const Snippet& snippet : kSnippets) {
+      if (state_.client.snippets && snippet.root == root() && snippet.parent == element())
+        add(snippet.label, ItemKind::kSnippet, snippet.label, {}, snippet.text);
+    }
+    if (element() == "plugin") plugin_parameters();
+    macros();
+    end_tag("/");
+  }
+
+  void end_tag(std::string_view before = {}) {
+    if (path_.empty()) return;
+    const std::string name = fmt::format("{}{}>", before, element());
+    add(name, ItemKind::kField, name);
+  }
+
+  void macros() {
+    if (!document_.analysis(state_.environment()).is_template()) return;
+    for (const author::TemplateName& name : defined_names()) {
+      if (name.kind != author::TemplateNameKind::kMacro) continue;
+      std::string snippet = "xacro:" + name.name;
+      int field = 1;
+      for (const author::TemplateName& parameter : names_) {
+        if (parameter.kind == author::TemplateNameKind::kParameter && parameter.defines &&
+            parameter.owner == name.name)
+          snippet += fmt::format(" {}=\"${{{}}}\"", parameter.name, field++);
+      }
+      add("xacro:" + name.name, ItemKind::kFunction, "xacro:" + name.name, {}, snippet + "/>");
+    }
+  }
+
+  /// Of all files that the template reads.
+  std::vector<author::TemplateName> defined_names() {
+    if (names_.empty()) {
+      Analysis& readable = document_.readable(state_.environment());
+      const read::File& file = readable.file();
+      if (file.expanded) {
+        for (const xacro::FileUse& use : file.expanded->expansion().files) {
+          if (use.source == kNoSource) continue;
+          const xml::Document document =
+              xml::parse_own(readable.sources().bytes(use.source), use.source);
+          for (author::TemplateName& name : author::template_names(document)) {
+            if (name.defines) names_.push_back(std::move(name));
+          }
+        }
+      }
+    }
+    return names_;
+  }
+
+  void attribute_names() {
+    const std::string_view tag = cursor_.open.back().tag;
+    const bool is_xacro = element().starts_with("xacro:");
+    if (const auto node = is_xacro ? std::nullopt : place()) {
+      for (const schema::Node attribute : node->attributes()) {
+        if (!attribute_in(tag, attribute.name()).empty()) continue;
+        add(attribute.name(), ItemKind::kProperty, fmt::format("{}=\"\"", attribute.name()),
+            schema_text(attribute), fmt::format("{}=\"$1\"", attribute.name()));
+      }
+    }
+    if (!is_xacro) return;
+    defined_names();
+    for (const author::TemplateName& name : names_) {
+      if (name.kind == author::TemplateNameKind::kParameter && name.owner == element().substr(6))
+        add(name.name, ItemKind::kProperty, name.name + "=\"\"", {}, name.name + "=\"$1\"");
+    }
+  }
+
+  void attribute_value() {
+    if (expression()) return;
+    const auto node = place();
+    if (const auto attribute = node ? node->attribute(cursor_.attribute) : std::nullopt)
+      values(*attribute);
+    if (const auto kinds = author::referenced_kinds(root(), parent(), element(), cursor_.attribute))
+      names(*kinds);
+    if (element() == "plugin" && cursor_.attribute == "filename") return plugins();
+    if (cursor_.attribute == "filename" || cursor_.attribute == "url") uris();
+  }
+
+  void text_value() {
+    if (path_.empty() || cursor_.typed.find_first_not_of(" \t\r\n") == std::string_view::npos)
+      trim_typed();
+    if (expression()) return;
+    if (const auto node = place()) values(*node);
+    if (const auto kinds = author::referenced_kinds(root(), parent(), element(), "")) names(*kinds);
+    if (element() == "uri") uris();
+  }
+
+  void trim_typed() {
+    cursor_.begin = offset_;
+    cursor_.typed = {};
+  }
+
+  void values(const schema::Node& node) {
+    for (const std::string_view value : node.enumeration()) add(value, ItemKind::kEnum, value);
+    if (node.type() == schema::Type::kBool) {
+      for (const std::string_view value : {"true", "false"}) add(value, ItemKind::kValue, value);
+    }
+    if (const auto value = node.default_value(); value && !value->empty())
+      add(*value, ItemKind::kValue, *value, "The default.");
+  }
+
+  /// Of the innermost model around the cursor, and of models in it.
+  void names(author::NameKinds kinds) {
+    Analysis& readable = document_.readable(state_.environment());
+    const std::uint32_t at = document_.to_readable(offset_);
+    for (const std::string& name :
+         readable.names().visible(readable.path(), readable.is_template() ? UINT32_MAX : at, kinds))
+      add(name, ItemKind::kReference, name);
+    if (kinds.has(author::NameKind::kFrame) || element() == "parent") {
+      for (const std::string_view name : {"world", "__model__"}) {
+        if (root() == "sdf") add(name, ItemKind::kReference, name);
+      }
+    }
+  }
+
+  void plugins() {
+    for (const rules::GazeboSystem& system : rules::kGazeboSystems) {
+      const std::string library = fmt::format("gz-sim-{}-system", system.library);
+      add(library, ItemKind::kFile, library);
+    }
+  }
+
+  void plugin_parameters() {
+    std::string_view library = attribute_in(cursor_.open.back().tag, "filename");
+    const rules::GazeboSystem* system = rules::gazebo_system(library);
+    if (system == nullptr) return;
+    std::string_view words = system->parameters;
+    while (!words.empty()) {
+      const std::size_t blank = std::min(words.find(' '), words.size());
+      const std::string_view name = words.substr(0, blank);
+      add(name, ItemKind::kField, name, {}, fmt::format("{}>$1</{}>", name, name));
+      words.remove_prefix(std::min(blank + 1, words.size()));
+    }
+  }
+
+  void uris() {
+    for (const UriStep& step : uri_steps(state_, document_.path(), cursor_.typed)) {
+      begin_ = cursor_.begin + step.begin;
+      add(step.text, step.is_folder ? ItemKind::kFolder : ItemKind::kFile, step.text);
+    }
+  }
+
+  /// Within `${…}` or `$(arg …)`.
+  bool expression() {
+    const std::string_view typed = cursor_.typed;
+    const std::size_t open = typed.rfind('$');
+    if (open == std::string_view::npos || typed.find_first_of("})", open) != std::string_view::npos)
+      return false;
+    const bool is_argument = typed.substr(open).starts_with("$(arg ");
+    if (!typed.substr(open).starts_with("${") && !is_argument) return false;
+    const std::size_t word = typed.find_last_of("{ (+-*/,<>=!|&[") + 1;
+    begin_ = cursor_.begin + static_cast<std::uint32_t>(word);
+    std::string_view macro;
+    for (const OpenElement& element : cursor_.open) {
+      if (element.name == "xacro:macro") macro = attribute_in(element.tag, "name");
+    }
+    for (const author::TemplateName& name : defined_names()) {
+      const bool fits = is_argument ? name.kind == author::TemplateNameKind::kArgument
+                                    : name.kind == author::TemplateNameKind::kProperty ||
+                                          (name.kind == author::TemplateNameKind::kParameter &&
+                                           name.owner == macro);
+      if (fits) add(name.name, ItemKind::kVariable, name.name);
+    }
+    return true;
+  }
+
+  State& state_;
+  OpenDocument& document_;
+  std::uint32_t offset_;
+  XmlCursor cursor_;
+  std::vector<std::string_view> path_;
+  std::string_view version_;
+  std::vector<author::TemplateName> names_;
+  std::uint32_t begin_ = 0;  // of what is replaced, where that is not all that was typed
+  std::set<std::string> labels_;
+  Json items_ = Json::array();
+};
+
+}  // namespace
+
+Json completion(State& state, const Json& params) {
+  OpenDocument& document = state.document(params);
+  return Completer(state, document, offset_in(document, member(params, "position"))).items();
+}
+
+}  // namespace rigor::lsp

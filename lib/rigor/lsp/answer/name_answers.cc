@@ -1,0 +1,150 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Definition, references, highlights and renaming.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <rigor/author/names/template_rename.h>
+#include <rigor/lsp/answer/answers.h>
+#include <rigor/lsp/answer/edits_json.h>
+#include <rigor/lsp/answer/name_lookup.h>
+#include <rigor/lsp/answer/uri_at.h>
+#include <rigor/text/path.h>
+
+namespace rigor::lsp {
+namespace {
+
+/// Of the protocol's DocumentHighlightKind.
+constexpr int kReadHighlight = 2;
+constexpr int kWriteHighlight = 3;
+
+/// The document and a place in it that requests are about.
+struct Cursor {
+  OpenDocument& document;
+  Analysis& analysis;  // the last text that could be read
+  std::uint32_t offset;
+};
+
+Cursor cursor_of(State& state, const Json& params) {
+  OpenDocument& document = state.document(params);
+  Analysis& analysis = document.readable(state.environment());
+  return {document, analysis,
+          document.to_readable(offset_in(document, member(params, "position")))};
+}
+
+Json location_json(const State& state, const Sources& sources, Span where) {
+  const LineIndex lines(sources.bytes(where.source), state.client.encoding);
+  return {{"uri", uri_of_file(state, sources.path(where.source))},
+          {"range", range_json(lines, where)}};
+}
+
+/// Of a model that an include names, the file is open at its root.
+Span defining_span(Analysis& analysis, const author::EntityId& id) {
+  const author::NamedEntity& entity = analysis.names().entity(id);
+  const Span where = entity.where.nowhere() ? entity.element : entity.where;
+  return written_place(analysis, analysis.names().file(id.path), where);
+}
+
+bool is_srdf(const std::string& path) { return extension(path) == ".srdf"; }
+
+void add_robots(author::NameGraph& graph, const std::vector<std::string>& files) {
+  for (const std::string& path : files) {
+    if (extension(path) == ".urdf" || extension(path) == ".xacro") graph.add_robot(path);
+  }
+}
+
+}  // namespace
+
+Json definition(State& state, const Json& params) {
+  const Cursor cursor = cursor_of(state, params);
+  if (const auto path = path_at(state, cursor.analysis, cursor.offset)) {
+    return {{"uri", uri_of_file(state, *path)},
+            {"range", range_json(LineIndex("", state.client.encoding), 0, 0)}};
+  }
+  if (is_srdf(cursor.document.path()))
+    add_robots(cursor.analysis.names(), workspace_files(state, cursor.document));
+  const auto name = name_at(cursor.analysis, cursor.offset);
+  if (!name) return nullptr;
+  if (const auto* entity = std::get_if<author::EntityId>(&name->name)) {
+    const Span where = defining_span(cursor.analysis, *entity);
+    if (where.nowhere()) return nullptr;
+    return location_json(state, cursor.analysis.sources(), where);
+  }
+  Json list = Json::array();
+  for (const NamePlace& place : places_of(cursor.analysis, *name, {})) {
+    if (place.defines) list.push_back(location_json(state, cursor.analysis.sources(), place.where));
+  }
+  return list;
+}
+
+Json references(State& state, const Json& params) {
+  const Cursor cursor = cursor_of(state, params);
+  Analysis fresh(state.environment(), cursor.analysis.path(), std::string(cursor.analysis.text()));
+  const std::vector<std::string> files = workspace_files(state, cursor.document);
+  add_robots(fresh.names(), files);
+  const auto name = name_at(fresh, cursor.offset);
+  Json list = Json::array();
+  if (!name) return list;
+  const bool with_definition = flag_at(params, "context", "includeDeclaration");
+  for (const NamePlace& place : places_of(fresh, *name, files)) {
+    if (with_definition || !place.defines)
+      list.push_back(location_json(state, fresh.sources(), place.where));
+  }
+  return list;
+}
+
+Json highlights(State& state, const Json& params) {
+  const Cursor cursor = cursor_of(state, params);
+  const auto name = name_at(cursor.analysis, cursor.offset);
+  Json list = Json::array();
+  if (!name) return list;
+  for (const NamePlace& place : places_of(cursor.analysis, *name, {})) {
+    if (normalize_path(cursor.analysis.sources().path(place.where.source)) !=
+        normalize_path(cursor.document.path()))
+      continue;
+    const std::uint32_t begin = cursor.document.from_readable(place.where.begin);
+    list.push_back(
+        {{"range", range_json(cursor.document.lines(), begin, begin + place.where.size())},
+         {"kind", place.defines ? kWriteHighlight : kReadHighlight}});
+  }
+  return list;
+}
+
+Json prepared_rename(State& state, const Json& params) {
+  OpenDocument& document = state.document(params);
+  Analysis& analysis = document.analysis(state.environment());
+  if (!analysis.written().complete()) return nullptr;
+  const auto name = name_at(analysis, offset_in(document, member(params, "position")));
+  if (!name) return nullptr;
+  return {{"range", range_json(document.lines(), name->where)}, {"placeholder", name->text}};
+}
+
+Json rename(State& state, const Json& params) {
+  OpenDocument& document = state.document(params);
+  Analysis fresh(state.environment(), document.path(), document.text());
+  if (!fresh.written().complete())
+    throw RequestError(ErrorCode::kRequestFailed, "the document is not well-formed XML");
+  const std::vector<std::string> files = workspace_files(state, document);
+  add_robots(fresh.names(), files);
+  const auto name = name_at(fresh, offset_in(document, member(params, "position")));
+  if (!name)
+    throw RequestError(ErrorCode::kRequestFailed, "nothing here has a name that can be changed");
+  const author::RenameContext context{fresh.names(), state.environment().resolver, fresh.sources()};
+  const std::string new_name = text_at(params, "newName");
+  std::vector<std::string> templates = files;
+  templates.push_back(document.path());
+  const author::Renaming renaming =
+      std::holds_alternative<author::EntityId>(name->name)
+          ? author::renamed(context, std::get<author::EntityId>(name->name), new_name, files)
+          : author::renamed_in_templates(context, templates,
+                                         std::get<author::TemplateName>(name->name), new_name);
+  if (!renaming.refused.empty())
+    throw RequestError(ErrorCode::kRequestFailed,
+                       "'" + name->text + "' is not renamed: " + renaming.refused);
+  return workspace_edit(state, fresh.sources(), renaming.edits);
+}
+
+}  // namespace rigor::lsp

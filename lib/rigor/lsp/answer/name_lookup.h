@@ -1,0 +1,46 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The name at the cursor, and all places that have it.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <rigor/author/names/name_graph.h>
+#include <rigor/author/names/rename.h>
+#include <rigor/author/names/template_names.h>
+#include <rigor/lsp/document/analysis.h>
+#include <rigor/lsp/session/state.h>
+
+namespace rigor::lsp {
+
+struct NamePlace {
+  Span where;
+  bool defines = false;
+};
+
+struct NameAt {
+  Span where;  ///< in the written document
+  std::string text;
+  std::variant<author::EntityId, author::TemplateName> name;
+};
+
+/// The name that a byte offset of the written document is in; nothing where none is known.
+std::optional<NameAt> name_at(Analysis& analysis, std::uint32_t offset);
+
+/// Its places in a file and those that the file leads to; spans are of the analysis' sources.
+std::vector<NamePlace> places_of(Analysis& analysis, const NameAt& name,
+                                 const std::vector<std::string>& files);
+
+/// Models and templates of the workspace: its folders, or that of the document when there are none.
+std::vector<std::string> workspace_files(const State& state, const OpenDocument& document);
+
+/// Where a use is written: itself, or the place in a template that it was made of; nowhere when an expression
+/// makes the name.
+Span written_place(Analysis& analysis, const read::File& file, Span where);
+
+}  // namespace rigor::lsp

@@ -1,0 +1,36 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The findings of a document: those of `rigor validate FILE` with the same settings.
+
+#pragma once
+
+#include <memory>
+#include <set>
+#include <string>
+
+#include <rigor/lsp/project/project.h>
+#include <rigor/rules/validate.h>
+#include <rigor/text/sources.h>
+
+namespace rigor::lsp {
+
+struct CheckedDocument {
+  std::unique_ptr<Sources> sources;
+  rules::ValidateResult result;
+  std::set<std::string>
+      open_files;  ///< open documents that it depends on, itself among them; normalized paths
+};
+
+/// What `validate` is asked about the file at a path. The project outlives it.
+rules::ValidateOptions check_options(const Project& project, const std::string& path,
+                                     rules::MeshPolicy meshes);
+
+/// With kDoNotOpen no mesh file is read, as while somebody types.
+CheckedDocument check(const EditorDisk& disk, const Project& project, const std::string& path,
+                      rules::MeshPolicy meshes);
+
+/// Whether a file is one that `validate` knows, by its name or its root element.
+bool is_checked(std::string_view path, std::string_view text);
+
+}  // namespace rigor::lsp

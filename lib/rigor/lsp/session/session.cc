@@ -1,0 +1,268 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/lsp/session/session.h>
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include <rigor/lsp/answer/answers.h>
+#include <rigor/lsp/answer/diagnostics.h>
+#include <rigor/lsp/protocol/uri.h>
+#include <rigor/lsp/session/capabilities.h>
+#include <rigor/report/tool.h>
+#include <rigor/text/path.h>
+
+namespace rigor::lsp {
+namespace {
+
+bool drop(std::vector<std::string>& list, const std::string& value) {
+  return std::erase(list, value) > 0;
+}
+
+}  // namespace
+
+Session::Session(const Disk& disk, read::SearchPaths paths, Peer peer, std::string worker)
+    : state_(disk, std::move(paths), std::move(worker)), peer_(std::move(peer)) {}
+
+void Session::receive(const Json& message) {
+  if (exit_code_) return;
+  if (message.is_discarded())
+    return fail(nullptr, ErrorCode::kParseError, "the message is no JSON");
+  const std::string method = text_at(message, "method");
+  const bool is_request = message.is_object() && message.contains("id");
+  if (method.empty()) {
+    const bool is_response =
+        is_request && (message.contains("result") || message.contains("error"));
+    if (!is_response) fail(nullptr, ErrorCode::kInvalidRequest, "the message has no method");
+    return;
+  }
+  if (is_request) return request(message);
+  if (method == "exit") {
+    exit_code_ = phase_ == Phase::kShutDown ? 0 : 1;
+  } else if (phase_ == Phase::kInitialized) {
+    notification(method, member(message, "params"));
+  }
+}
+
+void Session::fail(const Json& id, ErrorCode code, const std::string& message) {
+  peer_.send({{"jsonrpc", "2.0"},
+              {"id", id},
+              {"error", {{"code", static_cast<int>(code)}, {"message", message}}}});
+}
+
+void Session::request(const Json& message) {
+  const Json& id = member(message, "id");
+  const std::string method = text_at(message, "method");
+  try {
+    if (phase_ == Phase::kShutDown)
+      throw RequestError(ErrorCode::kInvalidRequest, "the server was shut down");
+    if ((phase_ == Phase::kNew) != (method == "initialize")) {
+      throw phase_ == Phase::kNew
+          ? RequestError(ErrorCode::kServerNotInitialized, "the server is not initialized")
+          : RequestError(ErrorCode::kInvalidRequest, "the server is initialized already");
+    }
+    if (peer_.is_cancelled && peer_.is_cancelled(id))
+      throw RequestError(ErrorCode::kRequestCancelled, "cancelled");
+    Json result = answer(method, member(message, "params"));
+    peer_.send({{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}});
+  } catch (const RequestError& error) {
+    fail(id, error.code(), error.what());
+  } catch (const std::exception& error) {
+    fail(id, ErrorCode::kInternalError, error.what());
+  }
+}
+
+Json Session::answer(const std::string& method, const Json& params) {
+  if (method == "initialize") return initialize(params);
+  if (method == "shutdown") {
+    phase_ = Phase::kShutDown;
+    return nullptr;
+  }
+  if (method == "textDocument/diagnostic") return pulled_diagnostics(params);
+  const Answer function = find_answer(method);
+  if (function == nullptr)
+    throw RequestError(ErrorCode::kMethodNotFound, "unknown method " + method);
+  return function(state_, params);
+}
+
+Json Session::initialize(const Json& params) {
+  state_.client = client_of(params);
+  phase_ = Phase::kInitialized;
+  return {{"capabilities", server_capabilities(state_.client)},
+          {"serverInfo", {{"name", "rigor"}, {"version", std::string(report::tool_version())}}}};
+}
+
+void Session::notification(const std::string& method, const Json& params) {
+  if (method == "initialized") return watch_files();
+  if (method == "textDocument/didOpen") return did_open(params);
+  if (method == "textDocument/didChange") return did_change(params);
+  if (method == "textDocument/didClose") return did_close(params);
+  if (method == "textDocument/didSave" || method == "workspace/didChangeWatchedFiles")
+    return files_changed();
+  if (method == "workspace/didChangeWorkspaceFolders") {
+    std::vector<std::string>& folders = state_.client.folders;
+    for (const Json& folder : member(params, "event", "removed"))
+      drop(folders, normalize_path(path_of_uri(text_at(folder, "uri"))));
+    for (const Json& folder : member(params, "event", "added"))
+      folders.push_back(normalize_path(path_of_uri(text_at(folder, "uri"))));
+  }
+}
+
+/// Whoever else writes files that models are made of: a build, a version control.
+void Session::watch_files() {
+  if (!state_.client.registers_watchers) return;
+  Json watchers = Json::array({{{"globPattern", "**/*.{sdf,world,urdf,xacro,srdf,config,yaml}"}},
+                               {{"globPattern", "**/{rigor.toml,package.xml}"}}});
+  peer_.send({{"jsonrpc", "2.0"},
+              {"id", "watch"},
+              {"method", "client/registerCapability"},
+              {"params",
+               {{"registrations",
+                 {{{"id", "watch"},
+                   {"method", "workspace/didChangeWatchedFiles"},
+                   {"registerOptions", {{"watchers", std::move(watchers)}}}}}}}}});
+}
+
+void Session::did_open(const Json& params) {
+  const Json& item = member(params, "textDocument");
+  const std::string uri = text_at(item, "uri");
+  if (uri.empty()) return;
+  auto document = std::make_unique<OpenDocument>(uri, number_at(item, "version"),
+                                                 text_at(item, "text"), state_.client.encoding);
+  const std::string path = document->path();
+  const bool is_new = state_.disk.kind(path) == PathKind::kMissing;
+  state_.disk.open_in_editor(path, document->text());
+  state_.documents[uri] = std::move(document);
+  state_.checks.erase(uri);
+  // Whoever looked for the file in vain is not known.
+  if (is_new) files_changed();
+  check_later(uri);
+  check_dependents(path);
+}
+
+void Session::did_change(const Json& params) {
+  const auto found = state_.documents.find(text_at(params, "textDocument", "uri"));
+  if (found == state_.documents.end()) return;
+  OpenDocument& document = *found->second;
+  for (const Json& change : member(params, "contentChanges")) {
+    std::optional<TextRange> range;
+    if (change.is_object() && change.contains("range")) {
+      const auto position = [&](std::string_view end) {
+        return document.lines().position(offset_in(document, member(change, "range", end)));
+      };
+      range = TextRange{position("start"), position("end")};
+    }
+    document.change(range, text_at(change, "text"));
+  }
+  document.set_version(number_at(params, "textDocument", "version"));
+  state_.checks[document.uri()].version = -1;
+  state_.disk.open_in_editor(document.path(), document.text());
+  check_later(document.uri());
+  check_dependents(document.path());
+}
+
+void Session::did_close(const Json& params) {
+  const std::string uri = text_at(params, "textDocument", "uri");
+  const auto found = state_.documents.find(uri);
+  if (found == state_.documents.end()) return;
+  const std::string path = found->second->path();
+  state_.disk.close_in_editor(path);
+  state_.documents.erase(found);
+  state_.checks.erase(uri);
+  drop(to_check_, uri);
+  publish_of_root(uri, {});
+  check_dependents(path);
+}
+
+void Session::files_changed() {
+  state_.renew_project();
+  for (const auto& [uri, document] : state_.documents) check_later(uri);
+}
+
+/// Documents that were checked with the file at a path.
+void Session::check_dependents(const std::string& path) {
+  const std::string normal = normalize_path(path);
+  if (file_name(normal) == config::kConfigName) return files_changed();
+  for (const auto& [uri, check] : state_.checks) {
+    const auto document = state_.documents.find(uri);
+    if (document == state_.documents.end() || normalize_path(document->second->path()) == normal)
+      continue;
+    if (!check.checked.open_files.contains(normal)) continue;
+    state_.checks[uri].version = -1;
+    document->second->forget();
+    check_later(uri);
+  }
+}
+
+/// What changed last is checked first.
+void Session::check_later(const std::string& uri) {
+  drop(to_check_, uri);
+  to_check_.push_back(uri);
+}
+
+void Session::work() {
+  if (to_check_.empty()) return;
+  const std::string uri = std::move(to_check_.back());
+  to_check_.pop_back();
+  const auto found = state_.documents.find(uri);
+  if (found == state_.documents.end()) return;
+  OpenDocument& document = *found->second;
+  const CheckedDocument& checked = state_.checked(document);
+  if (peer_.is_superseded && peer_.is_superseded(uri)) return;
+  publish(document, checked);
+}
+
+void Session::publish(OpenDocument& document, const CheckedDocument& checked) {
+  publish_of_root(document.uri(), diagnostics_by_uri(state_, document, checked));
+}
+
+void Session::publish_of_root(const std::string& root,
+                              std::map<std::string, std::vector<Json>> by_uri) {
+  std::set<std::string> changed;
+  for (const auto& [uri, list] : published_[root]) changed.insert(uri);
+  for (const auto& [uri, list] : by_uri) changed.insert(uri);
+  if (by_uri.empty()) {
+    published_.erase(root);
+  } else {
+    published_[root] = std::move(by_uri);
+  }
+  if (state_.client.pulls_diagnostics) return;
+  for (const std::string& uri : changed) publish_uri(uri);
+}
+
+/// Several robots may show the same of a file that they share.
+void Session::publish_uri(const std::string& uri) {
+  Json all = Json::array();
+  for (const auto& [root, by_uri] : published_) {
+    const auto list = by_uri.find(uri);
+    if (list == by_uri.end()) continue;
+    for (const Json& diagnostic : list->second) {
+      const bool is_known = std::any_of(all.begin(), all.end(), [&](const Json& known) {
+        return same_diagnostic(known, diagnostic);
+      });
+      if (!is_known) all.push_back(diagnostic);
+    }
+  }
+  Json params{{"uri", uri}, {"diagnostics", std::move(all)}};
+  const auto document = state_.documents.find(uri);
+  if (document != state_.documents.end()) params["version"] = document->second->version();
+  peer_.send({{"jsonrpc", "2.0"},
+              {"method", "textDocument/publishDiagnostics"},
+              {"params", std::move(params)}});
+}
+
+Json Session::pulled_diagnostics(const Json& params) {
+  OpenDocument& document = state_.document(params);
+  auto by_uri = diagnostics_by_uri(state_, document, state_.checked(document));
+  Json related = Json::object();
+  for (const auto& [uri, list] : by_uri) {
+    if (uri != document.uri()) related[uri] = {{"kind", "full"}, {"items", list}};
+  }
+  Json report{{"kind", "full"}, {"items", by_uri[document.uri()]}};
+  if (!related.empty()) report["relatedDocuments"] = std::move(related);
+  return report;
+}
+
+}  // namespace rigor::lsp

@@ -1,0 +1,84 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A language server's side of one connection: messages in, messages out. No threads and no clock: who owns the
+// stream says what has come in since (session/message_queue.h).
+//
+//   Session session(disk, read::search_paths_from(variable), {.send = [](const Json& message) { … }});
+//   session.receive(message);
+//   while (session.has_work()) session.work();
+//   return session.exit_code();
+//
+// What a document says is published by `work`, when no message waits.
+
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <rigor/lsp/protocol/json.h>
+#include <rigor/lsp/session/state.h>
+#include <rigor/read/resolver.h>
+#include <rigor/text/disk.h>
+
+namespace rigor::lsp {
+
+/// The other side.
+struct Peer {
+  std::function<void(const Json& message)> send;
+  /// Whether the client takes a request back that it has sent; none is when empty.
+  std::function<bool(const Json& id)> is_cancelled = {};
+  /// Whether a change of the document waits: what is found in it now is of no use. None does when empty.
+  std::function<bool(const std::string& uri)> is_superseded = {};
+};
+
+class Session {
+ public:
+  /// The disk outlives it. `worker` is the path of rigor-worker, found by itself when empty.
+  Session(const Disk& disk, read::SearchPaths paths, Peer peer, std::string worker = {});
+
+  /// Any message; what is none is answered with an error.
+  void receive(const Json& message);
+
+  /// Whether documents wait to be checked.
+  bool has_work() const { return !to_check_.empty(); }
+  /// Checks one of them and publishes what is found.
+  void work();
+
+  /// After `exit`: 0 when `shutdown` came before, else 1. Nothing before.
+  std::optional<int> exit_code() const { return exit_code_; }
+
+ private:
+  void request(const Json& message);
+  void notification(const std::string& method, const Json& params);
+  Json answer(const std::string& method, const Json& params);
+  Json initialize(const Json& params);
+  Json pulled_diagnostics(const Json& params);
+  void fail(const Json& id, ErrorCode code, const std::string& message);
+
+  void watch_files();
+  void did_open(const Json& params);
+  void did_change(const Json& params);
+  void did_close(const Json& params);
+  void files_changed();
+  void check_dependents(const std::string& path);
+  void check_later(const std::string& uri);
+  void publish(OpenDocument& document, const CheckedDocument& checked);
+  void publish_of_root(const std::string& root, std::map<std::string, std::vector<Json>> by_uri);
+  void publish_uri(const std::string& uri);
+
+  State state_;
+  Peer peer_;
+  enum class Phase { kNew, kInitialized, kShutDown } phase_ = Phase::kNew;
+  std::optional<int> exit_code_;
+  std::vector<std::string> to_check_;  // URIs
+  /// What each checked document shows, by the URI that it is shown at.
+  std::map<std::string, std::map<std::string, std::vector<Json>>> published_;
+};
+
+}  // namespace rigor::lsp

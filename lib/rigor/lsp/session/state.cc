@@ -1,0 +1,84 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/lsp/session/state.h>
+
+#include <utility>
+
+#include <rigor/lsp/protocol/uri.h>
+#include <rigor/text/path.h>
+
+namespace rigor::lsp {
+
+State::State(const Disk& below, read::SearchPaths search_paths, std::string worker_path)
+    : disk(below), paths(std::move(search_paths)), worker(std::move(worker_path)) {
+  renew_project();
+}
+
+void State::renew_project() {
+  for (auto& [uri, document] : documents) document->forget();
+  for (auto& [uri, check] : checks) check.version = -1;
+  project = std::make_unique<Project>(disk, paths, worker);
+}
+
+OpenDocument& State::document(const Json& params) {
+  const auto found = documents.find(text_at(params, "textDocument", "uri"));
+  if (found == documents.end()) {
+    throw RequestError(ErrorCode::kInvalidParams,
+                       "the document is not open: " + text_at(params, "textDocument", "uri"));
+  }
+  return *found->second;
+}
+
+OpenDocument* State::find_by_path(const std::string& path) {
+  for (const auto& [uri, document] : documents) {
+    if (normalize_path(document->path()) == normalize_path(path)) return document.get();
+  }
+  return nullptr;
+}
+
+const CheckedDocument& State::checked(OpenDocument& document) {
+  LastCheck& last = checks[document.uri()];
+  if (last.version != document.version()) {
+    last.checked = {};
+    if (is_checked(document.path(), document.text())) {
+      last.checked = check(disk, *project, document.path(), rules::MeshPolicy::kDoNotOpen);
+    } else {
+      last.checked.sources = std::make_unique<Sources>();
+    }
+    last.version = document.version();
+  }
+  return last.checked;
+}
+
+std::uint32_t offset_in(const OpenDocument& document, const Json& position) {
+  const auto coordinate = [&position](std::string_view name) {
+    const std::int64_t number = number_at(position, name);
+    return number < 0 ? 0U
+                      : static_cast<std::uint32_t>(std::min<std::int64_t>(number, 0xffffffffLL));
+  };
+  return document.lines().offset({coordinate("line"), coordinate("character")});
+}
+
+Json position_json(TextPosition position) {
+  return {{"line", position.line}, {"character", position.character}};
+}
+
+Json range_json(const LineIndex& lines, std::uint32_t begin, std::uint32_t end) {
+  return {{"start", position_json(lines.position(begin))},
+          {"end", position_json(lines.position(end))}};
+}
+
+const LineIndex& PlacesJson::lines(SourceId source) {
+  const auto found = lines_.find(source);
+  if (found != lines_.end()) return found->second;
+  return lines_.emplace(source, LineIndex(sources_.bytes(source), encoding_)).first->second;
+}
+
+std::string PlacesJson::uri(Span span) const {
+  return uri_of_path(normalize_path(sources_.path(span.source)));
+}
+
+Json PlacesJson::location(Span span) { return {{"uri", uri(span)}, {"range", range(span)}}; }
+
+}  // namespace rigor::lsp

@@ -1,0 +1,119 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a session knows: the client, the documents that are open, and the findings that were published.
+//
+// Requests are functions of it and of their parameters (answer/answers.h).
+
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <rigor/lsp/document/editor_disk.h>
+#include <rigor/lsp/document/open_documents.h>
+#include <rigor/lsp/project/check.h>
+#include <rigor/lsp/project/project.h>
+#include <rigor/lsp/protocol/json.h>
+
+namespace rigor::lsp {
+
+/// Codes of JSON-RPC 2.0 and of the protocol.
+enum class ErrorCode : int {
+  kParseError = -32700,
+  kInvalidRequest = -32600,
+  kMethodNotFound = -32601,
+  kInvalidParams = -32602,
+  kInternalError = -32603,
+  kServerNotInitialized = -32002,
+  kRequestCancelled = -32800,
+  kContentModified = -32801,
+  kRequestFailed = -32803,
+};
+
+/// What ends a request without a result.
+class RequestError : public std::runtime_error {
+ public:
+  RequestError(ErrorCode code, const std::string& message)
+      : std::runtime_error(message), code_(code) {}
+  ErrorCode code() const { return code_; }
+
+ private:
+  ErrorCode code_;
+};
+
+struct Client {
+  PositionEncoding encoding = PositionEncoding::kUtf16;
+  bool snippets = false;            ///< whether completions may have places to fill in
+  bool document_changes = false;    ///< whether edits may name the versions of documents
+  bool pulls_diagnostics = false;   ///< then none are published
+  bool registers_watchers = false;  ///< whether it takes the files that are to be watched from here
+  std::string rule_pages;           ///< base of the addresses of rules' pages; empty for no links
+  std::vector<std::string> folders;  ///< of the workspace; normalized paths
+};
+
+struct State {
+  State(const Disk& below, read::SearchPaths search_paths, std::string worker_path);
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  /// Forgets what was read from the disk.
+  void renew_project();
+
+  const Environment& environment() const { return project->environment(); }
+
+  /// The open document that a request's `textDocument` names; a RequestError when none has that URI.
+  OpenDocument& document(const Json& params);
+  OpenDocument* find_by_path(const std::string& path);
+
+  /// Of the document's text as it is now: checked anew unless the last check was of it.
+  const CheckedDocument& checked(OpenDocument& document);
+
+  EditorDisk disk;
+  read::SearchPaths paths;
+  std::string worker;
+  std::unique_ptr<Project> project;
+  Client client;
+  std::map<std::string, std::unique_ptr<OpenDocument>, std::less<>> documents;  ///< by URI
+
+  /// The last check of each document that is open, by URI, and the version that was checked.
+  struct LastCheck {
+    std::int64_t version = -1;
+    CheckedDocument checked;
+  };
+  std::map<std::string, LastCheck, std::less<>> checks;
+};
+
+/// `position` of a request as a byte offset in the document.
+std::uint32_t offset_in(const OpenDocument& document, const Json& position);
+Json position_json(TextPosition position);
+Json range_json(const LineIndex& lines, std::uint32_t begin, std::uint32_t end);
+inline Json range_json(const LineIndex& lines, Span span) {
+  return range_json(lines, span.begin, span.end);
+}
+
+/// Spans of a run as places of the protocol.
+class PlacesJson {
+ public:
+  PlacesJson(const Sources& sources, PositionEncoding encoding)
+      : sources_(sources), encoding_(encoding) {}
+
+  Json range(Span span) { return range_json(lines(span.source), span); }
+  /// With the URI of the file.
+  Json location(Span span);
+  std::string uri(Span span) const;
+
+ private:
+  const LineIndex& lines(SourceId source);
+
+  const Sources& sources_;
+  PositionEncoding encoding_;
+  std::map<SourceId, LineIndex> lines_;
+};
+
+}  // namespace rigor::lsp

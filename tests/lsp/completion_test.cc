@@ -1,0 +1,130 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include <rigor/lsp/document/xml_cursor.h>
+#include <rigor/text/disk.h>
+
+#include "lsp/editor.h"
+
+namespace rigor::lsp {
+namespace {
+
+using test::Editor;
+
+/// Labels that are offered at `|` in a text.
+std::set<std::string> offered(Editor& editor, const std::string& path, std::string text) {
+  const std::size_t at = text.find('|');
+  text.erase(at, 1);
+  editor.open(path, text);
+  const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+  const std::size_t begin = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
+  Json params = editor.document(path);
+  params["position"] = {{"line", line}, {"character", at - begin}};
+  std::set<std::string> labels;
+  for (const Json& item : editor.request("textDocument/completion", params))
+    labels.insert(item["label"]);
+  return labels;
+}
+
+TEST(LspCompletion, ElementsAreThoseOfThePlaceAndVersion) {
+  MemoryDisk disk;
+  Editor editor(disk);
+  const auto model =
+      offered(editor, "/ws/a.sdf", "<sdf version='1.6'><model name='m'><|</model></sdf>");
+  EXPECT_TRUE(model.contains("link"));
+  EXPECT_FALSE(model.contains("axis"));
+  const std::string world = "'><world name='w'><|";  // which has joints since 1.10
+  EXPECT_FALSE(offered(editor, "/ws/b.sdf", "<sdf version='1.9" + world).contains("joint"));
+  EXPECT_TRUE(offered(editor, "/ws/d.sdf", "<sdf version='1.10" + world).contains("joint"));
+  const auto joint =
+      offered(editor, "/ws/c.urdf",
+              "<robot name='r'><joint name='j' type='fixed'>\n  <|\n</joint></robot>");
+  EXPECT_TRUE(joint.contains("parent"));
+  EXPECT_TRUE(joint.contains("/joint>"));
+}
+
+TEST(LspCompletion, AttributesAndTheirValues) {
+  MemoryDisk disk;
+  Editor editor(disk);
+  const auto attributes =
+      offered(editor, "/ws/a.urdf", "<robot name='r'><joint name='j' |></joint></robot>");
+  EXPECT_TRUE(attributes.contains("type"));
+  EXPECT_FALSE(attributes.contains("name"));
+  const auto types =
+      offered(editor, "/ws/b.urdf", "<robot name='r'><joint name='j' type='|'></joint></robot>");
+  EXPECT_TRUE(types.contains("revolute"));
+  EXPECT_TRUE(types.contains("prismatic"));
+  const auto flags = offered(editor, "/ws/c.sdf",
+                             "<sdf version='1.9'><model name='m'><static>|</static></model></sdf>");
+  EXPECT_TRUE(flags.contains("true") && flags.contains("false"));
+}
+
+TEST(LspCompletion, NamesInScope) {
+  MemoryDisk disk(test::Files{
+      {"/ws/arm.sdf", "<sdf version='1.9'><model name='arm'><link name='hand'/></model></sdf>"}});
+  Editor editor(disk);
+  const auto links = offered(
+      editor, "/ws/a.urdf",
+      "<robot name='r'><link name='a'/><link name='b'/><joint name='j' type='fixed'><parent "
+      "link='|'/></joint></robot>");
+  EXPECT_EQ(links, (std::set<std::string>{"a", "b"}));
+  const auto frames = offered(
+      editor, "/ws/b.sdf",
+      "<sdf version='1.9'><world name='w'><include><uri>arm.sdf</uri><name>left</name></include>"
+      "<frame name='f' attached_to='|'/></world></sdf>");
+  EXPECT_TRUE(frames.contains("left::hand"));
+  EXPECT_TRUE(frames.contains("left"));
+}
+
+TEST(LspCompletion, TemplatesOfferTheirOwnNames) {
+  MemoryDisk disk;
+  Editor editor(disk);
+  const std::string head =
+      "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'><xacro:arg name='side' "
+      "default='l'/><xacro:property "
+      "name='size' value='1'/><xacro:macro name='leg' params='a b'><link "
+      "name='${a}'/></xacro:macro>";
+  EXPECT_TRUE(offered(editor, "/ws/a.urdf.xacro", head + "<xac|\n</robot>").contains("xacro:leg"));
+  EXPECT_EQ(offered(editor, "/ws/b.urdf.xacro", head + "<link name='x${si|}'/></robot>"),
+            (std::set<std::string>{"size"}));
+  EXPECT_EQ(offered(editor, "/ws/c.urdf.xacro", head + "<link name='$(arg |)'/></robot>"),
+            (std::set<std::string>{"side"}));
+  const auto parameters = offered(editor, "/ws/d.urdf.xacro", head + "<xacro:leg |/></robot>");
+  EXPECT_EQ(parameters, (std::set<std::string>{"a", "b"}));
+}
+
+TEST(LspCompletion, UrisAreOfferedStepByStep) {
+  MemoryDisk disk(test::Files{{"/ws/robot/meshes/a.stl", ""},
+                              {"/ws/robot/meshes/b.dae", ""},
+                              {"/ws/other/model.config", ""}});
+  Editor editor(disk);
+  const std::string head = "<robot name='r'><link name='a'><visual><geometry><mesh filename='";
+  EXPECT_TRUE(offered(editor, "/ws/robot/r.urdf", head + "|'/>").contains("meshes/"));
+  EXPECT_EQ(offered(editor, "/ws/robot/s.urdf", head + "meshes/|'/>"),
+            (std::set<std::string>{"a.stl", "b.dae"}));
+  EXPECT_TRUE(offered(editor, "/ws/robot/t.urdf", head + "model://|'/>").contains("other/"));
+}
+
+TEST(LspCursor, HalfWrittenTagsDoNotMatter) {
+  const std::string text = "<a x='>'><b><!-- <c> --><d/><e y=\"1\" z='2";
+  const XmlCursor value = xml_cursor(text, static_cast<std::uint32_t>(text.size()));
+  EXPECT_EQ(value.at, XmlCursor::At::kAttributeValue);
+  EXPECT_EQ(value.attribute, "z");
+  EXPECT_EQ(value.typed, "2");
+  ASSERT_EQ(value.open.size(), 3U);
+  EXPECT_EQ(value.open[2].name, "e");
+  EXPECT_EQ(attribute_in(value.open[2].tag, "y"), "1");
+  const std::string broken = "<a><b <c>te";
+  const XmlCursor at = xml_cursor(broken, static_cast<std::uint32_t>(broken.size()));
+  EXPECT_EQ(at.at, XmlCursor::At::kText);
+  EXPECT_EQ(at.typed, "te");
+  // Every prefix of anything is some place.
+  for (std::uint32_t i = 0; i <= text.size(); ++i) EXPECT_LE(xml_cursor(text, i).begin, i);
+}
+
+}  // namespace
+}  // namespace rigor::lsp

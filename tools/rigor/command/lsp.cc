@@ -1,0 +1,139 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// `rigor lsp`: the language server, on stdio or on a port of this machine.
+
+#include <cerrno>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <rigor/lsp/protocol/framing.h>
+#include <rigor/lsp/session/message_queue.h>
+#include <rigor/lsp/session/session.h>
+#include <rigor/text/disk.h>
+
+#include "command/command.h"
+#include "option/search.h"
+#include "output/output.h"
+
+namespace rigor::tool {
+namespace {
+
+/// False when the other side is gone.
+bool send_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
+void read_messages(int descriptor, lsp::MessageQueue& queue) {
+  lsp::FrameReader frames;
+  std::string buffer(std::size_t{1} << 16U, '\0');
+  while (!frames.broken()) {
+    const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    frames.add(std::string_view(buffer).substr(0, static_cast<std::size_t>(count)));
+    while (const std::optional<std::string> body = frames.next()) {
+      lsp::Json message = lsp::parsed_json(*body);
+      const bool is_last = lsp::text_at(message, "method") == "exit";
+      queue.put(std::move(message));
+      if (is_last) return queue.close();
+    }
+  }
+  queue.close();
+}
+
+/// One connection, to its end: the exit code.
+int serve(int in, int out, read::SearchPaths paths) {
+  const RealDisk disk;
+  lsp::MessageQueue queue;
+  lsp::Session session(
+      disk, std::move(paths),
+      {.send =
+           [out](const lsp::Json& message) { send_all(out, lsp::framed(lsp::json_text(message))); },
+       .is_cancelled = [&queue](const lsp::Json& id) { return queue.is_cancelled(id); },
+       .is_superseded = [&queue](const std::string& uri) { return queue.is_superseded(uri); }});
+  std::thread reader([in, &queue] { read_messages(in, queue); });
+  while (!session.exit_code()) {
+    std::optional<lsp::Json> message = session.has_work() ? queue.take() : queue.wait();
+    if (message) {
+      session.receive(*message);
+    } else if (session.has_work()) {
+      session.work();
+    } else {
+      break;  // the stream has ended
+    }
+  }
+  reader.join();
+  return session.exit_code().value_or(kFindings);
+}
+
+/// A connection to a port of this machine; nobody else can reach it.
+int accepted(std::uint16_t port) {
+  const auto refuse = [port] {
+    throw UsageError("--socket " + std::to_string(port) + ": " +
+                     std::generic_category().message(errno));
+  };
+  const int listener = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (listener < 0) refuse();
+  const int on = 1;
+  ::setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof(on));
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(port);
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  if (::bind(listener, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0 ||
+      ::listen(listener, 1) != 0) {
+    refuse();
+  }
+  const int connection = ::accept4(listener, nullptr, nullptr, SOCK_CLOEXEC);
+  if (connection < 0) refuse();
+  ::close(listener);
+  return connection;
+}
+
+class Lsp final : public Command {
+ public:
+  CLI::App* declare(CLI::App& program) override {
+    CLI::App* app = add_command(program, "lsp", "Serve editors: findings, fixes, names as you type",
+                                {"rigor lsp", "rigor lsp --socket 9257"});
+    app->add_flag("--stdio", stdio_, "Speak the protocol on stdin and stdout: the default");
+    app->add_option("--socket", port_, "Speak it on this port of this machine")
+        ->type_name("PORT")
+        ->check(CLI::Range(1, 65535));
+    return app;
+  }
+
+  int run() override {
+    if (port_ == 0) return serve(STDIN_FILENO, STDOUT_FILENO, search_.paths());
+    const int connection = accepted(static_cast<std::uint16_t>(port_));
+    const int code = serve(connection, connection, search_.paths());
+    ::close(connection);
+    return code;
+  }
+
+ private:
+  bool stdio_ = false;  // as many editors say it
+  int port_ = 0;
+  SearchOptions search_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> lsp_command() { return std::make_unique<Lsp>(); }
+
+}  // namespace rigor::tool
