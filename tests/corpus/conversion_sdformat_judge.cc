@@ -322,7 +322,7 @@ TEST(CorpusConversionSdformat, LoadsWhatIsCalledASuccess) {
   sdf::Console::Instance()->SetQuiet(true);
   const RealDisk disk;
   const Environment environment(disk, {});
-  int written = 0, nearest = 0, refused = 0;
+  int written = 0, nearest = 0, refused = 0, runs = 0;
   for (const std::string& path : test::corpus_models()) {
     if (!path.ends_with(".urdf")) continue;
     const std::string file = path.substr(test::corpus().size() + 1);
@@ -332,8 +332,9 @@ TEST(CorpusConversionSdformat, LoadsWhatIsCalledASuccess) {
         {workspace, environment.resolver, environment.sdf, environment.urdf}, workspace.open(path));
     if (loaded.root.format != model::Format::kUrdf) continue;
     const auto loads = [&](convert::InertiaPolicy inertia) {
-      const author::Conversion result = author::to_sdf(
-          environment, sources, workspace, loaded, {.inertia = inertia}, {.out = "/nowhere/a.sdf"});
+      const author::Conversion result =
+          author::to_sdf(environment, sources, workspace, loaded, {.inertia = inertia},
+                         {.out = "/nowhere/" + std::to_string(++runs) + ".sdf"});
       if (!result.text || result.diagnostics.count(Severity::kError) > 0) return false;
       sdf::Root root;
       for (const sdf::Error& error : root.LoadSdfString(*result.text)) {
