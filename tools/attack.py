@@ -8,7 +8,8 @@
 
 Each number is one damaged file, the same for the same corpus and --seed: bytes flipped, cut out, doubled or
 inserted, words swapped for others of the file or for what readers stumble over. Files go through the commands in
-groups, and each through some by itself; what a group does wrong is sought file by file. No run may end by a signal
+groups, and each through some by itself, by turns: of 20,000 files, each command sees 3,000 and more. What a group
+does wrong is sought file by file. No run may end by a signal
 or with exit 3, take longer than --seconds of CPU time or more memory than --megabytes, or write outside of its
 folder for output. Exit 1 when one did.
 """
@@ -32,15 +33,15 @@ import time
 MODELS = (".sdf", ".world", ".urdf", ".xacro")
 MESHES = (".stl", ".obj", ".dae", ".glb", ".gltf", ".ply")
 GROUP = 20
+ENOUGH_RUNS = 50  # of which one at least is not refused for what the file is
 MOST_BESIDE = 40  # files and folders beside the original that the damaged one finds
 PR_SET_CHILD_SUBREAPER = 36  # <linux/prctl.h>
-# Alone, file by file: {0} is the file, out/ the folder for what is written. Each file takes its turn at two.
+# Alone, file by file: {0} is the file, out/ the folder for what is written. Each file takes its turn at --alone of them.
 OF_MODEL = [
-    "inspect {0}", "inertia {0} --material abs", "inertia {0} --diff", "{convert} {0} -o out/{name}.converted",
-    "simulate {0} --test settle", "render {0} -o out/{name}.png --size 120x90", "view {0} -o out/{name}.html",
-    "report {0} --no-simulate -o out/{name}.html", "upgrade {0} --diff", "diff {0} {0}", "expand {0} -o out/{name}.xml",
-    "validate {0} --fix --diff", "{convert} {0} --allow-loss -o out/{name}.lossy",
-    "mesh-check {0} --format json", "inspect {0} --format tsv",
+    "inertia {0} --material abs", "{convert} {0} -o out/{name}.converted", "simulate {0} --test settle",
+    "render {0} -o out/{name}.png --size 120x90", "view {0} -o out/{name}.html", "diff {0} {0}",
+    "{convert} {0} --allow-loss -o out/{name}.lossy", "inertia {0} --diff", "expand {0} -o out/{name}.xml",
+    "validate {0} --fix --diff", "inspect {0}",
 ]
 OF_MESH = [
     "mesh-check {0} --format json", "mesh-check {0} --repair -o out/{name}.repaired.obj",
@@ -51,8 +52,11 @@ OF_MESH = [
     "view {scene} -o out/{name}.html", "validate {scene}", "simulate {scene} --test settle",
     "sdf2urdf {scene} -o out/{name}.urdf",
 ]
+# Of each SDF file: of several at once, one that is not SDF any more is refused for all.
+OF_SDF = "upgrade {0} --to 1.9 --diff"
 # Of a group at once.
-OF_GROUP = ["validate {all}", "mesh-check {meshes} --format json", "report {models} --no-simulate --no-pictures -o out/report.html"]
+OF_GROUP = ["validate {all}", "mesh-check {meshes} --format json", "report {models} --no-simulate --no-pictures -o out/report.html",
+            "fmt {models} --diff"]
 
 NUMBERS = [b"0", b"-0", b"-1", b"1e308", b"-1e308", b"1e-320", b"1e999", b"nan", b"inf", b"-inf", b"4294967295",
            b"2147483648", b"18446744073709551616", b"0x10", b"1,5", b"1e", b"", b"00000000000000000001",
@@ -171,6 +175,8 @@ class Case:
         lines = OF_MESH if self.mesh else OF_MODEL
         chosen = lines if alone is None else [lines[(self.number * alone + k) % len(lines)] for k in range(alone)]
         convert = "urdf2sdf" if self.path.lower().endswith((".urdf", ".xacro")) else "sdf2urdf"
+        if self.path.lower().endswith((".sdf", ".world")):
+            chosen = [*chosen, OF_SDF]
         for line in chosen:
             yield [part.format(self.path, name=f"n{self.number}", scene=self.scene, convert=convert) for part in line.split()]
 
@@ -233,6 +239,7 @@ class Campaign:
         self.files = real_files(a.corpus, a.largest)
         self.lock = threading.Lock()
         self.runs = collections.Counter()
+        self.seen = collections.Counter()  # files by command
         self.exits = collections.Counter()  # by command and code
         self.most = {}  # seconds, megabytes by command
         self.faults = []
@@ -241,6 +248,7 @@ class Campaign:
         """What is wrong with a run of so many files; nothing when all is well."""
         with self.lock:
             self.runs[arguments[0]] += 1
+            self.seen[arguments[0]] += files
             self.exits[arguments[0], run.exit] += 1
             if files == 1:
                 seconds, megabytes = self.most.get(arguments[0], (0, 0))
@@ -316,9 +324,12 @@ class Campaign:
                           f"{time.time() - begin:.0f} s", file=sys.stderr, flush=True)
         print(f"{done} damaged files of {len(self.files)} real ones, {sum(self.runs.values())} runs, {len(self.faults)} faults")
         for command, count in sorted(self.runs.items()):
+            # A line that the program refuses for its options has tested nothing.
+            if count >= ENOUGH_RUNS and self.exits[command, 2] == count:
+                self.fault(-1, f"{command}: every run ended with exit 2")
             seconds, megabytes = self.most.get(command, (0, 0))
             codes = ", ".join(f"{self.exits[command, code]} exit {code}" for code in range(3))
-            print(f"  {command:12} {count:7} runs ({codes}); alone at most {seconds:5.1f} s and {megabytes:5.0f} MB")
+            print(f"  {command:12} {self.seen[command]:7} files in {count:6} runs ({codes}); alone at most {seconds:5.1f} s and {megabytes:5.0f} MB")
         return 1 if self.faults else 0
 
 
@@ -332,7 +343,7 @@ def main():
     parser.add_argument("--keep", help="copy the damaged files there")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--largest", type=int, default=2_000_000, help="bytes of a file: larger ones say nothing new, and take long")
-    parser.add_argument("--alone", type=int, default=2, help="commands for each file by itself")
+    parser.add_argument("--alone", type=int, default=4, help="commands for each file by itself")
     parser.add_argument("--seconds", type=float, default=10, help="CPU time of a run, of one file")
     parser.add_argument("--megabytes", type=float, default=1100, help="memory of a run: 1 GiB for an import, and what the program has itself")
     parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count())

@@ -7,37 +7,15 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
-#include "cli/program.h"
+#include "cli/conversion_models.h"
 
 namespace rigor::test {
 namespace {
-
-std::string link_named(const std::string& name) {
-  return "<link name='" + name +
-         "'><inertial><mass>2</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>"
-         "</inertial></link>";
-}
-
-std::string arm(const std::string& joint_type, const std::string& more = "") {
-  return "<sdf version='1.9'><model name='arm'>" + link_named("base") + link_named("tip") +
-         "<joint name='elbow' type='" + joint_type +
-         "'><pose relative_to='base'>0 0 0.50 0 0 0</pose><parent>base</parent><child>tip</child>"
-         "<axis><xyz>0 0 1</xyz><limit><lower>-1</lower><upper>1</upper><effort>5</effort>"
-         "<velocity>2</velocity></limit></axis></joint>" +
-         more + "</model></sdf>";
-}
-
-class ConversionCli : public testing::Test {
- protected:
-  void SetUp() override { folder.put("arm.sdf", arm("revolute")); }
-  bool exists(const std::string& name) const { return std::filesystem::exists(folder.path(name)); }
-
-  Folder folder;
-};
 
 TEST_F(ConversionCli, WritesTheModelToStdoutAndTheRestToStderr) {
   const Ran ran = folder.rigor("sdf2urdf arm.sdf");
@@ -304,18 +282,6 @@ TEST_F(ConversionCli, TheProofKnowsWhatWasAskedFor) {
   proved("sdf2urdf free.sdf --unlimited 1000");
 }
 
-std::string urdf_link(const std::string& name, const std::string& izz = "1") {
-  return "<link name='" + name +
-         "'><inertial><mass value='1'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='" +
-         izz + "'/></inertial></link>";
-}
-
-std::string urdf_joint(const std::string& name, const std::string& type, const std::string& parent,
-                       const std::string& child, const std::string& more = "") {
-  return "<joint name='" + name + "' type='" + type + "'><parent link='" + parent +
-         "'/><child link='" + child + "'/>" + more + "</joint>";
-}
-
 /// No body has izz > ixx + iyy; libsdformat 12: "A link named a has invalid inertia."
 TEST_F(ConversionCli, WhatLibsdformatRejectsIsNoSuccess) {
   folder.put("r.urdf", "<robot name='r'>" + urdf_link("a", "9") + "</robot>");
@@ -323,8 +289,23 @@ TEST_F(ConversionCli, WhatLibsdformatRejectsIsNoSuccess) {
   EXPECT_EQ(ran.exit, 1);
   EXPECT_FALSE(exists("r.sdf"));
   EXPECT_NE(ran.out.find("convert-rejected-by-libsdformat"), std::string::npos) << ran.out;
-  EXPECT_EQ(folder.rigor("urdf2sdf r.urdf -o r.sdf --allow-loss").exit, 0);
-  EXPECT_TRUE(exists("r.sdf"));
+  EXPECT_NE(ran.err.find("--allow-loss"), std::string::npos) << ran.err;
+}
+
+/// The second moments are (4.5, 4.5, -3.5): the last becomes 1e-4 of the sum of the others, 9.
+TEST_F(ConversionCli, TheNearestPossibleInertiaIsWrittenWhereItIsAskedFor) {
+  folder.put("r.urdf", "<robot name='r'>" + urdf_link("a", "9") + "</robot>");
+  for (const std::string option : {"--inertia nearest", "--allow-loss"}) {
+    const Ran ran = folder.rigor("urdf2sdf r.urdf -o r.sdf " + option);
+    EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+    EXPECT_NE(ran.out.find("warning[convert-inertia-nearest]"), std::string::npos) << ran.out;
+    EXPECT_EQ(ran.out.find("convert-rejected-by-libsdformat"), std::string::npos) << ran.out;
+    const std::string sdf = folder.get("r.sdf");
+    EXPECT_NE(sdf.find("<ixx>4.5009</ixx>"), std::string::npos) << sdf;
+    EXPECT_NE(sdf.find("<izz>9</izz>"), std::string::npos) << sdf;
+  }
+  EXPECT_EQ(folder.rigor("urdf2sdf r.urdf -o kept.sdf --allow-loss --inertia keep").exit, 0);
+  EXPECT_NE(folder.get("kept.sdf").find("<ixx>1</ixx>"), std::string::npos);
 }
 
 TEST_F(ConversionCli, ReadsWhatOthersReadOnlyWhereLossesAreAllowed) {
@@ -453,52 +434,38 @@ TEST_F(ConversionCli, TheAccountIsInTheResultWhereItIsAskedFor) {
             std::string::npos);
 }
 
-TEST_F(ConversionCli, TransmissionsBecomeWhatIsChosen) {
-  folder.put(
-      "r.urdf",
-      "<robot name='r'>" + urdf_link("a") + urdf_link("b") +
-          urdf_joint("j", "revolute", "a", "b",
-                     "<axis xyz='0 0 1'/><limit lower='-1' upper='1' effort='5' velocity='2'/>") +
-          "<transmission name='t'><type>transmission_interface/SimpleTransmission</type>"
-          "<joint name='j'><hardwareInterface>hardware_interface/PositionJointInterface"
-          "</hardwareInterface></joint><actuator name='m'/></transmission>"
-          "<gazebo><plugin name='c' filename='libgazebo_ros_control.so'/></gazebo></robot>");
-  EXPECT_NE(folder.rigor("urdf2sdf r.urdf").out.find("libgazebo_ros_control.so"),
-            std::string::npos);
-  const Ran gz = folder.rigor("urdf2sdf r.urdf --control gz");
-  EXPECT_EQ(gz.exit, 0) << gz.err;
-  EXPECT_EQ(gz.out.find("libgazebo_ros_control.so"), std::string::npos);
-  EXPECT_NE(gz.out.find("gz::sim::systems::JointPositionController"), std::string::npos) << gz.out;
-  EXPECT_NE(gz.out.find("<joint_name>j</joint_name>"), std::string::npos);
-  folder.put("out/.keep", "");
-  const Ran ros = folder.rigor("urdf2sdf r.urdf --control ros2_control -o out/r.sdf");
-  EXPECT_EQ(ros.exit, 0) << ros.err;
-  EXPECT_NE(folder.get("out/r.ros2_control.xacro").find("<command_interface name=\"position\"/>"),
-            std::string::npos);
-  EXPECT_NE(folder.get("out/r.controllers.yaml").find("- \"j\""), std::string::npos);
-  EXPECT_NE(folder.get("out/r.sdf").find("<parameters>r.controllers.yaml</parameters>"),
-            std::string::npos);
+TEST_F(ConversionCli, NothingToWriteIsAnErrorWhateverLossIsAllowed) {
+  folder.put("two.urdf", "<robot name='r'>" + urdf_link("a") + urdf_link("b") + "</robot>");
+  const Ran ran = folder.rigor("urdf2sdf two.urdf -o two.sdf --allow-loss");
+  EXPECT_EQ(ran.exit, 1);
+  EXPECT_NE(ran.out.find("error[convert-several-roots]: 2 links are the child of no joint: a, b"),
+            std::string::npos)
+      << ran.out;
+  EXPECT_EQ(ran.err.find("--allow-loss writes"), std::string::npos) << ran.err;
 }
 
 TEST_F(ConversionCli, FindingsOfOneCauseAreOne) {
   std::string meshes;
   for (const char* name : {"a", "b", "c"}) {
-    meshes += "<visual><geometry><mesh filename='package://gone/" + std::string(name) +
+    meshes += "<visual><geometry><mesh filename='PLACE" + std::string(name) +
               ".stl'/></geometry></visual>";
   }
-  folder.put("m.urdf",
-             "<robot name='r'><link name='a'><inertial><mass value='1'/><inertia ixx='1' "
-             "ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>" +
-                 meshes +
-                 "</link><transmission name='t'><type>x</type></transmission>"
-                 "<transmission name='u'><type>x</type></transmission></robot>");
-  const Ran ran = folder.rigor("urdf2sdf m.urdf -o m.sdf");
-  EXPECT_EQ(ran.exit, 0) << ran.out;
-  for (const std::string rule : {"convert-uri-not-found", "convert-transmission"}) {
-    const std::string head = "warning[" + rule + "]";
-    const std::size_t first = ran.out.find(head);
-    ASSERT_NE(first, std::string::npos) << ran.out;
-    EXPECT_EQ(ran.out.find(head, first + 1), std::string::npos) << ran.out;
+  const std::string robot =
+      "<robot name='r'><link name='a'><inertial><mass value='1'/><inertia ixx='1' "
+      "ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>" +
+      meshes +
+      "</link><transmission name='t'><type>x</type></transmission>"
+      "<transmission name='u'><type>x</type></transmission></robot>";
+  for (const std::string place : {"package://gone/", "meshes/", "file://r/meshes/"}) {
+    folder.put("m.urdf", std::regex_replace(robot, std::regex("PLACE"), place));
+    const Ran ran = folder.rigor("urdf2sdf m.urdf -o m.sdf");
+    EXPECT_EQ(ran.exit, 0) << ran.out;
+    for (const std::string rule : {"convert-uri-not-found", "convert-transmission"}) {
+      const std::string head = "warning[" + rule + "]";
+      const std::size_t first = ran.out.find(head);
+      ASSERT_NE(first, std::string::npos) << ran.out;
+      EXPECT_EQ(ran.out.find(head, first + 1), std::string::npos) << ran.out;
+    }
   }
 }
 
@@ -518,38 +485,6 @@ TEST_F(ConversionCli, CommentsAreThoseOfTheAuthor) {
   EXPECT_NE(sdf.find("    <!--\n    <link name='old'>\n      <visual/>\n    </link>\n    -->\n"),
             std::string::npos)
       << sdf;
-}
-
-/// libsdformat 12 adds, changes and removes what `<experimental:params>` names.
-TEST_F(ConversionCli, ParametersOfAnIncludeChangeTheModel) {
-  folder.put("models/arm/model.config",
-             "<model><name>arm</name><sdf version='1.9'>model.sdf</sdf></model>");
-  folder.put("models/arm/model.sdf", arm("revolute"));
-  const std::string two =
-      "<sdf version='1.9' xmlns:experimental='e'><model name='two'><include>"
-      "<uri>model://arm</uri><experimental:params>"
-      "<link element_id='tip' action='modify'><inertial><mass>7</mass></inertial></link>"
-      "<collision element_id='base' name='skin' action='add'><geometry><sphere>"
-      "<radius>0.25</radius></sphere></geometry></collision>"
-      "</experimental:params></include></model></sdf>";
-  folder.put("two.sdf", two);
-  const Ran ran = folder.rigor("sdf2urdf two.sdf --model-path models");
-  EXPECT_EQ(ran.exit, 0) << ran.err;
-  EXPECT_NE(ran.out.find("<mass value=\"7\"/>"), std::string::npos) << ran.out;
-  EXPECT_NE(ran.out.find("<sphere radius=\"0.25\"/>"), std::string::npos);
-
-  // Of an include in a model that parameters of an include have changed themselves.
-  folder.put("models/two/model.config",
-             "<model><name>two</name><sdf version='1.9'>model.sdf</sdf></model>");
-  folder.put("models/two/model.sdf", two);
-  folder.put("three.sdf",
-             "<sdf version='1.9' xmlns:experimental='e'><model name='three'><include>"
-             "<uri>model://two</uri><experimental:params><frame element_id='' name='mark' "
-             "action='add'/></experimental:params></include></model></sdf>");
-  const Ran three = folder.rigor("sdf2urdf three.sdf --model-path models");
-  EXPECT_EQ(three.exit, 0) << three.err;
-  EXPECT_NE(three.out.find("mark"), std::string::npos) << three.out;
-  EXPECT_NE(three.out.find("<mass value=\"7\"/>"), std::string::npos) << three.out;
 }
 
 }  // namespace

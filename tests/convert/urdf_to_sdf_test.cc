@@ -225,7 +225,7 @@ TEST(UrdfToSdf, AMovingLinkWithoutMassWeighsNextToNothing) {
   EXPECT_NEAR(mass_of_links(after.root()), 6, 6e-9);
   const auto count =
       std::count_if(result.account.notes.begin(), result.account.notes.end(), [](const Note& note) {
-        return note.kind == NoteKind::kMassless && note.outcome == Outcome::kSubstituted;
+        return note.kind == NoteKind::kMasslessMoving && note.outcome == Outcome::kSubstituted;
       });
   EXPECT_EQ(count, 2);
 }

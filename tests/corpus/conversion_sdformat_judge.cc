@@ -315,13 +315,14 @@ TEST(CorpusConversionSdformat, SeesTheSource) {
   EXPECT_GT(counts.files, 120);
 }
 
-/// What `urdf2sdf` would write without `--allow-loss` is what libsdformat loads.
+/// What `urdf2sdf` would write without `--allow-loss` is what libsdformat loads; with `--inertia nearest` it
+/// writes each file with a robot in it that only an impossible inertia keeps from that.
 TEST(CorpusConversionSdformat, LoadsWhatIsCalledASuccess) {
   RIGOR_NEEDS_CORPUS();
   sdf::Console::Instance()->SetQuiet(true);
   const RealDisk disk;
   const Environment environment(disk, {});
-  int written = 0, refused = 0;
+  int written = 0, nearest = 0, refused = 0, runs = 0;
   for (const std::string& path : test::corpus_models()) {
     if (!path.ends_with(".urdf")) continue;
     const std::string file = path.substr(test::corpus().size() + 1);
@@ -330,20 +331,29 @@ TEST(CorpusConversionSdformat, LoadsWhatIsCalledASuccess) {
     const read::Loaded loaded = read::load(
         {workspace, environment.resolver, environment.sdf, environment.urdf}, workspace.open(path));
     if (loaded.root.format != model::Format::kUrdf) continue;
-    const author::Conversion result =
-        author::to_sdf(environment, sources, workspace, loaded, {}, {.out = "/nowhere/a.sdf"});
-    if (!result.text || result.diagnostics.count(Severity::kError) > 0) {
+    const auto loads = [&](convert::InertiaPolicy inertia) {
+      const author::Conversion result =
+          author::to_sdf(environment, sources, workspace, loaded, {.inertia = inertia},
+                         {.out = "/nowhere/" + std::to_string(++runs) + ".sdf"});
+      if (!result.text || result.diagnostics.count(Severity::kError) > 0) return false;
+      sdf::Root root;
+      for (const sdf::Error& error : root.LoadSdfString(*result.text)) {
+        ADD_FAILURE() << file << ": " << error.Message();
+      }
+      return true;
+    };
+    if (loads(convert::InertiaPolicy::kKeep)) {
+      ++written;
+    } else if (loads(convert::InertiaPolicy::kNearest)) {
+      ++nearest;
+    } else {
       ++refused;
-      continue;
-    }
-    ++written;
-    sdf::Root root;
-    for (const sdf::Error& error : root.LoadSdfString(*result.text)) {
-      ADD_FAILURE() << file << ": " << error.Message();
     }
   }
-  std::printf("%d written and loaded, %d refused\n", written, refused);
+  std::printf("%d written and loaded, %d with the nearest inertia, %d refused\n", written, nearest,
+              refused);
   EXPECT_GT(written, 100);
+  EXPECT_GT(nearest, 15);
 }
 
 /// Its own reader of URDF drops a link without mass and all that hangs on it.

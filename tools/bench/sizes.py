@@ -6,7 +6,7 @@
     tools/bench/sizes.py build/release/rigor [--sizes 2000 8000 32000] [--kind NAME]... [--command NAME]...
 
 A row is a kind of thing and a command, with the seconds of CPU time for each size; a command that ended by what it
-says (too large, exit 2) is in brackets. A row ends with `!` when four times as many took over six times as long, and
+says (too large, exit 2) is in parentheses. A row ends with `!` when four times as many took over six times as long, and
 with `>` when the largest took longer than --limit. Exit 1 when there is such a row.
 """
 
@@ -116,7 +116,7 @@ KINDS = {
 COMMANDS = {
     "validate": "validate {0}", "inspect": "inspect {0}", "inertia": "inertia {0} --material abs", "convert": "{convert} {0} --allow-loss -o {out}.model",
     "render": "render {0} -o {out}.png --size 160x120", "view": "view {0} -o {out}.html", "report": "report {0} --no-simulate -o {out}.html",
-    "diff": "diff {0} {0}", "upgrade": "upgrade {0} --diff", "mesh-check": "mesh-check {0}", "simulate": "simulate {0} --test settle",
+    "diff": "diff {0} {0}", "upgrade": "upgrade {0} --to 1.9 --diff", "mesh-check": "mesh-check {0}", "simulate": "simulate {0} --test settle", "fmt": "fmt {0} --diff",
 }
 
 

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <rigor/author/reported_differences.h>
 #include <rigor/convert/urdfdom.h>
 #include <rigor/mass/mesh/survey.h>
 #include <rigor/model/subject.h>
@@ -66,88 +67,6 @@ std::vector<std::string> head(const std::string& path, const convert::Account& a
           fmt::format("Elements and attributes: {}.", counts)};
 }
 
-bool holds(const Span& outer, const Span& inner) {
-  return outer.source == inner.source && outer.begin <= inner.begin && inner.end <= outer.end;
-}
-
-/// What the notes have told already, so that it is no news that the result differs there.
-class Told {
- public:
-  Told(const model::Root& root, const Notes& notes) : notes_(notes) {
-    for (const auto& link : root.links) keep(link.site);
-    for (const auto& collision : root.collisions) keep(collision.site);
-    for (const auto& visual : root.visuals) keep(visual.site);
-    for (const auto& frame : root.frames) keep(frame.site);
-    for (const auto& joint : root.joints) {
-      keep(joint.site);
-      for (const auto& axis : joint.axes) keep(axis.site);
-    }
-  }
-
-  bool has(const Difference& difference) const {
-    const Span where = whole(difference.span_a);
-    return std::any_of(notes_.begin(), notes_.end(), [&](const Note& note) {
-      if (reroutes(note, difference) || couples(note, difference)) return true;
-      if (names_elsewhere(note, difference) || unfollows(note, difference)) return true;
-      if (leaves_world(note, difference)) return true;
-      if (note.outcome != Outcome::kLost && note.outcome != Outcome::kSubstituted) return false;
-      if (where.nowhere()) return follows(note, difference.kind);
-      return !note.where.nowhere() && (holds(where, note.where) || holds(note.where, where));
-    });
-  }
-
- private:
-  void keep(const model::Site& site) { whole_[{site.tag.source, site.tag.begin}] = site.span; }
-
-  /// A difference stands at a start tag; the note may speak of something inside.
-  Span whole(const Span& tag) const {
-    const auto found = whole_.find({tag.source, tag.begin});
-    return found == whole_.end() ? tag : found->second;
-  }
-
-  /// Of what stands nowhere in the source: several shapes for one, and the world that only a cut joint
-  /// named.
-  static bool follows(const Note& note, DifferenceKind kind) {
-    const bool shape =
-        kind == DifferenceKind::kCollisionOnlyInB || kind == DifferenceKind::kVisualOnlyInB;
-    return (shape && note.kind == NoteKind::kShape) ||
-           (kind == DifferenceKind::kLinkOnlyInA && note.kind == NoteKind::kLoop);
-  }
-
-  /// What hangs on a link without mass hangs on what that is fixed to.
-  static bool reroutes(const Note& note, const Difference& difference) {
-    return note.kind == NoteKind::kMassless && difference.kind == DifferenceKind::kJointParent &&
-           note.subject.ends_with("/link " + difference.from.text);
-  }
-
-  /// A mesh that is not found from where the result will stand has the name that was chosen for it.
-  static bool names_elsewhere(const Note& note, const Difference& difference) {
-    return note.kind == NoteKind::kUriElsewhere && difference.kind == DifferenceKind::kMesh &&
-           note.instead == difference.to.text;
-  }
-
-  /// A mimic that the target has no word for stands beside the axis in URDF, not in it.
-  static bool unfollows(const Note& note, const Difference& difference) {
-    return note.kind == NoteKind::kMimicLost && difference.kind == DifferenceKind::kMimic &&
-           difference.to.numbers.empty() && note.subject.ends_with("/" + difference.a);
-  }
-
-  /// Nothing hangs on the world any more where what hung there is free.
-  static bool leaves_world(const Note& note, const Difference& difference) {
-    return note.kind == NoteKind::kWorldLink && difference.kind == DifferenceKind::kLinkOnlyInA &&
-           difference.a == "link " + note.written;
-  }
-
-  /// The joints that a gearbox couples have no mimic in the source.
-  static bool couples(const Note& note, const Difference& difference) {
-    return note.kind == NoteKind::kJointType && note.written == "gearbox" &&
-           difference.kind == DifferenceKind::kMimic && difference.from.numbers.empty();
-  }
-
-  const Notes& notes_;
-  std::map<std::pair<SourceId, std::uint32_t>, Span> whole_;
-};
-
 std::string value_text(const robot::DifferenceValue& value, std::string_view unit) {
   if (value.numbers.empty()) return value.text.empty() ? "nothing" : value.text;
   std::string text = fmt::format("{}", fmt::join(value.numbers, " "));
@@ -191,10 +110,10 @@ class Prover {
     }
     const robot::Robot after = robot::robot_of(written.root, written_frames,
                                                model::Id<model::Model>{0}, lookups(written.root));
-    const Told told(source.root, result_.account.notes);
-    Notes notes = differences(before, after, told);
+    const ReportedDifferences reported(source.root, result_.account.notes);
+    Notes notes = differences(before, after, reported);
     if (written.root.format == model::Format::kUrdf)
-      ask_urdfdom(source, before, after, told, notes);
+      ask_urdfdom(source, before, after, reported, notes);
     return notes;
   }
 
@@ -255,12 +174,13 @@ class Prover {
     return subjects;
   }
 
-  Notes differences(const robot::Robot& before, const robot::Robot& after, const Told& told,
+  Notes differences(const robot::Robot& before, const robot::Robot& after,
+                    const ReportedDifferences& reported,
                     const std::set<std::string>& left_out = {}) const {
     Notes notes;
     for (const Difference& difference : robot::compare(before, after, result_.names)) {
       // Readers of one format disagree on colours: two materials of one name, a script and a colour.
-      if (difference.kind == DifferenceKind::kColor || told.has(difference)) continue;
+      if (difference.kind == DifferenceKind::kColor || reported.include(difference)) continue;
       if (difference.b.empty() && left_out.contains(difference.a)) continue;
       notes.push_back(note_of(difference));
     }
@@ -269,7 +189,7 @@ class Prover {
 
   /// The parser that everything in ROS reads URDF with.
   void ask_urdfdom(const read::Loaded& source, const robot::Robot& before,
-                   const robot::Robot& after, const Told& told, Notes& notes) {
+                   const robot::Robot& after, const ReportedDifferences& reported, Notes& notes) {
     convert::UrdfdomVerdict verdict =
         convert::judge_by_urdfdom(*result_.text, environment_.workers);
     if (!verdict.asked) return;
@@ -282,7 +202,7 @@ class Prover {
     if (!notes.empty()) return;  // it would say the same once more
     look_up_files(*verdict.robot);
     const bool misses_capsules = has_capsule(after) && !has_capsule(*verdict.robot);
-    notes = differences(before, *verdict.robot, told,
+    notes = differences(before, *verdict.robot, reported,
                         misses_capsules ? beside_capsules(before) : std::set<std::string>());
   }
 
@@ -382,8 +302,10 @@ class Conclusion {
         options_(options) {}
 
   Conversion of(Conversion result) {
-    const rules::Runner runner(environment_.registry,
-                               selection_of(options_, environment_.registry));
+    // Nothing to write is an error, whatever losses are allowed.
+    ConversionOptions options = options_;
+    if (!result.text) options.losses = Losses::kRefused;
+    const rules::Runner runner(environment_.registry, selection_of(options, environment_.registry));
     result.diagnostics = runner.run(environment_, sources_, loaded_, result.account.notes);
     const auto& document = loaded_.file->document;
     if (document) {

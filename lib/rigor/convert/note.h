@@ -70,11 +70,13 @@ enum class NoteKind : std::uint8_t {
   // Links.
   kInertialDefault,
   kInertialAutomatic,
-  kMassless,  ///< URDF: no mass; SDF would take 1 kg
+  kMassless,        ///< URDF: no mass; SDF would take 1 kg
+  kMasslessMoving,  ///< the same of one on a joint that moves
   kSurface,
   kLinkPhysics,        ///< kinematic, wind, damping, buoyancy
   kInertiaIncomplete,  ///< entries of the tensor are missing: `written` names them
   kBareInertia,        ///< an inertia without a mass, which is added to that of link `instead`
+  kInertiaNearest,     ///< principal moments `written` of no rigid body, kg·m², became `instead`
   kTinyMass,           ///< `written` kg: Gazebo's reader of URDF takes it for none
   kSelfCollide,
   kGravity,

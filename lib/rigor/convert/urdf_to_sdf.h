@@ -50,6 +50,12 @@ enum class MasslessPolicy : std::uint8_t {
   kFrame,  ///< becomes a frame in any case; its shapes are held by what carries it
 };
 
+/// An inertia tensor that no rigid body can have, which libsdformat rejects.
+enum class InertiaPolicy : std::uint8_t {
+  kKeep,
+  kNearest,  ///< the nearest that a rigid body can have
+};
+
 /// Transmissions, and plugins of Gazebo classic that drive joints.
 enum class ControlPolicy : std::uint8_t {
   kKeep,         ///< plugins as they are; transmissions are lost
@@ -62,6 +68,7 @@ struct SdfOptions {
   FixedPolicy fixed = FixedPolicy::kKeep;
   MasslessPolicy massless = MasslessPolicy::kLink;
   ControlPolicy control = ControlPolicy::kKeep;
+  InertiaPolicy inertia = InertiaPolicy::kKeep;
   /// SDF 1.`version`; 0: 1.9, or 1.11, the first that has them, where joints mimic others.
   int version = 0;
 };

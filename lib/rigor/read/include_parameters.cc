@@ -43,14 +43,14 @@ class IncludeParameter {
   IncludeParameter(const xml::Document& target, const xml::Document& source)
       : target_(target), source_(source) {}
 
-  std::vector<Edit> edits(xml::Element model, xml::Element parameter) && {
+  void apply(xml::Element model, xml::Element parameter) {
     const std::string_view action = value_of_attribute(parameter, "action");
     const auto id = parameter.attribute("element_id");
-    if (!id) return {};
     const std::string_view name = action == "add" ? std::string_view() : parameter.name();
-    const auto element = find(model, id->value(), name);
-    if (!element) return {};
-    if (action == "add") {
+    const auto element = id ? find(model, id->value(), name) : std::nullopt;
+    if (!element) {
+      ignored_.push_back(parameter);
+    } else if (action == "add") {
       add(*element, parameter);
     } else if (action.empty()) {
       for (const xml::Element child : parameter.children()) {
@@ -59,8 +59,10 @@ class IncludeParameter {
     } else {
       act(*element, parameter, action);
     }
-    return std::move(edits_);
   }
+
+  const std::vector<Edit>& edits() const { return edits_; }
+  const std::vector<xml::Element>& ignored() const { return ignored_; }
 
  private:
   /// Below the model, along the names; the last has that element name, unless it is empty.
@@ -100,7 +102,8 @@ class IncludeParameter {
 
   void act_on_child(xml::Element parent, xml::Element parameter, std::string_view action) {
     if (action == "add") return add(parent, parameter);
-    if (const auto child = same_child(parent, parameter)) act(*child, parameter, action);
+    if (const auto child = same_child(parent, parameter)) return act(*child, parameter, action);
+    ignored_.push_back(parameter);
   }
 
   void act(xml::Element element, xml::Element parameter, std::string_view action) {
@@ -108,12 +111,14 @@ class IncludeParameter {
       append(edits_, xml::remove_element(target_, element));
     } else if (action == "remove") {
       for (const xml::Element child : parameter.children()) {
-        if (const auto gone = same_child(element, child)) act(*gone, child, action);
+        act_on_child(element, child, action);
       }
     } else if (action == "replace") {
       append(edits_, xml::replace_element(target_, element, as_written(source_, parameter)));
     } else if (action == "modify") {
       modify(element, parameter);
+    } else {
+      ignored_.push_back(parameter);
     }
   }
 
@@ -141,27 +146,29 @@ class IncludeParameter {
   const xml::Document& target_;
   const xml::Document& source_;
   std::vector<Edit> edits_;
+  std::vector<xml::Element> ignored_;
 };
 
 }  // namespace
 
-std::optional<std::string> with_include_parameters(const xml::Document& included,
-                                                   const xml::Document& source,
-                                                   xml::Element include) {
+IncludeChanges with_include_parameters(const xml::Document& included, const xml::Document& source,
+                                       xml::Element include) {
+  IncludeChanges result;
   const auto parameters = include.child("experimental:params");
-  if (!parameters) return std::nullopt;
-  std::optional<std::string> result;
+  if (!parameters) return result;
   std::size_t count = 0;
   for (const xml::Element parameter : parameters->children()) {
     if (++count > kMostIncludeParameters) break;
-    const xml::Document target =
-        xml::parse(result ? std::string_view(*result) : included.bytes(), included.source());
+    const xml::Document target = xml::parse(
+        result.bytes ? std::string_view(*result.bytes) : included.bytes(), included.source());
     const auto root = target.root();
     const auto model = root ? root->child("model") : std::nullopt;
     if (!model) return result;
-    auto text =
-        apply_edits(target.bytes(), IncludeParameter(target, source).edits(*model, parameter));
-    if (text && *text != target.bytes()) result = *std::move(text);
+    IncludeParameter change(target, source);
+    change.apply(*model, parameter);
+    result.ignored.insert(result.ignored.end(), change.ignored().begin(), change.ignored().end());
+    auto text = apply_edits(target.bytes(), change.edits());
+    if (text && *text != target.bytes()) result.bytes = *std::move(text);
   }
   return result;
 }

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <rigor/xml/document.h>
 
@@ -29,10 +30,15 @@ namespace rigor::read {
 /// Further ones are left out: each one reads the file anew, and people write a handful.
 inline constexpr std::size_t kMostIncludeParameters = 64;
 
-/// The bytes of the included file with the parameters done; nothing where there are none, or none does
-/// anything. `source` is the file that `include` is in.
-std::optional<std::string> with_include_parameters(const xml::Document& included,
-                                                   const xml::Document& source,
-                                                   xml::Element include);
+struct IncludeChanges {
+  /// Of the included file with the parameters done; nothing where there are none, or none does anything.
+  std::optional<std::string> bytes;
+  /// Parameters, and parts of them, that lead nowhere.
+  std::vector<xml::Element> ignored;
+};
+
+/// `source` is the file that `include` is in.
+IncludeChanges with_include_parameters(const xml::Document& included, const xml::Document& source,
+                                       xml::Element include);
 
 }  // namespace rigor::read

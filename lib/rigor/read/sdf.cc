@@ -296,7 +296,7 @@ bool SdfReader::follow(model::Include& include, xml::Element element, Scope scop
   include.path = file->path;
   const File* includer = element.child("experimental:params") ? file_of(element) : nullptr;
   if (includer != nullptr) {
-    if (auto bytes = with_include_parameters(*file->document, *includer->document, element)) {
+    if (auto bytes = with_include_parameters(*file->document, *includer->document, element).bytes) {
       // In the same folder, so that what it refers to is found.
       const std::string path = file->path + '#' + hex(digest_of(*bytes));
       file = &reader_.workspace.put(path, *std::move(bytes));

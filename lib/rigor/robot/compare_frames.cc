@@ -41,28 +41,46 @@ bool may_be_one(PlaceKind x, PlaceKind y) {
   return x == y || x == PlaceKind::kFrame || y == PlaceKind::kFrame;
 }
 
-/// The matched body that this one is fixed to, and where in it; kNoIndex when
-/// there is none.
-NamedPlace in_matched(const Robot& robot, const Match::Side& side, NamedPlace place) {
-  while (place.body != kNoIndex && side.body[place.body] == kNoIndex) {
-    const std::uint32_t carrier = robot.bodies[place.body].carrier;
-    if (carrier == kNoIndex || robot.joints[carrier].type != model::JointType::kFixed) {
-      place.body = kNoIndex;
-      break;
+/// For each body the matched one that it is fixed to, which may be itself, and where in it; kNoIndex
+/// when there is none.
+class MatchedHolders {
+ public:
+  MatchedHolders(const Robot& robot, const Match::Side& side) : holders_(robot.bodies.size()) {
+    for (const std::uint32_t i : robot.order) {
+      const std::uint32_t carrier = robot.bodies[i].carrier;
+      if (side.body[i] != kNoIndex) {
+        holders_[i].body = i;
+      } else if (carrier != kNoIndex && robot.joints[carrier].type == model::JointType::kFixed) {
+        const Joint& joint = robot.joints[carrier];
+        const Holder& above = holders_[joint.parent];
+        holders_[i] = {above.body, compose(above.X_HB, joint.X_PJ)};
+      }
     }
-    place.X_BF = compose(robot.joints[carrier].X_PJ, place.X_BF);
-    place.body = robot.joints[carrier].parent;
   }
-  return place;
-}
+
+  NamedPlace of(NamedPlace place) const {
+    if (place.body == kNoIndex) return place;
+    const Holder& holder = holders_[place.body];
+    if (holder.body != place.body) place.X_BF = compose(holder.X_HB, place.X_BF);
+    place.body = holder.body;
+    return place;
+  }
+
+ private:
+  struct Holder {
+    std::uint32_t body = kNoIndex;
+    model::Pose X_HB;
+  };
+  std::vector<Holder> holders_;
+};
 
 std::vector<NamedPlace> places_in(const Robot& robot, const Match::Side& side, Helpers helpers) {
   std::vector<NamedPlace> places;
+  const MatchedHolders holders(robot, side);
   const bool told = helpers == Helpers::kTold;
   for (const Frame& frame : robot.frames) {
     places.push_back(
-        in_matched(robot, side,
-                   {frame.name, frame.of_joint ? PlaceKind::kJoint : PlaceKind::kFrame, frame.body,
+        holders.of({frame.name, frame.of_joint ? PlaceKind::kJoint : PlaceKind::kFrame, frame.body,
                     frame.X_BF, frame.span, frame.of_joint ? told : true}));
   }
   for (std::uint32_t i = 0; i < robot.bodies.size(); ++i) {
@@ -70,10 +88,10 @@ std::vector<NamedPlace> places_in(const Robot& robot, const Match::Side& side, H
     if (side.body[i] != kNoIndex || !is_helper(body) || body.carrier == kNoIndex) continue;
     if (robot.joints[body.carrier].type != model::JointType::kFixed) continue;
     const Joint& carrier = robot.joints[body.carrier];
-    places.push_back(in_matched(
-        robot, side, {body.name, PlaceKind::kLink, i, {}, body.span, !side.silent_body[i]}));
-    places.push_back(in_matched(
-        robot, side, {carrier.name, PlaceKind::kJoint, i, {}, carrier.span, told, body.name}));
+    places.push_back(
+        holders.of({body.name, PlaceKind::kLink, i, {}, body.span, !side.silent_body[i]}));
+    places.push_back(
+        holders.of({carrier.name, PlaceKind::kJoint, i, {}, carrier.span, told, body.name}));
   }
   if (side.root_joint != kNoIndex) {
     const Joint& joint = robot.joints[side.root_joint];

@@ -41,7 +41,8 @@ constexpr std::string_view kLeftoverXacro = "xml-leftover-xacro";
 std::string shortened(std::string message) {
   if (message.size() <= kLongestMessage) return message;
   std::size_t end = kLongestMessage;
-  while ((static_cast<unsigned char>(message[end]) & 0xC0U) == 0x80U) --end;  // whole code points
+  while (end > 0 && (static_cast<unsigned char>(message[end]) & 0xC0U) == 0x80U)
+    --end;  // whole code points
   message.resize(end);
   return message + "…";
 }

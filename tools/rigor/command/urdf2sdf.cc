@@ -11,6 +11,7 @@ namespace {
 constexpr std::string_view kSdfVersions[] = {"1.9", "1.10", "1.11"};
 constexpr std::string_view kFixedNames[] = {"keep", "lump"};
 constexpr std::string_view kMasslessNames[] = {"link", "frame"};
+constexpr std::string_view kInertiaNames[] = {"keep", "nearest"};
 constexpr std::string_view kControlNames[] = {"keep", "ros2_control", "gz"};
 
 class UrdfToSdf final : public Command {
@@ -39,6 +40,11 @@ class UrdfToSdf final : public Command {
                         "frame (its shapes move to the parent link)")
             ->group(group),
         kMasslessNames);
+    offer(app->add_option("--inertia", inertia_,
+                          "Inertias that no rigid body can have, which libsdformat rejects: keep "
+                          "(an error), nearest (the nearest possible; --allow-loss implies it)")
+              ->group(group),
+          kInertiaNames);
     offer(app->add_option("--control", control_,
                           "Transmissions and plugins that drive joints: keep (plugins alone), "
                           "ros2_control (files next to the result), gz (plugins of Gazebo Sim)")
@@ -81,6 +87,9 @@ class UrdfToSdf final : public Command {
     if (!massless_.empty() && choice("--massless value", massless_, kMasslessNames) == 1) {
       how.massless = convert::MasslessPolicy::kFrame;
     }
+    const bool nearest = inertia_.empty() ? common_.allows_loss()
+                                          : choice("--inertia value", inertia_, kInertiaNames) == 1;
+    if (nearest) how.inertia = convert::InertiaPolicy::kNearest;
     if (!control_.empty()) {
       how.control =
           static_cast<convert::ControlPolicy>(choice("--control value", control_, kControlNames));
@@ -89,7 +98,7 @@ class UrdfToSdf final : public Command {
   }
 
   ConversionCommand common_{model::Format::kUrdf, ".sdf"};
-  std::string mesh_uri_, version_, fixed_, massless_, control_;
+  std::string mesh_uri_, version_, fixed_, massless_, inertia_, control_;
 };
 
 }  // namespace

@@ -40,6 +40,15 @@ Diagnostics without_infos(const author::Conversion& result) {
   return list;
 }
 
+/// Whether `--allow-loss` would write it: what the proof says against a result it does not excuse.
+bool loss_alone_keeps_from_writing(const author::Conversion& result) {
+  const auto& list = result.diagnostics.list();
+  return result.text && std::none_of(list.begin(), list.end(), [](const Diagnostic& found) {
+           return found.severity == Severity::kError &&
+                  (found.rule == "convert-not-the-same" || found.rule == "convert-rejected");
+         });
+}
+
 /// One finding for one cause.
 author::Conversion grouped_result(author::Conversion result) {
   result.diagnostics = grouped(result.diagnostics);
@@ -115,7 +124,9 @@ int ConversionCommand::run(const Convert& convert) const {
   if (!check_.empty()) return check(environment, sources, workspace, loaded, result);
   tell(result, sources);
   if (!result.text || result.diagnostics.count(Severity::kError) > 0) {
-    say("rigor: nothing is written");
+    const bool may_be_allowed = !allow_loss_ && loss_alone_keeps_from_writing(result);
+    say(std::string("rigor: nothing is written") +
+        (may_be_allowed ? "; --allow-loss writes it all the same" : ""));
     return kFindings;
   }
   write_result(result);

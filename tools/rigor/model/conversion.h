@@ -38,6 +38,7 @@ class ConversionCommand {
 
   /// Whether there is a folder that further files may be written to.
   bool writes_file() const { return !out_.empty(); }
+  bool allows_loss() const { return allow_loss_; }
 
  private:
   int check(const Environment& environment, Sources& sources, read::Workspace& workspace,

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <initializer_list>
+#include <iterator>
 #include <map>
 #include <string>
 #include <string_view>
@@ -33,6 +35,20 @@ struct DrivePlugin {
   ParameterNames left, right, separation, diameter;
 };
 
+/// What its parameters are called there, and in DiffDrive of Gazebo Sim, which takes them as they are.
+constexpr std::pair<std::string_view, const char*> kDriveParameters[] = {
+    {"commandTopic", "topic"},
+    {"command_topic", "topic"},
+    {"odometryTopic", "odom_topic"},
+    {"odometry_topic", "odom_topic"},
+    {"odometryFrame", "frame_id"},
+    {"odometry_frame", "frame_id"},
+    {"robotBaseFrame", "child_frame_id"},
+    {"robot_base_frame", "child_frame_id"},
+    {"updateRate", "odom_publish_frequency"},
+    {"update_rate", "odom_publish_frequency"},
+};
+
 constexpr DrivePlugin kDrivePlugins[] = {
     {"gazebo_ros_diff_drive",
      {"leftJoint", "left_joint"},
@@ -45,6 +61,12 @@ constexpr DrivePlugin kDrivePlugins[] = {
      {"wheelSeparation"},
      {"wheelDiameter"}},
 };
+
+/// Parameters that only concern Gazebo classic's own way: the publisher of Gazebo Sim takes all joints, and
+/// the robot's description comes as it always does.
+constexpr std::string_view kIdleParameters[] = {"jointName",       "joint_name", "robotSimType",
+                                                "legacyModeNS",    "robotParam", "robot_param",
+                                                "robot_param_node"};
 
 std::string library_of(xml::Element plugin) {
   const auto filename = plugin.attribute("filename");
@@ -93,10 +115,9 @@ class ControlWriter {
     find_joints();
     const bool gz = draft_.options.control == ControlPolicy::kGz;
     take_blocks(gz);
-    if (interfaces_.empty() && !controlled_) return;
     if (gz) {
       write_gz();
-    } else {
+    } else if (!interfaces_.empty() || controlled_) {
       write_ros2_control();
     }
   }
@@ -138,6 +159,35 @@ class ControlWriter {
     return {};
   }
 
+  /// What the plugins and blocks that are written do not say.
+  void lose(xml::Element element, std::string what) {
+    draft_.ledger.lose(read::site_of(element), {.where = element.name_span(),
+                                                .subject = model::subject(root_, root_.models[0]),
+                                                .written = std::move(what)});
+  }
+
+  /// Neither a block nor a plugin has the gear between the actuator and the joint.
+  void lose_gears(xml::Element transmission) {
+    for (const xml::Element child : transmission.children()) {
+      for (const xml::Element below : child.children()) {
+        if (below.name() == "mechanicalReduction") lose_gear(below);
+      }
+      if (child.name() == "mechanicalReduction") lose_gear(child);
+    }
+  }
+  void lose_gear(xml::Element reduction) {
+    if (write::number_in(std::string(read::trimmed(reduction.text()))) == 1) return;
+    lose(reduction, "a mechanicalReduction of " + std::string(read::trimmed(reduction.text())));
+  }
+
+  void lose_parameters(xml::Element plugin) {
+    for (const xml::Element child : plugin.children()) {
+      const bool idle = std::find(std::begin(kIdleParameters), std::end(kIdleParameters),
+                                  child.name()) != std::end(kIdleParameters);
+      if (!idle) lose(child, "plugin/" + std::string(child.name()));
+    }
+  }
+
   void note(xml::Element element, std::string written, std::string instead) {
     draft_.ledger.take_all(element, Outcome::kRewritten);
     draft_.ledger.note({.kind = NoteKind::kControl,
@@ -158,6 +208,7 @@ class ControlWriter {
         controlled_ = true;
         if (!gz && child.name() == "ros2_control") kept_blocks_.push_back(child);
         const auto name = child.attribute("name");
+        lose_gears(child);
         note(child, std::string(child.name()) + ' ' + std::string(name ? name->value() : ""),
              instead);
         continue;
@@ -166,7 +217,9 @@ class ControlWriter {
         if (plugin.name() != "plugin" || !is_control(draft_.options.control, plugin)) continue;
         const std::string library = library_of(plugin);
         controlled_ = controlled_ || is_ros_control(library);
+        joint_states_ = joint_states_ || is_joint_states(library);
         if (const DrivePlugin* drive = gz ? drive_of(library) : nullptr) add_drive(*drive, plugin);
+        if (is_ros_control(library) || is_joint_states(library)) lose_parameters(plugin);
         note(plugin, "plugin " + library, instead);
       }
     }
@@ -206,11 +259,28 @@ class ControlWriter {
     if (const auto diameter = write::number_in(value(drive.diameter))) {
       out.text("wheel_radius", to_text(Number{*diameter / 2, {}}));
     }
+    for (const xml::Element child : plugin.children()) {
+      const auto* known = std::find_if(std::begin(kDriveParameters), std::end(kDriveParameters),
+                                       [&](const auto& one) { return one.first == child.name(); });
+      if (known != std::end(kDriveParameters)) {
+        out.text(known->second, std::string(read::trimmed(child.text())));
+      } else if (!is_one_of(child.name(),
+                            {&drive.left, &drive.right, &drive.separation, &drive.diameter})) {
+        lose(child, "plugin/" + std::string(child.name()));
+      }
+    }
     out.close();
     draft_.robot.raw.push_back(std::move(out).take());
   }
 
+  static bool is_one_of(std::string_view name, std::initializer_list<const ParameterNames*> lists) {
+    return std::any_of(lists.begin(), lists.end(), [name](const ParameterNames* names) {
+      return std::find(names->begin(), names->end(), name) != names->end();
+    });
+  }
+
   void write_gz() {
+    if (interfaces_.empty() && !controlled_ && !joint_states_) return;
     for (const auto& [joint, interface] : interfaces_) {
       if (std::find(driven_.begin(), driven_.end(), joint) != driven_.end()) continue;
       XmlWriter out;
@@ -307,6 +377,7 @@ class ControlWriter {
   std::vector<std::string> driven_;                // by a plugin for wheels
   std::vector<xml::Element> kept_blocks_;
   bool controlled_ = false;
+  bool joint_states_ = false;
 };
 
 }  // namespace

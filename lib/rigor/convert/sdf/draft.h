@@ -41,6 +41,7 @@ struct SdfNode {
   model::Id<model::Joint> carrier;  ///< none of the root
   model::Id<model::Link> parent;    ///< that the carrier hangs on
   model::Id<model::Link> holder;  ///< the link that holds its shapes: itself, unless it is a frame
+  std::vector<model::Id<model::Link>> held = {};  ///< whose holder it is, in the tree's order
   bool carried_by_frame = false;  ///< no joint: it is placed in its parent, which is its frame
 };
 

@@ -3,14 +3,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
+
+#include <fmt/core.h>
 
 #include <rigor/convert/comments.h>
 #include <rigor/convert/sdf/draft.h>
 #include <rigor/convert/written_number.h>
 #include <rigor/mass/mass_properties.h>
+#include <rigor/mass/nearest.h>
 #include <rigor/model/subject.h>
 
 namespace rigor::convert {
@@ -78,12 +82,21 @@ UrdfInertial as_written(const SdfDraft& draft, const model::Inertial& inertial) 
   return result;
 }
 
+std::array<Number, 6> numbers_of(const mass::Inertia& I) {
+  return {Number{I.ixx, {}}, Number{I.ixy, {}}, Number{I.ixz, {}},
+          Number{I.iyy, {}}, Number{I.iyz, {}}, Number{I.izz, {}}};
+}
+
 UrdfInertial summed(const mass::MassProperties& sum) {
-  const mass::Inertia& I = sum.about_com;
-  return {origin_of({sum.com, {}}),
-          {sum.mass, {}},
-          {Number{I.ixx, {}}, Number{I.ixy, {}}, Number{I.ixz, {}}, Number{I.iyy, {}},
-           Number{I.iyz, {}}, Number{I.izz, {}}}};
+  return {origin_of({sum.com, {}}), {sum.mass, {}}, numbers_of(sum.about_com)};
+}
+
+/// With six digits, as many as a number has that somebody measured.
+Number six_digits(double value) {
+  if (value == 0) return {};
+  const double scale = std::pow(10, 5 - std::floor(std::log10(std::abs(value))));
+  const double rounded = std::round(value * scale) / scale;
+  return {std::isfinite(rounded) ? rounded : value, {}};
 }
 
 std::string missing_entries(const model::Inertial& inertial) {
@@ -106,6 +119,30 @@ void note_on_inertial(const SdfDraft& draft, NoteKind kind, const Link& link, st
                      .instead = std::move(instead)});
 }
 
+std::string moments_text(const std::array<double, 3>& moments) {
+  return fmt::format("{:.3g}, {:.3g} and {:.3g}", moments[0], moments[1], moments[2]);
+}
+
+/// Where the policy says so, for a tensor that libsdformat rejects.
+void make_possible(const SdfDraft& draft, const Link& link, UrdfInertial& inertial) {
+  if (draft.options.inertia != InertiaPolicy::kNearest) return;
+  const auto& I = inertial.inertia;
+  const mass::Inertia tensor{I[0].value, I[1].value, I[2].value,
+                             I[3].value, I[4].value, I[5].value};
+  if (mass::judge(inertial.mass.value, tensor).possible()) return;
+  const auto nearest = mass::nearest_possible(tensor);
+  if (!nearest) return;
+  inertial.inertia = numbers_of(*nearest);
+  for (Number& number : inertial.inertia) number = six_digits(number.value);
+  const bool own = link.inertial.tensor_written;
+  draft.ledger.note({.kind = NoteKind::kInertiaNearest,
+                     .outcome = Outcome::kSubstituted,
+                     .where = own ? link.inertial.tensor_site.name : link.site.name,
+                     .subject = model::subject(draft.source.root, link),
+                     .written = moments_text(mass::principal_moments(tensor)),
+                     .instead = moments_text(mass::principal_moments(*nearest))});
+}
+
 }  // namespace
 
 Pose pose_in_holder(const SdfDraft& draft, Id<Link> id) {
@@ -124,8 +161,7 @@ UrdfInertial next_to_nothing(const SdfDraft& draft) {
 std::optional<UrdfInertial> sdf_inertial(SdfDraft& draft, Id<Link> id) {
   const model::Root& root = draft.source.root;
   std::vector<Id<Link>> held;  // with a mass or an inertia
-  for (const Id<Link> link : draft.tree.order) {
-    if (draft.node(link).holder != id) continue;
+  for (const Id<Link> link : draft.node(id).held) {
     if (!is_massless(root[link]) || has_bare_tensor(root[link])) held.push_back(link);
   }
   for (const Id<Link> link : held) {
@@ -141,7 +177,9 @@ std::optional<UrdfInertial> sdf_inertial(SdfDraft& draft, Id<Link> id) {
   if (held.empty()) return std::nullopt;
   if (held.size() == 1 && held[0] == id) {
     take_inertial(draft, root[id].inertial, Outcome::kConverted);
-    return as_written(draft, root[id].inertial);
+    UrdfInertial inertial = as_written(draft, root[id].inertial);
+    make_possible(draft, root[id], inertial);
+    return inertial;
   }
   mass::MassProperties sum;
   for (const Id<Link> link : held) {
@@ -149,7 +187,9 @@ std::optional<UrdfInertial> sdf_inertial(SdfDraft& draft, Id<Link> id) {
     sum = mass::add(sum,
                     mass::transformed(pose_in_holder(draft, link), body_of(root[link].inertial)));
   }
-  return summed(sum);
+  UrdfInertial inertial = summed(sum);
+  make_possible(draft, root[id], inertial);
+  return inertial;
 }
 
 }  // namespace rigor::convert

@@ -95,8 +95,7 @@ class SdfLinkConverter {
       note_massless(holder_, Outcome::kSubstituted,
                     "a link of " + to_text(link_.inertial->mass) + " kg");
     }
-    for (const Id<Link> id : draft_.tree.order) {
-      if (draft_.node(id).holder != holder_) continue;
+    for (const Id<Link> id : draft_.node(holder_).held) {
       take_head(id);
       // Those on a link that is a frame are the frame's.
       if (id == holder_) link_.comments = comments_on(root_[id].site);
@@ -109,8 +108,11 @@ class SdfLinkConverter {
  private:
   void note_massless(Id<Link> id, Outcome outcome, std::string instead) {
     const Link& link = root_[id];
+    const Id<model::Joint> carrier = draft_.node(id).carrier;
+    const bool moves = outcome == Outcome::kSubstituted && carrier &&
+                       root_[carrier].type != model::JointType::kFixed;
     ledger_.take_all(link.inertial.site, outcome);
-    ledger_.note({.kind = NoteKind::kMassless,
+    ledger_.note({.kind = moves ? NoteKind::kMasslessMoving : NoteKind::kMassless,
                   .outcome = outcome,
                   .where = link.site.name,
                   .subject = model::subject(root_, link),

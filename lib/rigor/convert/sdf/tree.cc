@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -32,6 +33,9 @@ std::string without_dunder(std::string_view name) {
   return std::string(name.substr(begin, name.find_last_not_of('_') + 1 - begin));
 }
 
+/// Names of roots in a note: more say nothing new.
+constexpr std::size_t kMostSdfRootsTold = 10;
+
 class SdfTreeBuilder {
  public:
   SdfTreeBuilder(const Source& source, const SdfOptions& options, Ledger& ledger)
@@ -60,12 +64,14 @@ class SdfTreeBuilder {
  private:
   SdfNode& node(Id<Link> id) { return tree_.nodes[id.value]; }
 
-  bool refuse(NoteKind kind, Span where, std::string subject, std::string written) {
+  bool refuse(NoteKind kind, Span where, std::string subject, std::string written,
+              std::size_t count = 1) {
     ledger_.note({.kind = kind,
                   .outcome = Outcome::kLost,
                   .where = where,
                   .subject = std::move(subject),
-                  .written = std::move(written)});
+                  .written = std::move(written),
+                  .count = count});
     return false;
   }
 
@@ -94,12 +100,14 @@ class SdfTreeBuilder {
     for (std::uint32_t i = 0; i < tree_.nodes.size(); ++i) {
       if (tree_.nodes[i].carrier) continue;
       roots.push_back({i});
+      if (roots.size() > kMostSdfRootsTold) continue;
       names += (names.empty() ? "" : ", ") + root_.links[i].name.value;
     }
+    if (roots.size() > kMostSdfRootsTold) names += ", …";
     if (roots.size() == 1) return roots[0];
     const model::Model& robot = root_.models[0];
     refuse(roots.empty() ? NoteKind::kNoRoot : NoteKind::kSeveralRoots, robot.site.name,
-           model::subject(root_, robot), std::move(names));
+           model::subject(root_, robot), std::move(names), std::max<std::size_t>(roots.size(), 1));
     return std::nullopt;
   }
 
@@ -167,6 +175,9 @@ class SdfTreeBuilder {
       one.holder = node(one.parent).holder;
     }
     if (node(root).role == Role::kLink && is_massless(base)) hand_over(root);
+    for (const Id<Link> id : tree_.order) {
+      if (const Id<Link> holder = node(id).holder) node(holder).held.push_back(id);
+    }
   }
 
   /// A root without mass, such as `base_footprint`, becomes a frame of the first link with mass that

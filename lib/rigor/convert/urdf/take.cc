@@ -4,10 +4,13 @@
 #include <rigor/convert/urdf/take.h>
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 #include <rigor/model/subject.h>
 #include <rigor/read/include_parameters.h>
+#include <rigor/read/values.h>
+#include <rigor/read/workspace.h>
 
 namespace rigor::convert {
 namespace {
@@ -23,10 +26,25 @@ void take_overridden(Ledger& ledger, xml::Element model, std::string_view name) 
   if (const auto child = model.child(name)) ledger.take_all(*child, Outcome::kImplied);
 }
 
-/// The model was read with them done.
-void take_parameters(Ledger& ledger, xml::Element include) {
-  const auto parameters = include.child("experimental:params");
+/// The model was read with them done, but for what leads nowhere.
+void take_parameters(const Source& source, Ledger& ledger, const model::Include& include,
+                     const std::string& subject) {
+  const xml::Element element = source.documents.element(include.site);
+  const auto parameters = element.child("experimental:params");
   if (!parameters) return;
+  const ReadResult file = source.resolver.disk().read(include.path, read::kMaxModelBytes);
+  if (file.bytes) {
+    const xml::Document included = xml::parse(*file.bytes, {});
+    const auto& document = source.documents.of(element.name_span().source);
+    for (const xml::Element ignored :
+         read::with_include_parameters(included, document, element).ignored) {
+      ledger.lose(read::site_of(ignored),
+                  {.where = ignored.name_span(),
+                   .subject = subject,
+                   .written = "experimental:params/" + std::string(ignored.name()) +
+                              ", which leads nowhere,"});
+    }
+  }
   ledger.take(*parameters);
   std::size_t count = 0;
   for (const xml::Element parameter : parameters->children()) {
@@ -36,9 +54,9 @@ void take_parameters(Ledger& ledger, xml::Element include) {
 }
 
 void take_include(const Source& source, Ledger& ledger, const model::Include& include,
-                  xml::Element model) {
+                  xml::Element model, const std::string& subject) {
   ledger.take(include.site);
-  take_parameters(ledger, source.documents.element(include.site));
+  take_parameters(source, ledger, include, subject);
   ledger.take(include.uri);
   ledger.take(include.name);
   ledger.take(include.merge);
@@ -68,8 +86,9 @@ void take_model(const Source& source, Ledger& ledger, model::Id<model::Model> id
   const xml::Element element = source.documents.element(model.site);
   if (model.include < root.includes.size()) {
     const model::Include& include = root.includes[model.include];
-    ledger.open(include.site, model::subject(root, model));
-    take_include(source, ledger, include, element);
+    const std::string subject = model::subject(root, model);
+    ledger.open(include.site, subject);
+    take_include(source, ledger, include, element, subject);
   }
   ledger.open(model.site, model::subject(root, model));
   ledger.take(model.site);

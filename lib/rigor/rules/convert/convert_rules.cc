@@ -33,17 +33,21 @@ bool lost_several(const convert::Note& note) {
          std::ranges::find(kWithoutElements, note.kind) == std::end(kWithoutElements);
 }
 
-/// What several notes have in common: the package that forty meshes are in, the rule that libsdformat
+/// What several notes have in common: the package or folder that forty meshes are in, the rule that libsdformat
 /// rejects twelve inertias by, that SDF has no transmissions. Empty where the message says it.
 std::string cause_of(const convert::Note& note) {
   switch (note.kind) {
     case convert::NoteKind::kUriNotFound:
     case convert::NoteKind::kUriElsewhere: {
       const std::size_t scheme = note.written.find("://");
-      if (scheme == std::string::npos || note.written.starts_with("file")) return {};
+      // A folder that is missing, or meant from elsewhere.
+      if (scheme == std::string::npos || note.written.starts_with("file")) {
+        return note.written.substr(0, note.written.rfind('/') + 1);
+      }
       return note.written.substr(0, note.written.find('/', scheme + 3));
     }
     case convert::NoteKind::kRefusedSdf: return note.instead;
+    case convert::NoteKind::kInertiaNearest: return "nearest";
     // SDF has no such thing, whatever their names.
     case convert::NoteKind::kTransmission:
     case convert::NoteKind::kRos2Control: return note.instead.empty() ? "lost" : "";

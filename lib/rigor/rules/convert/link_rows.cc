@@ -34,6 +34,16 @@ std::span<const Row> link_rows() {
        .why = "In URDF a link without an inertial weighs nothing and mostly serves as a frame; SDF "
               "would give it 1 kg, and the official converter drops it with all links below it.",
        .what_to_do = "Nothing, or write the inertial that the link really has."},
+      {.rule = {"convert-massless-moving", NoteKind::kMasslessMoving, Severity::kWarning,
+                Formats::kUrdf},
+       .message = "has no mass but moves: it becomes {instead}",
+       .summary = "a moving link without mass",
+       .why =
+           "A solver divides by the mass of what moves: Gazebo needs one, SDF would give the link "
+           "1 kg, and the official converter drops it with all links below it. Next to nothing "
+           "keeps the robot's mass, but shakes or explodes under contact or force.",
+       .what_to_do = "Write the inertial that the link really has: `rigor inertia MODEL --diff` "
+                     "computes it from the shapes."},
       {.rule = {"convert-inertia-incomplete", NoteKind::kInertiaIncomplete, Severity::kError,
                 Formats::kUrdf},
        .message = "the inertia has no {written}: with --allow-loss it is {instead}",
@@ -48,6 +58,17 @@ std::span<const Row> link_rows() {
        .why = "A link without mass becomes a frame of the link that it is fixed to. Its inertia is "
               "still there in URDF, so the robot keeps it, in that link.",
        .what_to_do = "Remove the inertia, or write the mass that belongs to it."},
+      {.rule = {"convert-inertia-nearest", NoteKind::kInertiaNearest, Severity::kWarning,
+                Formats::kUrdf},
+       .message =
+           "no rigid body has the principal moments {written} kg·m²: the nearest are written, "
+           "{instead}",
+       .summary = "an impossible inertia is replaced by the nearest possible one",
+       .why = "libsdformat rejects an inertia that no rigid body can have, and with it the model. "
+              "The principal axes are kept, and no mass distribution has a tensor nearer to the "
+              "one in the source; it is still not the real one.",
+       .what_to_do =
+           "Correct the source: `rigor inertia MODEL --diff` computes it from the shapes."},
       {.rule = {"convert-mass-tiny", NoteKind::kTinyMass, Severity::kWarning, Formats::kSdf},
        .message = "the mass {written} kg counts as none where Gazebo reads the URDF: the link and "
                   "what hangs on it are dropped",

@@ -33,8 +33,10 @@ std::span<const Row> proof_rows() {
            "libsdformat 12, which Gazebo loads SDF with, rejects a file for this; the source has "
            "it already, and the conversion keeps what the source says.",
        .what_to_do =
-           "Correct the source, for inertias with `rigor inertia MODEL --write`; or write "
-           "the result all the same with `--allow-loss`."},
+           "Correct the source. For an inertia: `--inertia nearest` writes the nearest that a "
+           "rigid "
+           "body can have, and `rigor inertia MODEL --diff` computes one from the shapes. "
+           "`--allow-loss` writes the result in any case."},
       {.rule = {"convert-reference-lost", NoteKind::kDangling, Severity::kWarning, Formats::kUrdf},
        .message = "in the result {written}",
        .summary = "a reference of the result leads nowhere",

@@ -63,7 +63,8 @@ std::string in_short(std::string_view text) {
   std::string line(text.substr(0, text.find('\n')));
   if (line.size() > kMost) {
     std::size_t end = kMost;
-    while ((static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) --end;  // whole code points
+    // Whole code points, where it has any.
+    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) --end;
     line.resize(end);
   }
   return '\'' + line + (line.size() < text.size() ? "…'" : "'");
