@@ -186,6 +186,19 @@ TEST(XacroExpand, WhatIsOutsideOfTheLanguageIsNamed) {
   }
 }
 
+TEST(XacroExpand, NamesLikeUndefinedOnesAreSearchedForWithinTheBounds) {
+  std::string inside;
+  for (int i = 0; i < 200; ++i) {
+    const std::string number = std::to_string(i);
+    inside += "<xacro:property name=\"known_" + number + "\" value=\"1\"/>\n";
+    inside += "<a b=\"${unknown_" + number + "}\"/>\n";
+  }
+  xacro::Options options;
+  options.bounds.steps = 10'000;
+  const Expanded expanded(robot(inside), {}, options);
+  EXPECT_EQ(expanded.expansion.facts.back().kind, FactKind::kBoundReached);
+}
+
 TEST(XacroExpand, AMissingPackageIsOneFindingAndTheRestIsChecked) {
   const Expanded expanded(
       robot("<xacro:include filename=\"$(find no_such)/arm.xacro\"/>\n"

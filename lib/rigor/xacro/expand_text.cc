@@ -241,6 +241,8 @@ std::string Expander::name_near(Scope& scope, std::string_view name) {
   for (Symbol symbol = 0; symbol < builtins_.size(); ++symbol) {
     if (is_builtin(symbol)) candidates.push_back(symbols_.name(symbol));
   }
+  // Thousands of names may be undefined, each in a thousand scopes.
+  if (!evaluator_.work(candidates.size())) return {};
   std::sort(candidates.begin(), candidates.end());
   return nearest_name(name, candidates);
 }
