@@ -4,11 +4,11 @@
 #include <rigor/simulate/pose/stand_pose.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
-
-#include <fmt/core.h>
 
 #include <rigor/simulate/footprint.h>
 #include <rigor/simulate/joint_load.h>
@@ -316,6 +316,13 @@ std::vector<double> positions_in(const Scene& scene, const GroupState& state,
   return positions;
 }
 
+std::string three_digits(double value) {
+  std::array<char, 32> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3);
+  return {text.data(), end.ptr};
+}
+
 }  // namespace
 
 StandPose find_stand_pose(const Scene& scene, const DriveTrain& wheels,
@@ -374,11 +381,11 @@ std::string in_words(const Scene& scene, const StandPose& pose) {
     }
     const std::string name = joint.name.substr(joint.name.rfind(':') + 1);
     const bool slides = joint.type == model::JointType::kPrismatic;
-    words += fmt::format("{}{}={:.3g}{}", told == 0 ? "" : ", ", name, pose.positions[j],
-                         slides ? " m" : " rad");
+    words += (told == 0 ? "" : ", ") + name + '=' + three_digits(pose.positions[j]) +
+             (slides ? " m" : " rad");
     ++told;
   }
-  if (more > 0) words += fmt::format(" and {} more", more);
+  if (more > 0) words += " and " + std::to_string(more) + " more";
   return words + " (--joint NAME=VALUE begins elsewhere)";
 }
 
