@@ -27,7 +27,7 @@ namespace {
 using namespace simulate;
 
 constexpr double kThigh = 0.3;  // m
-constexpr double kHalfPi = std::numbers::pi / 2;
+constexpr double kQuarterTurn = std::numbers::pi / 2;
 
 /// Limits of a leg's two hinges about y, rad.
 struct LegLimits {
@@ -50,11 +50,11 @@ void add_leg(Scene& scene, const Vector3& hip, const LegLimits& limits, double f
   add(thigh, shin, knee, limits.knee_lower, limits.knee_upper);
 }
 
-/// A trunk of 0.6 m on four legs: at zero it lies on its belly.
+/// A trunk of 0.6 m on four legs: at zero it balances on its round belly.
 Scene quadruped(const LegLimits& limits) {
   Scene scene = hand::scene();
   hand::add_body(scene, hand::box_mass(10, {0.6, 0.3, 0.1}), {0, 0, 0.05});
-  hand::add_shape(scene, 0, mesh::Box{{0.6, 0.3, 0.1}});
+  hand::add_shape(scene, 0, mesh::Sphere{0.05});
   for (const double x : {0.25, -0.25}) {
     for (const double y : {0.15, -0.15}) add_leg(scene, {x, y, 0.05}, limits, 0.02);
   }
@@ -86,12 +86,12 @@ TEST(StandPose, PosingIsForwardKinematics) {
 
 TEST(StandPose, FourLegsInTheMiddleOfTheirLimits) {
   // Middle: hips at 90°, knees straight.
-  const Scene scene = quadruped({0, 2 * kHalfPi, -1, 1});
+  const Scene scene = quadruped({0, 2 * kQuarterTurn, -1, 1});
   const StandPose pose = find_stand_pose(scene, {}, {});
   ASSERT_TRUE(pose.found());
   EXPECT_EQ(pose.from, "the middle of the limits of its legs");
   for (std::size_t leg = 0; leg < 4; ++leg) {
-    EXPECT_NEAR(pose.positions[2 * leg], kHalfPi, 1e-12);
+    EXPECT_NEAR(pose.positions[2 * leg], kQuarterTurn, 1e-12);
     EXPECT_NEAR(pose.positions[2 * leg + 1], 0, 1e-12);
   }
   const Scene standing = in_stand_pose(scene, pose);
@@ -126,7 +126,7 @@ TEST(StandPose, ASearchPutsFourFeetOnTheGround) {
 }
 
 TEST(StandPose, APoseThatSomebodyNamedGoesFirst) {
-  const Scene scene = quadruped({0, 2 * kHalfPi, -1, 1});
+  const Scene scene = quadruped({0, 2 * kQuarterTurn, -1, 1});
   GroupState named{"standing", "dog.srdf", {}};
   for (const char* hip : {"joint0", "joint2", "joint4", "joint6"}) {
     named.positions.emplace_back(hip, 1.4);
@@ -143,7 +143,7 @@ TEST(StandPose, APoseThatSomebodyNamedGoesFirst) {
 TEST(StandPose, TwoPointsAreNoStanceAndWheelsNeedNone) {
   Scene biped = hand::scene();
   hand::add_body(biped, hand::box_mass(10, {0.2, 0.2, 0.4}), {0, 0, 0.2});
-  hand::add_shape(biped, 0, mesh::Box{{0.2, 0.2, 0.1}});
+  hand::add_shape(biped, 0, mesh::Sphere{0.2});
   for (const double y : {0.1, -0.1}) add_leg(biped, {0, y, 0.2}, {-3, 3, -3, 3}, 0.001);
   biped.size = 0.9;
   const StandPose none = find_stand_pose(biped, {}, {});

@@ -100,6 +100,14 @@ void blame_effort(MetricSheet& sheet, bool exhausted) {
   if (metric.fact && exhausted) metric.fact->kind = FactKind::kJointOverloaded;
 }
 
+/// Limits of an arm are those of its motors, and within them its links meet: no fault, but worth knowing.
+void forgive_reach(Metric& reach) {
+  if (reach.verdict != Verdict::kFail) return;
+  reach.verdict = Verdict::kWarn;
+  reach.fact->severe = false;
+  reach.fact->limit = *reach.warn;
+}
+
 }  // namespace
 
 void add_joint_metrics(MetricSheet& sheet) {
@@ -118,6 +126,7 @@ void add_sweep_metrics(MetricSheet& sheet) {
   const JointLoads loads(sheet.scene);
   Peak reach, effort;
   bool exhausted = false;
+  bool blocked = false;
   for (std::size_t i = 0; i < sheet.scenario.phases.size(); ++i) {
     const Phase& phase = sheet.scenario.phases[i];
     if (!phase.name.starts_with(kSweepPhase)) continue;
@@ -129,14 +138,20 @@ void add_sweep_metrics(MetricSheet& sheet) {
                                          seen.axis_least[axis], seen.axis_most[axis]);
     const double share = effort_share(sheet.scene.joints[sweep.joint], loads, sweep.motion,
                                       seen.axis_effort[axis], missing);
-    if (missing > reach.value) exhausted = share >= kAllEffort;
+    const bool touches_itself = seen.self_contact.value > 0;
+    if (missing > reach.value) {
+      exhausted = share >= kAllEffort && !touches_itself;
+      blocked = touches_itself;
+    }
     reach.see(missing, sweep.joint, 0);
-    effort.see(share, sweep.joint, 0);
+    if (!touches_itself) effort.see(share, sweep.joint, 0);
     if (reach.of == kWorld) reach.of = sweep.joint;
   }
   if (reach.of == kWorld) return;
   sheet.add("joint.reach", reach.value, about_joint(sheet.scene, reach.of));
   blame_effort(sheet, exhausted);
+  if (blocked) forgive_reach(sheet.metrics.back());
+  if (effort.of == kWorld) return;
   sheet.add("joint.effort", effort.value, about_joint(sheet.scene, effort.of));
 }
 

@@ -4,11 +4,11 @@
 #include <rigor/simulate/pose/stand_pose.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
-
-#include <fmt/core.h>
 
 #include <rigor/simulate/footprint.h>
 #include <rigor/simulate/joint_load.h>
@@ -194,16 +194,27 @@ class StandSearch {
     return score(positions) > 0 && stands_by_itself(posing_.at(positions), model_);
   }
 
-  /// The best pose near one; each pair of legs moves alike.
+  /// The best pose near one. All legs move together before a pair does alone: one pair alone only lifts the other.
   std::vector<double> best_near(std::vector<double> positions) {
+    std::vector<std::vector<double>> moves(2);
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < legs_.size(); ++i) {
+      moves[0].push_back(1);
+      moves[1].push_back(i % 2 == 0 ? 1 : -1);  // knees of the hind legs bend the other way
+      most = std::max(most, legs_[i].signs.size());
+    }
+    for (std::size_t i = 0; i < legs_.size(); ++i) {
+      moves.emplace_back(legs_.size());
+      moves.back()[i] = 1;
+    }
     double best = score(positions);
     double share = kFirstStep;
     for (int i = 0; i <= kHalvings; ++i, share /= 2) {
       for (bool better = true; better && trials_ < kMostTrials;) {
         better = false;
-        for (const LegPair& pair : legs_) {
-          for (std::size_t k = 0; k < pair.signs.size(); ++k) {
-            better = step(pair, k, share, positions, best) || better;
+        for (const std::vector<double>& move : moves) {
+          for (std::size_t k = 0; k < most; ++k) {
+            better = step(move, k, share, positions, best) || better;
           }
         }
       }
@@ -221,14 +232,19 @@ class StandSearch {
         std::clamp(pair.signs[k] * value, second.lower, second.upper);
   }
 
-  bool step(const LegPair& pair, std::size_t k, double share, std::vector<double>& positions,
-            double& best) {
-    const std::uint32_t joint = pair.first->joints[k];
-    const JointRange range = range_of(scene_.joints[joint]);
+  /// The k-th joint of each pair that the move names, by a share of its range.
+  bool step(const std::vector<double>& move, std::size_t k, double share,
+            std::vector<double>& positions, double& best) {
     for (const double way : {share, -share}) {
       if (trials_ >= kMostTrials) return false;
       std::vector<double> tried = positions;
-      set(tried, pair, k, positions[joint] + way * (range.upper - range.lower));
+      for (std::size_t i = 0; i < legs_.size(); ++i) {
+        const LegPair& pair = legs_[i];
+        if (move[i] == 0 || k >= pair.signs.size()) continue;
+        const std::uint32_t joint = pair.first->joints[k];
+        const JointRange range = range_of(scene_.joints[joint]);
+        set(tried, pair, k, positions[joint] + move[i] * way * (range.upper - range.lower));
+      }
       if (tried == positions) continue;
       const double reached = score(tried);
       if (!(reached > best)) continue;
@@ -300,6 +316,13 @@ std::vector<double> positions_in(const Scene& scene, const GroupState& state,
   return positions;
 }
 
+std::string three_digits(double value) {
+  std::array<char, 32> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3);
+  return {text.data(), end.ptr};
+}
+
 }  // namespace
 
 StandPose find_stand_pose(const Scene& scene, const DriveTrain& wheels,
@@ -307,7 +330,7 @@ StandPose find_stand_pose(const Scene& scene, const DriveTrain& wheels,
   if (!scene.alone || !wheels.empty() || scene.models.size() != 1 || !stands_free(scene, 0))
     return {};
   // With half of its shapes nobody knows what its feet are.
-  if (scene.models[0].missing_shapes > 0) return {};
+  if (scene.models[0].missing_shapes > 0 || lowest_of_model(scene, 0) == kInfinity) return {};
   if (scene.joints.size() > kMostLeggedJoints) return {};
   const std::vector<Limb> limbs = limbs_of(scene, 0);
   const std::vector<LegPair> legs = legs_of(scene, 0, limbs);
@@ -358,11 +381,11 @@ std::string in_words(const Scene& scene, const StandPose& pose) {
     }
     const std::string name = joint.name.substr(joint.name.rfind(':') + 1);
     const bool slides = joint.type == model::JointType::kPrismatic;
-    words += fmt::format("{}{}={:.3g}{}", told == 0 ? "" : ", ", name, pose.positions[j],
-                         slides ? " m" : " rad");
+    words += (told == 0 ? "" : ", ") + name + '=' + three_digits(pose.positions[j]) +
+             (slides ? " m" : " rad");
     ++told;
   }
-  if (more > 0) words += fmt::format(" and {} more", more);
+  if (more > 0) words += " and " + std::to_string(more) + " more";
   return words + " (--joint NAME=VALUE begins elsewhere)";
 }
 
