@@ -84,7 +84,12 @@ void restore(std::string& text, const std::string& old) {
 void restore(robot::Robot& robot, const std::string& old) {
   restore(robot.name, old);
   for (auto& body : robot.bodies) restore(body.name, old);
-  for (auto& joint : robot.joints) restore(joint.name, old);
+  for (auto& joint : robot.joints) {
+    restore(joint.name, old);
+    for (auto& axis : joint.axes) {
+      if (axis.follow) restore(axis.follow->joint, old);
+    }
+  }
   for (auto& frame : robot.frames) restore(frame.name, old);
 }
 

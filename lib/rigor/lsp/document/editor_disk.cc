@@ -46,9 +46,10 @@ std::set<std::string> EditorDisk::take_asked() const {
 
 std::shared_ptr<const std::string> EditorDisk::text_of(const std::string& path) const {
   const std::lock_guard lock(mutex_);
-  const auto found = open_.find(normalize_path(path));
+  std::string normal = normalize_path(path);
+  const auto found = open_.find(normal);
+  asked_.insert(std::move(normal));
   if (found == open_.end()) return nullptr;
-  asked_.insert(found->first);
   return found->second;
 }
 

@@ -7,7 +7,7 @@
 //   disk.open_in_editor("/robot/arm.xacro", text);
 //   disk.read("/robot/arm.xacro", …);              // the editor's text, saved or not
 //
-// It also remembers what open files were asked for: what depends on a document is checked again with it.
+// It also remembers what it was asked for: what depends on a file is checked again with it.
 
 #pragma once
 
@@ -31,7 +31,7 @@ class EditorDisk final : public Disk {
   void open_in_editor(const std::string& path, std::string text);
   void close_in_editor(const std::string& path);
 
-  /// Paths of open files that were read or asked for since the last call.
+  /// Normalized paths that were read or asked for since the last call, open or not.
   std::set<std::string> take_asked() const;
 
   std::unique_ptr<OpenFile> open(const std::string& path) const override;

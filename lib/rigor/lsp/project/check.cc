@@ -32,7 +32,7 @@ CheckedDocument check(const EditorDisk& disk, const Project& project, const std:
   disk.take_asked();
   checked.result = rules::validate(project.environment(), check_options(project, path, meshes),
                                    *checked.sources);
-  checked.open_files = disk.take_asked();
+  checked.asked_files = disk.take_asked();
   return checked;
 }
 

@@ -18,8 +18,7 @@ namespace rigor::lsp {
 struct CheckedDocument {
   std::unique_ptr<Sources> sources;
   rules::ValidateResult result;
-  std::set<std::string>
-      open_files;  ///< open documents that it depends on, itself among them; normalized paths
+  std::set<std::string> asked_files;  ///< that it depends on, itself among them; normalized paths
 };
 
 /// What `validate` is asked about the file at a path. The project outlives it.

@@ -189,7 +189,7 @@ void Session::check_dependents(const std::string& path) {
     const auto document = state_.documents.find(uri);
     if (document == state_.documents.end() || normalize_path(document->second->path()) == normal)
       continue;
-    if (!check.checked.open_files.contains(normal)) continue;
+    if (!check.checked.asked_files.contains(normal)) continue;
     state_.checks[uri].version = -1;
     document->second->forget();
     check_later(uri);
