@@ -344,6 +344,11 @@ set_kind("plugin", "Gazebo material misspelt", ("material", "name"), lambda old:
 
 # Worlds.
 
+def has_direction(element):
+    """Point lights read none."""
+    return element.parent.name == "light" and element.parent.get("type") in ("directional", "spot")
+
+
 @kind("world", "model twice in one place")
 def model_twice(text):
     for one in text.all("include", "model"):
@@ -357,8 +362,8 @@ def model_twice(text):
 
 
 set_kind("world", "light shines up", ("direction",), lambda old: " ".join(old.split()[:2] + [old.split()[2].lstrip("-")])
-         if len(old.split()) == 3 and old.split()[2].startswith("-") else None, inside("light"))
-set_kind("world", "light has no direction", ("direction",), "0 0 0", inside("light"))
+         if len(old.split()) == 3 and old.split()[2].startswith("-") else None, lambda e: has_direction(e) and e.parent.get("type") == "directional")
+set_kind("world", "light has no direction", ("direction",), "0 0 0", has_direction)
 
 
 @kind("world", "light type misspelt")
@@ -418,7 +423,8 @@ def missing_model(text):
             yield Slip(joint, put(value, "chassis::" + value.text))
 
 
-set_kind("world", "static misspelt", ("static",), lambda old: {"true": "ture", "1": "yes"}.get(old))
+set_kind("world", "static misspelt", ("static",), lambda old: {"true": "ture", "1": "yes"}.get(old),
+         lambda e: e.parent.name in ("model", "include"))
 set_kind("world", "latitude beyond the pole", ("latitude_deg",), "137.4")
 set_kind("world", "colors of 0 to 255", ("diffuse", "ambient"), lambda old: " ".join(
     [number(round(float(w) * 255)) for w in old.split()[:3]] + old.split()[3:]) if any(0 < float(w) <= 1 for w in old.split()[:3]) else None,

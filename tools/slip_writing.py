@@ -353,5 +353,5 @@ def mass(text):
 def limit(text):
     for joint in joints(text):
         if (value := limit_value(joint, "upper")) and value.numbers() and 0.2 < value.numbers()[0] < 4 \
-                and "mimic" not in [child.name for child in joint.children]:
+                and not {"mimic", "safety_controller"} & {child.name for child in joint.children}:
             yield Slip(joint, put(value, f"{value.numbers()[0] * 0.99:.6g}"))
