@@ -15,6 +15,9 @@ namespace rigor::rules::effort_looks_like_kilonewtons {
 
 constexpr double kKilo = 1000;
 
+// N·m or N: from here on both may be right, as of an arm of 2000 N·m with fingers of 2.
+constexpr double kMost = 1;
+
 // Numbers are copied with all their digits.
 constexpr double kSame = 1e-6;
 
@@ -39,7 +42,7 @@ void check(const model::Model& robot, Context& context) {
     const model::Joint& joint = root[id];
     if (!root.own(joint.site) || !has_axis(joint.type) || joint.axes.empty()) continue;
     const auto& effort = joint.axes.front().effort;
-    if (!effort.written || !(effort.value > 0) || !std::isfinite(effort.value)) continue;
+    if (!effort.written || !(effort.value > 0) || !(effort.value < kMost)) continue;
     const auto meant = twin(effort.value, efforts);
     if (!meant) continue;
     context.report({.where = effort.span,
@@ -62,7 +65,7 @@ Rule rule() {
       .summary = "a joint's effort limit is exactly a thousandth of another's",
       .why = "Read in N·m, or N of a prismatic joint, such a motor moves nothing: simulators "
              "clamp commands to the limit. An effort is reported when it is that of another joint "
-             "of the robot over 1000, as when one data sheet has kN·m and another N·m.",
+             "of the robot over 1000 and below 1, as when one data sheet has kN·m and another N·m.",
       .what_to_do = "Write the effort in N·m, or N.",
       .checks = {on<model::Model>(check)},
   };

@@ -48,7 +48,7 @@ std::set<std::uint32_t> driven_links(Context& context) {
 void check(const model::Root& root, Context& context) {
   std::vector<ContactSettings> slippery;
   for (ContactSettings& contact : contact_settings(context)) {
-    if (contact.mu.written && contact.mu.value <= 0) {
+    if (contact.mu.written && contact.mu.value == 0) {
       slippery.push_back(std::move(contact));
     }
   }
@@ -57,10 +57,9 @@ void check(const model::Root& root, Context& context) {
   for (const ContactSettings& contact : slippery) {
     const std::string& name = root[contact.link].name.value;
     const bool drives = driven.contains(contact.link.value);
-    if (contact.mu.value == 0 && !drives && !is_called_wheel_or_foot(name)) continue;
-    const std::string what = contact.mu.value < 0 ? "is negative" : "is 0";
+    if (!drives && !is_called_wheel_or_foot(name)) continue;
     context.report({.where = contact.mu.span,
-                    .message = "the friction of '" + name + "' " + what +
+                    .message = "the friction of '" + name + "' is 0" +
                                (drives ? ": the wheel spins and drives nothing" : ": it slides"),
                     .subject = contact.subject});
   }
@@ -70,11 +69,10 @@ Rule rule() {
   return {
       .name = "wheel-without-friction",
       .severity = Severity::kWarning,
-      .summary = "a wheel or foot has no friction, or a negative one",
+      .summary = "a wheel or foot has no friction",
       .why = "The wheel spins on the spot and the robot stays; a foot slides away under its load. "
              "A friction of 0 is right for what slides on purpose, such as a caster: reported are "
-             "the wheels of a drive plugin, and links that are called wheel, foot or tire. A "
-             "negative coefficient is none for any engine.",
+             "the wheels of a drive plugin, and links that are called wheel, foot or tire.",
       .what_to_do = "Write the coefficient of friction: 1 for rubber on a dry floor.",
       .checks = {on<model::Root>(check)},
   };
