@@ -16,8 +16,10 @@ constexpr double kTurn = 6.283185307179586;
 // 1 % over a full turn leaves room for 6.3 and the like.
 constexpr double kMost = 1.01 * kTurn;
 
-/// A whole multiple of five is what people write in degrees.
-bool round_degrees(double angle) { return std::fmod(angle, 5) == 0; }
+/// Whole numbers up to a turn are what people write in degrees, and multiples of five beyond.
+bool round_degrees(double angle) {
+  return std::fmod(angle, 5) == 0 || (std::abs(angle) <= 360 && std::fmod(angle, 1) == 0);
+}
 
 /// A full turn has two digits in degrees: most poses need no closer look.
 bool has_long_number(std::string_view bytes) {
@@ -49,9 +51,9 @@ Rule rule() {
       .name = "pose-looks-like-degrees",
       .severity = Severity::kWarning,
       .summary = "an angle of a pose looks like degrees",
-      .why = "Read as radians, 90 is more than fourteen turns: the part is rotated wrongly, and no "
-             "consumer warns. Angles are in radians unless degrees=\"true\" is set (SDF 1.9 and "
-             "later).",
+      .why = "Read as radians, 90 is more than fourteen turns: the part is rotated wrongly, and "
+             "no consumer warns. Angles are in radians unless degrees=\"true\" is set (SDF 1.9 "
+             "and later).",
       .what_to_do = "Convert the angle to radians, or write degrees=\"true\" in an SDF 1.9 pose.",
       .checks = on_poses<check_pose>(),
   };

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/kinematics/leader.h>
+#include <rigor/rules/kinematics/motion.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::driven_wheel_limited {
@@ -42,7 +43,7 @@ const Drive* drive_of(const model::Plugin& plugin) {
 
 /// Why the joint cannot turn on; empty when it can.
 std::string obstacle(const model::Joint& joint) {
-  if (joint.type == model::JointType::kFixed || joint.type == model::JointType::kPrismatic) {
+  if (joint.type != model::JointType::kUnknown && !turns(joint.type)) {
     return fmt::format("is {}", to_string(joint.type));
   }
   if (!is_limited(joint.type) || joint.axes.empty()) return {};
@@ -78,8 +79,8 @@ Rule rule() {
       .why = "A wheel or rotor with limits stops when it has reached them, after some meters, and "
              "the robot rotates on the spot or stops; a fixed or sliding one never moves. Wheels, "
              "rotors and propellers rotate without limit.",
-      .what_to_do =
-          "Take lower and upper out of the limit of an SDF, or make the joint continuous.",
+      .what_to_do = "Take lower and upper out of the limit of an SDF, or make the joint "
+                    "continuous.",
       .checks = {on<model::Plugin>(check)},
   };
 }

@@ -26,6 +26,15 @@ std::optional<Fix> fixed_instead(const model::Joint& joint, const model::Axis& a
   return fix_of("make it fixed", Applicability::kUnsafe, std::move(edits));
 }
 
+/// URDF: whether effort and velocity say what its motor can, so that it is there to move.
+bool has_motor(const Context& context, const model::Joint& joint, const model::Axis& axis) {
+  if (!context.is_urdf() || axis.upper.value != 0) return false;
+  const double effort = effort_limit(context.root(), joint, axis);
+  const double velocity = velocity_limit(context.root(), joint, axis);
+  // 1 and 1, or 100 and 100, are what exporters and templates write.
+  return std::isfinite(effort) && std::isfinite(velocity) && effort != velocity;
+}
+
 void check(const model::Joint& joint, Context& context) {
   if (!is_limited(joint.type) || joint.axes.size() != 1) return;
   const model::Axis& axis = joint.axes.front();
@@ -39,7 +48,9 @@ void check(const model::Joint& joint, Context& context) {
        .message = fmt::format("both limits are {} {}: the {} joint cannot move", axis.upper.value,
                               position_unit(joint.type), to_string(joint.type)),
        .subject = context.subject(joint),
-       .fix = fixed_instead(joint, axis, context)});
+       .fix = fixed_instead(joint, axis, context),
+       .severity =
+           has_motor(context, joint, axis) ? std::optional(Severity::kWarning) : std::nullopt});
 }
 
 Rule rule() {
@@ -50,7 +61,8 @@ Rule rule() {
       .summary = "the limits of a joint leave it one position",
       .why = "The joint cannot move. Files from before SDF had fixed joints lock a revolute one "
              "so; an engine then solves for a joint and its two stops, which is slower and less "
-             "stiff than a fixed joint.",
+             "stiff than a fixed joint. In a URDF whose joint has an effort and a velocity it is "
+             "a warning.",
       .what_to_do = "Make the joint fixed, or write the limits that were meant.",
       .checks = {on<model::Joint>(check)},
   };

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/rules/physics/contact_settings.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::contact_depth_too_large {
@@ -31,7 +32,10 @@ std::optional<double> thickness(const model::Shape& shape) {
   return std::nullopt;
 }
 
-void check(const model::Collision& collision, Context& context) {
+// m; whatever the shape, no wheel or foot is to sink in as far.
+constexpr double kEver = 0.1;
+
+void check_collision(const model::Collision& collision, Context& context) {
   const auto thick = thickness(collision.geometry.shape);
   if (!thick || !(*thick > 0)) return;
   const auto& depth = collision.surface.min_depth;
@@ -43,16 +47,31 @@ void check(const model::Collision& collision, Context& context) {
                   .subject = context.subject(collision)});
 }
 
+/// Of meshes, and of links of a URDF: no thickness is known.
+void check(const model::Root& root, Context& context) {
+  for (const model::Collision& collision : root.collisions) {
+    if (context.is_sdf() && root.own(collision.site)) check_collision(collision, context);
+  }
+  for (const ContactSettings& contact : contact_settings(context)) {
+    if (!contact.min_depth.written || !(contact.min_depth.value >= kEver)) continue;
+    if (contact.collision != nullptr && thickness(contact.collision->geometry.shape)) continue;
+    context.report({.where = contact.min_depth.span,
+                    .message = fmt::format("bodies may sink {} m into each other before anything "
+                                           "pushes them apart",
+                                           contact.min_depth.value),
+                    .subject = contact.subject});
+  }
+}
+
 Rule rule() {
   return {
       .name = "contact-depth-too-large",
       .severity = Severity::kWarning,
-      .formats = Formats::kSdf,
       .summary = "the depth that contacts leave uncorrected is a large part of the shape",
-      .why = "Gazebo classic corrects a penetration only beyond min_depth (meters). The body sinks "
-             "in by that much, and a wheel rolls with a smaller radius than it has.",
+      .why = "Gazebo classic corrects a penetration only beyond min_depth (meters). The body "
+             "sinks in by that much, and a wheel rolls with a smaller radius than it has.",
       .what_to_do = "Write a millimeter or less, in meters.",
-      .checks = {on<model::Collision>(check)},
+      .checks = {on<model::Root>(check)},
   };
 }
 

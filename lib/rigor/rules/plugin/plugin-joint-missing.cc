@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -40,22 +41,73 @@ std::string_view within(const model::Model& model, std::string_view name) {
   return name.starts_with(own) ? name.substr(own.size()) : name;
 }
 
-bool is_whole(const model::Root& root) {
-  return std::all_of(root.includes.begin(), root.includes.end(),
-                     [](const model::Include& include) { return include.followed; });
+/// Whether nothing that the model includes is missing: a joint may be in it.
+bool is_whole(model::Id<model::Model> id, const model::Root& root) {
+  return std::none_of(root.includes.begin(), root.includes.end(),
+                      [&](const model::Include& include) {
+                        if (include.followed || !include.model) return false;
+                        for (auto around = include.model; around; around = root[around].parent) {
+                          if (around == id) return true;
+                        }
+                        return false;
+                      });
+}
+
+/// Of a plugin that rigor does not know: what names a joint, a link or a frame by the parameter's own name.
+bool may_name_part(std::string_view parameter) {
+  for (const std::string_view word :
+       {"oint", "link", "Link", "body", "Body", "frame", "Frame", "collision"}) {
+    if (parameter.find(word) != parameter.npos) return true;
+  }
+  return false;
+}
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+/// The same but for a letter within a word, or two that are exchanged. Numbers and letters that stand alone, as in
+/// leg_2 and l_arm, tell parts apart.
+bool is_slip_of(std::string_view name, std::string_view other) {
+  constexpr std::size_t kLeast = 6;
+  if (name.size() < kLeast || schema::edit_distance(name, other, 1) != 1) return false;
+  const auto at = std::mismatch(name.begin(), name.end(), other.begin(), other.end()).first;
+  const std::string_view longer = other.size() > name.size() ? other : name;
+  const auto i = static_cast<std::size_t>(at - name.begin());
+  if (!is_letter(longer[i])) return false;
+  const bool begins = i == 0 || !is_letter(longer[i - 1]);
+  const bool ends = i + 1 == longer.size() || !is_letter(longer[i + 1]);
+  return !(begins && ends);
+}
+
+void check_unknown(const model::Plugin& plugin, const model::Parameter& given, Context& context) {
+  const std::string& value = given.value.value;
+  if (!may_name_part(given.name) || !context.may_suggest() || !given.children.empty()) return;
+  const std::vector<std::string> names = context.frames().names().in({plugin.model, {}});
+  context.compared(names.size());
+  if (std::find(names.begin(), names.end(), value) != names.end()) return;
+  for (const std::string& name : names) {
+    if (!is_slip_of(value, name)) continue;
+    context.report(with_nearest({.where = given.value.span,
+                                 .message = "the plugin names '" + value +
+                                            "', which is no link, joint or frame of the model",
+                                 .subject = context.subject(plugin)},
+                                value, names, context));
+    return;
+  }
 }
 
 void check(const model::Root& root, Context& context) {
-  if (!is_whole(root)) return;  // a joint may be in what was not found
   const model::Names& names = context.frames().names();
   for (const model::Plugin& plugin : root.plugins) {
-    if (!plugin.model || !root.own(plugin.site)) continue;
+    if (!plugin.model || !root.own(plugin.site) || !is_whole(plugin.model, root)) continue;
     const std::string name = library(plugin.filename.value);
     for (const model::Parameter& child : plugin.parameters) {
       const auto parameter = std::find_if(
           std::begin(kPluginParameters), std::end(kPluginParameters),
           [&](const auto& known) { return known.library == name && known.element == child.name; });
-      if (parameter == std::end(kPluginParameters)) continue;
+      if (parameter == std::end(kPluginParameters)) {
+        check_unknown(plugin, child, context);
+        continue;
+      }
       const std::string& value = child.value.value;
       const std::string_view inner = within(root[plugin.model], value);
       // Some plugins of ROS 1 take a list.

@@ -26,6 +26,16 @@ bool is_among(const std::string_view (&list)[count], std::string_view name) {
 
 using Links = std::unordered_set<std::string_view>;
 
+/// Whether the frame is a link's name but for a letter within it: no one else publishes it.
+bool is_slip(std::string_view frame, const Links& links) {
+  constexpr std::size_t kLeast = 6;
+  return frame.size() >= kLeast &&
+         std::any_of(links.begin(), links.end(), [&](std::string_view link) {
+           return frame.front() == link.front() && frame.back() == link.back() &&
+                  schema::edit_distance(frame, link, 1) == 1;
+         });
+}
+
 void look_at(const model::Field<std::string>& field, const model::Sensor& sensor,
              const Links& links, Context& context) {
   const std::string_view name = field.value;
@@ -33,13 +43,14 @@ void look_at(const model::Field<std::string>& field, const model::Sensor& sensor
   const std::string_view frame = name.substr(name.rfind('/') + 1);
   if (frame.empty() || links.count(frame) != 0 || is_among(kOutside, frame)) return;
   if (has_xacro(name)) return;
-  const Span where = field.span;
-  context.report(with_nearest(
-      {.where = where,
+  Finding finding = with_nearest(
+      {.where = field.span,
        .message = "the sensor measures in the frame '" + std::string(name) +
                   "', which is no link of this robot",
        .subject = context.subject(sensor)},
-      name, [&context] { return names_of(context.root().links); }, context));
+      name, [&context] { return names_of(context.root().links); }, context);
+  if (is_slip(frame, links)) finding.severity = Severity::kWarning;
+  context.report(std::move(finding));
 }
 
 void check(const model::Root& root, Context& context) {
@@ -67,7 +78,8 @@ Rule rule() {
       .summary = "a sensor measures in a frame that is no link of the robot",
       .why = "In ROS the frame in the header of a measurement is looked up in tf, where "
              "robot_state_publisher publishes the links of the URDF. What comes in an unknown "
-             "frame, RViz drops, and navigation waits for, unless something else publishes it.",
+             "frame, RViz drops, and navigation waits for, unless something else publishes it. "
+             "One that is a link's name but for a letter is a warning.",
       .what_to_do = "Name a link of the robot: mostly the one that carries the sensor.",
       .checks = {on<model::Root>(check)},
   };

@@ -34,6 +34,45 @@ bool contains(const std::string_view (&list)[count], std::string_view type) {
   return std::find(std::begin(list), std::end(list), type) != std::end(list);
 }
 
+struct Block {
+  std::string_view name;
+  std::string_view types;  // that read it, between blanks
+};
+
+/// Elements with the settings of one kind of sensor.
+constexpr Block kBlocks[] = {
+    {"imu", " imu "},
+    {"contact", " contact "},
+    {"altimeter", " altimeter "},
+    {"magnetometer", " magnetometer "},
+    {"air_pressure", " air_pressure "},
+    {"force_torque", " force_torque "},
+    {"gps", " gps navsat "},
+    {"navsat", " gps navsat "},
+    {"logical_camera", " logical_camera "},
+    {"sonar", " sonar "},
+};
+
+/// The block of another type, in a sensor whose own type has a block that is not there.
+std::string_view other_block(const model::Sensor& sensor, const Context& context) {
+  const std::string type = " " + sensor.type.value + " ";
+  bool known = false;
+  std::string_view other;
+  for (const xml::Element child : context.element(sensor.site).children()) {
+    const std::string_view name = child.name();
+    if (name == "camera" || name == "lidar" || name == "ray") other = name;
+    for (const Block& block : kBlocks) {
+      if (block.name != name) continue;
+      if (block.types.find(type) != std::string_view::npos) return {};
+      other = name;
+    }
+  }
+  for (const Block& block : kBlocks) {
+    known = known || block.types.find(type) != std::string_view::npos;
+  }
+  return known ? other : std::string_view();
+}
+
 void check(const model::Sensor& sensor, Context& context) {
   const std::string& type = sensor.type.value;
   const bool camera = !sensor.cameras.empty();
@@ -46,6 +85,12 @@ void check(const model::Sensor& sensor, Context& context) {
     message = "a sensor of type '" + type + "' needs a <lidar>";
     if (camera) message += "; this one has a <camera>";
   }
+  if (message.empty()) {
+    if (const std::string_view other = other_block(sensor, context); !other.empty()) {
+      message =
+          "a sensor of type '" + type + "' does not read the <" + std::string(other) + "> in it";
+    }
+  }
   // One without any settings is a stub: its plugin, or a test, makes something of it.
   if (message.empty() || !sensor.configured) return;
   context.report({.where = sensor.type.span,
@@ -57,7 +102,7 @@ Rule rule() {
   return {
       .name = "sensor-block-mismatch",
       .severity = Severity::kWarning,
-      .summary = "a sensor lacks the element that its type needs",
+      .summary = "a sensor lacks the element that its type needs, or has another type's",
       .why = "libsdformat accepts it; Gazebo then does not create the sensor, or creates it with "
              "defaults.",
       .what_to_do = "Add the element that the type needs, or write the type that fits.",

@@ -1,0 +1,136 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/rules/plugin/drive_wheels.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <string>
+#include <variant>
+
+#include <rigor/mass/mesh/survey.h>
+#include <rigor/rules/kinematics/leader.h>
+#include <rigor/write/numbers.h>
+
+namespace rigor::rules {
+namespace {
+
+using model::Vector3;
+
+// An axis that is so near to one of a shape's is it.
+constexpr double kAlongShape = 0.99;
+
+/// Lower case without underscores: wheel_separation and wheelSeparation are one.
+std::string plain_name(std::string_view name) {
+  std::string plain;
+  for (const char c : name) {
+    if (c != '_') plain += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  }
+  return plain;
+}
+
+bool mentions(std::string_view text, std::string_view part) { return text.find(part) != text.npos; }
+
+/// Of the sides of a box around something round.
+std::optional<double> radius_across(double a, double b) {
+  constexpr double kOutOfRound = 0.1;
+  if (std::abs(a - b) > kOutOfRound * std::max(a, b)) return std::nullopt;
+  return (a + b) / 4;
+}
+
+/// Of what is round about the axis: the radius; of a mesh half of its sides across.
+std::optional<double> radius_about(const Vector3& axis_S, const model::Shape& shape,
+                                   Context& context) {
+  if (const auto* ball = std::get_if<model::Sphere>(&shape)) return ball->radius.value;
+  if (const auto* cylinder = std::get_if<model::Cylinder>(&shape)) {
+    if (std::abs(axis_S.z) > kAlongShape) return cylinder->radius.value;
+  }
+  if (const auto* mesh = std::get_if<model::Mesh>(&shape)) {
+    const mass::MeshSurvey* survey = context.survey(*mesh);
+    if (survey == nullptr || !survey->usable()) return std::nullopt;
+    const Vector3 size = survey->bounds.max - survey->bounds.min;
+    const Vector3& scale = mesh->scale.value;
+    const double x = std::abs(size.x * scale.x), y = std::abs(size.y * scale.y),
+                 z = std::abs(size.z * scale.z);
+    if (std::abs(axis_S.x) > kAlongShape) return radius_across(y, z);
+    if (std::abs(axis_S.y) > kAlongShape) return radius_across(x, z);
+    if (std::abs(axis_S.z) > kAlongShape) return radius_across(x, y);
+  }
+  return std::nullopt;
+}
+
+template <class Part>
+void add_radii(const std::vector<model::Id<Part>>& parts, DrivenWheel& wheel, Context& context) {
+  for (const auto id : parts) {
+    const auto X_WS = context.frames().pose(id);
+    if (!X_WS) continue;
+    const Vector3 axis_S = rotate(inverse(*X_WS).rotation, wheel.axis);
+    const auto radius = radius_about(axis_S, context.root()[id].geometry.shape, context);
+    if (radius && *radius > 0) wheel.radii.push_back(*radius);
+  }
+}
+
+std::optional<DrivenWheel> wheel_of(const model::Parameter& named, model::Id<model::Model> scope,
+                                    Context& context) {
+  const model::Frames& frames = context.frames();
+  const auto id = joint_named(frames, scope, named.value.value);
+  if (!id || degrees_of_freedom(context.root()[id].type) != 1) return std::nullopt;
+  const auto axis = frames.axis(id, 0);
+  const auto X_WJ = frames.pose(id);
+  const auto child = frames.ends(id).child;
+  if (!axis || !X_WJ || !child) return std::nullopt;
+  DrivenWheel wheel{id, &named, X_WJ->translation, X_WJ->translation, *axis, {}};
+  const model::Link& link = context.root()[child];
+  add_radii(link.collisions, wheel, context);
+  add_radii(link.visuals, wheel, context);
+  Vector3 sum;
+  double count = 0;
+  for (const auto collision : link.collisions) {
+    if (const auto X_WC = frames.pose(collision)) {
+      sum = sum + X_WC->translation;
+      ++count;
+    }
+  }
+  if (count > 0) wheel.center = (1 / count) * sum;
+  return wheel;
+}
+
+}  // namespace
+
+std::optional<double> positive_number(const model::Parameter& parameter) {
+  const auto number = write::number_in(parameter.value.value);
+  return number && *number > 0 && std::isfinite(*number) ? number : std::nullopt;
+}
+
+Span trimmed(const model::Parameter& parameter, const Context& context) {
+  Span span = parameter.value.span;
+  const std::string_view bytes = context.bytes(span);
+  const std::size_t first = bytes.find_first_not_of(write::kSpace);
+  if (first == bytes.npos) return span;
+  span.end =
+      span.begin + static_cast<decltype(span.end)>(bytes.find_last_not_of(write::kSpace)) + 1;
+  span.begin += static_cast<decltype(span.begin)>(first);
+  return span;
+}
+
+std::optional<Drive> drive_of(const model::Plugin& plugin, Context& context) {
+  if (!plugin.model) return std::nullopt;
+  Drive drive;
+  for (const model::Parameter& given : plugin.parameters) {
+    const std::string name = plain_name(given.name);
+    if (mentions(name, "steering")) continue;
+    if (name == "wheelseparation" || name == "trackseparation") drive.separations.push_back(&given);
+    if (name == "wheelradius") drive.radii.push_back(&given);
+    if (name == "wheeldiameter") drive.diameters.push_back(&given);
+    const bool left = mentions(name, "left"), right = mentions(name, "right");
+    if (left == right) continue;
+    if (const auto wheel = wheel_of(given, plugin.model, context)) {
+      (left ? drive.left : drive.right).push_back(*wheel);
+    }
+  }
+  if (drive.left.empty() || drive.right.empty()) return std::nullopt;
+  return drive;
+}
+
+}  // namespace rigor::rules

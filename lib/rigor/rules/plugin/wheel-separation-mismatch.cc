@@ -1,0 +1,80 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/plugin/drive_wheels.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::wheel_separation_mismatch {
+
+using model::Vector3;
+
+// Wheels have a width, and the point of contact is somewhere in it.
+constexpr double kMostOff = 0.12;
+
+// A skid-steered robot turns as if its wheels were farther apart, and authors write that.
+constexpr double kMostSkid = 1.9;
+
+Vector3 mean(const std::vector<DrivenWheel>& wheels, Vector3 DrivenWheel::*point) {
+  Vector3 sum;
+  for (const DrivenWheel& wheel : wheels) sum = sum + wheel.*point;
+  return (1.0 / static_cast<double>(wheels.size())) * sum;
+}
+
+/// Along the axle, m.
+double distance(const Drive& drive, Vector3 DrivenWheel::*point) {
+  return std::abs(dot(mean(drive.left, point) - mean(drive.right, point), drive.left.front().axis));
+}
+
+void check_against(const model::Parameter& parameter, const Drive& drive,
+                   const model::Plugin& plugin, Context& context) {
+  const auto written = positive_number(parameter);
+  if (!written) return;
+  const double of_wheels = distance(drive, &DrivenWheel::center);
+  const double of_joints = distance(drive, &DrivenWheel::position);
+  if (!(of_wheels > 0) || !(of_joints > 0)) return;
+  const double most = drive.left.size() > 1 ? kMostSkid : 1 + kMostOff;
+  for (const double actual : {of_wheels, of_joints}) {
+    if (*written > actual * (1 - kMostOff) && *written < actual * most) return;
+  }
+  const Span where = trimmed(parameter, context);
+  const std::string right = fmt::format("{:.6g}", of_wheels);
+  context.report({.where = where,
+                  .message = fmt::format(
+                      "the plugin's wheel separation is {:.6g} m, and the wheels are {} m apart",
+                      *written, right),
+                  .subject = context.subject(plugin),
+                  .help = fmt::format("write {}", right),
+                  .fix = Fix{"write their distance", Applicability::kUnsafe, {{where, right}}}});
+}
+
+void check(const model::Plugin& plugin, Context& context) {
+  const auto drive = drive_of(plugin, context);
+  if (!drive) return;
+  for (const model::Parameter* parameter : drive->separations) {
+    check_against(*parameter, *drive, plugin, context);
+  }
+}
+
+Rule rule() {
+  return {
+      .name = "wheel-separation-mismatch",
+      .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
+      .summary = "a drive plugin's wheel separation is not that of the wheels",
+      .why = "The robot turns by another angle than it is told, and reports the angle that it was "
+             "told: odometry and map drift apart with each turn. The plugin computes the speeds "
+             "of its wheels from the separation, and looks at no geometry.",
+      .what_to_do = "Write the distance of the wheels' centers along the axle, in meters. Of a "
+                    "robot with several wheels on a side up to 1.9 times that is taken for the "
+                    "effective separation of a skid-steered one.",
+      .checks = {on<model::Plugin>(check)},
+  };
+}
+
+}  // namespace rigor::rules::wheel_separation_mismatch
