@@ -51,7 +51,8 @@ constexpr Consequences kConsequences[] = {
     // Where a part is, and how large it is, explains what it does not fit.
     {"shape-misplaced collision-of-another-link visual-collision-scale", "collision-beside-visual"},
     {"visual-collision-scale size-suspicious mesh-size-suspicious", "shape-size-slip"},
-    {"shape-size-slip visual-collision-scale", "wheel-size-differs twin-value-differs"},
+    {"shape-size-slip visual-collision-scale",
+     "wheel-size-differs twin-value-differs collision-of-another-link"},
     {"wheel-size-differs shape-misplaced", "twin-value-differs"},
     {"link-misplaced twins-in-one-place", "twin-value-differs mirrored-sign-lost"},
     {"twin-value-differs", "inertia-geometry-mismatch inertia-exceeds-shapes"},
