@@ -42,7 +42,7 @@ class LoadedText {
 using model::Vector3;
 using robot::OrientedBox;
 
-constexpr double kTiny = 1e-12;
+constexpr double kRounding = 1e-12;
 
 OrientedBox box_at(const Vector3& center, const Vector3& half,
                    const model::Quaternion& turned = {}) {
@@ -51,8 +51,8 @@ OrientedBox box_at(const Vector3& center, const Vector3& half,
 
 TEST(OrientedBox, IsApartByTheGapBetweenFaces) {
   const OrientedBox a = box_at({0, 0, 0}, {1, 1, 1});
-  EXPECT_NEAR(robot::separation(a, box_at({3, 0, 0}, {0.5, 4, 4})), 1.5, kTiny);
-  EXPECT_NEAR(robot::separation(a, box_at({1.5, 0.2, 0}, {1, 1, 1})), -0.5, kTiny);
+  EXPECT_NEAR(robot::separation(a, box_at({3, 0, 0}, {0.5, 4, 4})), 1.5, kRounding);
+  EXPECT_NEAR(robot::separation(a, box_at({1.5, 0.2, 0}, {1, 1, 1})), -0.5, kRounding);
 }
 
 /// A cube on its edge, turned by 45° about z: its edge is √2 from its middle.
@@ -60,7 +60,7 @@ TEST(OrientedBox, IsApartByTheGapToAnEdge) {
   const OrientedBox edge =
       box_at({4, 0, 0}, {1, 1, 1}, model::from_rpy(0, 0, std::numbers::pi / 4));
   EXPECT_NEAR(robot::separation(box_at({0, 0, 0}, {1, 1, 1}), edge), 3 - std::numbers::sqrt2,
-              kTiny);
+              kRounding);
 }
 
 /// Of boxes of any turn the gap is never more than the distance of any two of their points.
@@ -80,16 +80,16 @@ TEST(OrientedBox, GapIsNoMoreThanTheDistanceOfAnyPoints) {
     for (int c = 0; c < 8; ++c) {
       for (int d = 0; d < 8; ++d) least = std::min(least, length(corner(a, c) - corner(b, d)));
     }
-    EXPECT_LE(robot::separation(a, b), least + kTiny);
-    EXPECT_NEAR(robot::separation(a, b), robot::separation(b, a), kTiny);
+    EXPECT_LE(robot::separation(a, b), least + kRounding);
+    EXPECT_NEAR(robot::separation(a, b), robot::separation(b, a), kRounding);
   }
 }
 
 TEST(Bounds, ShareWhatBothFill) {
   const mesh::Bounds a{{0, 0, 0}, {2, 1, 1}}, b{{1, 0, 0}, {3, 1, 1}};
-  EXPECT_NEAR(robot::cover(a, b), 0.5, kTiny);         // 1 m³ of 2
-  EXPECT_NEAR(robot::likeness(a, b), 1.0 / 3, kTiny);  // 1 m³ of 3
-  EXPECT_NEAR(robot::likeness(a, a), 1, kTiny);
+  EXPECT_NEAR(robot::cover(a, b), 0.5, kRounding);         // 1 m³ of 2
+  EXPECT_NEAR(robot::likeness(a, b), 1.0 / 3, kRounding);  // 1 m³ of 3
+  EXPECT_NEAR(robot::likeness(a, a), 1, kRounding);
   EXPECT_EQ(robot::cover(a, {{5, 0, 0}, {6, 1, 1}}), 0);
 }
 
@@ -140,18 +140,18 @@ TEST(Assembled, MeasuresACart) {
   const robot::Assembled robot = robot::assemble(cart.root(), frames, {});
   EXPECT_EQ(robot.unknown, 0U);
   EXPECT_EQ(robot.subtree(1), (robot::Links{1, 3}));
-  EXPECT_NEAR(robot.gap({1, 3}).value(), 0.08, kTiny);
-  EXPECT_NEAR(robot.gap({1, 3}, {0, -0.05, 0}).value(), 0.03, kTiny);
+  EXPECT_NEAR(robot.gap({1, 3}).value(), 0.08, kRounding);
+  EXPECT_NEAR(robot.gap({1, 3}, {0, -0.05, 0}).value(), 0.03, kRounding);
   EXPECT_FALSE(robot.gap({3}));
-  EXPECT_NEAR(robot.longest({0, 1, 2}), std::sqrt(0.16 + 0.04 + 0.01), kTiny);
+  EXPECT_NEAR(robot.longest({0, 1, 2}), std::sqrt(0.16 + 0.04 + 0.01), kRounding);
   const auto wheels = robot::wheels(cart.root(), frames, robot);
   ASSERT_EQ(wheels.size(), 2U);
-  EXPECT_NEAR(wheels[0].radius(), 0.1, kTiny);
+  EXPECT_NEAR(wheels[0].radius(), 0.1, kRounding);
   ASSERT_EQ(robot::axles(wheels, robot).size(), 1U);
   const auto plane = robot::symmetry_plane(robot, {{1, 2}, {3, 4}});
   ASSERT_TRUE(plane);
   EXPECT_EQ(plane->axis, 1U);
-  EXPECT_NEAR(plane->at, 0, kTiny);
+  EXPECT_NEAR(plane->at, 0, kRounding);
   EXPECT_EQ(plane->pairs, 2U);
 }
 
@@ -167,7 +167,7 @@ TEST(Assembled, CountsMeshesThatItDoesNotKnow) {
         return mesh::Bounds{{0, 0, 0}, {1, 1, 1}};
       });
   EXPECT_EQ(known.unknown, 0U);
-  EXPECT_NEAR(known.bounds(0, robot::ShapeRole::kVisual)->max.x, 2, kTiny);
+  EXPECT_NEAR(known.bounds(0, robot::ShapeRole::kVisual)->max.x, 2, kRounding);
 }
 
 }  // namespace
