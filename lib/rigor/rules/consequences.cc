@@ -49,6 +49,15 @@ constexpr Consequences kConsequences[] = {
      "mimic-rejected-by-ros2-control mimic-outside-limits mimic-dof-mismatch"},
     {"controlled-joint-fixed", "fixed-joint-with-axis"},
     {"model-far-from-origin", "model-in-ground"},
+    // Where a part is, and how large it is, explains what it does not fit.
+    {"shape-misplaced collision-of-another-link visual-collision-scale", "collision-beside-visual"},
+    {"visual-collision-scale size-suspicious mesh-size-suspicious", "shape-size-slip"},
+    {"shape-size-slip visual-collision-scale",
+     "wheel-size-differs twin-value-differs collision-of-another-link"},
+    {"wheel-size-differs shape-misplaced", "twin-value-differs"},
+    {"link-misplaced twins-in-one-place", "twin-value-differs mirrored-sign-lost"},
+    {"twin-value-differs", "inertia-geometry-mismatch inertia-exceeds-shapes"},
+    {"wheel-axis-mismatch", "twin-axis-differs"},
     // A mesh that cannot be read to its end is never closed.
     {"mesh-truncated mesh-malformed mesh-index-out-of-range mesh-not-finite",
      "mesh-not-watertight mesh-unreferenced-vertex mesh-size-suspicious"},

@@ -16,6 +16,7 @@
 #include <rigor/model/subject.h>
 #include <rigor/read/resolver.h>
 #include <rigor/read/values.h>
+#include <rigor/robot/assembled/assembled.h>
 #include <rigor/rules/names.h>
 #include <rigor/rules/package/assets.h>
 #include <rigor/rules/package/uris.h>
@@ -64,6 +65,7 @@ struct Context::Found {
   std::optional<std::vector<NameScope>> repeated_names;
   std::optional<SdformatRobot> sdformat_robot;
   std::map<std::pair<const model::Link*, mass::From>, mass::LinkBody> bodies;
+  std::optional<robot::Assembled> assembled;
   std::vector<std::optional<mass::Verdict>> verdicts;  // by the link's index
   std::set<std::tuple<std::string_view, std::string, std::string>> reported_of_meshes;
 };
@@ -214,6 +216,32 @@ const mass::LinkBody& Context::body(const model::Link& link, mass::From from) {
   const auto find = [this](const model::Mesh& mesh) { return survey(mesh); };
   return found_->bodies.emplace(std::pair{&link, from}, link_body(root(), frames(), id, from, find))
       .first->second;
+}
+
+/// As deep as the mesh is looked at in any case, so that no file is read for this alone.
+std::optional<mesh::Bounds> Context::bounds(const model::Mesh& mesh, robot::ShapeRole role) {
+  if (inputs_.files == nullptr || mesh.uri.value.empty()) return std::nullopt;
+  if (!mesh.submesh.value.empty()) {
+    const mass::MeshSurvey* part = survey(mesh);
+    if (part == nullptr || !part->usable() || part->triangles == 0) return std::nullopt;
+    return part->bounds;
+  }
+  const read::Resolution& found = resolve(mesh.uri.value);
+  if (!found.path) return std::nullopt;
+  const auto depth =
+      role == robot::ShapeRole::kCollision ? mass::MeshDepth::kShape : mass::MeshDepth::kFile;
+  const mass::MeshFacts& facts = inputs_.files->find(*found.path, depth);
+  if (!facts.usable() || facts.triangles == 0) return std::nullopt;
+  return facts.bounds;
+}
+
+const robot::Assembled& Context::assembled() {
+  if (!found_->assembled) {
+    found_->assembled = robot::assemble(
+        root(), frames(),
+        [this](const model::Mesh& mesh, robot::ShapeRole role) { return bounds(mesh, role); });
+  }
+  return *found_->assembled;
 }
 
 const mass::Verdict& Context::verdict(const model::Link& link) {

@@ -37,10 +37,18 @@ class Resolver;
 namespace rigor::mass {
 enum class From : std::uint8_t;
 struct LinkBody;
+class MeshFiles;
 struct MeshSurvey;
 class MeshSurveys;
 struct Verdict;
 }  // namespace rigor::mass
+namespace rigor::mesh {
+struct Bounds;
+}  // namespace rigor::mesh
+namespace rigor::robot {
+struct Assembled;
+enum class ShapeRole : std::uint8_t;
+}  // namespace rigor::robot
 
 namespace rigor::rules {
 
@@ -86,6 +94,7 @@ class Context {
     const schema::Schema* schema;  ///< of the file's format; null when it has none
     const schema::Schema& sdf;
     mass::MeshSurveys* meshes;  ///< null when meshes are not to be opened
+    mass::MeshFiles* files;     ///< likewise
     std::size_t most_listed;    ///< findings of one rule
   };
 
@@ -141,6 +150,8 @@ class Context {
   const mass::MeshSurvey* survey(const model::Mesh& mesh);
   /// The link's shapes as solids. Computed once, however many rules ask.
   const mass::LinkBody& body(const model::Link& link, mass::From from);
+  /// The file's models as they stand assembled, all joints at zero. Put together once.
+  const robot::Assembled& assembled();
   /// What is possible of the tensor that the link's inertial has, written or not. Judged once.
   const mass::Verdict& verdict(const model::Link& link);
 
@@ -182,6 +193,7 @@ class Context {
  private:
   struct Found;  ///< what was asked for so far, and what each rule reported
 
+  std::optional<mesh::Bounds> bounds(const model::Mesh& mesh, robot::ShapeRole role);
   Diagnostic diagnostic_of(const Finding& finding) const;
   void list_or_count(Diagnostic diagnostic);
   Severity severity_of(const Finding& finding) const;

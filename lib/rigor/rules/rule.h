@@ -90,6 +90,7 @@ enum class Category : std::uint8_t {
   kSimulate,
   kSuppression,
   kXacro,
+  kAssembly,
 };
 
 /// Also the name of the rule's folder.

@@ -158,6 +158,7 @@ class Runner::Walk {
                 schema_of(environment, loaded.root.format),
                 environment.sdf,
                 meshes.surveys,
+                meshes.files,
                 runner.most_listed_},
         context_(inputs_, diagnostics_) {}
 

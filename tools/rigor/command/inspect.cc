@@ -1,6 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <rigor/report/inspect/assembled_view.h>
 #include <rigor/report/inspect/inspect.h>
 
 #include <algorithm>
@@ -31,6 +32,9 @@ constexpr InspectFormat kInspectFormats[] = {{"text", report::inspect_text},
                                              {"tsv", report::inspect_tsv},
                                              {"dot", report::inspect_dot}};
 
+constexpr InspectFormat kAssembledFormats[] = {{"text", report::assembled_text},
+                                               {"json", report::assembled_json}};
+
 /// What keeps the model from being whole; empty when nothing does.
 std::string problem(const read::Loaded& loaded, const model::Frames& frames) {
   const std::string path = report::printable(loaded.file->path);
@@ -48,7 +52,7 @@ class Inspect final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
     CLI::App* app = add_command(program, "inspect", "Show what a model is once it is resolved",
-                                {"rigor inspect robot.urdf",
+                                {"rigor inspect robot.urdf", "rigor inspect robot.urdf --assembled",
                                  "rigor inspect arm/model.sdf --format tsv --joint elbow=1.57"});
     app->add_option("path", path_, "A model file, or a folder with a model.config")
         ->required()
@@ -57,12 +61,16 @@ class Inspect final : public Command {
     app->add_option("--joint", joints_, "Position of a joint, rad or m; VALUE,VALUE for two axes")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
+    app->add_flag(
+        "--assembled", assembled_,
+        "Show what is seen of the robot as a whole: its size, pairs of parts, wheels, distances");
     search_.declare(*app);
     return app;
   }
 
   int run() override {
-    const std::vector<Target> targets = output_.targets();
+    const std::vector<Target> targets =
+        assembled_ ? output_.targets_of({"text", "json"}) : output_.targets();
     const GuardedDisk disk = search_.disk({path_});
     Environment environment(disk, search_.paths());
     search_.allow(environment.workers);
@@ -76,7 +84,8 @@ class Inspect final : public Command {
     const report::Inspection inspection{loaded.file->path, loaded.root, frames,
                                         rules::mesh_finder(environment.resolver, sources, surveys)};
     for (const Target& target : targets)
-      write(target, kInspectFormats[target.format].emit(inspection));
+      write(target,
+            (assembled_ ? kAssembledFormats : kInspectFormats)[target.format].emit(inspection));
     tell_unfollowed(loaded);
     const std::string why = problem(loaded, frames);
     if (why.empty()) return kClean;
@@ -88,6 +97,7 @@ class Inspect final : public Command {
   std::string path_;
   OutputOptions output_;
   std::vector<std::string> joints_;
+  bool assembled_ = false;
   SearchOptions search_;
 };
 

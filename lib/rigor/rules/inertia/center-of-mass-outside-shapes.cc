@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
+#include <rigor/rules/assembly/undone_slips.h>
 #include <rigor/rules/inertia/outline.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
@@ -54,13 +58,17 @@ Outside outside(const model::Vector3& com, const Outline& outline) {
 // Farther than the link is long, and than any hand's breadth: the link then moves as another robot's would.
 constexpr double kGrave = 0.1;  // m
 
-/// Whether the center of mass would be within the shapes were it on the other side of the link.
-bool is_mirrored(const model::Vector3& com, const Outline& outline) {
-  const std::array<model::Vector3, 3> mirrored{
-      {{-com.x, com.y, com.z}, {com.x, -com.y, com.z}, {com.x, com.y, -com.z}}};
-  return std::any_of(mirrored.begin(), mirrored.end(), [&outline](const model::Vector3& other) {
-    return !(outside(other, outline).distance > 0);
-  });
+/// The slip in the numbers without which the center of mass is within the shapes: a sign, or from far off
+/// a decimal point or a unit, as nearer to the origin any point is inside.
+std::optional<Undone> slip_of(const model::Vector3& com, const Outside& out,
+                              const Outline& outline) {
+  const bool far = out.distance > out.size;
+  for (Undone& change : undone_slips(com)) {
+    const bool sign = model::length(change.value) == model::length(com);
+    if (!sign && !far) continue;
+    if (!(outside(change.value, outline).distance > 0)) return std::move(change);
+  }
+  return std::nullopt;
 }
 
 void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
@@ -76,17 +84,18 @@ void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
   const auto outline = outline_that_breaks(link, groups, context, breaks);
   if (!outline) return;
   const Outside out = outside(com, *outline);
-  const bool mirrored = out.distance > kMirrored * out.size && is_mirrored(com, *outline);
-  const bool grave = mirrored || out.distance > std::max(kGrave, out.size);
+  const auto slip =
+      out.distance > kMirrored * out.size ? slip_of(com, out, *outline) : std::optional<Undone>();
+  const bool grave = slip || out.distance > std::max(kGrave, out.size);
   context.report(
       {.where = inertial.pose.site.name,
        .message = fmt::format("the center of mass ({:.4g} {:.4g} {:.4g}) is {:.3g} m outside the "
                               "link's shapes, which are {:.3g} m long",
                               com.x, com.y, com.z, out.distance, out.size),
        .subject = context.subject(link),
-       .help = mirrored ? "with the sign of one coordinate changed it is inside: it may be that of "
-                          "the link on the other side"
-                        : "it is given in the link's own frame, from the link's origin, in meters",
+       .help = slip ? fmt::format("with {} it is inside: {}", written_as(slip->value), slip->slip)
+                    : "it is given in the link's own frame, from the link's origin, in meters",
+       .fix = slip ? translation_fix(inertial.pose, slip->value, context) : std::nullopt,
        .severity = grave ? Severity::kWarning : Severity::kInfo});
 }
 
@@ -94,12 +103,13 @@ Rule rule() {
   return {
       .name = "center-of-mass-outside-shapes",
       .severity = Severity::kInfo,
+      .fix = FixGrade::kUnsafe,
       .summary = "a link's center of mass is outside all of its shapes",
       .why = "The simulated body swings about a point in the air, and falls over where the real "
              "one does not. No body has its center of mass outside its convex hull. Mostly it was "
              "written in the frame of the model, of the mesh or of the joint, or for the link on "
              "the other side. It is a warning when the distance exceeds the size of the link, or "
-             "when the point fits once a coordinate changes its sign.",
+             "when the point fits once a sign, a decimal point or a unit is put right.",
       .what_to_do = "Give it in the link's frame. Suppress the finding where the shapes are "
                     "simpler than the body. `rigor inertia MODEL` shows the center of mass of the "
                     "shapes.",

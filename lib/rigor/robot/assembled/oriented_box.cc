@@ -1,0 +1,113 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/robot/assembled/oriented_box.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace rigor::robot {
+namespace {
+
+using model::Vector3;
+
+/// How far it reaches from its center along a unit vector, m.
+double half_shadow(const OrientedBox& box, const Vector3& d) {
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) sum += box.half[k] * std::abs(dot(box.axes_W[k], d));
+  return sum;
+}
+
+// Thinner ones, such as a plane's, share no volume with anything.
+constexpr double kThinnest = 1e-3;  // m
+
+std::pair<double, double> interval(double low, double high) {
+  const double more = std::max(0.0, kThinnest - (high - low)) / 2;
+  return {low - more, high + more};
+}
+
+struct Volumes {
+  double a = 1, b = 1, both = 1;  // m³
+};
+
+Volumes volumes(const mesh::Bounds& a, const mesh::Bounds& b) {
+  Volumes result;
+  for (const double Vector3::*axis : {&Vector3::x, &Vector3::y, &Vector3::z}) {
+    const auto [a_low, a_high] = interval(a.min.*axis, a.max.*axis);
+    const auto [b_low, b_high] = interval(b.min.*axis, b.max.*axis);
+    result.a *= a_high - a_low;
+    result.b *= b_high - b_low;
+    result.both *= std::max(0.0, std::min(a_high, b_high) - std::max(a_low, b_low));
+  }
+  return result;
+}
+
+}  // namespace
+
+OrientedBox box_around(const mesh::Bounds& bounds_S, const model::Pose& X_WS) {
+  const Vector3 half = 0.5 * (bounds_S.max - bounds_S.min);
+  return {transform(X_WS, 0.5 * (bounds_S.min + bounds_S.max)),
+          {rotate(X_WS.rotation, {1, 0, 0}), rotate(X_WS.rotation, {0, 1, 0}),
+           rotate(X_WS.rotation, {0, 0, 1})},
+          {std::abs(half.x), std::abs(half.y), std::abs(half.z)}};
+}
+
+OrientedBox moved(OrientedBox box, const Vector3& d_W) {
+  box.center_W = box.center_W + d_W;
+  return box;
+}
+
+double separation(const OrientedBox& a, const OrientedBox& b) {
+  const Vector3 between = b.center_W - a.center_W;
+  double most = -std::numeric_limits<double>::infinity();
+  const auto look_along = [&](const Vector3& d) {
+    most = std::max(most, std::abs(dot(between, d)) - half_shadow(a, d) - half_shadow(b, d));
+  };
+  for (const Vector3& axis : a.axes_W) look_along(axis);
+  for (const Vector3& axis : b.axes_W) look_along(axis);
+  // Nearly parallel edges have no common normal, and the faces have looked there already.
+  constexpr double kParallel = 1e-6;
+  for (const Vector3& p : a.axes_W) {
+    for (const Vector3& q : b.axes_W) {
+      const Vector3 normal = cross(p, q);
+      const double size = model::length(normal);
+      if (size > kParallel) look_along((1 / size) * normal);
+    }
+  }
+  // Two corners that face each other are farther apart than any of these axes shows.
+  if (most > 0) {
+    const double centers = model::length(between);
+    if (centers > 0) look_along((1 / centers) * between);
+  }
+  return most;
+}
+
+double diameter(const OrientedBox& box) {
+  return 2 * std::hypot(box.half[0], box.half[1], box.half[2]);
+}
+
+mesh::Bounds bounds_of(const OrientedBox& box) {
+  const Vector3 reach{half_shadow(box, {1, 0, 0}), half_shadow(box, {0, 1, 0}),
+                      half_shadow(box, {0, 0, 1})};
+  return {box.center_W - reach, box.center_W + reach};
+}
+
+mesh::Bounds joined(const mesh::Bounds& a, const mesh::Bounds& b) {
+  return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y), std::min(a.min.z, b.min.z)},
+          {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y), std::max(a.max.z, b.max.z)}};
+}
+
+double cover(const mesh::Bounds& a, const mesh::Bounds& b) {
+  const Volumes v = volumes(a, b);
+  return v.both / std::min(v.a, v.b);
+}
+
+double likeness(const mesh::Bounds& a, const mesh::Bounds& b) {
+  const Volumes v = volumes(a, b);
+  return v.both / (v.a + v.b - v.both);
+}
+
+}  // namespace rigor::robot

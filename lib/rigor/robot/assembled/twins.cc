@@ -1,0 +1,161 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/robot/assembled/twins.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <unordered_map>
+#include <utility>
+
+namespace rigor::robot {
+namespace {
+
+struct SidePair {
+  std::string_view first;  // left, or front
+  std::string_view second;
+};
+
+constexpr std::array<SidePair, 11> kAcross{{{"left", "right"},
+                                            {"l", "r"},
+                                            {"fl", "fr"},
+                                            {"rl", "rr"},
+                                            {"bl", "br"},
+                                            {"hl", "hr"},
+                                            {"ml", "mr"},
+                                            {"lf", "rf"},
+                                            {"lh", "rh"},
+                                            {"lr", "rr"},
+                                            {"lb", "rb"}}};
+
+constexpr std::array<SidePair, 11> kAlong{{{"front", "rear"},
+                                           {"front", "back"},
+                                           {"fore", "hind"},
+                                           {"fl", "rl"},
+                                           {"fr", "rr"},
+                                           {"fl", "bl"},
+                                           {"fr", "br"},
+                                           {"fl", "hl"},
+                                           {"fr", "hr"},
+                                           {"lf", "lh"},
+                                           {"rf", "rh"}}};
+
+bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
+bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
+char lowered(char c) { return is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c; }
+char raised(char c) { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c; }
+
+/// Whether a new word begins at `i`: behind what is no letter, at the hump of a camel's back, and behind a
+/// capital that stands for a word, as in LHipYaw.
+bool begins_word(std::string_view name, std::size_t i) {
+  const char before = name[i - 1];
+  const char here = name[i];
+  if (!is_lower(before) && !is_upper(before)) return true;
+  if (is_lower(before)) return is_upper(here);
+  return is_upper(here) && i + 1 < name.size() && is_lower(name[i + 1]);
+}
+
+struct Word {
+  std::size_t at = 0;
+  std::size_t size = 0;
+};
+
+std::vector<Word> words_of(std::string_view name) {
+  std::vector<Word> words;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    if (!is_lower(name[i]) && !is_upper(name[i])) continue;
+    if (i == 0 || words.empty() || begins_word(name, i)) {
+      words.push_back({i, 1});
+    } else {
+      ++words.back().size;
+    }
+  }
+  return words;
+}
+
+bool is_word(std::string_view written, std::string_view word) {
+  return std::equal(written.begin(), written.end(), word.begin(), word.end(),
+                    [](char a, char b) { return lowered(a) == b; });
+}
+
+/// `word` in the case of what was written: left, Left or LEFT.
+std::string in_case_of(std::string_view written, std::string_view word) {
+  std::string result(word);
+  const bool first = is_upper(written.front());
+  const bool all = first && is_upper(written.back());
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (all || (first && i == 0)) result[i] = raised(result[i]);
+  }
+  return result;
+}
+
+/// What the word is on the other side; empty when it says none.
+std::vector<std::string> exchanged(std::string_view written, Side side) {
+  std::vector<std::string> result;
+  for (const auto& [first, second] : side == Side::kAcross ? kAcross : kAlong) {
+    if (is_word(written, first)) result.push_back(in_case_of(written, second));
+    if (is_word(written, second)) result.push_back(in_case_of(written, first));
+  }
+  return result;
+}
+
+bool says_first(std::string_view name, Side side) {
+  for (const Word& word : words_of(name)) {
+    for (const auto& [first, second] : side == Side::kAcross ? kAcross : kAlong) {
+      if (is_word(name.substr(word.at, word.size), first)) return true;
+      if (is_word(name.substr(word.at, word.size), second)) return false;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<std::string> mirrored_names(std::string_view name, Side side) {
+  struct Change {
+    Word word;
+    std::vector<std::string> to;
+  };
+  std::vector<Change> changes;
+  for (const Word& word : words_of(name)) {
+    auto to = exchanged(name.substr(word.at, word.size), side);
+    if (!to.empty()) changes.push_back({word, std::move(to)});
+  }
+  std::vector<std::string> names;
+  if (changes.size() > 1) {
+    std::string all(name);
+    for (std::size_t i = changes.size(); i-- > 0;) {
+      all.replace(changes[i].word.at, changes[i].word.size, changes[i].to.front());
+    }
+    names.push_back(std::move(all));
+  }
+  for (const Change& change : changes) {
+    for (const std::string& to : change.to) {
+      std::string one(name);
+      names.push_back(one.replace(change.word.at, change.word.size, to));
+    }
+  }
+  return names;
+}
+
+std::vector<Twins> twins(const std::vector<std::string>& names, Side side) {
+  std::unordered_map<std::string_view, std::uint32_t> places;
+  for (std::uint32_t i = 0; i < names.size(); ++i) places.emplace(names[i], i);
+  std::vector<bool> taken(names.size(), false);
+  std::vector<Twins> pairs;
+  for (std::uint32_t i = 0; i < names.size(); ++i) {
+    if (taken[i]) continue;
+    for (const std::string& other : mirrored_names(names[i], side)) {
+      const auto found = places.find(other);
+      if (found == places.end() || taken[found->second] || found->second == i) continue;
+      taken[i] = taken[found->second] = true;
+      pairs.push_back(says_first(names[i], side) ? Twins{i, found->second}
+                                                 : Twins{found->second, i});
+      break;
+    }
+  }
+  return pairs;
+}
+
+}  // namespace rigor::robot

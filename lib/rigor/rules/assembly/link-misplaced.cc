@@ -1,0 +1,142 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/assembly/placed_units.h>
+#include <rigor/rules/assembly/undone_slips.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::link_misplaced {
+
+using model::Vector3;
+
+// Shares of the longest link. What is drawn leaves out brackets and cables, and toys have gaps between all
+// of their links: nearer than kFar, it has to be the only one of a robot.
+constexpr double kApart = 0.5;
+constexpr double kFar = 3;
+constexpr std::size_t kLinksOfRobot = 5;
+constexpr double kTouching = 0.05;
+
+// Where the boxes of some shapes are not known, they may be what is between.
+constexpr double kFarApart = 10;
+
+struct Misplaced {
+  PlacedUnit unit;
+  double gap = 0;   ///< m
+  double size = 0;  ///< m, of the longest link
+  Undone change;
+};
+
+/// Links of the same model.
+struct Company {
+  std::size_t links = 0;
+  double longest = 0;  ///< m
+  bool complete = true;
+};
+
+Company company_of(std::uint32_t link, const robot::Assembled& robot) {
+  Company result;
+  for (std::uint32_t i = 0; i < robot.links.size(); ++i) {
+    if (robot.links[i].top != robot.links[link].top) continue;
+    ++result.links;
+    result.longest = std::max(result.longest, robot.longest({i}));
+    result.complete = result.complete && robot.links[i].complete();
+  }
+  return result;
+}
+
+/// Whether the joint's zero is a position that it can take.
+bool can_be_zero(const model::Joint& joint) {
+  if (joint.type != model::JointType::kPrismatic || joint.axes.empty()) return true;
+  const model::Axis& axis = joint.axes.front();
+  return !axis.limit_written || (axis.lower.value <= 0 && axis.upper.value >= 0);
+}
+
+std::optional<Misplaced> look_at(const PlacedUnit& unit, const Company& company,
+                                 const robot::Assembled& robot) {
+  if (company.links < 2 || (unit.joint && !can_be_zero(*unit.joint))) return std::nullopt;
+  // What no joint holds may lie anywhere.
+  const robot::AssembledLink& link = robot.links[unit.link];
+  if (!link.carrier && link.links_carried.empty()) return std::nullopt;
+  const double apart = (company.complete ? kApart : kFarApart) * company.longest;
+  const auto gap = robot.gap(unit.moved, {}, apart);
+  if (!gap || !(*gap > apart)) return std::nullopt;
+  const auto true_gap = robot.gap(unit.moved);
+  for (Undone& change : undone_slips(unit.pose->pose.value.translation)) {
+    const Vector3 shift = shift_of(unit.pose->pose.value, unit.X_WL, change.value);
+    const auto then = robot.gap(unit.moved, shift, kTouching * company.longest);
+    if (then && *then <= kTouching * company.longest)
+      return Misplaced{unit, *true_gap, company.longest, std::move(change)};
+  }
+  return std::nullopt;
+}
+
+/// Of two that are joined, the one that is farther off took the other from its neighbor.
+bool follows_from(const Misplaced& one, const Misplaced& other, const robot::Assembled& robot) {
+  if (other.gap <= one.gap) return false;
+  const auto& carried = robot.links[other.unit.link].links_carried;
+  const auto& carries = robot.links[one.unit.link].links_carried;
+  return std::count(carried.begin(), carried.end(), one.unit.link) > 0 ||
+         std::count(carries.begin(), carries.end(), other.unit.link) > 0;
+}
+
+void check(const model::Root& root, Context& context) {
+  if (root.links.size() < 2 || !context.frames().problems().empty()) return;
+  const robot::Assembled& robot = context.assembled();
+  std::vector<Misplaced> found;
+  std::map<model::Id<model::Model>, Company> companies;
+  for (const PlacedUnit& unit : placed_units(context)) {
+    const auto top = robot.links[unit.link].top;
+    auto known = companies.find(top);
+    if (known == companies.end())
+      known = companies.emplace(top, company_of(unit.link, robot)).first;
+    if (auto misplaced = look_at(unit, known->second, robot))
+      found.push_back(*std::move(misplaced));
+  }
+  for (const Misplaced& one : found) {
+    const auto explains = [&](const Misplaced& other) { return follows_from(one, other, robot); };
+    if (std::any_of(found.begin(), found.end(), explains)) continue;
+    const auto top = robot.links[one.unit.link].top;
+    const auto beside = std::count_if(found.begin(), found.end(), [&](const Misplaced& other) {
+      return robot.links[other.unit.link].top == top;
+    });
+    const bool is_odd = beside == 1 && companies.at(top).links >= kLinksOfRobot;
+    if (one.gap < kFar * one.size && !is_odd) continue;
+    const model::Link& link = root.links[one.unit.link];
+    context.report(
+        {.where = place_of(*one.unit.pose, context),
+         .message = fmt::format(
+             "link '{}' is {:.3g} m away from all other links, the longest of which is {:.3g} m",
+             link.name.value, one.gap, one.size),
+         .subject = one.unit.joint ? context.subject(*one.unit.joint) : context.subject(link),
+         .help = fmt::format("with {} it touches them: {}", written_as(one.change.value),
+                             one.change.slip),
+         .fix = translation_fix(*one.unit.pose, one.change.value, context)});
+  }
+}
+
+Rule rule() {
+  return {
+      .name = "link-misplaced",
+      .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
+      .summary = "a link is far from all that it should touch",
+      .why = "The robot is simulated in pieces: the link swings at the end of an invisible lever, "
+             "and the robot's center of mass lies outside of it. The joint's origin, or the "
+             "link's pose, is written in millimeters or centimeters, or its decimal point or sign "
+             "is wrong: with that undone the link touches the others. Shapes are compared as "
+             "boxes, with all joints at zero.",
+      .what_to_do = "Write the origin in meters. `rigor inspect --assembled` prints the distances.",
+      .checks = {on<model::Root>(check)},
+  };
+}
+
+}  // namespace rigor::rules::link_misplaced

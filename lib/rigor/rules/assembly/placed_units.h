@@ -1,0 +1,66 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What moves with a pose of the file, as a unit: the link that it places and all that are placed from it.
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <rigor/robot/assembled/assembled.h>
+#include <rigor/rules/context.h>
+
+namespace rigor::rules {
+
+/// A pose that places links: a URDF joint's, or an SDF link's.
+struct PlacedUnit {
+  const model::PoseField* pose = nullptr;
+  model::Pose X_WL;                     ///< of what it places
+  std::uint32_t link;                   ///< that it places
+  robot::Links moved;                   ///< with it
+  const model::Joint* joint = nullptr;  ///< URDF
+};
+
+/// The links whose pose says `relative_to` this one, and so on; the link first. Through a joint or a frame
+/// they are not followed: then the unit is smaller than what moves.
+inline robot::Links placed_from(const model::Root& root, std::uint32_t link) {
+  robot::Links found{link};
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const model::Link& from = root.links[found[i]];
+    for (const auto id : root[from.model].links) {
+      if (root[id].pose.relative_to.value.empty() || id.value == found[i]) continue;
+      if (root[id].pose.relative_to.value == from.name.value) found.push_back(id.value);
+      if (found.size() > root.links.size()) return found;  // a cycle, which is reported elsewhere
+    }
+  }
+  return found;
+}
+
+/// Of the file itself, in its order.
+inline std::vector<PlacedUnit> placed_units(Context& context) {
+  const model::Root& root = context.root();
+  const robot::Assembled& robot = context.assembled();
+  std::vector<PlacedUnit> units;
+  if (context.is_urdf()) {
+    for (std::uint32_t j = 0; j < root.joints.size(); ++j) {
+      const model::Joint& joint = root.joints[j];
+      const auto& ends = context.frames().ends({j});
+      if (!joint.pose.pose.written || !ends.parent || !ends.child) continue;
+      const robot::AssembledLink& child = robot.links[ends.child.value];
+      if (child.carrier.value != j || !child.X_WL) continue;
+      units.push_back(
+          {&joint.pose, *child.X_WL, ends.child.value, robot.subtree(ends.child.value), &joint});
+    }
+    return units;
+  }
+  for (std::uint32_t i = 0; i < root.links.size(); ++i) {
+    const model::Link& link = root.links[i];
+    if (!root.own(link.site) || !link.pose.pose.written || !robot.links[i].X_WL) continue;
+    units.push_back({&link.pose, *robot.links[i].X_WL, i, placed_from(root, i), nullptr});
+  }
+  return units;
+}
+
+}  // namespace rigor::rules
