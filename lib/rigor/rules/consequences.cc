@@ -49,8 +49,7 @@ constexpr Consequences kConsequences[] = {
     {"controlled-joint-fixed", "fixed-joint-with-axis"},
     {"model-far-from-origin", "model-in-ground"},
     // Where a part is, and how large it is, explains what it does not fit.
-    {"shape-misplaced collision-of-another-link visual-collision-scale mesh-far-from-origin",
-     "collision-beside-visual"},
+    {"shape-misplaced collision-of-another-link visual-collision-scale", "collision-beside-visual"},
     {"visual-collision-scale size-suspicious mesh-size-suspicious", "shape-size-slip"},
     {"shape-size-slip visual-collision-scale",
      "wheel-size-differs twin-value-differs collision-of-another-link"},
