@@ -78,4 +78,22 @@ std::vector<std::string_view> dialect_names(std::string_view format, std::string
   return names;
 }
 
+std::vector<std::string_view> dialect_sections(std::string_view format) {
+  std::vector<std::string_view> parents;
+  std::vector<std::string_view> elements;
+  for_each_dialect_line(format, {}, [&](const DialectLine& line) {
+    parents.push_back(line[1]);
+    for_each_dialect_name(line[2], [&](std::string_view name) {
+      if (!name.starts_with('@')) elements.push_back(name);
+    });
+  });
+  std::sort(elements.begin(), elements.end());
+  std::sort(parents.begin(), parents.end());
+  parents.erase(std::unique(parents.begin(), parents.end()), parents.end());
+  std::erase_if(parents, [&](std::string_view parent) {
+    return !std::binary_search(elements.begin(), elements.end(), parent);
+  });
+  return parents;
+}
+
 }  // namespace rigor::schema

@@ -21,4 +21,7 @@ std::optional<std::string_view> find_dialect(std::string_view format, std::strin
 /// The names that consumers read in that parent, elements and attributes, in the order of the table.
 std::vector<std::string_view> dialect_names(std::string_view format, std::string_view parent);
 
+/// The elements of consumers that have names of their own in the table: <mujoco>, not <link>.
+std::vector<std::string_view> dialect_sections(std::string_view format);
+
 }  // namespace rigor::schema

@@ -90,38 +90,25 @@ void check_prefixed(xml::Element element, xml::Element parent, Context& context)
          context);
 }
 
-bool is_prefixed(xml::Element element) {
-  return element.name().find(':') != std::string_view::npos;
-}
-
-/// An element that a consumer reads, and those in it. What has a prefix is not a fact of the schema.
-void check_section(xml::Element section, Context& context) {
-  const Names names = schema::dialect_names(dialect_format(context), section.name());
-  if (names.empty() || has(names, "any")) return;
-  check_element(section, names, context);
-  for (const xml::Element child : section.children()) {
-    if (!is_prefixed(child) && has(names, child.name())) check_section(child, context);
-  }
-}
-
-void check_unknown(const read::SchemaFact& fact, Context& context) {
-  if (dialect_reader(fact, context)) check_section(fact.element, context);
-}
-
 void check(const model::Root& /*root*/, Context& context) {
   if (!context.is_urdf() && !context.is_sdf()) return;
   const std::string_view format = dialect_format(context);
+  const Names sections = schema::dialect_sections(format);
+  const auto is_section = [&sections](std::string_view name) {
+    return std::binary_search(sections.begin(), sections.end(), name);
+  };
   const xml::Document& document = context.document();
   for (std::uint32_t i = 1; i < document.element_count(); ++i) {
     const xml::Element element = document.element(i);
-    if (!is_prefixed(element)) continue;
     const auto parent = element.parent();
-    if (!parent) continue;
-    if (schema::find_dialect(format, parent->name(), element.name())) {
-      check_section(element, context);
-    } else {
-      check_prefixed(element, *parent, context);
+    const bool prefixed = element.name().find(':') != std::string_view::npos;
+    if (!parent || (!prefixed && !is_section(element.name()))) continue;
+    if (!schema::find_dialect(format, parent->name(), element.name())) {
+      if (prefixed) check_prefixed(element, *parent, context);
+      continue;
     }
+    const Names names = schema::dialect_names(format, element.name());
+    if (!names.empty() && !has(names, "any")) check_element(element, names, context);
   }
 }
 
@@ -136,8 +123,7 @@ Rule rule() {
           "so that nothing else reads them, and their consumer ignores a name that it does not "
           "know or rejects the file (MuJoCo: \"unrecognized attribute\").",
       .what_to_do = "Write the name that the message suggests.",
-      .checks = {on_schema({read::SchemaFactKind::kUnknownElement}, check_unknown),
-                 on<model::Root>(check)},
+      .checks = {on<model::Root>(check)},
   };
 }
 
