@@ -56,7 +56,8 @@ constexpr Consequences kConsequences[] = {
      "wheel-size-differs twin-value-differs collision-of-another-link"},
     {"wheel-size-differs shape-misplaced", "twin-value-differs"},
     {"link-misplaced twins-in-one-place", "twin-value-differs mirrored-sign-lost"},
-    {"twin-value-differs", "inertia-geometry-mismatch inertia-exceeds-shapes"},
+    {"density-too-high density-too-low inertia-exceeds-shapes", "twin-value-differs"},
+    {"twin-value-differs", "inertia-geometry-mismatch"},
     {"wheel-axis-mismatch", "twin-axis-differs"},
     // A mesh that cannot be read to its end is never closed.
     {"mesh-truncated mesh-malformed mesh-index-out-of-range mesh-not-finite",

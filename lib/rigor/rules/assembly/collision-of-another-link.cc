@@ -1,6 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/robot/assembled/twins.h>
 #include <rigor/rules/assembly/seen_shapes.h>
 #include <rigor/rules/rule.h>
 
@@ -41,19 +43,33 @@ std::vector<Dressed> dressed_links(const model::Root& root, Context& context) {
   return result;
 }
 
-/// The link whose collision this one has.
-const Dressed* owner(const Dressed& link, const std::vector<Dressed>& all) {
+bool are_twins(const std::string& a, const std::string& b) {
+  for (const robot::Side side : {robot::Side::kAcross, robot::Side::kAlong}) {
+    const std::vector<std::string> names = robot::mirrored_names(a, side);
+    if (std::find(names.begin(), names.end(), b) != names.end()) return true;
+  }
+  return false;
+}
+
+/// The one other link, or pair of twins, whose collision this one has. Its own twin and families of like
+/// parts, as rotors, have the same rightly: then it is the visual that is odd.
+const Dressed* owner(const Dressed& link, const std::vector<Dressed>& all,
+                     const model::Root& root) {
   // Boxes of a centimeter mark frames, and are alike everywhere.
   constexpr double kToken = 0.03;  // m
   if (link.fit > kOther || mesh::diagonal(link.collision.bounds_L) < kToken) return nullptr;
+  const Dressed* found = nullptr;
   for (const Dressed& other : all) {
     if (other.link == link.link || other.fit < kFits) continue;
     if (size_likeness(link.collision.shape->bounds_S, other.collision.shape->bounds_S) < kSame)
       continue;
     if (size_likeness(link.visual.bounds_L, other.visual.bounds_L) > kOther) continue;
-    return &other;
+    const std::string& name = root.links[other.link].name.value;
+    if (are_twins(root.links[link.link].name.value, name)) return nullptr;
+    if (found && !are_twins(root.links[found->link].name.value, name)) return nullptr;
+    found = &other;
   }
-  return nullptr;
+  return found;
 }
 
 void check(const model::Root& root, Context& context) {
@@ -65,7 +81,7 @@ void check(const model::Root& root, Context& context) {
   if (fitting < kFewest || 2 * fitting < all.size()) return;
   for (const Dressed& link : all) {
     if (!root.own(root.links[link.link].site)) continue;
-    const Dressed* other = owner(link, all);
+    const Dressed* other = owner(link, all, root);
     if (other == nullptr) continue;
     const model::Collision& collision = root.collisions[link.collision.shape->index];
     context.report(
