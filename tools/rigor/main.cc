@@ -39,8 +39,7 @@ constexpr std::string_view kGreeting =
   edit, lsp                another name, in all files; editors: findings and fixes as you type
   expand, schema, resolve  xacro as plain XML; a format's elements; where a URI leads
 
-  rigor validate my_robot                check every model and mesh in a folder
-  rigor simulate my_robot --test drive   `rigor help COMMAND` begins with examples, too
+  rigor validate my_robot  check every model and mesh in a folder; `rigor help COMMAND` has more examples
 )";
 
 /// The first word that nobody declared, and what it was probably meant to be.

@@ -119,7 +119,9 @@ void check(const model::Root& root, Context& context) {
          .subject = one.unit.joint ? context.subject(*one.unit.joint) : context.subject(link),
          .help = fmt::format("with {} it touches them: {}", written_as(one.change.value),
                              one.change.slip),
-         .fix = translation_fix(*one.unit.pose, one.change.value, context)});
+         .fix = translation_fix(*one.unit.pose, one.change.value, context),
+         // A sensor on a mast that is not drawn is no farther away than the robot is long.
+         .severity = one.gap < one.size ? Severity::kInfo : Severity::kWarning});
   }
 }
 

@@ -32,6 +32,12 @@ double likeness_of(const Vector3& a, const Vector3& b, const Vector3& between) {
   return std::max(std::abs(dot(a, b)), std::abs(dot(mirrored, b)));
 }
 
+/// Whether both joints are written alike, so that what differs is what carries them: the arms of a duo.
+bool written_alike(const model::Joint& a, const model::Joint& b) {
+  return a.axes.front().xyz.value == b.axes.front().xyz.value &&
+         a.pose.pose.value.rotation == b.pose.pose.value.rotation;
+}
+
 struct AxisPair {
   robot::Twins joints;
   double likeness = 1;
@@ -91,7 +97,9 @@ void check(const model::Root& root, Context& context) {
   const auto good = static_cast<std::size_t>(std::count_if(
       pairs.begin(), pairs.end(), [](const AxisPair& one) { return one.likeness > kAlong; }));
   for (const AxisPair& one : pairs) {
-    if (one.likeness > kAcross) continue;
+    if (one.likeness > kAcross ||
+        written_alike(root.joints[one.joints.a], root.joints[one.joints.b]))
+      continue;
     // An arm that is turned on its side has no joint like its twin's.
     constexpr std::size_t kShare = 3;
     if (!one.wheels && good < kShare * (pairs.size() - good)) continue;

@@ -1,6 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -31,6 +32,15 @@ double distance(const Drive& drive, Vector3 DrivenWheel::*point) {
   return std::abs(dot(mean(drive.left, point) - mean(drive.right, point), drive.left.front().axis));
 }
 
+/// Whether the wheels of a side are behind one another; if not, one of them is in a wrong place, and the
+/// distance of the sides is none.
+bool in_line(const std::vector<DrivenWheel>& wheels, double separation) {
+  return std::all_of(wheels.begin(), wheels.end(), [&](const DrivenWheel& wheel) {
+    const Vector3 off = wheel.center - wheels.front().center;
+    return std::abs(dot(off, wheels.front().axis)) < kMostOff * separation;
+  });
+}
+
 void check_against(const model::Parameter& parameter, const Drive& drive,
                    const model::Plugin& plugin, Context& context) {
   const auto written = positive_number(parameter);
@@ -56,6 +66,8 @@ void check_against(const model::Parameter& parameter, const Drive& drive,
 void check(const model::Plugin& plugin, Context& context) {
   const auto drive = drive_of(plugin, context);
   if (!drive) return;
+  const double separation = distance(*drive, &DrivenWheel::center);
+  if (!in_line(drive->left, separation) || !in_line(drive->right, separation)) return;
   for (const model::Parameter* parameter : drive->separations) {
     check_against(*parameter, *drive, plugin, context);
   }
