@@ -64,7 +64,8 @@ TEST(Slips, DampingIsComparedWithWhatTheEffortReaches) {
   const auto damped = [](const std::string& dynamics) {
     return pendulum("revolute", "0 1 0", "50", "<dynamics " + dynamics + "/>");
   };
-  EXPECT_EQ(found(rule, "a.urdf", damped("damping='1600'")), Found{});  // 50 / 1600 > 1 % of 3 rad/s
+  EXPECT_EQ(found(rule, "a.urdf", damped("damping='1600'")),
+            Found{});  // 50 / 1600 > 1 % of 3 rad/s
   EXPECT_EQ(found(rule, "a.urdf", damped("damping='1700'")), kSlipWarning);
   EXPECT_EQ(found(rule, "a.urdf", damped("friction='49'")), Found{});
   EXPECT_EQ(found(rule, "a.urdf", damped("friction='51'")), kSlipWarning);

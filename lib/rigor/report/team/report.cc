@@ -208,8 +208,8 @@ std::string TeamReport::rule_entries() const {
     if (const rules::Rule* rule = validation_.registry.find(name)) out += rule_entry(*rule);
   }
   if (out.empty()) return out;
-  return "<details><summary>" + counted(rules_.size(), "rule") + " with findings</summary>\n" + out +
-         "</details>\n";
+  return "<details><summary>" + counted(rules_.size(), "rule") + " with findings</summary>\n" +
+         out + "</details>\n";
 }
 
 /// Of model.config and whatever else is no model: only what is wrong with them.
