@@ -62,6 +62,12 @@ constexpr Consequences kConsequences[] = {
     // A mesh that cannot be read to its end is never closed.
     {"mesh-truncated mesh-malformed mesh-index-out-of-range mesh-not-finite",
      "mesh-not-watertight mesh-unreferenced-vertex mesh-size-suspicious"},
+    // A part that is far from what it should touch.
+    {"center-of-mass-outside-shapes shape-misplaced mesh-far-from-origin",
+     "origin-looks-like-millimeters"},
+    {"shape-misplaced origin-looks-like-millimeters pose-looks-like-degrees mesh-far-from-origin",
+     "visual-collision-origin"},
+    {"visual-collision-origin", "collision-beside-visual"},
     // A name that does not exist, and all that refer to it.
     {"joint-parent-missing joint-child-missing",
      "gazebo-reference-missing sensor-frame-missing relative-to-missing attached-to-missing "

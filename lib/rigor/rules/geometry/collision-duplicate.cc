@@ -2,63 +2,28 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <map>
-#include <string>
-#include <tuple>
-#include <variant>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
 
 #include <rigor/rules/edits.h>
+#include <rigor/rules/geometry/shape_key.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::collision_duplicate {
 
-/// Kind, numbers of pose and sizes, file: equal for shapes that fill the same space.
-using Key = std::tuple<std::size_t, std::vector<double>, std::string>;
+/// Equal for shapes that fill the same space.
+using Key = std::pair<ShapeKey, std::vector<double>>;
 
-struct Describe {
-  std::vector<double>& numbers;
-  std::string& file;
-
-  void add(const model::Field<double>& field) { numbers.push_back(field.value); }
-  void add(const model::Field<model::Vector3>& field) {
-    const model::Vector3& v = field.value;
-    numbers.insert(numbers.end(), {v.x, v.y, v.z});
-  }
-  template <class Round>
-  bool round(const Round& s) {
-    add(s.radius);
-    add(s.length);
-    return s.radius.written && s.length.written;
-  }
-  bool operator()(const model::Box& s) { return add(s.size), s.size.written; }
-  bool operator()(const model::Sphere& s) { return add(s.radius), s.radius.written; }
-  bool operator()(const model::Ellipsoid& s) { return add(s.radii), s.radii.written; }
-  bool operator()(const model::Cylinder& s) { return round(s); }
-  bool operator()(const model::Capsule& s) { return round(s); }
-  bool operator()(const model::Cone& s) { return round(s); }
-  bool operator()(const model::Mesh& s) {
-    add(s.scale);
-    file = s.uri.value + '\n' + s.submesh.value + (s.center.value ? "\ncentred" : "");
-    return !s.uri.value.empty();
-  }
-  /// Of the others two in one place are no likely slip, or not distinguished by so little.
-  template <class Other>
-  bool operator()(const Other&) {
-    return false;
-  }
-};
-
-bool describe(const model::Collision& collision, model::Id<model::Collision> id, Context& context,
-              Key& key) {
-  auto& [kind, numbers, file] = key;
-  kind = collision.geometry.shape.index();
+std::optional<Key> place_of(const model::Collision& collision, model::Id<model::Collision> id,
+                            Context& context) {
   const auto X_WC = context.frames().pose(id);
-  if (!X_WC || !std::visit(Describe{numbers, file}, collision.geometry.shape)) return false;
+  auto shape = shape_key(collision.geometry.shape);
+  if (!X_WC || !shape) return std::nullopt;
   const auto& [p, q] = *X_WC;
-  numbers.insert(numbers.end(), {p.x, p.y, p.z, q.w, q.x, q.y, q.z});
-  return true;
+  return Key{*std::move(shape), {p.x, p.y, p.z, q.w, q.x, q.y, q.z}};
 }
 
 void check(const model::Link& link, Context& context) {
@@ -67,9 +32,9 @@ void check(const model::Link& link, Context& context) {
   std::map<Key, const model::Collision*> seen;
   for (const auto id : link.collisions) {
     const model::Collision& collision = root[id];
-    Key key;
-    if (!describe(collision, id, context, key)) continue;
-    const auto [first, is_new] = seen.emplace(std::move(key), &collision);
+    auto key = place_of(collision, id, context);
+    if (!key) continue;
+    const auto [first, is_new] = seen.emplace(*std::move(key), &collision);
     if (is_new || !root.own(collision.site)) continue;
     const model::Collision& other = *first->second;
     context.report(

@@ -1,0 +1,119 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/assembly/undone_slips.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::origin_looks_like_millimeters {
+
+// Times as far from its link's origin as anything else of the model is from its own, and than any shape is
+// long. A unit is a factor of 100 or 1000.
+constexpr double kTimesFarther = 8;
+constexpr double kLeast = 0.3;  // m
+
+/// An inertial, a collision or a visual.
+struct Part {
+  const model::PoseField* pose = nullptr;
+  std::string subject;
+  double offset = 0;  ///< m, from the link's origin
+};
+
+/// The parts of a model, and the lengths that they are compared with.
+struct Proportions {
+  std::vector<Part> parts;
+  double longest_shape = 0;  ///< m
+  double longest_joint = 0;  ///< m, of URDF's joint origins
+
+  double without(std::size_t part) const {
+    double longest = std::max(longest_shape, longest_joint);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (i != part) longest = std::max(longest, parts[i].offset);
+    }
+    return longest;
+  }
+};
+
+void add(const model::PoseField& pose, std::string subject, Proportions& model) {
+  if (!pose.pose.written) return;
+  model.parts.push_back({&pose, std::move(subject), model::length(pose.pose.value.translation)});
+}
+
+std::map<model::Id<model::Model>, Proportions> proportions(Context& context) {
+  const model::Root& root = context.root();
+  const robot::Assembled& robot = context.assembled();
+  std::map<model::Id<model::Model>, Proportions> models;
+  for (std::uint32_t i = 0; i < root.links.size(); ++i) {
+    const model::Link& link = root.links[i];
+    Proportions& model = models[robot.links[i].top];
+    add(link.inertial.pose, context.subject(link), model);
+    for (const auto id : link.collisions) add(root[id].pose, context.subject(root[id]), model);
+    for (const auto id : link.visuals) add(root[id].pose, context.subject(root[id]), model);
+    for (const std::uint32_t shape : robot.links[i].shapes) {
+      const double length = mesh::diagonal(robot.shapes[shape].bounds_S);
+      model.longest_shape = std::max(model.longest_shape, length);
+    }
+    if (!context.is_urdf() || !robot.links[i].carrier) continue;
+    const model::Joint& joint = root[robot.links[i].carrier];
+    model.longest_joint =
+        std::max(model.longest_joint, model::length(joint.pose.pose.value.translation));
+  }
+  return models;
+}
+
+/// The translation with a unit taken out, with which the part is no farther than others are.
+std::optional<Undone> in_meters(const model::PoseField& pose, double longest) {
+  for (Undone& change : undone_slips(pose.pose.value.translation)) {
+    if (model::length(change.value) <= longest) return std::move(change);
+  }
+  return std::nullopt;
+}
+
+void check(const model::Root& root, Context& context) {
+  if (root.links.empty()) return;
+  for (const auto& [top, model] : proportions(context)) {
+    for (std::size_t i = 0; i < model.parts.size(); ++i) {
+      const Part& part = model.parts[i];
+      if (part.offset < kLeast || !root.own(part.pose->site)) continue;
+      const double longest = model.without(i);
+      if (!(longest > 0) || part.offset < kTimesFarther * longest) continue;
+      const auto change = in_meters(*part.pose, longest);
+      if (!change) continue;
+      context.report({.where = place_of(*part.pose, context),
+                      .message = fmt::format(
+                          "the origin is {:.3g} m away from the link's, and nothing else in "
+                          "the model is longer than {:.3g} m",
+                          part.offset, longest),
+                      .subject = part.subject,
+                      .help = fmt::format("write {}: {}", written_as(change->value), change->slip),
+                      .fix = translation_fix(*part.pose, change->value, context)});
+    }
+  }
+}
+
+Rule rule() {
+  return {
+      .name = "origin-looks-like-millimeters",
+      .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
+      .summary = "the origin of a part of a link is written in millimeters or centimeters",
+      .why =
+          "The part is far outside of the robot: a collision touches what is elsewhere, a center "
+          "of mass makes the link a pendulum. All lengths are in meters, and no parser doubts "
+          "them. The part is compared with the other origins of its model and the sizes of its "
+          "shapes, so that it is found without its meshes, too.",
+      .what_to_do = "Write the origin in meters, in the frame of the link.",
+      .checks = {on<model::Root>(check)},
+  };
+}
+
+}  // namespace rigor::rules::origin_looks_like_millimeters
