@@ -140,13 +140,18 @@ std::vector<std::string> mirrored_names(std::string_view name, Side side) {
 }
 
 std::vector<Twins> twins(const std::vector<std::string>& names, Side side) {
-  std::unordered_map<std::string_view, std::uint32_t> places;
-  for (std::uint32_t i = 0; i < names.size(); ++i) places.emplace(names[i], i);
+  if (names.size() < 2) return {};
+  std::unordered_map<std::string_view, std::uint32_t> places;  // filled when a name says a side
   std::vector<bool> taken(names.size(), false);
   std::vector<Twins> pairs;
   for (std::uint32_t i = 0; i < names.size(); ++i) {
     if (taken[i]) continue;
-    for (const std::string& other : mirrored_names(names[i], side)) {
+    const std::vector<std::string> mirrored = mirrored_names(names[i], side);
+    if (mirrored.empty()) continue;
+    if (places.empty()) {
+      for (std::uint32_t k = 0; k < names.size(); ++k) places.emplace(names[k], k);
+    }
+    for (const std::string& other : mirrored) {
       const auto found = places.find(other);
       if (found == places.end() || taken[found->second] || found->second == i) continue;
       taken[i] = taken[found->second] = true;

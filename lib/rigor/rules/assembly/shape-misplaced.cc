@@ -48,6 +48,16 @@ double longest_beside(const SeenShape& one, const std::vector<SeenShape>& all) {
   return most;
 }
 
+Vector3 middle_of(const robot::AssembledShape& shape) {
+  return transform(shape.X_LS, 0.5 * (shape.bounds_S.min + shape.bounds_S.max));
+}
+
+/// Of the largest ball around its middle that is in its box, m.
+double inradius(const robot::AssembledShape& shape) {
+  const Vector3 sides = shape.bounds_S.max - shape.bounds_S.min;
+  return 0.5 * std::min({sides.x, sides.y, sides.z});
+}
+
 struct Elsewhere {
   const SeenShape* shape = nullptr;
   std::string message;
@@ -60,7 +70,14 @@ bool is_apart(const SeenShape& one, const std::vector<SeenShape>& all) {
   const double size = mesh::diagonal(one.shape->bounds_S);
   constexpr double kToken = 0.03;  // m: a mark, not a body
   if (size < kToken) return false;
-  return gap_to(one, {}, all) > std::max(kApart * size, kApartOfOthers * longest_beside(one, all));
+  const double limit = std::max(kApart * size, kApartOfOthers * longest_beside(one, all));
+  // Most are told by the balls inside of the boxes.
+  for (const SeenShape& other : all) {
+    if (other.shape == one.shape) continue;
+    const double centers = length(middle_of(*other.shape) - middle_of(*one.shape));
+    if (centers - inradius(*other.shape) - inradius(*one.shape) <= limit) return false;
+  }
+  return gap_to(one, {}, all) > limit;
 }
 
 /// Of two shapes alone, a collision and a visual, one covers the other when it is there.

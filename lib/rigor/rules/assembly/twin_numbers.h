@@ -166,6 +166,7 @@ std::vector<robot::Twins> twins_of(const std::vector<Entity>& all, robot::Side s
   }
   std::vector<robot::Twins> result;
   for (const auto& [model, members] : by_model) {
+    if (members.size() < 2) continue;
     std::vector<std::string> names;
     for (const std::uint32_t i : members) names.push_back(all[i].name.value);
     for (const robot::Twins& pair : robot::twins(names, side))
