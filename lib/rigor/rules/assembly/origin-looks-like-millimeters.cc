@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -16,8 +17,8 @@
 
 namespace rigor::rules::origin_looks_like_millimeters {
 
-// Times as far from its link's origin as anything else of the model is from its own, and than any shape is
-// long. A unit is a factor of 100 or 1000.
+// Times as far from its link's origin as anything else of the model is from its own, and than any
+// shape reaches. A unit is a factor of 100 or 1000.
 constexpr double kTimesFarther = 8;
 constexpr double kLeast = 0.3;  // m
 
@@ -48,6 +49,13 @@ void add(const model::PoseField& pose, std::string subject, Proportions& model) 
   model.parts.push_back({&pose, std::move(subject), model::length(pose.pose.value.translation)});
 }
 
+/// m, from the shape's own origin to its farthest point: a mesh may be drawn far from it.
+double reach(const mesh::Bounds& bounds_S) {
+  return model::length({std::max(std::abs(bounds_S.min.x), std::abs(bounds_S.max.x)),
+                        std::max(std::abs(bounds_S.min.y), std::abs(bounds_S.max.y)),
+                        std::max(std::abs(bounds_S.min.z), std::abs(bounds_S.max.z))});
+}
+
 std::map<model::Id<model::Model>, Proportions> proportions(Context& context) {
   const model::Root& root = context.root();
   const robot::Assembled& robot = context.assembled();
@@ -59,8 +67,7 @@ std::map<model::Id<model::Model>, Proportions> proportions(Context& context) {
     for (const auto id : link.collisions) add(root[id].pose, context.subject(root[id]), model);
     for (const auto id : link.visuals) add(root[id].pose, context.subject(root[id]), model);
     for (const std::uint32_t shape : robot.links[i].shapes) {
-      const double length = mesh::diagonal(robot.shapes[shape].bounds_S);
-      model.longest_shape = std::max(model.longest_shape, length);
+      model.longest_shape = std::max(model.longest_shape, reach(robot.shapes[shape].bounds_S));
     }
     if (!context.is_urdf() || !robot.links[i].carrier) continue;
     const model::Joint& joint = root[robot.links[i].carrier];
