@@ -107,9 +107,9 @@ std::map<std::string, std::vector<Json>> diagnostics_by_uri(const State& state,
   return by_uri;
 }
 
-bool same_diagnostic(const Json& a, const Json& b) {
-  return member(a, "range") == member(b, "range") && member(a, "code") == member(b, "code") &&
-         member(a, "message") == member(b, "message");
+std::string diagnostic_key(const Json& diagnostic) {
+  return json_text(member(diagnostic, "range")) + json_text(member(diagnostic, "code")) +
+         json_text(member(diagnostic, "message"));
 }
 
 }  // namespace rigor::lsp

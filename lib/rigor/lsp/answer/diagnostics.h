@@ -23,8 +23,8 @@ std::map<std::string, std::vector<Json>> diagnostics_by_uri(const State& state,
 bool stands_in(const OpenDocument& document, const CheckedDocument& checked,
                const Diagnostic& finding);
 
-/// Whether both say the same of the same place.
-bool same_diagnostic(const Json& a, const Json& b);
+/// Equal for those that say the same of the same place.
+std::string diagnostic_key(const Json& diagnostic);
 
 Json diagnostic_json(const State& state, const Diagnostic& finding, PlacesJson& places);
 

@@ -3,8 +3,8 @@
 
 #include <rigor/lsp/session/session.h>
 
-#include <algorithm>
 #include <exception>
+#include <set>
 #include <utility>
 
 #include <rigor/lsp/answer/answers.h>
@@ -235,14 +235,12 @@ void Session::publish_of_root(const std::string& root,
 /// Several robots may show the same of a file that they share.
 void Session::publish_uri(const std::string& uri) {
   Json all = Json::array();
+  std::set<std::string> known;
   for (const auto& [root, by_uri] : published_) {
     const auto list = by_uri.find(uri);
     if (list == by_uri.end()) continue;
     for (const Json& diagnostic : list->second) {
-      const bool is_known = std::any_of(all.begin(), all.end(), [&](const Json& known) {
-        return same_diagnostic(known, diagnostic);
-      });
-      if (!is_known) all.push_back(diagnostic);
+      if (known.insert(diagnostic_key(diagnostic)).second) all.push_back(diagnostic);
     }
   }
   Json params{{"uri", uri}, {"diagnostics", std::move(all)}};
