@@ -7,12 +7,14 @@
     tools/claims.py --write    write docs/claims.md
 
 Needs check_urdf (liburdfdom-tools), libsdformat 12 (libsdformat12-12), assimp 5 (libassimp5), MuJoCo 2.2.2
-(libmujoco2.2.2), xmllint (libxml2-utils) and, for MuJoCo 3.3.8, node and the package mujoco-js 0.0.7 in
+(libmujoco2.2.2), xmllint (libxml2-utils), g++ with DART 6.12 (libdart-utils-urdf-dev,
+libdart-external-ikfast-dev) and, for MuJoCo 3.3.8, node and the package mujoco-js 0.0.7 in
 node_modules of the working folder. What is missing is named, and its claims are not checked. Each judge runs
 in a process of its own, since some of them crash or do not return.
 """
 
 import argparse
+import atexit
 import functools
 import os
 import pathlib
@@ -82,11 +84,14 @@ JUDGES = {
     "MuJoCo 3.3.8": ["node", "--input-type=module", "-e", NEWER_MUJOCO],
     "Python 3.11 (expat)": [sys.executable, "-c", PYTHON],
     "libxml2 (xmllint)": ["xmllint", "--noout"],
+    "DART 6.12 (a body's mass)": ["claims_dart", "mass"],
+    "DART 6.12 (a joint under gravity)": ["claims_dart", "moves"],
 }
-URDFDOM, SDF, SDF_PRINT, ASSIMP_5, MUJOCO_2, MUJOCO_3, EXPAT, LIBXML2 = JUDGES
+URDFDOM, SDF, SDF_PRINT, ASSIMP_5, MUJOCO_2, MUJOCO_3, EXPAT, LIBXML2, DART_MASS, DART_MOTION = JUDGES
 
 LINK = '<link name="a"/>'
 BARE = '<link name="l"/>'
+BARE_B = '<link name="b"/>'
 BODY = ('<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>')
 
 
@@ -141,6 +146,8 @@ def collada(image):
 
 
 ACCEPTS, REJECTS, HANGS, REPORTS = "accepts", "rejects", "does not return", "accepts with an error in its log"
+ASSERTS, HOLDS, MOVES, KEEPS = ("stops at an assertion", "holds it still", "lets it move",
+                                "keeps the mass, with a warning")
 
 LIMIT = '<axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="1" velocity="1"/>'
 DECLARED = '<?xml version="1.0"?>'
@@ -151,6 +158,12 @@ def arm(inertial=BODY, axis='<axis xyz="0 0 1"/>', link="", more=""):
     """A link that a continuous joint moves."""
     return robot(f'<link name="a"/><link name="b">{inertial}{link}</link><joint name="j" type="continuous">'
                  f'<parent link="a"/><child link="b"/>{axis}</joint>{more}')
+
+
+def pendulum(limit):
+    """A body beside a vertical axis, which gravity along -x turns."""
+    beside = BODY.replace("<mass", '<origin xyz="0 1 0"/><mass')
+    return joint(f'<axis xyz="0 0 1"/><limit {limit}/>').replace(BARE_B, f'<link name="b">{beside}</link>')
 
 
 def collided(geometry):
@@ -335,6 +348,13 @@ CLAIMS = [
     ("xml-angle-in-attribute", "Python's parser rejects it", EXPAT, "urdf", '<robot name="r<1"><link name="a"/></robot>', REJECTS),
     ("xml-second-root", "tinyxml2 accepts it", SDF, "sdf", model(BARE) + model(BARE), ACCEPTS),
     ("xml-second-root", "Python's parser rejects it", EXPAT, "urdf", robot(LINK) + robot(LINK), REJECTS),
+    ("joint-limit-inverted", "DART stops at an assertion", DART_MOTION, "urdf",
+     pendulum('lower="1" upper="-1" effort="1" velocity="9"'), ASSERTS),
+    ("velocity-zero", "DART holds the joint still", DART_MOTION, "urdf",
+     pendulum('lower="-1" upper="1" effort="1" velocity="0"'), HOLDS),
+    ("velocity-zero", "with a velocity it falls", DART_MOTION, "urdf",
+     pendulum('lower="-1" upper="1" effort="1" velocity="9"'), MOVES),
+    ("mass-zero", "DART keeps a mass of zero", DART_MASS, "urdf", arm(BODY.replace('mass value="1"', 'mass value="0"')), KEEPS),
     ("xml-empty", "Python's parser rejects an empty file", EXPAT, "urdf", "", REJECTS),
 ]
 
@@ -342,9 +362,29 @@ SECONDS = 20
 
 
 @functools.cache
+def dart():
+    """The program that asks DART, or nothing where it cannot be compiled."""
+    flags = subprocess.run(["pkg-config", "--cflags", "dart"], capture_output=True, text=True).stdout.split()
+    program = pathlib.Path(tempfile.gettempdir()) / f"claims_dart_{os.getpid()}"
+    run = subprocess.run(["g++", "-O1", *flags, "-std=c++17", str(ROOT / "tools" / "claims_dart.cc"), "-o", str(program),
+                          "-ldart-utils-urdf", "-ldart", "-lassimp", "-lurdfdom_model"], capture_output=True, text=True)
+    if run.returncode != 0:
+        return None
+    atexit.register(program.unlink)
+    return str(program)
+
+
+def command(judge):
+    program, *options = JUDGES[judge]
+    return [dart() if program == "claims_dart" else program, *options]
+
+
+@functools.cache
 def is_installed(judge):
     """Whether the judge can be asked; libraries that are missing show in what they say of a file."""
     program = JUDGES[judge][0]
+    if judge in (DART_MASS, DART_MOTION):
+        return dart() is not None
     if judge == MUJOCO_3:
         return os.path.isdir("node_modules/mujoco-js") and shutil.which(program) is not None
     if program != sys.executable:
@@ -360,10 +400,12 @@ def verdict(judge, ending, text, files):
         for name, data in files.items():
             (path.parent / name).write_bytes(data)
         try:
-            run = subprocess.run(JUDGES[judge] + [str(path)], capture_output=True, text=True, timeout=SECONDS)
+            run = subprocess.run(command(judge) + [str(path)], capture_output=True, text=True, timeout=SECONDS)
         except subprocess.TimeoutExpired:
             return HANGS
     log = run.stdout + run.stderr
+    if judge in (DART_MASS, DART_MOTION) and (run.stdout or "Assertion" in log):
+        return ASSERTS if "Assertion" in log else run.stdout.splitlines()[-1]
     if run.returncode != 0:
         return REJECTS
     return REPORTS if judge == URDFDOM and "Error:" in log else ACCEPTS
@@ -377,8 +419,8 @@ Each row was checked by running the consumer on a file that has the defect and n
 example of every rule is in `testdata/compat`, and tests hold it.
 
 Not checked by a run, but taken from sources and documentation: what the pages say of Gazebo and Gazebo classic beyond libsdformat, of
-Bullet, Drake, DART (but for `tests/convert` and `tests/simulate`), ODE, KDL, RViz, MoveIt, ros_control, ros2_control, Isaac Sim, Ogre and of
-libsdformat 13 and later.
+gz-physics (which drives DART in new Gazebo), Drake, ODE (but for `tests/simulate`), KDL, RViz, MoveIt, ros_control, ros2_control, Isaac Sim,
+Ogre and of libsdformat 13 and later. Bullet's reader of URDF is in none of Debian's packages.
 
 | rule | claim | consumer | what it does |
 |---|---|---|---|

@@ -59,10 +59,10 @@ Rule rule() {
       .fix = FixGrade::kUnsafe,
       .summary = "a link that moves has a mass of zero",
       .why = "libsdformat accepts it, and the physics engine then divides by it: ODE stops at an "
-             "assertion, DART sets a tiny mass of its own. Gazebo drops a URDF link without mass, "
-             "with its moments, unless it is fixed to a link that has mass: then the moments "
-             "alone are added, which is an info. Bullet fixes such a link in place, so that in a "
-             "model with Bullet's own elements it is an info, too.",
+             "assertion, DART warns of a crash or of wrong motion. Gazebo drops a URDF link "
+             "without mass, with its moments, unless it is fixed to a link that has mass: then "
+             "the moments alone are added, which is an info. Bullet fixes such a link in place, "
+             "so that in a model with Bullet's own elements it is an info, too.",
       .what_to_do = "Write the mass, however small. For a frame without a body remove the "
                     "<inertial> of a URDF link, or use <frame> in SDF.",
       .checks = {on<model::Link>(check)},
