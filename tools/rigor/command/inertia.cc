@@ -15,11 +15,11 @@ namespace {
 class InertiaCommand final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
-    CLI::App* app =
-        add_command(program, "inertia", "Exact mass, center of mass and inertia",
-                    {"rigor inertia cylinder --radius 0.1 --length 0.05 --mass 0.4",
-                     "rigor inertia mesh hull.stl --scale 0.001 --material aluminium",
-                     "rigor inertia my_robot", "rigor inertia my_robot --material abs --write"});
+    CLI::App* app = add_command(
+        program, "inertia", "Exact mass, center of mass and inertia",
+        {"rigor inertia cylinder --radius 0.1 --length 0.05 --mass 0.4",
+         "rigor inertia mesh hull.stl --scale 0.001 --material aluminum", "rigor inertia my_robot",
+         "rigor inertia my_robot --material abs --write", "rigor inertia my_arm --loads"});
     app->add_option("what", a_.what,
                     "box, sphere, cylinder, capsule, ellipsoid, cone, mesh FILE; or a model")
         ->type_name("SHAPE|MODEL");
@@ -27,6 +27,7 @@ class InertiaCommand final : public Command {
     declare_shape(*app);
     declare_mass(*app);
     declare_model(*app);
+    declare_loads(*app);
     a_.output.declare(*app, {"sdf", "urdf", "mjcf", "json", "text"});
     app->get_option("--format")
         ->description(
@@ -38,6 +39,7 @@ class InertiaCommand final : public Command {
 
   int run() override {
     if (list_materials_) return print_materials();
+    if (a_.loads) return run_static_loads(a_);
     if (a_.what.empty()) {
       throw UsageError("inertia needs a shape or a model; `rigor inertia --help` shows both");
     }
@@ -87,6 +89,17 @@ class InertiaCommand final : public Command {
         ->group(group);
     app.add_flag("--diff", a_.diff, "Show what would be written; exit 1 if anything")->group(group);
     app.add_flag("--write", a_.write, "Write the inertials into the file")->group(group);
+  }
+
+  void declare_loads(CLI::App& app) {
+    const std::string group = "Loads of a model";
+    app.add_flag(
+           "--loads", a_.loads,
+           "What gravity asks of each joint, beside its effort limit; exit 1 where that is less")
+        ->group(group);
+    word(app, "--model", a_.model, "Which model, of several in the file", "NAME", group);
+    word(app, "--samples", a_.samples, "Poses to try; else 1000", "N", group);
+    word(app, "--seed", a_.seed, "Of the poses; else 1", "N", group);
   }
 
   static CLI::Option* word(CLI::App& app, const std::string& name, std::string& value,

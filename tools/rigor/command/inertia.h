@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The two things that `rigor inertia` does, and the options they share.
+// What `rigor inertia` does, and the options they share.
 
 #pragma once
 
@@ -43,6 +43,11 @@ struct InertiaArguments {
   bool diff = false;
   bool write = false;
 
+  bool loads = false;
+  std::string model;  ///< of several in a file; else empty
+  std::string samples;
+  std::string seed;
+
   OutputOptions output;
   SearchOptions search;
 };
@@ -59,5 +64,8 @@ int run_solid_inertia(const InertiaArguments& arguments);
 
 /// A model's table, and its edits.
 int run_model_inertia(const InertiaArguments& arguments);
+
+/// What gravity asks of a model's joints; 1 where a motor cannot hold its part of the robot.
+int run_static_loads(const InertiaArguments& arguments);
 
 }  // namespace rigor::tool

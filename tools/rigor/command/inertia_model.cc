@@ -92,7 +92,7 @@ void refuse_ambiguous_links(const model::Root& root, const InertiaOptions& optio
   }
 }
 
-/// What keeps the file from being looked at as a whole; empty when nothing does.
+/// What keeps the file from being examined as a whole; empty when nothing does.
 std::string problem(const read::Loaded& loaded) {
   if (!loaded.file->document->complete()) return "is not well-formed";
   if (loaded.root.format == model::Format::kUnknown ||

@@ -40,7 +40,7 @@ using mass::Solid;
 constexpr double kSmallest = 1e-6;  // m
 constexpr double kLargest = 1e3;    // m
 
-// A mesh longer than this is most likely in millimetres.
+// A mesh longer than this is most likely in millimeters.
 constexpr double kLongMesh = 20;  // m
 
 constexpr std::string_view kShapes[] = {"box",       "sphere", "cylinder", "capsule",
@@ -121,14 +121,14 @@ Solid primitive_solid(const InertiaArguments& a) {
   throw UsageError("--hollow " + a.hollow + " m: a wall this thick fills the whole " + a.what);
 }
 
-/// An STL or OBJ has no unit, and most that are very long are in millimetres.
+/// An STL or OBJ has no unit, and most that are very long are in millimeters.
 void require_plausible_unit(const InertiaArguments& a, const mass::MeshSurvey& survey) {
   if (!a.scale.empty()) return;
   const model::Vector3 size = survey.bounds.max - survey.bounds.min;
   const double longest = std::max({size.x, size.y, size.z});
   if (longest <= kLongMesh) return;
   throw NoAnswer(
-      fmt::format("{} is {} m long: if it is in millimetres, add --scale 0.001; if it "
+      fmt::format("{} is {} m long: if it is in millimeters, add --scale 0.001; if it "
                   "is meant, --scale 1",
                   a.mesh, report::number(longest)));
 }

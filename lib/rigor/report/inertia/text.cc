@@ -1,7 +1,6 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include <rigor/mass/material.h>
 #include <rigor/report/inertia/inertia_report.h>
 #include <rigor/report/number.h>
+#include <rigor/report/terminal/grid.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
 #include <rigor/text/sources.h>
@@ -24,40 +24,6 @@ using mass::MassProperties;
 
 constexpr int kInertiaDigits = 4;
 constexpr int kSolidDigits = 8;
-
-/// Rows of cells, padded to the width of their column.
-class Grid {
- public:
-  void row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
-
-  /// A line under the last row, as it is.
-  void note(std::string text) { rows_.push_back({"    " + std::move(text)}); }
-
-  std::string text() const {
-    std::vector<std::size_t> widths;
-    for (const auto& row : rows_) {
-      if (row.size() == 1) continue;
-      widths.resize(std::max(widths.size(), row.size()));
-      for (std::size_t i = 0; i < row.size(); ++i) {
-        widths[i] = std::max<std::size_t>(widths[i], count_code_points(row[i]));
-      }
-    }
-    std::string out;
-    for (const auto& row : rows_) {
-      std::string line;
-      for (std::size_t i = 0; i < row.size(); ++i) {
-        line += row[i];
-        if (i + 1 < row.size()) line.append(widths[i] - count_code_points(row[i]) + 2, ' ');
-      }
-      line.erase(line.find_last_not_of(' ') + 1);
-      out += line + '\n';
-    }
-    return out;
-  }
-
- private:
-  std::vector<std::vector<std::string>> rows_;
-};
 
 std::string moments(const MassProperties& body) {
   const mass::Inertia& i = body.about_com;
@@ -139,7 +105,7 @@ void notes(const LinkInertia& link, Grid& grid) {
   if (!link.overlaps.complete) {
     grid.note(
         fmt::format("of parts that may share space {} pairs were compared, and others left out",
-                    mass::kMostCompared));
+                    mass::kMaxCompared));
   }
   for (const mass::PartOverlap& overlap : link.overlaps.list) {
     grid.note(fmt::format("'{}' and '{}' share {:.0f} % of the smaller: it counts twice",
@@ -163,7 +129,7 @@ void rows(const LinkInertia& link, Grid& grid) {
   notes(link, grid);
 }
 
-/// Without what sums of numbers leave where there is nothing: a picometre.
+/// Without what sums of numbers leave where there is nothing: a picometer.
 model::Vector3 shown(const model::Vector3& p) {
   const auto snap = [](double value) { return std::abs(value) < 1e-12 ? 0.0 : value; };
   return {snap(p.x), snap(p.y), snap(p.z)};
