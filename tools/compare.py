@@ -23,7 +23,7 @@ SILENT, SAYS, REFUSES = "silent", "says", "refuses"
 
 
 def run(command, folder):
-    """Exit code and all output, without colours; None when it did not end."""
+    """Exit code and all output, without colors; None when it did not end."""
     environment = dict(os.environ, SDF_PATH=folder, IGN_FILE_PATH=folder)
     try:
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,

@@ -10,7 +10,7 @@
 
 Each DIR holds a folder for each collection of models. `collect` keeps what rigor finds in them. `draw` prints
 the drawn hits (110 errors, 150 warnings, 40 infos) with their source lines; `robot` prints what is shown of one
-model by default. A hit is a finding at its first place. `page` writes the page from testdata/wild/judgements.tsv
+model by default. A hit is a finding at its first place. `page` writes the page from testdata/wild/judgments.tsv
 (three verdicts and a remark for each hit), robots.tsv (the same question for each finding on ten robots) and
 changes.md.
 """
@@ -149,12 +149,12 @@ def table(name, columns):
     return rows
 
 
-def judgements():
-    rows = table("judgements.tsv", ("rule", "path", "line", *QUESTIONS, "remark"))
+def judgments():
+    rows = table("judgments.tsv", ("rule", "path", "line", *QUESTIONS, "remark"))
     for row in rows:
         for question in QUESTIONS:
             if row[question] not in ("yes", "no"):
-                sys.exit(f"judgements.tsv: {row['path']}:{row['line']}: {question} is not yes or no")
+                sys.exit(f"judgments.tsv: {row['path']}:{row['line']}: {question} is not yes or no")
     return {Key(row["rule"], row["path"], row["line"]): row for row in rows}
 
 
@@ -171,7 +171,7 @@ def show(number, hit):
 
 
 def print_drawn(options):
-    known = judgements() if options.todo else {}
+    known = judgments() if options.todo else {}
     drawn = draw(read_hits(options.hits)["findings"])
     for number, hit in list(enumerate(drawn))[options.first:][:options.count]:
         if key_of(hit) not in known:
@@ -206,7 +206,7 @@ def robots_table():
 def write_page(options):
     kept = read_hits(options.hits)
     drawn = draw(kept["findings"])
-    known = judgements()
+    known = judgments()
     todo = [key_of(hit) for hit in drawn if key_of(hit) not in known]
     if todo:
         sys.exit(f"{len(todo)} of the drawn hits are not judged, {' '.join(todo[0])} for one")
@@ -255,7 +255,7 @@ be. So a rule that fires once weighs as much as one that fires in every file. Ea
 |---|---:|---:|---:|---:|---:|
 {newline.join(totals)}
 
-`testdata/wild/judgements.tsv` holds all judgements with remarks. Some files name meshes and textures that their collection has and the copy used here
+`testdata/wild/judgments.tsv` holds all judgments with remarks. Some files name meshes and textures that their collection has and the copy used here
 lacks, for their size; what is reported of those is counted as right, and the remark says so. Where a remark says "not counted anew", the number
 was taken from rigor, and only what it says of it was judged.
 

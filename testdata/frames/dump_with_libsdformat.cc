@@ -8,7 +8,7 @@
 //   /tmp/dump cases/*.sdf > facts.tsv
 //
 // Columns: file, kind, scoped name, x y z qw qx qy qz in the frame of the world or of `__root__`,
-// and for a link its mass, centre of mass and tensor about that in the link's axes (xx xy xz yy yz
+// and for a link its mass, center of mass and tensor about that in the link's axes (xx xy xz yy yz
 // zz), for a joint `parent child type` and its axes. Of a rejected file there is only its verdict,
 // with the code of the first error, or `throws` where libsdformat's own assertions fail.
 
@@ -53,7 +53,7 @@ Pose3d pose_in(const Entity& entity, const std::string& scope) {
 
 std::string inertia(const ignition::math::Inertiald& inertial) {
   const Vector3d& c = inertial.Pose().Pos();
-  const auto I = inertial.Moi();  // about the centre of mass, in the link's axes
+  const auto I = inertial.Moi();  // about the center of mass, in the link's axes
   return numbers({inertial.MassMatrix().Mass(), c.X(), c.Y(), c.Z(), I(0, 0), I(0, 1), I(0, 2),
                   I(1, 1), I(1, 2), I(2, 2)},
                  ' ');

@@ -1,6 +1,6 @@
 # Copyright 2026 The rigor authors
 # SPDX-License-Identifier: Apache-2.0
-"""Volume, centre and inertia (density 1, about the centre) of binary STL files, in exact fractions.
+"""Volume, center and inertia (density 1, about the center) of binary STL files, in exact fractions.
 
     python3 exact.py FILE.stl...
 """

@@ -201,7 +201,7 @@ void expect_only_named_bytes_change(const std::string& before, const std::string
 }
 
 TEST(ApplyMeshProperty, EveryVertexStaysInItsPlace) {
-  constexpr double kNanometre = 1e-9;
+  constexpr double kNanometer = 1e-9;
   double worst = 0;
   for (unsigned seed = 0; seed < 500 / test::parts(); ++seed) {
     SCOPED_TRACE(seed);
@@ -230,7 +230,7 @@ TEST(ApplyMeshProperty, EveryVertexStaysInItsPlace) {
     ASSERT_EQ(old_places.size(), new_places.size());
     for (std::size_t i = 0; i < old_places.size(); ++i) {
       worst = std::max(worst, length(old_places[i] - new_places[i]));
-      ASSERT_LT(length(old_places[i] - new_places[i]), kNanometre) << text << *edited;
+      ASSERT_LT(length(old_places[i] - new_places[i]), kNanometer) << text << *edited;
     }
     EXPECT_TRUE(apply_mesh(after.environment, after.sources, after.loaded, {{kMesh, kMesh, {}, {}}})
                     .edits.empty());

@@ -91,8 +91,8 @@ TEST(ApplyMesh, ANewNameChangesTheLastPartOfTheUri) {
     return sdf("<visual name='v'><geometry><mesh><uri> " + std::string(uri) + "\n</uri><scale>" +
                std::string(scale) + "</scale></mesh></geometry></visual>\n");
   };
-  const mesh::Transform millimetres{.unit = 0.001};
-  EXPECT_EQ(applied(visual("model://m/meshes/a.dae", "0.001 1e-3 0.002"), millimetres, {},
+  const mesh::Transform millimeters{.unit = 0.001};
+  EXPECT_EQ(applied(visual("model://m/meshes/a.dae", "0.001 1e-3 0.002"), millimeters, {},
                     "m/meshes/b.glb"),
             visual("model://m/meshes/b.glb", "1 1 2"));
   EXPECT_EQ(applied(visual("meshes/../meshes/a.dae", "1 1 1"), {}, {}, "m/meshes/low/a.obj"),

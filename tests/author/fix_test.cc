@@ -179,7 +179,7 @@ std::string moving(const std::string& inertial, const std::string& size) {
          "</size></box></geometry></collision></link></model></sdf>\n";
 }
 
-/// Of which each number is the author's: 2 kg in a cubic metre are little, but no reason not to read them.
+/// Of which each number is the author's: 2 kg in a cubic meter are little, but no reason not to read them.
 TEST(Fix, WritesTheInertialOfUrdfAsThatOfSdf) {
   const auto fixed = fix(moving("<inertial><mass value=\"2\"/><inertia ixx=\"0.1\" iyy=\"0.2\" "
                                 "izz=\"0.2\"/></inertial>",
@@ -199,7 +199,7 @@ TEST(Fix, WritesNoInertialOverNumbersThatNobodyReads) {
   EXPECT_FALSE(fix(text, kUnsafe).changed());
 }
 
-/// 300 m and 50 m were millimetres: no inertia follows from them.
+/// 300 m and 50 m were millimeters: no inertia follows from them.
 TEST(Fix, WritesNoInertialOfShapesThatAreTooLargeOrTooLight) {
   const std::string inertial =
       "<inertial><mass>5</mass><inertia><ixx>0.01</ixx><iyy>0.01</iyy><izz>0.01</izz></inertia>"
@@ -248,7 +248,7 @@ TEST(Fix, DoesAllOfManyThoughFewAreListed) {
     wrong += "      <Light" + name + "/>\n";
     right += "      <light" + name + "/>\n";
   }
-  const rules::Selection selection{.select = {"wrong-case-element"}, .most_listed = 7};
+  const rules::Selection selection{.select = {"wrong-case-element"}, .max_listed = 7};
   EXPECT_EQ(fix(with_link(wrong), kUnsafe, selection).after, with_link(right));
 }
 

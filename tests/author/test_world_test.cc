@@ -95,7 +95,7 @@ TEST(TestWorld, AFlatMeshIsTakenForASheet) {
   TriangleMesh square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   const World world(square, {1, 1, 1});
   world.expect_clean();
-  EXPECT_NEAR(world.inertial().mass.value, 1, 1e-9);  // a square metre of a millimetre of water
+  EXPECT_NEAR(world.inertial().mass.value, 1, 1e-9);  // a square meter of a millimeter of water
 }
 
 }  // namespace

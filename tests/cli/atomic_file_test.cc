@@ -74,7 +74,7 @@ TEST_F(AtomicFile, StaysWhenTheDiskFails) {
     if (line.find("into/all.jsonl.") != std::string::npos) break;
   }
   folder_.put("into/all.jsonl", "old\n");
-  // A full disk is told when the bytes are synchronized; NFS tells it when the file is closed.
+  // A full disk is reported when the bytes are synchronized; NFS tells it when the file is closed.
   for (const std::string& failure :
        {std::string("fsync:error=ENOSPC"), "close:error=EDQUOT:when=" + std::to_string(closed)}) {
     const Ran ran = replace("-e inject=" + failure);

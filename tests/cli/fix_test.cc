@@ -87,7 +87,7 @@ TEST(FixCli, WritesUnsafeFixesOnlyWhenAskedAndThenNothingMore) {
 }
 
 // 3 kg in a box of 0.3 x 0.2 x 0.1 m: m / 12 (y² + z²) = 0.0125 and so on.
-TEST(FixCli, AnInertialKeepsItsCentreOfMass) {
+TEST(FixCli, AnInertialKeepsItsCenterOfMass) {
   const Folder folder;
   folder.put(
       "a.sdf",

@@ -65,7 +65,7 @@ TEST(InertiaCli, EveryShape) {
               1e-9);
 }
 
-TEST(InertiaCli, ThePoseMovesTheCentreOfMass) {
+TEST(InertiaCli, ThePoseMovesTheCenterOfMass) {
   const Folder folder;
   const std::string wheel = "inertia cylinder --radius 0.1 --length 0.05 --mass 1 ";
   const json found = parsed(folder.rigor(wheel + "--pose '1 2 3 0 1.5707 0' --format json"));
@@ -162,7 +162,7 @@ TEST(InertiaCli, RefusesMeshesThatAreNoSolid) {
   open.triangles.pop_back();
   folder.put("open.stl", binary_stl(open));
   folder.put("turned.stl", binary_stl(turned(box_mesh({1, 1, 1}))));
-  folder.put("millimetres.stl", binary_stl(box_mesh({300, 200, 100})));
+  folder.put("millimeters.stl", binary_stl(box_mesh({300, 200, 100})));
   folder.put("twice.stl", binary_stl(joined(box_mesh({1, 1, 1}), box_mesh({1, 1, 1}))));
   folder.put("none.stl", binary_stl({}));
   folder.put("cut.stl", binary_stl(box_mesh({1, 1, 1})).substr(0, 300));
@@ -170,7 +170,7 @@ TEST(InertiaCli, RefusesMeshesThatAreNoSolid) {
   folder.put("pointer.stl", "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 5\n");
   expect_refused(folder, "mesh open.stl --mass 1", 1, "not closed: 3 edges");
   expect_refused(folder, "mesh turned.stl --mass 1", 1, "inside out");
-  expect_refused(folder, "mesh millimetres.stl --mass 1", 1, "--scale 0.001");
+  expect_refused(folder, "mesh millimeters.stl --mass 1", 1, "--scale 0.001");
   expect_refused(folder, "mesh twice.stl --mass 1", 1, "overlaps itself");
   expect_refused(folder, "mesh none.stl --mass 1", 1, "no triangles");
   expect_refused(folder, "mesh empty.stl --mass 1", 1, "no triangles");
@@ -181,7 +181,7 @@ TEST(InertiaCli, RefusesMeshesThatAreNoSolid) {
   expect_refused(folder, "mesh open.stl --hull --hollow 0.1 --mass 1", 2, "exclude each other");
   expect_refused(folder, "open.stl", 2, "did you mean rigor inertia mesh");
   expect_refused(folder, "mesh . --mass 1", 2, "is a folder");
-  EXPECT_EQ(folder.rigor("inertia mesh millimetres.stl --scale 1 --mass 1").exit, 0);
+  EXPECT_EQ(folder.rigor("inertia mesh millimeters.stl --scale 1 --mass 1").exit, 0);
 }
 
 class InertiaOfModel : public testing::Test {
@@ -268,7 +268,7 @@ TEST_F(InertiaOfModel, SaysWhyALinkStaysAsItIs) {
 }
 
 TEST_F(InertiaOfModel, ShapesThatCannotBeTheBodyProposeNothing) {
-  // A ball of 1 mm stands for a screen of 0.44 kg.
+  // A ball of 1 mm represents a screen of 0.44 kg.
   const std::string robot = R"(<robot name="r">
   <link name="screen">
     <inertial>
@@ -283,7 +283,7 @@ TEST_F(InertiaOfModel, ShapesThatCannotBeTheBodyProposeNothing) {
 )";
   folder_.put("r.urdf", robot);
   EXPECT_EQ(folder_.rigor("inertia r.urdf --only all --diff").exit, 0);
-  // Of which only that is told.
+  // Of which only that is reported.
   EXPECT_EQ(folder_.rigor("validate r.urdf --fail-on info --ignore density-too-high").exit, 0);
 }
 

@@ -24,7 +24,7 @@ class MeshCacheCli : public testing::Test {
  protected:
   MeshCacheCli() {
     constexpr unsigned kAround = 50;
-    static_assert(2 * kAround * 50 == mass::MeshCache::kLeastTriangles);
+    static_assert(2 * kAround * 50 == mass::MeshCache::kMinTriangles);
     folder_.put("large.stl", *mesh::write_mesh(torus_mesh(2, 1, kAround, 50), "large.stl").bytes);
     folder_.put("small.stl", *mesh::write_mesh(torus_mesh(2, 1, kAround, 49), "small.stl").bytes);
   }

@@ -22,7 +22,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A box of 1 × 2 × 3 in millimetres, its lowest corner at (10, 20, 30), without its top when `open`.
+/// A box of 1 × 2 × 3 in millimeters, its lowest corner at (10, 20, 30), without its top when `open`.
 std::string box_obj(bool open = false) {
   std::string text =
       "v 10 20 30\nv 11 20 30\nv 11 22 30\nv 10 22 30\n"
@@ -100,7 +100,7 @@ TEST(MeshCheckCli, AnOpenBox) {
   EXPECT_EQ(box["convex"], false);
 }
 
-TEST(MeshCheckCli, UnitAndCentreAndEveryFormat) {
+TEST(MeshCheckCli, UnitAndCenterAndEveryFormat) {
   const Folder folder;
   folder.put("box.obj", box_obj());
   for (const char* ending : {"stl", "obj", "dae", "glb", "ply"}) {

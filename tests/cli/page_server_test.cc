@@ -96,14 +96,14 @@ TEST_F(ServedPage, AListenerThatDoesNotReadMissesOldEvents) {
   read_to(slow, ": here\n\n");
   // More than the system holds for a connection.
   const std::string large(1 << 20U, 'x');
-  constexpr std::size_t kTold = 5 * PageServer::kMaxEvents;
-  for (std::size_t i = 0; i < kTold; ++i) {
+  constexpr std::size_t kReported = 5 * PageServer::kMaxEvents;
+  for (std::size_t i = 0; i < kReported; ++i) {
     server_.tell("changed", std::to_string(i) + large);
   }
   server_.tell("last", "end");
   const std::string heard = read_to(slow, "data: end\n\n");
   EXPECT_TRUE(heard.ends_with("event: last\ndata: end\n\n"));
-  EXPECT_LT(heard.size(), kTold / 2 * large.size());
+  EXPECT_LT(heard.size(), kReported / 2 * large.size());
 }
 
 TEST_F(ServedPage, ListenersAreBounded) {

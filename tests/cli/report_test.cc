@@ -140,7 +140,7 @@ TEST_F(ReportCli, AFolderHasAPageForEachModel) {
 }
 
 TEST_F(ReportCli, TheVerdictOfASimulationDecidesToo) {
-  // Its centre of mass is far beside what it stands on.
+  // Its center of mass is far beside what it stands on.
   folder_.put("leaning.sdf", crate("leaning", "<pose>0.3 0 0 0 0 0</pose>" + std::string(kSound)));
   const std::string quiet = " --ignore inertia,geometry -o report.html";
   EXPECT_EQ(folder_.rigor("report leaning.sdf --no-simulate" + quiet).exit, 0);

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Comments that suppress findings, in every command that speaks of a model.
+// Comments that suppress findings, in every command that refers to a model.
 
 #include <string>
 

@@ -113,7 +113,7 @@ TEST(CliUpgrade, WhatIsNoUpgradeIsAnInvocationThatIsWrong) {
   EXPECT_EQ(folder.rigor("upgrade r.urdf --to 1.9").exit, 2);
   EXPECT_EQ(folder.rigor("upgrade m.sdf n.sdf --to 1.9").exit, 2);
   EXPECT_EQ(folder.rigor("upgrade m.sdf --to 1.9 --diff --write").exit, 2);
-  // Nothing is written before all names are looked at.
+  // Nothing is written before all names are examined.
   EXPECT_EQ(folder.rigor("upgrade n.sdf m.sdf --to 1.7 --write").exit, 2);
   EXPECT_EQ(folder.get("n.sdf"), kOld);
 }

@@ -50,7 +50,7 @@ TEST(Comments, OfAnSdfFileStandWhereTheyDid) {
             <size>1 2 3</size> <!-- m -->
           </box>
         </geometry>
-        <!-- no colour -->
+        <!-- no color -->
       </visual> <!-- of the visual -->
       <!-- lost with its plane -->
       <collision name='c'><geometry><plane/></geometry></collision>
@@ -96,7 +96,7 @@ TEST(Comments, OfAnSdfFileStandWhereTheyDid) {
         <!-- m -->
         <box size="1 2 3"/>
       </geometry>
-      <!-- no colour -->
+      <!-- no color -->
     </visual>
     <!-- nothing else -->
   </link>)");

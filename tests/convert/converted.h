@@ -97,7 +97,7 @@ struct Converted {
   convert::UrdfConversion result;
 };
 
-/// A link whose mass is told, so that nothing of it has to be.
+/// A link whose mass is reported, so that nothing of it has to be.
 inline std::string sdf_link(const std::string& name, const std::string& pose = {}) {
   return "<link name='" + name + "'>" + (pose.empty() ? "" : "<pose>" + pose + "</pose>") +
          "<inertial><mass>1</mass></inertial></link>";

@@ -86,14 +86,14 @@ TEST(Ledger, TellsWhatNobodyTookOncePerSubtree) {
 }
 
 TEST(Ledger, TellsAnAttributeByItself) {
-  Books books("<model name='arm'><link name='palm' colour='red'/></model>");
+  Books books("<model name='arm'><link name='palm' color='red'/></model>");
   books.ledger().open(read::site_of(books.at("model")), "arm");
   books.ledger().take(books.at("model"));
   books.ledger().take(books.at("link"));
   const Account account = books.close("name");
   ASSERT_EQ(account.notes.size(), 1U);
-  EXPECT_EQ(account.notes[0].written, "link/@colour");
-  EXPECT_EQ(books.sources.bytes(account.notes[0].where), "colour='red'");
+  EXPECT_EQ(account.notes[0].written, "link/@color");
+  EXPECT_EQ(books.sources.bytes(account.notes[0].where), "color='red'");
   EXPECT_EQ(count_of(account, Outcome::kImplied), 2U);
 }
 

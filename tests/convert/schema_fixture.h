@@ -139,7 +139,7 @@ inline std::optional<std::string> value_of(const SchemaPlace& place, int which,
 
   const schema::Node& node = place.node;
   const std::string fallback(node.default_value().value_or(""));
-  // No two places have the same pose or colour: equals may stand for each other.
+  // No two places have the same pose or color: equals may represent each other.
   std::size_t letters = 0;
   for (const char letter : name) letters += static_cast<unsigned char>(letter);
   const std::string own = "0.1" + std::to_string(letters);

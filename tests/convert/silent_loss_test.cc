@@ -81,7 +81,7 @@ bool has_line(const Notes& notes, const Note& line) {
                      [&line](const Note& note) { return is_same_line(note, line); });
 }
 
-/// A line that speaks of what stands there (bytes of the document).
+/// A line that refers to what stands there (bytes of the document).
 bool speaks_of(const Note& note, std::size_t begin, std::size_t end) {
   return note.where.begin >= begin && note.where.end <= end;
 }
@@ -105,7 +105,7 @@ bool tells(const Said& said, const Grown& grown, const Said& without) {
   return false;
 }
 
-/// That holds whichever value it has: lost, or told otherwise.
+/// That holds whichever value it has: lost, or expressed otherwise.
 bool is_told(const Said& said, const Grown& grown) {
   for (const Note& note : said.notes) {
     if (speaks_of(note, grown.begin, grown.end)) return true;

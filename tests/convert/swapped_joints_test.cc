@@ -76,7 +76,7 @@ TEST(SwappedJoints, AnyTreeHangsOnOneRoot) {
 
 TEST(SwappedJoints, TheRobotMovesAsBefore) {
   // The lid's hinge leads to the box, which the base carries already; it stands in the box's frame, and
-  // the lid a metre along x from it.
+  // the lid a meter along x from it.
   const Converted converted(sdf_link("base") + sdf_link("box", "0 0 1 0 0 0") +
                             sdf_link("lid", "1 0 1 0 0 0") +
                             sdf_joint("weld", "fixed", "base", "box") +

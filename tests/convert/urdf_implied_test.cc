@@ -43,7 +43,7 @@ TEST(UrdfImplied, DefaultsChangeWithVersions) {
   EXPECT_FALSE(implied(joint, "lower", "1.10"));
 }
 
-TEST(UrdfImplied, ColoursMayLeaveOutTheirOpacity) {
+TEST(UrdfImplied, ColorsMayLeaveOutTheirOpacity) {
   const auto in_material = [](const std::string& text) {
     return in_link("<visual name='v'><material>" + text + "</material></visual>");
   };

@@ -237,7 +237,7 @@ double mass_of(const UrdfRobot& robot, const std::string& name) {
   return -1;
 }
 
-/// A body with its centre off its origin.
+/// A body with its center off its origin.
 std::string heavy_link(const std::string& name, const std::string& mass) {
   return "<link name='" + name + "'><pose>0.3 -0.2 0.5 0.3 0.2 0.1</pose><inertial>" +
          "<pose>0.1 -0.2 0.3 0.5 0 0.4</pose><mass>" + mass +
@@ -311,7 +311,7 @@ TEST(UrdfJoint, ABallIsThreeTurnsThatReachEveryRotation) {
 }
 
 TEST(UrdfJoint, AScrewSlidesAsItTurns) {
-  // 1.9: radians per metre of a left-handed thread.
+  // 1.9: radians per meter of a left-handed thread.
   const Converted old(
       two_links("screw", axis("0 0 1", limit(kBounds)) + "<thread_pitch>-20</thread_pitch>"));
   const UrdfJoint& slide = old.joint("j_slide");
@@ -319,7 +319,7 @@ TEST(UrdfJoint, AScrewSlidesAsItTurns) {
   EXPECT_EQ(slide.mimic->joint, "j");
   EXPECT_EQ(to_text(slide.mimic->multiplier), "0.05");
   EXPECT_EQ(to_text(*slide.limit->upper), "0.075");
-  // 1.10: metres per turn of a right-handed one.
+  // 1.10: meters per turn of a right-handed one.
   const Converted now(
       two_links("screw", axis("0 0 1") + "<screw_thread_pitch>0.5</screw_thread_pitch>"), "1.11");
   EXPECT_DOUBLE_EQ(now.joint("j_slide").mimic->multiplier.value, 0.5 / (2 * std::acos(-1.0)));

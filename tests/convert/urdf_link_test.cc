@@ -62,7 +62,7 @@ TEST(UrdfLink, TurnsDegreesAndQuaternionsIntoRadians) {
 }
 
 TEST(UrdfLink, MovesEverythingWithTheLinkFrame) {
-  // A quarter turn about z takes x to y, and then everything stands one metre higher.
+  // A quarter turn about z takes x to y, and then everything stands one meter higher.
   const model::Pose X_JL{{0, 0, 1}, model::from_rpy(0, 0, std::numbers::pi / 2)};
   const UrdfPart part(
       "<link name='base'><inertial><pose>2 0 0 0 0 0</pose><mass>1</mass><inertia><ixx>1</ixx>"

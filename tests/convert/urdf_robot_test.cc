@@ -33,7 +33,7 @@ double pose_gap(const Pose& a, const Pose& b) {
   return most;
 }
 
-TEST(UrdfOrigin, SaysAnyPoseToAPicometre) {
+TEST(UrdfOrigin, SaysAnyPoseToAPicometer) {
   std::mt19937_64 random(1);
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> decade(-6, 2);

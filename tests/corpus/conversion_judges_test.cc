@@ -50,7 +50,7 @@ std::map<std::string, double> rest(const urdf::ModelInterface& model) {
   return positions;
 }
 
-/// What moves turns or slides, along an axis of unit length: not all readers normalise it.
+/// What moves turns or slides, along an axis of unit length: not all readers normalize it.
 std::string odd_joints(const urdf::ModelInterface& model) {
   std::string told;
   for (const auto& [name, joint] : model.joints_) {
@@ -89,7 +89,7 @@ std::set<std::string> with_urdf_shape(const Converted& converted, const Parts& p
   return names;
 }
 
-/// "link/link_name": what a `<gazebo>` block speaks of has a name that is the only one in the robot.
+/// "link/link_name": what a `<gazebo>` block refers to has a name that is the only one in the robot.
 std::string with_link(const std::string& name) {
   const std::size_t slash = name.find('/');
   return name.substr(0, slash + 1) + name.substr(0, slash) + "_" + name.substr(slash + 1);

@@ -110,7 +110,7 @@ class SdformatRobot {
   void add(const sdf::Link& written) {
     SourceLink link{written.Name(), in_model(written)};
     const auto& inertial = written.Inertial();
-    const auto M = inertial.Moi();  // about the centre of mass, along the link's axes
+    const auto M = inertial.Moi();  // about the center of mass, along the link's axes
     const auto c = inertial.Pose().Pos();
     link.mass = inertial.MassMatrix().Mass();
     link.com = {c.X(), c.Y(), c.Z()};

@@ -178,7 +178,7 @@ bool collides_as_ground(const model::Root& root, model::Id<model::Model> top) {
 }
 
 /// One world has 3000 boxes, and some a hundred.
-constexpr int kMostOfAFile = 10;
+constexpr int kMaxOfAFile = 10;
 
 /// Trees that do not convert without leave to lose something, and why that is right.
 const std::set<std::string> kLosesSomething{
@@ -205,7 +205,7 @@ TEST(CorpusConversion, EveryTreeOfPlainJointsConvertsWithoutALoss) {
     const read::Loaded loaded = converter.open(path);
     const model::Frames frames(loaded.root);
     int of_file = 0;
-    for (std::uint32_t i = 0; i < loaded.root.models.size() && of_file < kMostOfAFile; ++i) {
+    for (std::uint32_t i = 0; i < loaded.root.models.size() && of_file < kMaxOfAFile; ++i) {
       const model::Model& model = loaded.root.models[i];
       if (model.parent || model.merged || !is_plain_tree(loaded.root, frames, {i})) continue;
       ++models;

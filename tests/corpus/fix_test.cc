@@ -140,7 +140,7 @@ class FixedCorpus {
     for (const author::FixedFile& more : after.more) {
       EXPECT_FALSE(more.changed()) << "a second run changes it";
     }
-    // What is behind a place that ended the reading was never looked at.
+    // What is behind a place that ended the reading was never examined.
     if (!xml::parse(file.before, kNoSource).complete()) return;
     const auto before = counts_of(file);
     EXPECT_LT(totals(after.counts), totals(before));

@@ -157,9 +157,9 @@ class Expectation {
   Rigid X_base_;
 };
 
-/// A thread's pitch is not in the oracle. `<screw_thread_pitch>` is metres per turn;
-/// `<thread_pitch>` radians per metre, left-handed, as Gazebo has it.
-inline double metres_per_radian(const std::string& text, const model::Joint& joint) {
+/// A thread's pitch is not in the oracle. `<screw_thread_pitch>` is meters per turn;
+/// `<thread_pitch>` radians per meter, left-handed, as Gazebo has it.
+inline double meters_per_radian(const std::string& text, const model::Joint& joint) {
   const Span where = joint.site.span;
   const std::string tag = "<screw_thread_pitch>";
   const std::size_t at = text.find(tag, where.begin);
@@ -175,7 +175,7 @@ inline void complete_screws(SourceRobot& robot, const read::Loaded& loaded) {
       if (written.type != model::JointType::kScrew) continue;
       if (!("::" + joint.name).ends_with("::" + written.name.value)) continue;
       EXPECT_EQ(written.site.span.source, loaded.root.site.span.source) << "a screw is included";
-      joint.motions.at(0).slide = metres_per_radian(text, written);
+      joint.motions.at(0).slide = meters_per_radian(text, written);
     }
   }
 }

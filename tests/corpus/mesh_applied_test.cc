@@ -82,7 +82,7 @@ struct PlacedShapes {
   std::vector<Shape> shapes;
 };
 
-/// By the mesh's path, so that a failure can be looked at again.
+/// By the mesh's path, so that a failure can be examined again.
 author::MeshReplacement replacement(const std::string& path) {
   std::mt19937 dice(static_cast<std::mt19937::result_type>(path.size()));
   const auto number = [&dice] { return static_cast<double>(dice()) / 4294967296.0; };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Real mesh files cut short, and with bits turned over, at ten thousand places: each is read, or refused
-// with a reason, and whatever was read can be looked at. Most are of the formats that rigor reads itself;
+// with a reason, and whatever was read can be examined. Most are of the formats that rigor reads itself;
 // each of the others takes a child process.
 
 #include <algorithm>

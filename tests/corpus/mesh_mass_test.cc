@@ -70,7 +70,7 @@ double largest_entry(const mass::Inertia& i) {
                    std::abs(i.iyz), std::abs(i.izz)});
 }
 
-TEST(CorpusMeshes, VolumeCentreAndInertiaAgree) {
+TEST(CorpusMeshes, VolumeCenterAndInertiaAgree) {
   RIGOR_NEEDS_CORPUS();
   const RealDisk disk;
   std::size_t looked_at = 0;

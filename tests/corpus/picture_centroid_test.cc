@@ -39,7 +39,7 @@ constexpr double kCentroidWithin = 1;
 /// A link that less is seen of has no centroid to speak of.
 constexpr double kFewPixels = 40;
 
-/// Full and no light, by the bits of red, green and blue: told from each other under any light.
+/// Full and no light, by the bits of red, green and blue: derived from each other under any light.
 constexpr std::uint32_t kHues = 6;
 constexpr Color kOther{1, 1, 1, 1};
 
@@ -59,7 +59,7 @@ std::uint32_t hue_of(const Pixel& pixel) {
   return bits == 0 || pixel[3] < 255 ? kHues : bits - 1;
 }
 
-/// Its links from `first` on in plain colours, one each; the others white.
+/// Its links from `first` on in plain colors, one each; the others white.
 Drawing painted(Drawing drawing, const std::vector<std::uint32_t>& links, std::size_t first) {
   for (Body& body : drawing.bodies) {
     const auto at = std::find(links.begin(), links.end(), body.link.value);

@@ -84,14 +84,14 @@ inline Matrix turned(const Triple& axis, double angle) {
   return R;
 }
 
-/// How far two poses are apart: the greater of metres and radians. A distance counts per metre from
+/// How far two poses are apart: the greater of meters and radians. A distance counts per meter from
 /// the origin beyond the first.
 inline double apart(const Rigid& a, const Rigid& b) {
-  const double metres = length(a.p - b.p) / std::max(1.0, length(a.p));
+  const double meters = length(a.p - b.p) / std::max(1.0, length(a.p));
   const Matrix D = transposed(a.R) * b.R;
   const Triple twice_sine{D[2][1] - D[1][2], D[0][2] - D[2][0], D[1][0] - D[0][1]};
   const double radians = std::atan2(length(twice_sine) / 2, (D[0][0] + D[1][1] + D[2][2] - 1) / 2);
-  return std::max(metres, radians);
+  return std::max(meters, radians);
 }
 
 /// What lumping does not change: Σ m, Σ m c and Σ of inertia about the origin.

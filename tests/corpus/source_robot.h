@@ -70,7 +70,7 @@ struct SourceLink {
   Rigid X;
   double mass = 0;
   Triple com{};
-  Matrix inertia{};  ///< about the centre of mass, along the link's axes
+  Matrix inertia{};  ///< about the center of mass, along the link's axes
   std::vector<SourcePart> collisions, visuals;
 };
 

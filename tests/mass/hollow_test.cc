@@ -22,7 +22,7 @@ using test::kPi;
 using test::stacked;
 using Real = boost::multiprecision::cpp_bin_float_50;
 
-/// A solid of even density in fifty digits: its second moments are about its own centre, which is on z.
+/// A solid of even density in fifty digits: its second moments are about its own center, which is on z.
 struct Precise {
   Real volume, z, xx, yy, zz;
 };
@@ -54,7 +54,7 @@ Precise precise_capsule(const Real& r, const Real& l) {
   const Real ball = r * r * r * 4 / 3;
   const Real volume = tube + ball;
   const Real across = (tube * r * r / 4 + ball * r * r / 5) / volume;
-  // A half ball's centre is at 3r/8, its own moment r²/5 - (3r/8)².
+  // A half ball's center is at 3r/8, its own moment r²/5 - (3r/8)².
   const Real center = l / 2 + r * 3 / 8;
   const Real along =
       (tube * l * l / 12 + ball * (r * r / 5 - r * r * 9 / 64 + center * center)) / volume;
@@ -110,7 +110,7 @@ TEST(Hollow, ConesOfAllAngles) {
     SCOPED_TRACE(wall);
     for (const double length : {0.3, 0.5, 2.0, 20.0}) {
       expect_close(hollow_cone(0.2, length, 0.5 * wall), cone_by_lines(0.2, length, 0.5 * wall),
-                   10 * kExact);  // the square of the centre's height is subtracted
+                   10 * kExact);  // the square of the center's height is subtracted
     }
   }
 }

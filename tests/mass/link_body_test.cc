@@ -77,7 +77,7 @@ TEST(LinkBody, TwoBoxesAreOneBody) {
   EXPECT_TRUE(robot.body().complete());
   EXPECT_NEAR(whole.mass, 12, kTight);
   EXPECT_NEAR(whole.com.x, 1, kTight);
-  // Each has 1 kg·m² about its own centre, and lies 1 m from the whole's.
+  // Each has 1 kg·m² about its own center, and lies 1 m from the whole's.
   EXPECT_NEAR(whole.about_com.ixx, 2, kTight);
   EXPECT_NEAR(whole.about_com.iyy, 2 + 12, kTight);
 }
@@ -150,7 +150,7 @@ TEST(Overlap, OfARowEachWithTheNext) {
 TEST(Overlap, OfThousandsInOnePlaceSomeAreLeftOut) {
   const PartOverlaps compared = Robot(row_of_boxes(2000, 0)).compared();
   EXPECT_FALSE(compared.complete);
-  EXPECT_EQ(compared.list.size(), kMostCompared);
+  EXPECT_EQ(compared.list.size(), kMaxCompared);
 }
 
 TEST(Overlap, TwoCylindersAcross) {

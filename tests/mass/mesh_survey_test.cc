@@ -113,7 +113,7 @@ TEST(MeshSurvey, StreamedIsAsRead) {
   MemoryDisk disk;
   disk.put("m.stl", binary_stl(torus));
   const MeshSurvey streamed = survey_mesh(disk, {"m.stl"});
-  const MeshSurvey read = survey_mesh(disk, {"m.stl", "", true});  // centred: read whole
+  const MeshSurvey read = survey_mesh(disk, {"m.stl", "", true});  // centered: read whole
   EXPECT_NEAR(streamed.moments.volume, read.moments.volume, 1e-12 * read.moments.volume);
   EXPECT_EQ(streamed.triangles, read.triangles);
   EXPECT_TRUE(read.closed);

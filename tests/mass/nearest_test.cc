@@ -22,7 +22,7 @@ TEST(NearestPossible, SetsTheNegativeSecondMomentToNearlyZero) {
   // Σ = diag(1, 3, -1): without the last, I = diag(3, 1, 4), but for what each has at least.
   const auto nearest = nearest_possible({2, 0, 0, 0, 0, 4});
   ASSERT_TRUE(nearest);
-  const double least = 4 * kLeastSpread;
+  const double least = 4 * kMinSpread;
   EXPECT_NEAR(nearest->ixx, 3 + least, 1e-12);
   EXPECT_NEAR(nearest->iyy, 1 + least, 1e-12);
   EXPECT_NEAR(nearest->izz, 4, 1e-12);

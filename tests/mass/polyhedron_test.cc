@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Meshes against the bodies they stand for, and against the same integrals in whole numbers, where
+// Meshes against the bodies they represent, and against the same integrals in whole numbers, where
 // nothing is rounded until the end.
 
 #include <rigor/mass/polyhedron.h>
@@ -138,7 +138,7 @@ TEST(Polyhedron, BoxesAreExact) {
 }
 
 TEST(Polyhedron, TetrahedronByHand) {
-  // Corner at the origin, legs a, b, c: volume abc/6, centre at a quarter, ∫x²/V about it 3a²/80,
+  // Corner at the origin, legs a, b, c: volume abc/6, center at a quarter, ∫x²/V about it 3a²/80,
   // ∫xy/V -ab/80.
   TriangleMesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 4}};
@@ -176,7 +176,7 @@ TEST(Polyhedron, TwiceTheResolutionIsAQuarterOfTheError) {
   expect_second_order([](int n) { return cone_mesh(0.2, 0.3, n); }, cone(0.2, 0.3));
 }
 
-TEST(Polyhedron, ConesCentreIsExact) {
+TEST(Polyhedron, ConesCenterIsExact) {
   EXPECT_NEAR(solid_of(moments_of(cone_mesh(0.2, 0.3, 7))).com.z, -0.075, 1e-16);
 }
 
@@ -223,7 +223,7 @@ Solid exact(const TriangleMesh& mesh) {
 
 TEST(Polyhedron, AgreesWithWholeNumbers) {
   const Vector3 far{1000, -1000, 1000};
-  // The centre is told as one vector from the origin, whose own rounding far away is 1e-13 m.
+  // The center is reported as one vector from the origin, whose own rounding far away is 1e-13 m.
   constexpr double kFar = 1e-13;
   for (const TriangleMesh& mesh :
        {sphere_mesh(0.1, 64), torus_mesh(0.2, 0.06, 64), cone_mesh(0.2, 0.3, 100), odd_mesh(64),
@@ -235,7 +235,7 @@ TEST(Polyhedron, AgreesWithWholeNumbers) {
   }
 }
 
-TEST(Polyhedron, AKilometreFromItsOrigin) {
+TEST(Polyhedron, AKilometerFromItsOrigin) {
   const Vector3 far{1000, 1000, 1000};
   const TriangleMesh mesh = odd_mesh(96);
   Solid expected = solid_of(moments_of(mesh));
@@ -276,7 +276,7 @@ TEST(Polyhedron, OddSplitsDifferByRoundingOnly) {
 }
 
 TEST(Polyhedron, WhatCancelsTakesNothingWithIt) {
-  // A body of a milliard cubic metres, a cubic decimetre, and the large body inside out.
+  // A body of a milliard cubic meters, a cubic decimeter, and the large body inside out.
   const TriangleMesh large = box_surface({1000, 1000, 1001});
   const TriangleMesh small = box_surface({0.1, 0.1, 0.1});
   const auto sum_of = [](const TriangleMesh& mesh, std::size_t second, std::size_t third) {

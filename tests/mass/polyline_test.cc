@@ -48,7 +48,7 @@ TEST(Polyline, RectanglesAreBoxes) {
 }
 
 TEST(Polyline, TriangleByHand) {
-  // Right triangle of legs 3 and 6: centre at a third, ∫x²/A about it 3²/18, ∫xy/A -3·6/36.
+  // Right triangle of legs 3 and 6: center at a third, ∫x²/A about it 3²/18, ∫xy/A -3·6/36.
   const auto solid = extruded({{{0, 0, 0}, {3, 0, 0}, {0, 6, 0}}}, 2);
   ASSERT_TRUE(solid);
   EXPECT_DOUBLE_EQ(solid->volume, 18);

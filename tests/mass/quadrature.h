@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Volume, centre and inertia by summing slices across z: knows what a slice is, and nothing of the
+// Volume, center and inertia by summing slices across z: knows what a slice is, and nothing of the
 // closed forms. Between two breaks a slice's moments are polynomials in z of a degree of six at
 // most, for which five Gauss points are exact.
 
@@ -38,7 +38,7 @@ inline Slice ellipse(double a, double b) {
 
 inline Slice circle(double radius) { return ellipse(radius, radius); }
 
-/// Of a ball, at height z above its centre.
+/// Of a ball, at height z above its center.
 inline Slice ball(double radius, double z) {
   return circle(std::sqrt(std::max(0.0, radius * radius - z * z)));
 }
@@ -74,7 +74,7 @@ inline Solid stacked(const std::vector<double>& breaks, const std::function<Slic
   return {volume, {0, 0, com}, {yy / volume + zz, 0, 0, xx / volume + zz, 0, (xx + yy) / volume}};
 }
 
-/// The centre's error counts against the radius of gyration.
+/// The center's error counts against the radius of gyration.
 inline void expect_close(const Solid& a, const Solid& b, double relative) {
   const double size = std::sqrt(trace(b.unit_inertia));
   EXPECT_NEAR(a.volume, b.volume, relative * b.volume);

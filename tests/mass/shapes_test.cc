@@ -52,7 +52,7 @@ TEST(Shapes, EllipsoidByHand) {
 }
 
 TEST(Shapes, ConeByHand) {
-  // Radius 2, height 4: about the centre of mass 3/80 (4·4 + 16).
+  // Radius 2, height 4: about the center of mass 3/80 (4·4 + 16).
   const Solid solid = cone(2, 4);
   EXPECT_DOUBLE_EQ(solid.volume, 16 * kPi / 3);
   EXPECT_DOUBLE_EQ(solid.com.z, -1);

@@ -27,7 +27,7 @@ TEST(SupportPolygon, MarginByHand) {
   EXPECT_EQ(square.margin({0, 1}), 0);
   EXPECT_EQ(square.margin({-0.5, 1}), -0.5);
   EXPECT_EQ(square.margin({7, 6}), -5);  // from the corner: 3, 4, 5
-  // On the right triangle (0,0) (4,0) (0,3), the incentre is (1, 1) and the inradius 1.
+  // On the right triangle (0,0) (4,0) (0,3), the incenter is (1, 1) and the inradius 1.
   EXPECT_NEAR(SupportPolygon({{0, 0}, {4, 0}, {0, 3}}).margin({1, 1}), 1, 1e-15);
 }
 

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Names, materials, texture points, normals and colours: what files written by hand say, and what
+// Names, materials, texture points, normals and colors: what files written by hand say, and what
 // is left of it after writing and reading.
 
 #include <algorithm>
@@ -382,7 +382,7 @@ TEST(MeshAttributes, AssimpFindsAllOfThem) {
 }
 
 // Larger ones would only take longer.
-constexpr std::uintmax_t kMostBytes = 300'000;
+constexpr std::uintmax_t kMaxBytes = 300'000;
 
 bool is_mesh(const std::filesystem::path& path) {
   const std::string ending = extension(path.string());
@@ -448,7 +448,7 @@ TEST(MeshAttributes, CorpusComesBack) {
   RIGOR_NEEDS_CORPUS();
   std::size_t meshes = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(test::corpus())) {
-    if (!is_mesh(entry.path()) || entry.file_size() > kMostBytes) continue;
+    if (!is_mesh(entry.path()) || entry.file_size() > kMaxBytes) continue;
     if (!test::in_part(entry.path().string())) continue;
     const LoadedMesh loaded = read_real(entry.path().string());
     if (!loaded.usable()) continue;

@@ -151,7 +151,7 @@ TEST(MeshCollada, RandomScenesAreReadAsTheImporterReadsThem) {
   }
 }
 
-/// Nodes that scale and mirror, two groups of which one carries less, colours of three numbers and
+/// Nodes that scale and mirror, two groups of which one carries less, colors of three numbers and
 /// of four, and a material of each opacity mode.
 TEST(MeshCollada, RandomLooksAreReadAsTheImporterReadsThem) {
   if (importer_is_missing()) GTEST_SKIP() << "no importer for scenes is installed";
@@ -160,7 +160,7 @@ TEST(MeshCollada, RandomLooksAreReadAsTheImporterReadsThem) {
   const auto numbers = [&](int count) {
     std::string out;
     for (int i = 0; i < count; ++i) out += number();
-    return out.substr(1);  // the importer takes no blank before a colour
+    return out.substr(1);  // the importer takes no blank before a color
   };
   const char* const modes[] = {"", " opaque='A_ONE'", " opaque='A_ZERO'", " opaque='RGB_ONE'",
                                " opaque='RGB_ZERO'"};

@@ -105,7 +105,7 @@ TEST(MeshCollada, NodesInsideNodesAreAppliedInOrder) {
       .nodes = "<node><translate>10 0 0</translate><rotate>0 0 2 90</rotate>"
                "<node><scale>2 3 4</scale><instance_geometry url='#square'/></node></node>"});
   ASSERT_TRUE(loaded.usable());
-  // (1 1 0), scaled (2 3 0), turned (-3 2 0), moved (7 2 0), in millimetres.
+  // (1 1 0), scaled (2 3 0), turned (-3 2 0), moved (7 2 0), in millimeters.
   const Vector3 corner = facet_of(loaded, 0)[2];
   EXPECT_NEAR(corner.x, 0.007, 1e-17);
   EXPECT_NEAR(corner.y, 0.002, 1e-17);

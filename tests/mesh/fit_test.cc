@@ -211,7 +211,7 @@ TEST(Fit, TurnsABoxNoMoreThanNeeded) {
 }
 
 TEST(Fit, DeepestIsOfTheSurfaceAndNotOfTheVertices) {
-  // The ball around a cube: a face's middle is half a side from the centre.
+  // The ball around a cube: a face's middle is half a side from the center.
   const auto ball = fit_primitive(box_mesh({2, 2, 2}), FitKind::kSphere);
   EXPECT_NEAR(ball->deepest, std::sqrt(3.0) - 1, 1e-3);
   EXPECT_NEAR(ball->fill(), 8 / (4 * pi * std::sqrt(3.0)), 1e-12);
@@ -247,7 +247,7 @@ TEST(PrimitiveMesh, IsClosedOutwardAndOfTheRightSize) {
     double share;  // of the primitive's volume that the mesh has
   };
   constexpr double kGon = kCircleSegments / (2 * pi);
-  const double gon = kGon * std::sin(1 / kGon);  // area of the polygon in a circle
+  const double gon = kGon * std::sin(1 / kGon);  // area of the polygon in a cycle
   for (const auto& [shape, share] :
        {Case{Box{{1, 2, 3}}, 1}, Case{Cylinder{2, 0.5}, gon}, Case{Sphere{1.5}, gon * gon},
         Case{Capsule{0.5, 4}, gon}, Case{Capsule{1, 0}, gon * gon}}) {

@@ -185,7 +185,7 @@ TEST(Convexity, BodiesWithAndWithoutDents) {
   TriangleMesh dented = globe(40, 60, {1, 2, 3});
   dented.positions[1000] = 0.5 * dented.positions[1000];
   EXPECT_FALSE(convex(dented));
-  // A vertex moved outward leaves its neighbours below the hull.
+  // A vertex moved outward leaves its neighbors below the hull.
   TriangleMesh thorn = globe(40, 60, {1, 2, 3});
   thorn.positions[1000] = 1.5 * thorn.positions[1000];
   EXPECT_FALSE(convex(thorn));

@@ -309,7 +309,7 @@ TEST(Repair, WhatTrianglesCarryStaysTheirs) {
     const Facet f = facet(whole, whole.triangles[i]);
     std::size_t right = 0;
     for (std::size_t k = 0; k < 3; ++k) right += whole.corners.texture[i][k] == uv(f[k]) ? 1 : 0;
-    EXPECT_GE(right, i < kept.size() ? 3U : 2U);  // the fillings': two corners of the neighbour's
+    EXPECT_GE(right, i < kept.size() ? 3U : 2U);  // the fillings': two corners of the neighbor's
   }
   std::size_t covered = 0;
   for (const Part& part : whole.parts) {

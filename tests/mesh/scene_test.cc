@@ -129,7 +129,7 @@ TEST_F(MeshScene, NodesInsideNodesAreAppliedInOrder) {
       .nodes = "<node><translate>10 0 0</translate><rotate>0 0 1 90</rotate>"
                "<node><scale>2 3 4</scale><instance_geometry url='#square'/></node></node>"});
   ASSERT_TRUE(loaded.usable());
-  // (1 1 0), scaled (2 3 0), turned (-3 2 0), moved (7 2 0), in millimetres.
+  // (1 1 0), scaled (2 3 0), turned (-3 2 0), moved (7 2 0), in millimeters.
   const Vector3 corner = facet(loaded.mesh, loaded.mesh.triangles[0])[2];
   constexpr double kFloatRotation = 1e-9;  // assimp's sine and cosine are floats
   EXPECT_NEAR(corner.x, 0.007, kFloatRotation);
@@ -255,9 +255,9 @@ TEST_F(MeshScene, APictureInsideAGltfIsHeldOnceForAllMaterials) {
   const Material& a = loaded.mesh.materials[0];
   const Material& b = loaded.mesh.materials[1];
   EXPECT_EQ(a.texture, "") << "it is the name of no file";
-  ASSERT_TRUE(a.held_picture);
-  EXPECT_EQ(*a.held_picture, "\1\2\3\4");
-  EXPECT_EQ(b.held_picture, a.held_picture);
+  ASSERT_TRUE(a.embedded_picture);
+  EXPECT_EQ(*a.embedded_picture, "\1\2\3\4");
+  EXPECT_EQ(b.embedded_picture, a.embedded_picture);
   EXPECT_FALSE(a.picture_opacity);
   EXPECT_TRUE(b.picture_opacity);
 }
@@ -338,10 +338,10 @@ TEST(MeshFlat, ComesBackAsItWas) {
 TEST(MeshFlat, DamagedBytesGiveNothing) {
   LoadedMesh pictured = two_parts();
   pictured.mesh.materials = {
-      {.name = "steel", .held_picture = std::make_shared<const std::string>("P")}};
+      {.name = "steel", .embedded_picture = std::make_shared<const std::string>("P")}};
   const std::string whole = flatten(pictured);
   ASSERT_TRUE(unflatten(whole));
-  EXPECT_EQ(*unflatten(whole)->mesh.materials.at(0).held_picture, "P");
+  EXPECT_EQ(*unflatten(whole)->mesh.materials.at(0).embedded_picture, "P");
   for (std::size_t size = 0; size < whole.size(); ++size) {
     EXPECT_FALSE(unflatten(std::string_view(whole).substr(0, size))) << size;
   }

@@ -108,7 +108,7 @@ TEST(Select, APieceCarriesWhatItsPlaceHas) {
   EXPECT_EQ(mesh.parts.back().count, 3U);
 }
 
-TEST(Select, AnAddedTriangleTakesTheNearestOfItsNeighbour) {
+TEST(Select, AnAddedTriangleTakesTheNearestOfItsNeighbor) {
   TriangleMesh mesh = dressed_box();
   const Triangle t = mesh.triangles[0];
   const Facet f = facet(mesh, t);

@@ -21,7 +21,7 @@ namespace rigor::mesh {
 namespace {
 
 constexpr unsigned kSeeds = 20;
-constexpr std::size_t kMostPlanted = 12;
+constexpr std::size_t kMaxPlanted = 12;
 
 using Random = std::mt19937;
 
@@ -35,7 +35,7 @@ std::vector<std::size_t> random_apart(const TriangleMesh& mesh, Random& random) 
   for (const std::size_t i : order) {
     const Triangle& t = mesh.triangles[i];
     const auto is_taken = [&taken](std::uint32_t corner) { return taken.contains(corner); };
-    if (chosen.size() == kMostPlanted || std::any_of(t.begin(), t.end(), is_taken)) continue;
+    if (chosen.size() == kMaxPlanted || std::any_of(t.begin(), t.end(), is_taken)) continue;
     taken.insert(t.begin(), t.end());
     chosen.push_back(i);
   }

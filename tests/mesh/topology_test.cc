@@ -177,7 +177,7 @@ std::string in_words(const Topology& t) {
          ",nonmanifold=" + std::to_string(t.nonmanifold_edges);
 }
 
-/// The manifest passes over triangles of no area, which keeps their neighbours apart.
+/// The manifest ignores triangles of no area, which keeps their neighbors apart.
 TriangleMesh without_lines(const TriangleMesh& mesh) {
   TriangleMesh kept{.positions = mesh.positions};
   for (const Triangle& t : mesh.triangles) {

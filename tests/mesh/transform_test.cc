@@ -280,7 +280,7 @@ TEST(Transform, AWrittenStlIsWithinOneUnitOfTheExactTransform) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
           const auto wanted = exact(by, p, result.translation, axis);
           const auto size = std::abs(static_cast<double>(wanted));
-          // A coordinate that the centring brings to zero is as good as the sum in double.
+          // A coordinate that the centering brings to zero is as good as the sum in double.
           const double sum = std::numeric_limits<double>::epsilon() *
                              (size + std::abs(xyz(result.translation)[axis]));
           EXPECT_NEAR(xyz(read[corner])[axis], static_cast<double>(wanted),

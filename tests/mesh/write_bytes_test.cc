@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is written, looked at byte for byte, and with parsers of JSON and XML that know nothing of
+// What is written, examined byte for byte, and with parsers of JSON and XML that know nothing of
 // meshes.
 
 #include <algorithm>

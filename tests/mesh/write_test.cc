@@ -122,8 +122,8 @@ TriangleMesh pictured(const std::string& bytes) {
   mesh.parts = {{"a", "held", 0, 1}, {"b", "same", 1, 1}, {"c", "named", 2, 1}};
   mesh.corners.texture.assign(3, {{{0, 0}, {1, 0}, {0, 1}}});
   const auto picture = std::make_shared<const std::string>(bytes);
-  mesh.materials = {{.name = "held", .held_picture = picture},
-                    {.name = "same", .held_picture = picture},
+  mesh.materials = {{.name = "held", .embedded_picture = picture},
+                    {.name = "same", .embedded_picture = picture},
                     {.name = "named", .texture = "skin.png"}};
   return mesh;
 }
@@ -136,9 +136,9 @@ TEST(WriteMesh, PicturesThatAMeshHoldsGoWithIt) {
   for (const Material& material : glb.mesh.materials) {
     const bool held = material.name != "named";
     EXPECT_EQ(material.texture, held ? "" : "skin.png");
-    ASSERT_EQ(material.held_picture != nullptr, held) << material.name;
+    ASSERT_EQ(material.embedded_picture != nullptr, held) << material.name;
     if (held) {
-      EXPECT_EQ(*material.held_picture, png);
+      EXPECT_EQ(*material.embedded_picture, png);
     }
   }
   for (const char* ending : {".dae", ".obj"}) {
@@ -160,10 +160,11 @@ TEST(WriteMesh, PicturesThatAMeshHoldsGoWithIt) {
 
 TEST(WriteMesh, WhatIsNoPictureOfThoseFormatsIsLeftOut) {
   const TriangleMesh mesh = pictured("KTX 11");
-  EXPECT_EQ(read_back(written(mesh, ".glb"), ".glb").mesh.materials.at(0).held_picture, nullptr);
+  EXPECT_EQ(read_back(written(mesh, ".glb"), ".glb").mesh.materials.at(0).embedded_picture,
+            nullptr);
   EXPECT_TRUE(write_mesh(mesh, "arm.dae").side_files.empty());
   EXPECT_EQ(losses(mesh, "arm.dae", {}),
-            std::vector<std::string>{"pictures that are neither PNG nor JPEG"});
+            std::vector<std::string>{"images that are neither PNG nor JPEG"});
 }
 
 TEST(WriteMesh, LossesAreThoseOfTheFormat) {
@@ -172,7 +173,7 @@ TEST(WriteMesh, LossesAreThoseOfTheFormat) {
       {.written = "skin.png", .state = FileReference::State::kFound},
       {.written = "bumps.png", .state = FileReference::State::kMissing},
       {.written = "bumps.png", .state = FileReference::State::kMissing}};
-  const std::vector<std::string> bumps{"the picture bumps.png"};
+  const std::vector<std::string> bumps{"the image bumps.png"};
   EXPECT_EQ(losses(mesh, "a.glb", textures), bumps);
   EXPECT_EQ(losses(mesh, "a.dae", textures), bumps);
   EXPECT_EQ(losses(mesh, "a.ply", textures).size(), 2U) << "parts, materials";

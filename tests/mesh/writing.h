@@ -54,7 +54,7 @@ inline double float_of(double value) {
   return double{rounded};
 }
 
-/// Of a size from a micrometre to a million kilometres; sometimes 0 or -0.
+/// Of a size from a micrometer to a million kilometers; sometimes 0 or -0.
 inline double random_coordinate(std::mt19937& random) {
   if (random() % 8 == 0) return random() % 2 == 0 ? 0.0 : -0.0;
   std::uniform_real_distribution<double> mantissa(1, 10);

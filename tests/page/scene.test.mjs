@@ -152,7 +152,7 @@ test('a collision that lies on its visual is seen on all of it', { skip }, async
   assert.ok(colors.size <= 3, [...colors].join(' '));
 });
 
-test('surfaces: parts, textures, colours of vertices, normals', { skip }, async () => {
+test('surfaces: parts, textures, colors of vertices, normals', { skip }, async () => {
   const bytes = new Bytes();
   const square = (extra) =>
     packMesh(bytes, {

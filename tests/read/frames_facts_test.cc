@@ -167,7 +167,7 @@ class Rows {
 
 /// Cases in which libsdformat 12 is not to be followed, and why.
 const std::map<std::string, std::string> kDifferent{
-    {"quaternion_long", "it takes 0 0 3 4 for a rotation as it is; rigor normalises it"},
+    {"quaternion_long", "it takes 0 0 3 4 for a rotation as it is; rigor normalizes it"},
     {"child_is_own_model", "it refuses a joint's end that is a model's frame"},
     {"parent_is_nested_model_frame", "it refuses a joint's end that is a model's frame"},
 };
@@ -187,7 +187,7 @@ constexpr double kTolerance = 1e-9;
 
 /// libsdformat 12 merges models as text: the pose of what is merged, turned into roll, pitch and
 /// yaw, passes through six digits. A placement frame's pose has more, and so what is merged by one
-/// is off by some 1e-6 of the lever arms, which are a few metres long.
+/// is off by some 1e-6 of the lever arms, which are a few meters long.
 constexpr double kRoundedTolerance = 5e-5;
 
 double tolerance(const std::string& file) {

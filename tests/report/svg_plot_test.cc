@@ -37,7 +37,7 @@ TEST(SvgPlot, APathKeepsWhereItTurns) {
   EXPECT_EQ(std::count(line.begin(), line.end(), 'L'), 2) << line;
 }
 
-/// A robot that stands: the nanometres by which a solver moves it are a level line.
+/// A robot that stands: the nanometers by which a solver moves it are a level line.
 TEST(SvgPlot, DoesNotBlowUpNoise) {
   const std::vector<double> times{0, 1, 2, 3};
   const std::string noise =

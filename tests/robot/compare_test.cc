@@ -53,7 +53,7 @@ TEST(Robot, AScrewSlidesAsItTurns) {
     <joint name="j" type="screw"><parent>a</parent><child>b</child><axis><xyz>0 0 1</xyz></axis>
       <screw_thread_pitch>0.5</screw_thread_pitch></joint></model></sdf>)";
   const auto X = body_poses(robot_from(text), {{4 * std::numbers::pi}});
-  EXPECT_NEAR(X[1].translation.z, 1, kTiny);  // two turns of half a metre
+  EXPECT_NEAR(X[1].translation.z, 1, kTiny);  // two turns of half a meter
 }
 
 TEST(Robot, MomentsOfTwoPoints) {
@@ -80,7 +80,7 @@ TEST(Compare, TheTwinInTheOtherFormatIsTheSame) {
   EXPECT_EQ(told(all_differences(kArmSdf, kArmUrdf)), Lines{});
 }
 
-TEST(Compare, AJointMovedByAMillimetre) {
+TEST(Compare, AJointMovedByAMillimeter) {
   const auto found = after(kArmUrdf, "xyz=\"0 0 0.5\"", "xyz=\"0 0 0.501\"");
   ASSERT_EQ(told(found), Lines{"joint-moved joint elbow"});
   EXPECT_NEAR(found[0].distance, 0.001, kTiny);
@@ -258,7 +258,7 @@ TEST(Compare, ALoopIsATreeAndAJoint) {
   const auto found = after(loop, "0.2 0 0", "0.3 0 0");
   ASSERT_EQ(told(found), Lines{"joint-moved joint bc"});
   EXPECT_NEAR(found[0].distance, 0.1, kTiny);
-  // Round in a circle: it must end, and be itself.
+  // Round in a cycle: it must end, and be itself.
   const std::string circle =
       with(loop, "<parent>a</parent><child>b</child>", "<parent>c</parent><child>a</child>");
   EXPECT_EQ(told(all_differences(circle, circle)), Lines{});
@@ -298,7 +298,7 @@ void find_every_number(const std::string& text) {
     const std::string line = text.substr(text.rfind('\n', at) + 1, at - text.rfind('\n', at) - 1);
     if (line.find("version") != std::string::npos) continue;
     const double value = std::stod((*it)[1]);
-    // The length of an axis, the opacity of an ambient colour, and -1 for no limit mean nothing.
+    // The length of an axis, the opacity of an ambient color, and -1 for no limit mean nothing.
     const auto in = [&line](const std::string& tag) {
       const std::size_t found = line.rfind(tag);
       return found != std::string::npos && line.find('<', found + tag.size()) == std::string::npos;
@@ -309,8 +309,8 @@ void find_every_number(const std::string& text) {
     std::string mutated = text;
     mutated.replace(at, static_cast<std::size_t>(it->length(1)), std::to_string(value + 0.0625));
     const Robot other = robot_from(mutated);
-    const robot::Correspondence all{.helpers = robot::Helpers::kTold,
-                                    .placement = robot::Placement::kTold};
+    const robot::Correspondence all{.helpers = robot::Helpers::kReported,
+                                    .placement = robot::Placement::kReported};
     const auto there = compare(original, other, all), back = compare(other, original, all);
     EXPECT_FALSE(there.empty()) << line << "[" << (*it)[1] << "]";
     EXPECT_EQ(there.size(), back.size()) << line << "[" << (*it)[1] << "]";
@@ -324,8 +324,8 @@ void find_every_number(const std::string& text) {
 TEST(Compare, EveryNumberOfAUrdfCounts) { find_every_number(kArmUrdf); }
 TEST(Compare, EveryNumberOfAnSdfCounts) { find_every_number(kArmSdf); }
 
-/// 1e-10 is below what is told, 1e-8 above.
-TEST(Compare, TheThresholdIsANanometre) {
+/// 1e-10 is below what is reported, 1e-8 above.
+TEST(Compare, TheThresholdIsANanometer) {
   EXPECT_EQ(told(after(kArmUrdf, "xyz=\"0 0 0.5\"", "xyz=\"0 0 0.5000000001\"")), Lines{});
   EXPECT_EQ(told(after(kArmUrdf, "xyz=\"0 0 0.5\"", "xyz=\"0 0 0.50000001\"")),
             Lines{"joint-moved joint elbow"});

@@ -120,7 +120,7 @@ TEST(CompareChosen, ANumberStandsForNoLimit) {
   EXPECT_EQ(told_with(kPair, number, {.unlimited = 1000}), Lines{"effort joint bc"});
 }
 
-/// SDF has no link without mass: what a tenth of a microgram weighs a metre away is nothing.
+/// SDF has no link without mass: what a tenth of a microgram weighs a meter away is nothing.
 TEST(CompareChosen, NextToNothingMayStandAnywhere) {
   const std::string urdf = R"(<robot name="v"><link name="base"><inertial><mass value="5"/>
 <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link><link name="cover">

@@ -15,7 +15,7 @@ namespace {
 using model::Id;
 using model::JointType;
 
-/// m and rad, for models of less than a hundred metres.
+/// m and rad, for models of less than a hundred meters.
 constexpr double kSamePose = 1e-9;
 
 /// What `Frames` moves as a robot does.

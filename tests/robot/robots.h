@@ -49,7 +49,7 @@ inline std::string with(std::string text, const std::string& from, const std::st
 /// As `rigor diff` compares.
 inline std::vector<robot::Difference> all_differences(const std::string& a, const std::string& b) {
   return compare(robot_from(a), robot_from(b),
-                 {.helpers = robot::Helpers::kTold, .placement = robot::Placement::kTold});
+                 {.helpers = robot::Helpers::kReported, .placement = robot::Placement::kReported});
 }
 
 /// "joint-moved joint elbow", one for each.

@@ -92,7 +92,7 @@ std::vector<std::string> models_below(const std::string& folder) {
 }
 
 TEST(FaultSuiteOfRules, EachFaultIsNamedByItsRuleAndByOneOtherAtMost) {
-  constexpr double kMostOfAFault = 1.15;  // errors and warnings, in the mean
+  constexpr double kMaxOfAFault = 1.15;  // errors and warnings, in the mean
   std::size_t faults = 0;
   std::size_t loud = 0;
   for (const PlantedFault& row : read_faults()) {
@@ -112,7 +112,7 @@ TEST(FaultSuiteOfRules, EachFaultIsNamedByItsRuleAndByOneOtherAtMost) {
     }
     EXPECT_EQ(rules, expected) << row.file << " (" << row.what << ")" << said;
   }
-  EXPECT_LE(static_cast<double>(loud), kMostOfAFault * static_cast<double>(faults))
+  EXPECT_LE(static_cast<double>(loud), kMaxOfAFault * static_cast<double>(faults))
       << loud << " errors and warnings for " << faults << " faults";
 }
 
@@ -137,9 +137,9 @@ TEST(FaultSuiteOfRules, HasARowForEachFileAndNoneTwice) {
     // A folder called as a rule's file would be holds all that belongs to that fault.
     const std::string folder = fs::path(file).parent_path().string() + "/";
     const auto first = files.lower_bound(folder);
-    const bool neighbour = folder.find_first_of("0123456789") != std::string::npos &&
-                           first != files.end() && first->starts_with(folder);
-    EXPECT_TRUE(files.count(file) != 0 || neighbour) << file << " has no row";
+    const bool neighbor = folder.find_first_of("0123456789") != std::string::npos &&
+                          first != files.end() && first->starts_with(folder);
+    EXPECT_TRUE(files.count(file) != 0 || neighbor) << file << " has no row";
   }
 }
 

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rules on mesh files whose examples would be binary or huge, or that speak of a file by itself only.
+// Rules on mesh files whose examples would be binary or huge, or that report a file by itself only.
 
 #include <algorithm>
 #include <array>
@@ -294,7 +294,7 @@ Strings told_in_model(std::string_view name, const mass::MeshFacts& facts, Role 
                                .schema = &environment.sdf,
                                .sdf = environment.sdf,
                                .meshes = nullptr,
-                               .most_listed = 1000};
+                               .max_listed = 1000};
   Diagnostics found;
   Context context(inputs, found);
   const Rule* const rule = environment.registry.find(name);

@@ -99,7 +99,7 @@ TEST(Suppression, ThatIsSaidTwiceIsUnusedOnce) {
 }
 
 TEST(Suppression, OfATagLeavesWhatTheElementHolds) {
-  const std::string link = "<link name='a' colour='red'><pose speed='1'>wide</pose></link>\n";
+  const std::string link = "<link name='a' color='red'><pose speed='1'>wide</pose></link>\n";
   EXPECT_EQ(told_of(model_of(link)),
             (Lines{"2 unknown-attribute", "2 unknown-attribute", "2 value-malformed"}));
   EXPECT_EQ(told_of(model_of("<!-- rigor: ignore-next[unknown-attribute] -->" + link)),
@@ -210,7 +210,7 @@ TEST(Suppression, OfACutFileCountsAsFarAsItWasRead) {
 }
 
 TEST(Suppression, NeverHidesWhatEndedTheReading) {
-  // Nothing behind such a fault is looked at, so that nobody may say that all is well.
+  // Nothing behind such a fault is examined, so that nobody may say that all is well.
   for (const std::string name : {"xml", "xml-not-well-formed"}) {
     const std::string comment = "<!-- rigor: file-ignore[" + name + "] -->\n";
     EXPECT_EQ(told_of(comment + model_of("<link name='b'>\n")), Lines{"4 xml-not-well-formed"});

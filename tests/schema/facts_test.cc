@@ -76,7 +76,7 @@ std::string shown(std::optional<std::string_view> value) {
   return value ? "\"" + std::string(*value) + "\"" : "none";
 }
 
-// The default a row states: none for a container and for the word that stands for none.
+// The default a row states: none for a container and for the word that represents none.
 std::string default_of(const Row& row) {
   const bool none =
       row.type.empty() || row.default_value == "__default__" ||

@@ -386,7 +386,7 @@ TEST(UrdfSchema, VersionsAndTolerance) {
 }
 
 TEST(SdfSchema, ParsesFast) {
-  // the budget is 1 ms in an optimised build on an idle machine; ten times that is a defect in any
+  // the budget is 1 ms in an optimized build on an idle machine; ten times that is a defect in any
   // build
   using Clock = std::chrono::steady_clock;
   auto best = Clock::duration::max();

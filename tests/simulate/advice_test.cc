@@ -75,13 +75,13 @@ TEST(Advice, TheTutorialRobotsWheelsHave200TimesTheInertiaOfTheirShape) {
 
 TEST(Advice, NothingIsWrongWithAGoodRobot) { EXPECT_TRUE(causes_of(tutorial_robot()).empty()); }
 
-TEST(Advice, AWheelOffCentreTiltedOrReversed) {
+TEST(Advice, AWheelOffCenterTiltedOrReversed) {
   Scene scene = tutorial_robot();
   scene.shapes[2].X_BS.translation = {0.004, 0, 0};
   scene.shapes[3].X_BS.rotation = model::from_rpy(0.05, 0, 0);
   scene.joints[1].axes[0].direction_W = {0, -1, 0};
   const Facts causes = causes_of(scene);
-  const std::vector<Fact> off = of_kind(causes, FactKind::kCauseWheelOffCentre);
+  const std::vector<Fact> off = of_kind(causes, FactKind::kCauseWheelOffCenter);
   ASSERT_EQ(off.size(), 1U);
   EXPECT_NEAR(off[0].value, 0.004, 1e-12);
   EXPECT_EQ(off[0].subject, "my_robot/joint left_wheel_hinge");

@@ -125,7 +125,7 @@ TEST(BuildJoint, TwoAxesAlongOneLineAreOne) {
   EXPECT_EQ(b.places(FactKind::kAxisZero), std::vector<std::string>{"0 0 -2"});
 }
 
-/// Old: radians per metre, left-handed. New: metres per turn, right-handed.
+/// Old: radians per meter, left-handed. New: meters per turn, right-handed.
 TEST(BuildJoint, ScrewsOfBothAges) {
   const std::string axis = "<axis><xyz>0 0 1</xyz></axis>";
   const Built old =

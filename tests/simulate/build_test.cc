@@ -86,7 +86,7 @@ TEST(BuildWorld, IsTheSameWithoutWhatWouldHaveToBeDownloaded) {
   EXPECT_EQ(part.places(FactKind::kUnreadable), std::vector<std::string>{uri});
 }
 
-/// By hand: two point-like kilograms a metre apart about their middle: 0.1 + 2 · 0.5² about y and z.
+/// By hand: two point-like kilograms a meter apart about their middle: 0.1 + 2 · 0.5² about y and z.
 TEST(BuildBody, FixedJointsMerge) {
   const Built b = built(
       model_of(link_text("a", kKilogram) +

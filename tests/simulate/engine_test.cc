@@ -37,7 +37,7 @@ void step_engine(Engine& engine, int steps) {
 }
 
 // A dumbbell whose middle lies off its frame's origin falls with its middle straight down.
-TEST(Engine, StandsBodiesAtTheirCentreOfMass) {
+TEST(Engine, StandsBodiesAtTheirCenterOfMass) {
   Scene scene = hand::scene();
   mass::MassProperties body = hand::box_mass(2, {0.1, 0.2, 0.3});
   body.com = {0.5, -0.2, 0.1};
@@ -55,7 +55,7 @@ TEST(Engine, StandsBodiesAtTheirCentreOfMass) {
   EXPECT_NEAR(pose.translation.y, 2, 1e-12);
 }
 
-// A shape's offset is from its body's frame, not from the centre of mass: this one rests on its ball.
+// A shape's offset is from its body's frame, not from the center of mass: this one rests on its ball.
 TEST(Engine, HangsShapesOnTheFrame) {
   Scene scene = hand::scene();
   mass::MassProperties body = hand::ball_mass(1, 0.1);

@@ -31,10 +31,10 @@ std::string land_text(const std::string& inside, bool is_static = true) {
 }
 
 Built land(const std::string& inside, std::uint32_t side, const Levels& levels) {
-  return built(land_text(inside), {{"land.png", test::grey_png(side, side, levels)}});
+  return built(land_text(inside), {{"land.png", test::gray_png(side, side, levels)}});
 }
 
-/// 5 by 5 points 1 m apart, from 0 in the corner at -x, +y, 1 m higher with each column, half a metre
+/// 5 by 5 points 1 m apart, from 0 in the corner at -x, +y, 1 m higher with each column, half a meter
 /// with each row downward: 6 m in the opposite corner, which has 240.
 Built slope() {
   Levels levels;
@@ -57,7 +57,7 @@ TEST(Heightmap, ItsCornersAreAsHighAsThePictureSays) {
   EXPECT_NEAR(grid.heights[4], 6, 1e-12);       // at +x, -y
   EXPECT_NEAR(grid.heights.back(), 4, 1e-12);   // at +x, +y
   EXPECT_EQ(b.scene.shapes[0].X_BS.translation, (model::Vector3{10, 20, -3}));
-  // A ball whose centre is nine tenths of its radius above the slope is a tenth of it deep.
+  // A ball whose center is nine tenths of its radius above the slope is a tenth of it deep.
   const double nz = 1 / std::sqrt(1 + 1 + 0.25);
   for (const auto& [x, y] : {std::pair{8.1, 18.1}, {11.9, 18.1}, {8.1, 21.9}, {11.9, 21.9}}) {
     simulate::Scene scene = b.scene;
@@ -92,7 +92,7 @@ TEST(Heightmap, ABallRollsDownItsSlope) {
   EXPECT_NEAR(p.y, way * nz * 0.5 / std::sqrt(1.25), 0.03 * way);
 }
 
-/// Between two slopes of 1 to 2 a ball of half a metre rests where it touches both: its centre is
+/// Between two slopes of 1 to 2 a ball of half a meter rests where it touches both: its center is
 /// r / cos above their line.
 TEST(Heightmap, ABallSettlesInAValley) {
   Levels levels;
@@ -132,13 +132,13 @@ std::string why_left_out(const Built& b) {
 TEST(Heightmap, WhatGazeboRefusesIsLeftOutAndSaid) {
   EXPECT_EQ(why_left_out(land("", 4, Levels(16, 9))),
             "a heightmap of 4 by 4 pixels: Gazebo takes a square of 2^n + 1, as 129 by 129");
-  const std::string oblong = test::grey_png(5, 3, Levels(15, 9));
+  const std::string oblong = test::gray_png(5, 3, Levels(15, 9));
   EXPECT_NE(why_left_out(built(land_text(""), {{"land.png", oblong}})).find("5 by 3"),
             std::string::npos);
-  EXPECT_EQ(why_left_out(built(land_text(""))), "the heightmap's picture land.png is not found");
+  EXPECT_EQ(why_left_out(built(land_text(""))), "the heightmap's image land.png is not found");
   EXPECT_NE(why_left_out(built(land_text(""), {{"land.png", "GIF89a"}})).find("is no PNG"),
             std::string::npos);
-  const std::string square = test::grey_png(3, 3, Levels(9, 9));
+  const std::string square = test::gray_png(3, 3, Levels(9, 9));
   EXPECT_EQ(why_left_out(built(land_text("", false), {{"land.png", square}})),
             "a heightmap that moves");
   EXPECT_TRUE(land("<size>0 1 1</size>", 3, Levels(9, 9)).blocked);

@@ -38,7 +38,7 @@ Record still_record(const Scene& scene, const Scenario& scenario) {
     measures.vertical_square.assign(scene.models.size(), 0);
     measures.yaw_path.assign(scene.models.size(), 0);
     for (auto* list :
-         {&measures.jitter_square, &measures.axis_least, &measures.axis_most, &measures.axis_begin,
+         {&measures.jitter_square, &measures.axis_min, &measures.axis_max, &measures.axis_begin,
           &measures.axis_end, &measures.axis_path, &measures.axis_effort}) {
       list->assign(axes, 0);
     }
@@ -151,7 +151,7 @@ TEST(Metric, OfARobotThatGoesBackwards) {
 TEST(Metric, ASkidThatThePyramidHoldsIsAWarning) {
   Case one("turn");
   one.wheels.left.push_back(one.wheels.left.front());
-  one.wheels.left.back().centre_W.x -= 0.3;
+  one.wheels.left.back().center_W.x -= 0.3;
   PhaseMeasures& spin = one.phase("spin");
   spin.axis_path = {-13, 13};
   spin.yaw_path[0] = 0;
@@ -187,7 +187,7 @@ TEST(Metric, RestIsHeldAgainstWeightAndSupport) {
   EXPECT_EQ(one.metric("rest.weight_balance").verdict, Verdict::kFail);
   rest.end[0].p_WBcm.x += 0.001;
   EXPECT_NEAR(one.metric("rest.creep").value, 0.001 / 0.2, 1e-9);
-  // A square of 0.2 m with the centre of mass (x = 0.1 / 6) 0.0167 off its middle.
+  // A square of 0.2 m with the center of mass (x = 0.1 / 6) 0.0167 off its middle.
   for (const double x : {-0.1, 0.1}) {
     for (const double y : {-0.1, 0.1}) one.record.measures.support.push_back({0, {x, y, 0}});
   }
@@ -199,7 +199,7 @@ TEST(Metric, NeverSettlingIsToldEvenInAShortRun) {
   one.record.measures.settle_time = kInfinity;
   const Metric metric = one.metric("settle.time");
   ASSERT_TRUE(metric.fact);
-  EXPECT_EQ(metric.warn, metric.fact->limit);  // the table and the finding speak of one limit
+  EXPECT_EQ(metric.warn, metric.fact->limit);  // the table and the finding refer to one limit
   EXPECT_EQ(metric.verdict, Verdict::kWarn);
   ASSERT_TRUE(metric.fact);
   EXPECT_EQ(metric.fact->kind, FactKind::kNeverSettles);
@@ -241,8 +241,8 @@ TEST(Metric, AJointThatStopsShortIsTooWeakOrStopped) {
   }
   one.record = still_record(one.scene, one.scenario);
   PhaseMeasures& sweep = one.record.measures.phases.back();
-  sweep.axis_least[0] = -1;
-  sweep.axis_most[0] = 0.5;
+  sweep.axis_min[0] = -1;
+  sweep.axis_max[0] = 0.5;
   EXPECT_NEAR(one.metric("joint.reach").value, 0.25, 1e-12);
   EXPECT_EQ(one.metric("joint.reach").fact->kind, FactKind::kJointShort);
   sweep.axis_effort[0] = 1;

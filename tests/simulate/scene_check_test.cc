@@ -164,7 +164,7 @@ TEST(SceneCheck, HandMadeScenes) {
       {"gravity", FactKind::kNotFinite, [](Scene& s) { s.gravity.z = kNan; }},
       {"step", FactKind::kStep, [](Scene& s) { s.solver.step = kNan; }},
       {"too many", FactKind::kTooLarge,
-       [](Scene& s) { s.bodies.resize(simulate::kMostBodies + 1, s.bodies[0]); }},
+       [](Scene& s) { s.bodies.resize(simulate::kMaxBodies + 1, s.bodies[0]); }},
   };
   for (const Spoiled& spoiled : cases) {
     Scene scene = sound;

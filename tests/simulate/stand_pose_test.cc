@@ -122,7 +122,7 @@ TEST(StandPose, ASearchPutsFourFeetOnTheGround) {
   EXPECT_GT(standing.bodies[0].X_WB.translation.z, 0.1);  // the belly is off the ground
   const auto corners = footprint_at_start(standing, 0, kFeetSlack * scene.size);
   ASSERT_GE(corners.size(), 3U);
-  EXPECT_GT(margin_in(corners, centre_of_mass(standing, 0)).distance, 0);
+  EXPECT_GT(margin_in(corners, center_of_mass(standing, 0)).distance, 0);
 }
 
 TEST(StandPose, APoseThatSomebodyNamedGoesFirst) {

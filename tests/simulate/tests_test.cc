@@ -142,7 +142,7 @@ TEST(Tests, ATricycleDoesNotTurnByItsSidesSpeeds) {
   }));
 }
 
-TEST(Tests, PushHasAFifthOfTheMomentumOfAFallAtTheCentreOfMass) {
+TEST(Tests, PushHasAFifthOfTheMomentumOfAFallAtTheCenterOfMass) {
   const Scene scene = tutorial_robot();
   const Scenario push = made_test("push", scene);
   ASSERT_EQ(push.pushes.size(), 1U);
@@ -163,7 +163,7 @@ TEST(Tests, TheTableTiltsTowardsTheWeakestSide) {
   scene.shapes = {shape_of(0, mesh::Box{{0.4, 0.8, 1}})};
   const Scenario table = made_test("tilt-table", scene);
   ASSERT_EQ(table.tilts.size(), 1U);
-  // The edge at x = 0.2 is 0.15 from the centre of mass, which is 0.5 above it. About -y, gravity turns
+  // The edge at x = 0.2 is 0.15 from the center of mass, which is 0.5 above it. About -y, gravity turns
   // towards +x.
   EXPECT_NEAR(table.tilts[0].axis.y, -1, 1e-12);
   EXPECT_NEAR(table.tilts[0].angle, std::atan2(0.15, 0.5) + 0.1745, 1e-9);

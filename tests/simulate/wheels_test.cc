@@ -32,7 +32,7 @@ TEST(Wheels, OfTheTutorialRobot) {
   EXPECT_NEAR(train.left[0].radius, 0.1, 1e-12);
   EXPECT_NEAR(train.left[0].width, 0.05, 1e-12);
   EXPECT_NEAR(train.track, 0.26, 1e-12);
-  EXPECT_NEAR(train.left[0].centre_W.y, 0.13, 1e-12);
+  EXPECT_NEAR(train.left[0].center_W.y, 0.13, 1e-12);
   // Turning about +y carries the top of a wheel towards +x.
   EXPECT_EQ(train.left[0].sign, 1);
   EXPECT_EQ(train.casters, std::vector<std::uint32_t>{1});
@@ -153,7 +153,7 @@ TEST(Wheels, AWheelOffItsAxisIsFoundWithBothPlaces) {
   scene.shapes[2].X_BS.translation = {0.01, 0, 0};  // the wheel's x points down
   const DriveTrain train = find_wheels(scene, {});
   ASSERT_EQ(train.left.size(), 1U);
-  EXPECT_NEAR(length(train.left[0].middle_W - train.left[0].centre_W), 0.01, 1e-12);
+  EXPECT_NEAR(length(train.left[0].middle_W - train.left[0].center_W), 0.01, 1e-12);
 }
 
 mesh::TriangleMesh prism(int corners, double radius, double width) {
@@ -218,8 +218,8 @@ TEST(Footprint, OfTheTutorialRobotIsATriangle) {
   const Scene scene = tutorial_robot();
   const std::vector<Vector3> corners = footprint_at_start(scene, 0, 0.001);
   ASSERT_GE(corners.size(), 3U);  // the caster, and the outer ends of the wheels' lines
-  // The centre of mass: 1 kg of wheels at x = 0.1, 5 kg at 0.
-  const Vector3 com = centre_of_mass(scene, 0);
+  // The center of mass: 1 kg of wheels at x = 0.1, 5 kg at 0.
+  const Vector3 com = center_of_mass(scene, 0);
   EXPECT_NEAR(com.x, 0.1 / 6, 1e-12);
   // The side between the wheels, at x = 0.1, is nearer than those from the caster (-0.15, 0) to (0.1, ±0.155).
   EXPECT_NEAR(margin_in(corners, com).distance, 0.1 - com.x, 1e-9);

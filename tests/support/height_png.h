@@ -15,7 +15,7 @@ namespace rigor::test {
 
 /// Levels row by row from the top; of 16 bits when the type has them.
 template <class Level>
-std::string grey_png(std::uint32_t width, std::uint32_t height, const std::vector<Level>& levels) {
+std::string gray_png(std::uint32_t width, std::uint32_t height, const std::vector<Level>& levels) {
   png_image image = {};
   image.version = PNG_IMAGE_VERSION;
   image.width = width;

@@ -20,7 +20,7 @@ using mesh::Triangle;
 using mesh::TriangleMesh;
 using model::Vector3;
 
-/// Sides along the axes, centred at `center`; twelve triangles.
+/// Sides along the axes, centered at `center`; twelve triangles.
 inline TriangleMesh box_mesh(const Vector3& size, const Vector3& center = {}) {
   TriangleMesh mesh;
   for (int i = 0; i < 8; ++i) {

@@ -76,10 +76,10 @@ TEST(Compose, OnlyWhatDiffersIsRed) {
   after.at(2, 3) = kGreenPixel;
   after.at(5, 5)[2] = 249;  // nobody sees this
   EXPECT_EQ(count_differences(before, after), 1U);
-  const Picture grey = plain_picture(6, 6, kWhitePixel);
-  Picture grey_after = grey;
-  grey_after.at(2, 3) = kGreenPixel;
-  const Picture red = difference({before, after, grey, grey_after});
+  const Picture gray = plain_picture(6, 6, kWhitePixel);
+  Picture gray_after = gray;
+  gray_after.at(2, 3) = kGreenPixel;
+  const Picture red = difference({before, after, gray, gray_after});
   for (std::uint32_t y = 0; y < 6; ++y) {
     for (std::uint32_t x = 0; x < 6; ++x) {
       const Pixel& p = red.at(x, y);
@@ -91,7 +91,7 @@ TEST(Compose, OnlyWhatDiffersIsRed) {
   const Picture wider = plain_picture(7, 6, kBluePixel);
   EXPECT_EQ(difference({before, wider, before, wider}).width, 7U);
   // With the same shapes it is blue.
-  const Picture blue = difference({before, after, grey, grey});
+  const Picture blue = difference({before, after, gray, gray});
   EXPECT_GT(blue.at(2, 3)[2], blue.at(2, 3)[0] + 100);
   EXPECT_EQ(count_differences(blue, red), 1U);
 }

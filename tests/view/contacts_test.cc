@@ -102,7 +102,7 @@ TEST(DrawnContacts, AreWhereLinksAreInEachOther) {
   EXPECT_EQ(apart.bodies[0].name, "m/link a/contact with m/link b");
   const Drawing joined =
       drawn("<joint name='j' type='fixed'><parent>a</parent><child>b</child></joint>");
-  EXPECT_TRUE(joined.bodies.empty()) << "neighbours do not collide";
+  EXPECT_TRUE(joined.bodies.empty()) << "neighbors do not collide";
 }
 
 }  // namespace

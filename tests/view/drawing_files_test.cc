@@ -95,7 +95,7 @@ TEST(DrawingFiles, FindTheTextureOfAModel) {
   const Surface& surface = drawing.bodies[0].surfaces.at(0);
   ASSERT_TRUE(surface.texture);
   EXPECT_EQ(surface.texture_path, "skin.png");
-  EXPECT_EQ(surface.color, (Color{1, 1, 1, 1})) << "the picture's own colours";
+  EXPECT_EQ(surface.color, (Color{1, 1, 1, 1})) << "the picture's own colors";
   const Drawing without = drawn_sdf(visual_of("<box/>", material), {Layer::kVisual});
   ASSERT_EQ(without.bodies.size(), 1U);
   EXPECT_FALSE(without.bodies[0].surfaces.at(0).texture);

@@ -190,7 +190,7 @@ TEST(DrawnShape, ThinsOutALargeTerrain) {
   Picture heights{.width = 2049, .height = 600, .pixels = std::vector<Pixel>(2049 * 600)};
   const auto terrain = terrain_mesh(heights, {1, 1, 1});
   ASSERT_TRUE(terrain);
-  EXPECT_EQ(terrain->positions.size(), kMostHeights * kMostHeights);
+  EXPECT_EQ(terrain->positions.size(), kMaxHeights * kMaxHeights);
   EXPECT_EQ(mesh::bounds_of(terrain->positions).max, (Vector3{0.5, 0.5, 0}));
 }
 

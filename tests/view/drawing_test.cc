@@ -264,8 +264,8 @@ TEST(Drawing, SaysWhyAShapeIsNotDrawn) {
 
 TEST(Drawing, DrawsSoManyTrianglesAndNoMore) {
   constexpr std::size_t kLands = 21;  // of 524,288 triangles each
-  const Picture flat{kMostHeights, kMostHeights,
-                     std::vector<Pixel>(kMostHeights * kMostHeights, Pixel{9, 9, 9, 255})};
+  const Picture flat{kMaxHeights, kMaxHeights,
+                     std::vector<Pixel>(kMaxHeights * kMaxHeights, Pixel{9, 9, 9, 255})};
   std::string lands;
   for (std::size_t i = 1; i <= kLands; ++i) {
     const std::string size = "<size>1 1 " + std::to_string(i) + "</size>";
@@ -273,7 +273,7 @@ TEST(Drawing, DrawsSoManyTrianglesAndNoMore) {
   }
   const Drawing drawing = drawn_sdf(lands, {Layer::kVisual}, {{"land.png", to_png(flat)}});
   ASSERT_FALSE(drawing.bodies.empty());
-  EXPECT_EQ(drawing.bodies.size(), kMostDrawnTriangles / drawing.bodies[0].mesh->triangles.size());
+  EXPECT_EQ(drawing.bodies.size(), kMaxDrawnTriangles / drawing.bodies[0].mesh->triangles.size());
   EXPECT_EQ(drawing.bodies.size() + drawing.not_drawn.size(), kLands);
 }
 

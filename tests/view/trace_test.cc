@@ -109,7 +109,7 @@ void expect_same_box(const PixelBox& a, const PixelBox& b, const std::string& wh
 }
 
 TEST_F(Trace, ABoxIsSeenWhereItsCornersAreProjected) {
-  // Also a kilometre from the origin, and a tenth of a millimetre large.
+  // Also a kilometer from the origin, and a tenth of a millimeter large.
   const std::pair<model::Vector3, double> cases[] = {
       {{0, 0, 0}, 1}, {{1000, -1000, 1000}, 0.2}, {{0, 0, 0}, 1e-4}, {{-3, 2, 1}, 500}};
   for (const auto& [at, side] : cases) {

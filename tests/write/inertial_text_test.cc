@@ -20,7 +20,7 @@ using mass::MassProperties;
 /// 1 m × 2 m × 3 m at 1 kg: (b² + c²)/12 and so on.
 const MassProperties kBox{1, {}, {13.0 / 12, 0, 0, 10.0 / 12, 0, 5.0 / 12}};
 
-/// A square metre without thickness: ixx + iyy is izz, to the last bit.
+/// A square meter without thickness: ixx + iyy is izz, to the last bit.
 const MassProperties kPlate{1, {}, {1.0 / 12, 0, 0, 1.0 / 12, 0, 1.0 / 6}};
 
 /// What another reader makes of the numbers: strtod, not rigor's own.

@@ -18,7 +18,7 @@ using mass::MassProperties;
 using xml::Document;
 using xml::Element;
 
-/// What most cases write: 2 kg, half a metre up.
+/// What most cases write: 2 kg, half a meter up.
 const MassProperties kBody{2, {0, 0, 0.5}, {1, 0, 0, 1.5, 0, 0.75}};
 const MassProperties kCentred{2, {}, kBody.about_com};
 

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `tools/dev bench mesh`: a closed binary STL of a million triangles read and looked at for all that
+// `tools/dev bench mesh`: a closed binary STL of a million triangles read and examined for all that
 // can be wrong with its topology, as a ratio to admesh's check of the same file; and the search for
 // self-intersections in one of 100,000, to be held beside cgal_self_intersection.cc.
 

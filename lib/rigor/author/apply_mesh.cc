@@ -195,9 +195,9 @@ class Applier {
 
 std::string_view words(NotEdited why) {
   switch (why) {
-    case NotEdited::kIncluded: return "it stands in an included file";
+    case NotEdited::kIncluded: return "it is in an included file";
     case NotEdited::kElsewhere: return "it is no shape of a collision or visual";
-    case NotEdited::kSubmeshCenter: return "a part of the mesh is centred when it is loaded";
+    case NotEdited::kSubmeshCenter: return "a part of the mesh is centered when it is loaded";
     case NotEdited::kSubmeshForgot: return "it names a part, and the new format keeps no parts";
     case NotEdited::kScale: return "its scale cannot be read, or would be no number";
     case NotEdited::kPose: return "its pose cannot be read";

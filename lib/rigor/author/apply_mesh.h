@@ -36,14 +36,14 @@ struct MeshReplacement {
   std::string file;      ///< as the model's URI resolves
   std::string new_file;  ///< the same, or another name
   mesh::Transform transform;
-  mesh::Vector3 translation;  ///< of the centring: `Transformed::translation`
+  mesh::Vector3 translation;  ///< of the centering: `Transformed::translation`
 };
 
 /// Why a use of the mesh keeps naming the old file, as it was placed.
 enum class NotEdited : std::uint8_t {
-  kIncluded,       ///< it stands in an included file
+  kIncluded,       ///< it is in an included file
   kElsewhere,      ///< it is no shape of a collision or visual: a second mesh, or a plugin's
-  kSubmeshCenter,  ///< the consumer itself centres a part of the mesh
+  kSubmeshCenter,  ///< the consumer itself centers a part of the mesh
   kSubmeshForgot,  ///< it names a part, and the new format keeps no parts
   kScale,          ///< its scale cannot be read, or the new one is no number
   kPose,           ///< its pose cannot be read
@@ -51,7 +51,7 @@ enum class NotEdited : std::uint8_t {
   kCutDocument,    ///< the file is damaged
 };
 
-/// "it stands in an included file".
+/// "it is in an included file".
 std::string_view words(NotEdited why);
 
 struct LeftUse {

@@ -110,9 +110,9 @@ std::vector<std::string> candidates(const std::vector<ShapeName>& all,
   std::vector<std::string> result;
   if (found.empty()) result = like(all, name);
   if (!result.empty()) return result;
-  const std::vector<ShapeName> in_link = found.empty() ? neighbours(all, name) : found;
+  const std::vector<ShapeName> in_link = found.empty() ? neighbors(all, name) : found;
   for (const ShapeName& shape : in_link.empty() ? all : in_link) {
-    if (result.size() == kMostCandidates) break;
+    if (result.size() == kMaxCandidates) break;
     result.push_back(to_type(all, shape));
   }
   return result;

@@ -56,13 +56,13 @@ struct AttachedMesh {
   std::string subject;                  ///< "arm/link base/visual hull"
   std::string path;                     ///< of the file that the shape stands in
   std::string uri;
-  std::optional<MeshCopy> copy;  ///< without which the URI leads nowhere
+  std::optional<MeshCopy> copy;  ///< without which the URI does not exist
   std::vector<Edit> edits;
   std::optional<AxisMismatch> mismatch;  ///< to be reported: the mesh keeps the pose of the shape
 };
 
 /// Candidates that are listed of a model in which nothing is like the name.
-inline constexpr std::size_t kMostCandidates = 8;
+inline constexpr std::size_t kMaxCandidates = 8;
 
 /// `name` is that of the collision or visual behind those of its link and models, of which outer
 /// ones may be left out: "arm::hand::palm::skin", "palm::skin". Where a collision has a visual's

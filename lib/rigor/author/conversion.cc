@@ -179,7 +179,7 @@ class Prover {
                     const std::set<std::string>& left_out = {}) const {
     Notes notes;
     for (const Difference& difference : robot::compare(before, after, result_.names)) {
-      // Readers of one format disagree on colours: two materials of one name, a script and a colour.
+      // Readers of one format disagree on colors: two materials of one name, a script and a color.
       if (difference.kind == DifferenceKind::kColor || reported.include(difference)) continue;
       if (difference.b.empty() && left_out.contains(difference.a)) continue;
       notes.push_back(note_of(difference));
@@ -321,7 +321,7 @@ class Conclusion {
     if (result.text && options_.proof == Proof::kVerify) {
       Prover prover(environment_, sources_, workspace_, options_, result);
       const Notes found = prover.prove(loaded_, result.model);
-      // A proof that fails is no property of the source, and no comment there speaks of it.
+      // A proof that fails is no property of the source, and no comment there refers to it.
       result.diagnostics.take(runner.run(environment_, sources_, loaded_, found));
       result.diagnostics.sort();
       result.configurations = robot::Tolerance{}.configurations;

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A conversion as a user asks for it: converted, told in findings, and proved. The result is read again
+// A conversion as a user asks for it: converted, reported in findings, and proved. The result is read again
 // as any file is, once by rigor and once by urdfdom, and moved through random joint positions beside
 // the source (robot/compare.h).
 //

@@ -28,13 +28,13 @@ HeldBackFix held_back_fix(const Diagnostic& finding, HeldBack why) {
 
 FileFixer::FileFixer(const Environment& environment, const rules::ValidateOptions& options,
                      std::string path, std::string bytes, Applicability most)
-    : environment_(environment), options_(options), most_(most), patched_(std::move(bytes)) {
+    : environment_(environment), options_(options), max_(most), patched_(std::move(bytes)) {
   fixed_.path = std::move(path);
   state_ = checked(patched_.original());
 }
 
 FixedFile FileFixer::run(SourceId source) {
-  for (int pass = 0; pass < kMostFixPasses; ++pass) {
+  for (int pass = 0; pass < kMaxFixPasses; ++pass) {
     const Candidates candidates = find_candidates();
     if (candidates.empty() || !advance(candidates)) return finished(source);
   }
@@ -65,7 +65,7 @@ FileFixer::Candidates FileFixer::find_candidates() const {
 }
 
 bool FileFixer::may_fix(const CheckedText& text, const Diagnostic& finding) const {
-  if (!has_fix(finding, most_)) return false;
+  if (!has_fix(finding, max_)) return false;
   const std::vector<Edit>& edits = finding.fixes.front().edits;
   const auto inside = [&text](const Edit& edit) {
     return text.own(edit.span) && edit.span.begin <= edit.span.end &&
@@ -126,8 +126,8 @@ FileFixer::Trial FileFixer::attempt(const Candidates& candidates, const Indices&
   Trial trial{PatchedText(state_->bytes()), nullptr};
   trial.refused = HeldBack::kDoesNotHelp;
   if (!trial.patched.apply(edits.list())) return trial;
-  for (int step = 0; step < kMostFixPasses; ++step) {
-    if (trials_ == kMostFixTrials) {
+  for (int step = 0; step < kMaxFixPasses; ++step) {
+    if (trials_ == kMaxFixTrials) {
       fixed_.settled = false;
       trial.refused = HeldBack::kNotTried;
       return trial;
@@ -142,7 +142,7 @@ FileFixer::Trial FileFixer::attempt(const Candidates& candidates, const Indices&
 }
 
 /// When all that is found and was not before has fixes, does them: a renamed
-/// element may hold others that have to be renamed, and that nobody looked at.
+/// element may hold others that have to be renamed, and that nobody examined.
 /// False when nothing was done.
 bool FileFixer::fix_uncovered(Trial& trial) const {
   EditSet edits;

@@ -74,7 +74,7 @@ class FileFixer {
 
   const Environment& environment_;
   const rules::ValidateOptions& options_;
-  Applicability most_;
+  Applicability max_;
   FixedFile fixed_;
   PatchedText patched_;
   std::unique_ptr<CheckedText> state_;  // of `patched_.text()`

@@ -141,7 +141,7 @@ class Operation {
     return std::move(result.mesh);
   }
 
-  /// Of an open mesh what it encloses is not known: its hull stands in for it.
+  /// Of an open mesh what it encloses is not known: its hull replaces it.
   model::Vector3 center_of_mass(const TriangleMesh& mesh) {
     const mass::PolyhedronMoments own = mass::moments_of(mesh);
     if (own.volume != 0 && mesh::topology_of(mesh).closed()) return mass::centroid(own);
@@ -170,7 +170,7 @@ class Operation {
     done_.hausdorff = mesh::deviation(mesh, result.mesh, kSamples).hausdorff();
     std::string what = triangles_text(before, result.mesh.triangles.size());
     what += fmt::format(", {:.3g} off at most where it was measured", *done_.hausdorff);
-    if (!result.seams_kept) what += "; seams of texture or colour were in the way, and moved";
+    if (!result.seams_kept) what += "; seams of texture or color were in the way, and moved";
     if (result.mesh.triangles.size() > target && !asked_.max_error) {
       what += fmt::format(
           "; {} were asked for: borders, seams or edges of more than two triangles are in the way",

@@ -5,7 +5,7 @@
 //
 //   1. weld, repair
 //   2. unit, scale, up axis
-//   3. centre
+//   3. center
 //   4. normals
 //   5. reduce
 //   6. one of: convex hull, convex pieces, a fitted primitive, parts by component or material
@@ -45,7 +45,7 @@ enum class MeshProduct : std::uint8_t {
 struct MeshOperations {
   bool weld = false;
   bool repair = false;
-  double unit = 1;  ///< metres that a unit of the file is
+  double unit = 1;  ///< meters that a unit of the file is
   model::Vector3 scale{1, 1, 1};
   mesh::UpAxis up = mesh::UpAxis::kZ;
   MeshCenter center = MeshCenter::kNone;
@@ -53,7 +53,7 @@ struct MeshOperations {
   std::optional<std::uint64_t> triangles;  ///< to be left
   std::optional<double> share;             ///< of the triangles, to be left
   std::optional<double> max_error;         ///< m; reducing stops there
-  bool keep_seams = false;                 ///< of texture and colour, whatever they cost
+  bool keep_seams = false;                 ///< of texture and color, whatever they cost
   MeshProduct product = MeshProduct::kMesh;
   std::uint64_t pieces = 16;                       ///< at most, of `kConvexPieces`
   mesh::FitKind primitive = mesh::FitKind::kBest;  ///< of `kPrimitive`
@@ -73,8 +73,8 @@ struct NamedMesh {
 struct OperatedMesh {
   std::vector<NamedMesh> meshes;
   std::vector<MeshStep> steps;
-  mesh::Transform transform;           ///< what was done to the coordinates, the centring aside
-  model::Vector3 translation;          ///< of the centring
+  mesh::Transform transform;           ///< what was done to the coordinates, the centering aside
+  model::Vector3 translation;          ///< of the centering
   std::optional<double> hausdorff;     ///< between the meshes before and after reducing, m
   std::optional<mesh::Fit> primitive;  ///< what the mesh was replaced with
   std::string problem;                 ///< why there are no meshes

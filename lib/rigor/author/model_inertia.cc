@@ -60,10 +60,10 @@ Diagnostics inertia_findings(const Environment& environment, const Sources& sour
   constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
   const rules::Selection selection{
       .select = {"inertia"},
-      // These speak of the mass, which stays as its author wrote it, or of what a simulator computes.
+      // These refer to the mass, which stays as its author wrote it, or of what a simulator computes.
       .ignore = {"automatic-inertia-density-default", "density-too-high", "density-too-low",
                  "light-link-between-heavy", "mass-ratio-across-joint"},
-      .most_listed = kAll};
+      .max_listed = kAll};
   return rules::Runner(environment.registry, selection)
       .run(environment, sources, loaded, {.surveys = &surveys});
 }
@@ -113,7 +113,7 @@ class Table {
     return row;
   }
 
-  /// Links of one name, which `duplicate-name` is about, are told apart by where the findings stand.
+  /// Links of one name, which `duplicate-name` is about, are distinguished by where the findings stand.
   std::vector<Diagnostic> findings_of(Id<model::Link> id) const {
     const auto [first, last] = by_subject_.equal_range(model::subject(root_, root_[id]));
     const Span link = document_.element(root_[id].site.element).span();

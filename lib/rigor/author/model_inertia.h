@@ -8,7 +8,7 @@
 //   for (const LinkInertia& link : table.links) show(link.written.body, link.computed);
 //   std::optional<std::string> text = apply_edits(bytes, table.edits);
 //
-// Which links are faulty is what the rules of the category `inertia` say: one judgement for the table,
+// Which links are faulty is what the rules of the category `inertia` say: one judgment for the table,
 // `validate` and what is written. A link's mass is the one given for it; else, when a density is given,
 // density times volume; else the written one, when it is above zero; else water's.
 
@@ -59,7 +59,7 @@ struct LinkInertia {
   model::Id<model::Link> link;
   std::string name;        ///< scoped
   mass::Resolved written;  ///< what a consumer takes today
-  mass::LinkBody body;     ///< the shapes that were looked at
+  mass::LinkBody body;     ///< the shapes that were examined
   mass::PartOverlaps overlaps;
   std::optional<mass::Proposal> computed;  ///< nothing when the shapes have no answer
   std::vector<Diagnostic> findings;        ///< what the rules find in it as it stands
@@ -79,7 +79,7 @@ struct ModelInertia {
   std::vector<Edit> edits;         ///< of the file
 };
 
-/// `loaded` must be whole; its file's own links are looked at.
+/// `loaded` must be whole; its file's own links are examined.
 ModelInertia model_inertia(const Environment& environment, const Sources& sources,
                            const read::Loaded& loaded, mass::MeshSurveys& surveys,
                            const InertiaOptions& options);

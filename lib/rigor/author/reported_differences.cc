@@ -85,7 +85,7 @@ void ReportedDifferences::keep(const model::Site& site) {
   whole_[{site.tag.source, site.tag.begin}] = site.span;
 }
 
-/// A difference stands at a start tag; the note may speak of something inside.
+/// A difference stands at a start tag; the note may refer to something inside.
 Span ReportedDifferences::whole(const Span& tag) const {
   const auto found = whole_.find({tag.source, tag.begin});
   return found == whole_.end() ? tag : found->second;
@@ -99,7 +99,7 @@ bool ReportedDifferences::follows(DifferenceKind kind) const {
   return (shape && has_shape_) || (kind == DifferenceKind::kLinkOnlyInA && has_loop_);
 }
 
-/// Of notes that do not speak of a loss, or not at its place.
+/// Of notes that do not refer to a loss, or not at its place.
 bool ReportedDifferences::in_other_words(const Difference& difference) const {
   switch (difference.kind) {
     // What hangs on a link without mass hangs on what that is fixed to.

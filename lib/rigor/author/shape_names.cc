@@ -53,7 +53,7 @@ std::vector<ShapeName> find_shapes(const std::vector<ShapeName>& all, std::strin
   return those(all, [&end](const std::string& full) { return full.ends_with(end); });
 }
 
-std::vector<ShapeName> neighbours(const std::vector<ShapeName>& all, std::string_view name) {
+std::vector<ShapeName> neighbors(const std::vector<ShapeName>& all, std::string_view name) {
   const std::size_t inner = name.rfind("::");
   if (inner == std::string_view::npos) return {};
   const std::string link = "::" + std::string(name.substr(0, inner));

@@ -30,7 +30,7 @@ std::vector<ShapeName> shape_names(const model::Root& root);
 std::vector<ShapeName> find_shapes(const std::vector<ShapeName>& all, std::string_view name);
 
 /// Those in the link that the name names, though it has no such shape.
-std::vector<ShapeName> neighbours(const std::vector<ShapeName>& all, std::string_view name);
+std::vector<ShapeName> neighbors(const std::vector<ShapeName>& all, std::string_view name);
 
 /// What to type for one of them: the plain name where no other has it.
 std::string to_type(const std::vector<ShapeName>& all, const ShapeName& shape);

@@ -21,7 +21,7 @@ namespace {
 
 using simulate::Facts;
 
-/// The rules that speak of simulations, unless others are asked for.
+/// The rules that refer to simulations, unless others are asked for.
 rules::Selection simulation_rules(const rules::Selection& chosen) {
   rules::Selection selection = chosen;
   if (selection.select.empty()) selection.select = {"simulate"};

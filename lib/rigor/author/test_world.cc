@@ -88,8 +88,8 @@ mesh::Bounds scaled(const Vector3& scale, const mesh::Bounds& bounds) {
 
 mass::MassProperties box_around(const mesh::Bounds& bounds, double density) {
   const Vector3 sides = bounds.max - bounds.min;
-  const mass::Solid box = mass::box({std::max(sides.x, kLeastSide), std::max(sides.y, kLeastSide),
-                                     std::max(sides.z, kLeastSide)});
+  const mass::Solid box = mass::box(
+      {std::max(sides.x, kMinSide), std::max(sides.y, kMinSide), std::max(sides.z, kMinSide)});
   return mass::translated(0.5 * (bounds.min + bounds.max), mass::of_density(box, density));
 }
 

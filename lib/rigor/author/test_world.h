@@ -23,12 +23,12 @@ struct TestBody {
   double density = 1000;  ///< kg/m³
 };
 
-/// A sheet of a millimetre is thin, and heavy enough for any solver, m.
-inline constexpr double kLeastSide = 1e-3;
+/// A sheet of a millimeter is thin, and heavy enough for any solver, m.
+inline constexpr double kMinSide = 1e-3;
 
 /// An SDF file. The mesh's lowest point stands on the ground, its bounds' middle above the origin.
 /// The mass is that of the mesh where it is a solid (mass/mesh/survey.h), else of its convex hull;
-/// a flat mesh has that of a box around it, of kLeastSide at least. The survey must be usable.
+/// a flat mesh has that of a box around it, of kMinSide at least. The survey must be usable.
 std::string test_world(const TestBody& body, const mass::MeshSurvey& survey);
 
 }  // namespace rigor::author

@@ -42,7 +42,7 @@ const Config& Configs::in_folder(std::string folder) const {
     passed.push_back(folder);
     const std::string candidate = join_path(folder, kConfigName);
     const PathKind kind = disk_.kind(candidate);
-    // A link that leads nowhere was meant as one; reading it says what is wrong.
+    // A link that does not exist was meant as one; reading it says what is wrong.
     if (kind == PathKind::kFile ||
         (kind == PathKind::kMissing && !disk_.obstacle(candidate).empty())) {
       found = &at(candidate);

@@ -9,7 +9,7 @@
 //   const Config& config = configs.of("robot/worlds/lab.world");
 //   for (const Problem& problem : config.problems) complain(problem);
 //
-// Each file is read once, each folder looked at once. Safe across threads.
+// Each file is read once, each folder examined once. Safe across threads.
 
 #pragma once
 

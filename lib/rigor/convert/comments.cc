@@ -102,7 +102,7 @@ class CommentFinder {
     const std::uint32_t end = element_.span().end;
     std::uint32_t next = element_.index();
     std::vector<xml::Element> open;
-    Places last;                       // what a comment on the same line speaks of
+    Places last;                       // what a comment on the same line refers to
     std::vector<std::size_t> waiting;  // comments for what follows
     std::size_t i = tag_;
     for (; i < tokens_.size() && tokens_[i].begin < end; ++i) {

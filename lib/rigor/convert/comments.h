@@ -18,7 +18,7 @@ namespace rigor::convert {
 enum class CommentsFor : std::uint8_t { kUrdf, kSdf };
 
 /// The comments before an element, in it, and on the line of its end, in the order of the file. A comment
-/// on a line of its own speaks of what follows, another one of what stands before it. Those on the
+/// on a line of its own refers to what follows, another one of what stands before it. Those on the
 /// inertial, the visuals and the collisions in it are theirs, and those inside sensors and plugins go
 /// where these go. None for a site that stands nowhere.
 Remarks remarks_on(const read::Documents& documents, const model::Site& site, CommentsFor target);

@@ -17,7 +17,7 @@
 namespace rigor::convert {
 
 /// Two numbers this near came from the same one by way of a few sums and turns: the last bits of
-/// doubles of about a metre, and a hundredth of what a pose may be off by. m, or of a quaternion.
+/// doubles of about a meter, and a hundredth of what a pose may be off by. m, or of a quaternion.
 inline constexpr double kDigitNoise = 1e-14;
 
 /// `v`, each number with its text in the field where that says the same.

@@ -16,7 +16,7 @@ bool says_nothing(xml::Element element) {
          element.lost_text().nowhere();
 }
 
-/// Models join their names, what stands in them is told by kind and name, as in `subject.h`.
+/// Models join their names, what stands in them is reported by kind and name, as in `subject.h`.
 void append_to_subject(std::string& subject, xml::Element element) {
   const auto name = element.attribute("name");
   if (!name) return;
@@ -134,7 +134,7 @@ void Ledger::pass_over_value(Span value, std::string subject, std::string writte
         .written = std::move(written)});
 }
 
-/// Settles what nobody took, one opened element at a time: from its last node to its first, so that
+/// Settles what no code took, one opened element at a time: from its last node to its first, so that
 /// an element comes after all that it holds, then forward to tell what is lost.
 class LedgerCloser {
  public:
@@ -233,7 +233,7 @@ class LedgerCloser {
   }
 
   void tell(Sheet& sheet, const Opened& opened) {
-    std::uint32_t lost_end = 0;  // of the subtree that the last note speaks of
+    std::uint32_t lost_end = 0;  // of the subtree that the last note refers to
     const std::size_t end = end_node(sheet, opened.site);
     for (std::size_t i = first_node(sheet, opened.site); i < end; ++i) {
       Node& node = sheet.nodes[i];

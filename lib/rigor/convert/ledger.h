@@ -4,7 +4,7 @@
 // The account of a conversion: every element and attribute of the source, and what became of it.
 //
 // It is opened with the whole source, so it is complete by construction: a conversion takes what it
-// converts, notes what it changes, and what nobody took is a loss when the account is closed. Nothing
+// converts, notes what it changes, and what no code took is a loss when the account is closed. Nothing
 // can vanish unseen.
 //
 //   Ledger ledger(documents);
@@ -62,7 +62,7 @@ class Ledger {
   std::size_t take_all(const model::Site& site, Outcome outcome = Outcome::kConverted);
   std::size_t take_all(xml::Element element, Outcome outcome = Outcome::kConverted);
 
-  /// Adds a note. It does not take what it speaks of.
+  /// Adds a note. It does not take what it refers to.
   void note(Note note) { notes_.push_back(std::move(note)); }
   /// Takes all of an element as lost and says so: `count` becomes what was not taken before.
   void lose(const model::Site& site, Note note);
@@ -72,7 +72,7 @@ class Ledger {
   void pass_over(xml::Element element, std::string subject, std::string written);
   void pass_over_value(Span value, std::string subject, std::string written);
 
-  /// What nobody took: an element or attribute that `implied` says a default of is implied, and so is
+  /// What no code took: an element or attribute that `implied` says a default of is implied, and so is
   /// an element that holds nothing else. An element that only holds what was taken is converted with
   /// it. Of the rest, the outermost of each subtree is one note with the number of elements and
   /// attributes in it that are lost, of the kind that `kind_of` gives; such a note's `written` is the

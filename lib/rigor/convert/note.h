@@ -22,10 +22,10 @@ namespace rigor::convert {
 /// What became of an element or attribute of the source. Each has exactly one of these.
 enum class Outcome : std::uint8_t {
   kConverted,    ///< the target says the same in its own words
-  kImplied,      ///< says what the target takes without being told: a default
-  kRewritten,    ///< exact, but told otherwise: a revolute joint without limits is continuous
+  kImplied,      ///< says what the target takes by default: a default
+  kRewritten,    ///< exact, but expressed otherwise: a revolute joint without limits is continuous
   kCarried,      ///< kept as it is in a place that only some consumers read: a `<gazebo>` block
-  kSubstituted,  ///< something else stands for it
+  kSubstituted,  ///< something else represents it
   kLost,
 };
 
@@ -34,7 +34,7 @@ enum class NoteKind : std::uint8_t {
   kSeveralModels,  ///< and none was chosen; `written` names them
   kNoModel,
   kWorld,       ///< what a world holds beside the model
-  kUnresolved,  ///< a reference or an include that leads nowhere: nothing can be converted
+  kUnresolved,  ///< a reference or an include that does not exist: nothing can be converted
   // The graph.
   kSeveralRoots,
   kRootAdded,      ///< one root for several trees, because it was asked for
@@ -50,7 +50,7 @@ enum class NoteKind : std::uint8_t {
   kLinkFrame,  ///< the link's frame is not at its joint
   kFrame,
   // Joints.
-  kJointType,  ///< a type that the target lacks; `instead` says what stands for it
+  kJointType,  ///< a type that the target lacks; `instead` says what represents it
   kJointTypeLost,
   kJointDialect,  ///< a type that one consumer's URDF has, which SDF has as `instead`
   kContinuous,
@@ -81,7 +81,7 @@ enum class NoteKind : std::uint8_t {
   kSelfCollide,
   kGravity,
   // Shapes and looks.
-  kShape,  ///< a shape that the target lacks; `instead` says what stands for it
+  kShape,  ///< a shape that the target lacks; `instead` says what represents it
   kShapeLost,
   kCollisionLost,  ///< the same of a collision: what the robot touches
   kSubmesh,
@@ -110,7 +110,7 @@ enum class NoteKind : std::uint8_t {
   kNotTheSame,  ///< read again, it is another robot; `written` is how
   kRefused,     ///< the official parser does not take it; `written` is what it says
   kRefusedSdf,  ///< nor libsdformat an SDF; `written` is the rule's finding on the result
-  kDangling,    ///< a reference of the result that leads nowhere; `written` is the rule's finding
+  kDangling,    ///< a reference of the result that is undefined; `written` is the rule's finding
   // What is the same robot all the same.
   kIdle,          ///< no reader of the source takes it
   kTurned,        ///< a joint whose parent became its child, since the child has another parent
@@ -127,7 +127,7 @@ struct Note {
   std::string subject;    ///< as in a diagnostic
   std::string written;    ///< what the source says, in short: a value, a name, "universal"
   std::string instead;    ///< what the target says; empty when it says nothing
-  std::size_t count = 1;  ///< elements and attributes that it speaks of
+  std::size_t count = 1;  ///< elements and attributes that it refers to
 };
 
 using Notes = std::vector<Note>;

@@ -39,7 +39,7 @@ struct PluginNames {
 struct PluginRemark {
   enum class Kind : std::uint8_t {
     kRenamed,     ///< a reference names what the result has
-    kRewritten,   ///< a place or direction is told in the frame that the result has
+    kRewritten,   ///< a place or direction is expressed in the frame that the result has
     kLeftInFrame  ///< numbers that may be meant in the old frame stand as they were
   };
   Kind kind = Kind::kRenamed;

@@ -66,7 +66,7 @@ struct UrdfOptions {
   /// robot_state_publisher want none with an inertia. It stands at the model's frame. Empty: none.
   std::string root;
   LinkFramePolicy link_frames = LinkFramePolicy::kJointFrame;
-  double unlimited = 1e16;  ///< stands for an infinite limit, effort or velocity
+  double unlimited = 1e16;  ///< represents an infinite limit, effort or velocity
   int urdf_version = 0;     ///< URDF 1.`urdf_version`: from 1 on there are capsules
 };
 
@@ -84,7 +84,7 @@ struct Source {
   std::string working_folder = {};
 };
 
-/// A mesh file that stands for a shape: to be written beside the output.
+/// A mesh file that represents a shape: to be written beside the output.
 struct SideFile {
   std::string name;
   std::string bytes;
@@ -92,7 +92,7 @@ struct SideFile {
 
 struct UrdfConversion {
   model::Id<model::Model> model;  ///< that was converted
-  /// Nothing when there is none to write: no model, several roots, a reference that leads nowhere.
+  /// Nothing when there is none to write: no model, several roots, a reference that is undefined.
   std::optional<UrdfRobot> robot;
   Account account;
   std::vector<SideFile> files;

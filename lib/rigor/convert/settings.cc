@@ -245,7 +245,7 @@ class SettingComparer {
     if (other.known.contains(setting.subject)) {
       return tell(in_a ? &setting : nullptr, in_a ? nullptr : &setting);
     }
-    // What stands in an attachment is told with it, and that with what it is part of.
+    // What stands in an attachment is reported with it, and that with what it is part of.
     const auto owner = own.owners.find(setting.subject);
     if (!setting.path.empty() || owner == own.owners.end()) return;
     if (!other.known.contains(owner->second)) return;

@@ -25,7 +25,7 @@ struct SettingsSource {
   model::Id<model::Model> model;
 };
 
-/// Of what both models have by the same name; what only one has of links, joints and collisions is told
+/// Of what both models have by the same name; what only one has of links, joints and collisions is reported
 /// by `compare`.
 std::vector<robot::Difference> compare_settings(const SettingsSource& a, const SettingsSource& b);
 

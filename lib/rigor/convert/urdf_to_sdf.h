@@ -74,7 +74,7 @@ struct SdfOptions {
 };
 
 struct SdfConversion {
-  /// Nothing when there is none to write: no robot, no tree, a joint that leads nowhere.
+  /// Nothing when there is none to write: no robot, no tree, a joint that is undefined.
   std::optional<SdfRobot> robot;
   Account account;
   std::vector<SideFile> files;

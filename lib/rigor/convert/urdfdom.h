@@ -19,10 +19,10 @@
 #include <string_view>
 #include <vector>
 
-#include <rigor/robot/robot.h>
 #include <rigor/process/request.h>
 #include <rigor/process/serve.h>
 #include <rigor/process/workers.h>
+#include <rigor/robot/robot.h>
 
 namespace rigor::convert {
 
@@ -33,7 +33,7 @@ struct UrdfdomVerdict {
   /// Nothing when it refused the file, or did not come back.
   std::optional<robot::Robot> robot;
   /// What it said: errors and warnings in their order; how it ended when it did not come back. It
-  /// reads some files with errors, and leaves out what they speak of.
+  /// reads some files with errors, and leaves out what they refer to.
   std::vector<std::string> messages;
   bool died = false;  ///< crashed, or ran out of time or memory
   bool asked = true;  ///< false in a build without urdfdom

@@ -19,14 +19,14 @@ namespace rigor::convert {
 namespace {
 
 /// No value holds more: a pose with a quaternion.
-constexpr std::size_t kMostWrittenNumbers = 7;
+constexpr std::size_t kMaxWrittenNumbers = 7;
 
 std::vector<std::string_view> words_at(const read::Documents& documents, Span span) {
   std::vector<std::string_view> words;
   if (span.nowhere()) return words;
   constexpr std::string_view kSpace = " \t\r\n";
   std::string_view text = documents.of(span.source).bytes().substr(span.begin, span.size());
-  while (words.size() <= kMostWrittenNumbers) {
+  while (words.size() <= kMaxWrittenNumbers) {
     const std::size_t begin = text.find_first_not_of(kSpace);
     if (begin == std::string_view::npos) break;
     text.remove_prefix(begin);

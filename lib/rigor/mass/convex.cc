@@ -16,7 +16,7 @@ namespace {
 using model::Vector3;
 
 // Curved shapes that nearly touch take the most; what is undecided then is called apart.
-constexpr int kMostSteps = 100;
+constexpr int kMaxSteps = 100;
 
 // Halvings of the depth: to 1/128 of the inradius.
 constexpr int kHalvings = 7;
@@ -209,7 +209,7 @@ ConvexShape ConvexShape::shrunk(double depth) const {
     case Kind::kCapsule: result.half_ = {half_.x - depth, half_.y - depth, half_.z}; break;
     case Kind::kEllipsoid: result.half_ = (1 - depth / inradius_) * half_; break;
     case Kind::kCone: {
-      // Smaller about the centre of the ball inside, which touches the base.
+      // Smaller about the center of the ball inside, which touches the base.
       const double share = 1 - depth / inradius_;
       const Vector3 middle{0, 0, inradius_ - half_.z};
       result.half_ = share * half_;
@@ -222,9 +222,9 @@ ConvexShape ConvexShape::shrunk(double depth) const {
 
 bool share_a_point(const ConvexShape& a, const ConvexShape& b) {
   Simplex simplex;
-  Vector3 nearest = a.centre() - b.centre();
+  Vector3 nearest = a.center() - b.center();
   double left = square(nearest);
-  for (int step = 0; step < kMostSteps && left > 0; ++step) {
+  for (int step = 0; step < kMaxSteps && left > 0; ++step) {
     const Vector3 p = a.farthest(-1 * nearest) - b.farthest(nearest);
     if (dot(p, nearest) > 0) return false;
     simplex.points[simplex.count++] = p;

@@ -41,7 +41,7 @@ class ConvexShape {
   /// cylinder and capsule. `depth` is less than `inradius()`.
   ConvexShape shrunk(double depth) const;
 
-  model::Vector3 centre() const { return X_WS_.translation; }
+  model::Vector3 center() const { return X_WS_.translation; }
 
  private:
   enum class Kind : std::uint8_t { kBox, kBall, kCylinder, kCapsule, kCone, kEllipsoid };

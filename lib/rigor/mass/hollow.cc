@@ -39,7 +39,7 @@ Pair inset(double size, double by) { return {size, std::max(0.0, size - by), std
 
 Pair kept(double size) { return {size, size, 0}; }
 
-/// ∫ dV, ∫ x² dV, ∫ y² dV and ∫ z² dV about the origin, which is the centre of mass.
+/// ∫ dV, ∫ x² dV, ∫ y² dV and ∫ z² dV about the origin, which is the center of mass.
 struct WallMoments {
   Pair volume, xx, yy, zz;
 };
@@ -111,15 +111,15 @@ Solid hollow_capsule(double radius, double length, double wall) {
 }
 
 // A wall of the same thickness everywhere leaves a cone of the same angles, whose faces are nearer to
-// the centre of the inscribed ball by the wall: the inner cone is the outer one shrunk about that centre
+// the center of the inscribed ball by the wall: the inner cone is the outer one shrunk about that center
 // by 1 - wall/inradius. The inradius is that of the circle inscribed in the triangle of sides 2r, s, s
-// (area over half the perimeter): r h/(r + s), s² = r² + h². WallMoments of degree n about the centre shrink
+// (area over half the perimeter): r h/(r + s), s² = r² + h². WallMoments of degree n about the center shrink
 // with the power n + 3 of the ratio.
 Solid hollow_cone(double radius, double length, double wall) {
   const double inradius = radius * length / (radius + std::hypot(radius, length));
   const Pair ratio = inset(1, wall / inradius);
   const Pair cubed = ratio * ratio * ratio;
-  const double center = length / 4 - inradius;  // of the outer cone's mass, above the ball's centre
+  const double center = length / 4 - inradius;  // of the outer cone's mass, above the ball's center
   const Solid outer = cone(radius, length);
   const double first = center * (cubed * ratio).gap / cubed.gap;
   const double fifth = (cubed * ratio * ratio).gap / cubed.gap;

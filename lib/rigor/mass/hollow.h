@@ -17,7 +17,7 @@
 
 namespace rigor::mass {
 
-/// `wall` in metres, above zero; sizes as in shapes.h. Boxes, cylinders and cones are closed: all their
+/// `wall` in meters, above zero; sizes as in shapes.h. Boxes, cylinders and cones are closed: all their
 /// faces have the wall.
 Solid hollow_box(const model::Vector3& size, double wall);
 Solid hollow_sphere(double radius, double wall);

@@ -152,11 +152,11 @@ struct Parts {
         if (other.x - at.x > all[a].reach + most) break;
         if (length(other - at) > all[a].reach + all[b].reach) continue;
         near.emplace_back(a, b);
-        result.complete = near.size() <= kMostCompared;
+        result.complete = near.size() <= kMaxCompared;
         if (!result.complete) break;
       }
     }
-    near.resize(std::min(near.size(), kMostCompared));
+    near.resize(std::min(near.size(), kMaxCompared));
     for (const auto& [a, b] : near) {
       const Ball& first = all[a].part < all[b].part ? all[a] : all[b];
       const Ball& second = all[a].part < all[b].part ? all[b] : all[a];

@@ -71,7 +71,7 @@ struct PartOverlap {
 
 /// Pairs of parts so near each other that their volumes are compared, in the order of the parts; those beyond are left
 /// out. A comparison takes up to a millisecond, and a thousand parts in one place are half a million pairs.
-inline constexpr std::size_t kMostCompared = 1000;
+inline constexpr std::size_t kMaxCompared = 1000;
 
 struct PartOverlaps {
   std::vector<PartOverlap> list;

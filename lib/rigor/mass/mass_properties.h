@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How heavy a body is, and how its mass is spread: mass, centre of mass and inertia tensor, with the
+// How heavy a body is, and how its mass is spread: mass, center of mass and inertia tensor, with the
 // algebra that moves and joins them and the verdict whether a rigid body can have them.
 //
 // Convention: the tensor's entries are those of the symmetric matrix, so ixy = -∫xy dm, as SDF, URDF
@@ -103,7 +103,7 @@ MassProperties add(const MassProperties& a, const MassProperties& b);
 /// What is left of a body after a part of it is taken out.
 MassProperties subtract(const MassProperties& whole, const MassProperties& part);
 
-/// The tensor about a point of the frame instead of the centre of mass (parallel axes).
+/// The tensor about a point of the frame instead of the center of mass (parallel axes).
 Inertia about(const model::Vector3& point, const MassProperties& body);
 Inertia about_origin(const MassProperties& body);
 

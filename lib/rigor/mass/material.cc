@@ -18,7 +18,7 @@ constexpr std::string_view kBuilding = "The Engineering ToolBox";
 constexpr std::string_view kMakers = "manufacturers' data sheets";
 
 constexpr std::array kMaterials{
-    Material{"aluminium", 2700, 2640, 2830, kAlloys},
+    Material{"aluminum", 2700, 2640, 2830, kAlloys},
     Material{"brass", 8500, 8400, 8730, kAlloys},
     Material{"bronze", 8800, 7400, 8900, kAlloys},
     Material{"cast-iron", 7200, 6800, 7400, kAlloys},
@@ -95,7 +95,7 @@ struct Alias {
 constexpr std::array kAliases{
     Alias{"acetal", "pom"},
     Alias{"acrylic", "pmma"},
-    Alias{"aluminum", "aluminium"},
+    Alias{"aluminum", "aluminum"},
     Alias{"carbon-fiber", "carbon-fibre"},
     Alias{"delrin", "pom"},
     Alias{"epp", "expanded-polypropylene"},

@@ -24,7 +24,7 @@ std::optional<Inertia> nearest_possible(const Inertia& inertia) {
   if (!(sum > 0)) return std::nullopt;
   Inertia nearest;
   for (std::size_t i = 0; i < spread.size(); ++i) {
-    const double second_moment = std::max(spread[i], kLeastSpread * sum);
+    const double second_moment = std::max(spread[i], kMinSpread * sum);
     // As of a point mass on the axis: |p|² 1 - p pᵀ.
     nearest = nearest + point_inertia(second_moment, principal.axes[i]);
   }

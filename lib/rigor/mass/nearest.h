@@ -20,7 +20,7 @@ namespace rigor::mass {
 
 /// Of the sum of a body's second moments, what each has at least: that of a plate 2 % as thick as it is wide.
 /// It survives six digits and the tolerances of consumers, which reject a flat plate.
-inline constexpr double kLeastSpread = 1e-4;
+inline constexpr double kMinSpread = 1e-4;
 
 /// kg·m², about the same point and along the same axes as `inertia`; nothing for a tensor that is not
 /// finite, or that has no positive second moment to begin with.

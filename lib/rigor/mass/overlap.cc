@@ -19,7 +19,7 @@ using model::Vector3;
 constexpr int kPoints = 8000;
 
 // A share below this is what touching shapes with rounded sizes have.
-constexpr double kLeast = 1e-3;
+constexpr double kMin = 1e-3;
 
 /// Half the sides of the box around a shape, in its own frame.
 struct HalfExtent {
@@ -111,7 +111,7 @@ double overlap(const PlacedShape& a, const PlacedShape& b) {
     if (std::visit(Contains{q}, large.shape)) ++shared;
   }
   const double share = inside > 0 ? static_cast<double>(shared) / inside : 0;
-  return share < kLeast ? 0 : share;
+  return share < kMin ? 0 : share;
 }
 
 }  // namespace rigor::mass

@@ -1,10 +1,10 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Volume, centre and second moments of what a closed mesh encloses.
+// Volume, center and second moments of what a closed mesh encloses.
 //
 // Each triangle spans a tetrahedron with one reference point; signed, the tetrahedra add up to the
-// body. The sums are taken about a point near the mesh, so that a mesh a kilometre from its origin
+// body. The sums are taken about a point near the mesh, so that a mesh a kilometer from its origin
 // loses nothing, over runs of kRun facets whose sums are added with compensation at the end. Parts of a
 // mesh may be summed in any order, on any number of threads, and joined in the mesh's: as long as
 // each holds whole runs, the result is the same to the bit.
@@ -80,7 +80,7 @@ PolyhedronMoments scaled(const PolyhedronMoments& moments, const model::Vector3&
 /// The same body with the mesh's winding swapped.
 PolyhedronMoments inverted(const PolyhedronMoments& moments);
 
-/// The centre of volume, in the mesh's frame. The volume must not be zero.
+/// The center of volume, in the mesh's frame. The volume must not be zero.
 inline model::Vector3 centroid(const PolyhedronMoments& moments) {
   return moments.reference + (1 / moments.volume) * moments.first;
 }

@@ -62,9 +62,9 @@ bool touch(const Side& s, const Side& t) {
   return straddle(s.from, s.to, t) && straddle(t.from, t.to, s);
 }
 
-/// Neighbours share a corner. Where one runs back over the other, a third side touches one of them, or
+/// Neighbors share a corner. Where one runs back over the other, a third side touches one of them, or
 /// there are but three sides and no area.
-bool neighbours(const Side& s, const Side& t, const std::vector<Outline>& outlines) {
+bool neighbors(const Side& s, const Side& t, const std::vector<Outline>& outlines) {
   if (s.outline != t.outline) return false;
   const std::size_t count = outlines[s.outline].size();
   return (s.index + 1) % count == t.index || (t.index + 1) % count == s.index;
@@ -79,7 +79,7 @@ bool simple(const std::vector<Outline>& outlines) {
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const double right = std::max(sides[i].from.x, sides[i].to.x);
     for (std::size_t j = i + 1; j < sides.size() && left(sides[j]) <= right; ++j) {
-      if (!neighbours(sides[i], sides[j], outlines) && touch(sides[i], sides[j])) return false;
+      if (!neighbors(sides[i], sides[j], outlines) && touch(sides[i], sides[j])) return false;
     }
   }
   return true;

@@ -22,12 +22,12 @@ namespace rigor::mass {
 /// Corners in either direction, m; their z does not matter. The first may be repeated at the end.
 using Outline = std::vector<model::Vector3>;
 
-/// More sides than this are not looked at: whether they cross takes the square of their number in the
+/// More sides than this are not examined: whether they cross takes the square of their number in the
 /// worst case, here a fifth of a second.
 inline constexpr std::size_t kMaxSides = 10'000;
 
 /// From z = 0 to `height`. An outline inside another one is a hole, one inside the hole is solid again.
-/// Nothing when sides cross or touch others than their neighbours, when an outline has no area, when a
+/// Nothing when sides cross or touch others than their neighbors, when an outline has no area, when a
 /// number is not finite or the height not positive, or beyond kMaxSides.
 std::optional<Solid> extruded(const std::vector<Outline>& outlines, double height);
 

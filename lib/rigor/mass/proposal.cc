@@ -34,7 +34,7 @@ double as_written(double mass) {
 }  // namespace
 
 std::optional<Proposal> propose(const model::Inertial& written, const LinkBody& shapes,
-                                const MassWish& wish) {
+                                const MassRequest& wish) {
   if (!shapes.complete()) return std::nullopt;
   Proposal proposal;
   proposal.volume = of_density(shapes, 1).mass;

@@ -20,7 +20,7 @@ namespace rigor::mass {
 enum class MassFrom : std::uint8_t { kGiven, kDensity, kWritten };
 
 /// What somebody asks for; the first that is there decides.
-struct MassWish {
+struct MassRequest {
   std::optional<double> mass = {};     ///< kg
   std::optional<double> density = {};  ///< kg/m³, of every part
 };
@@ -34,7 +34,7 @@ struct Proposal {
 /// Denser than osmium (22,590 kg/m³) is nothing: shapes with so much mass are not the whole body.
 inline constexpr double kDensest = 25'000;  // kg/m³
 
-/// No part of a robot reaches this far: a mesh that does is in millimetres.
+/// No part of a robot reaches this far: a mesh that does is in millimeters.
 inline constexpr double kFarthest = 100;  // m, radius of gyration
 
 /// Without a wish, the written mass when it is above zero; else the parts' own densities, which are
@@ -42,6 +42,6 @@ inline constexpr double kFarthest = 100;  // m, radius of gyration
 /// written, so that what is computed from the written one is the same. Nothing when a part is no solid,
 /// or when the shapes are too small or too large to be the body: kDensest, kFarthest.
 std::optional<Proposal> propose(const model::Inertial& written, const LinkBody& shapes,
-                                const MassWish& wish);
+                                const MassRequest& wish);
 
 }  // namespace rigor::mass

@@ -1,14 +1,14 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Closed forms: volume, centre of mass and inertia of solid shapes of even density.
+// Closed forms: volume, center of mass and inertia of solid shapes of even density.
 //
 //   if (auto solid = solid_of(collision.geometry.shape)) {
-//     Inertia inertia = mass * solid->unit_inertia;   // kg·m² about the shape's centre of mass
+//     Inertia inertia = mass * solid->unit_inertia;   // kg·m² about the shape's center of mass
 //   }
 //
 // Formulas: "CRC Standard Mathematical Tables", 31st ed., 2003, §6 (moments of inertia of uniform
-// solids); the capsule is a cylinder and two half balls joined by parallel axes, the centre of a half
+// solids); the capsule is a cylinder and two half balls joined by parallel axes, the center of a half
 // ball lying 3r/8 from its flat face.
 
 #pragma once

@@ -18,7 +18,7 @@
 
 namespace rigor::mass {
 
-/// `wall` in metres, above zero. Nothing when the triangles have no area.
+/// `wall` in meters, above zero. Nothing when the triangles have no area.
 std::optional<Solid> shell_of(const mesh::TriangleMesh& mesh, double wall);
 
 }  // namespace rigor::mass

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Whether a robot that stands on level ground stays up: its lowest points, and how far its centre of
+// Whether a robot that stands on level ground stays up: its lowest points, and how far its center of
 // mass is inside the polygon that they span.
 //
 //   if (auto stance = stance_of(root, frames, model, find_mesh, com)) say(stance->margin);
@@ -25,7 +25,7 @@ inline constexpr double kTouching = 2e-3;  // m
 struct Stance {
   std::size_t points = 0;  ///< corners of the support polygon; fewer than three support nothing
   double height = 0;       ///< m, of the lowest point
-  /// m, from the vertical through the centre of mass to the polygon's nearest edge; negative outside.
+  /// m, from the vertical through the center of mass to the polygon's nearest edge; negative outside.
   /// Nothing without a polygon.
   std::optional<double> margin;
 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The polygon that points of contact span on level ground, and how far a point is inside it: a body
-// that rests on these contacts stands while its centre of mass is above the polygon.
+// that rests on these contacts stands while its center of mass is above the polygon.
 //
 //   SupportPolygon polygon(contacts);
 //   if (polygon.margin({com.x, com.y}) < 0) say_it_tips();

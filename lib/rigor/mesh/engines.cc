@@ -10,7 +10,7 @@
 
 namespace rigor::mesh {
 
-/// Of "2020.2.r 2020/08/31", where the r stands for the reentrant library.
+/// Of "2020.2.r 2020/08/31", where the r represents the reentrant library.
 std::string qhull_version() {
   std::string_view version = ::qh_version;
   version = version.substr(0, version.find(' '));

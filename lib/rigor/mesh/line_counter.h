@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The lines of places in a text that is read from front to back, each byte looked at once, however
+// The lines of places in a text that is read from front to back, each byte examined once, however
 // many places there are.
 //
 //   LineCounter lines(bytes);

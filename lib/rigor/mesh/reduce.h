@@ -28,11 +28,11 @@ enum class Border : std::uint8_t {
   kHold     ///< keeps each vertex: the mesh still fits another that it ends at
 };
 
-/// Where texture or colour jump between triangles that share an edge. Borders of parts always stay.
+/// Where texture or color jump between triangles that share an edge. Borders of parts always stay.
 enum class Seams : std::uint8_t {
   kKeep,    ///< though it may cost what lies between them its shape, and not reach what is wanted
   kPrefer,  ///< kept, unless they are in the way of what is wanted, or cost much of the shape
-  kIgnore   ///< corners get texture and colour of the mesh's most alike corner there
+  kIgnore   ///< corners get texture and color of the mesh's most alike corner there
 };
 
 struct Reduction {

@@ -31,7 +31,7 @@ TriangleMesh selected(TriangleMesh mesh, const std::vector<std::uint32_t>& faces
 void turn_over(TriangleMesh& mesh, std::size_t face);
 
 /// Adds a triangle behind all others, with the material of the one beside it. Its corners get the
-/// texture points and colours of that one's nearest points, and no normals.
+/// texture points and colors of that one's nearest points, and no normals.
 void append(TriangleMesh& mesh, const Triangle& triangle, std::size_t beside);
 
 /// The same of a triangle that covers a part of the other; its corners get normals, too.

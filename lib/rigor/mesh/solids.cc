@@ -22,7 +22,7 @@ constexpr std::uint32_t kUnnumbered = 0xffffffffU;
 /// Pairs of what is inside out and what may hold it, nanoseconds each. With more, none is a cavity.
 constexpr std::size_t kMaxNestings = 100'000'000;
 
-/// Of a place, in the mesh that it goes to; of the place that stands for a group, of that mesh.
+/// Of a place, in the mesh that it goes to; of the place that represents a group, of that mesh.
 struct Numbers {
   std::uint32_t mesh = kUnnumbered;
   std::uint32_t corner = kUnnumbered;

@@ -18,7 +18,7 @@
 
 namespace rigor::mesh {
 
-/// More pieces are not made: as files in a folder they would help nobody.
+/// More pieces are not made: as files in a folder they would help no one.
 inline constexpr std::uint64_t kMaxSplit = 10'000;
 
 struct SplitPiece {

@@ -26,7 +26,7 @@ bool mirrors(const Transform& by) {
 /// Halved first, so that the sum of two large numbers is no infinity.
 Vector3 middle_of(const Bounds& bounds) { return 0.5 * bounds.min + 0.5 * bounds.max; }
 
-/// What comes to lie at the origin, of the mesh as it is before the centring.
+/// What comes to lie at the origin, of the mesh as it is before the centering.
 Vector3 center_of(const TriangleMesh& mesh, const Transform& by) {
   if (by.center == Center::kNone || mesh.triangles.empty()) return {};
   if (by.center == Center::kPoint) return before_centering(by, by.point);

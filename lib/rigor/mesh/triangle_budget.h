@@ -9,7 +9,7 @@
 
 namespace rigor::mesh {
 
-inline constexpr std::uint64_t kMostVisualTriangles = 100'000;
-inline constexpr std::uint64_t kMostCollisionTriangles = 20'000;
+inline constexpr std::uint64_t kMaxVisualTriangles = 100'000;
+inline constexpr std::uint64_t kMaxCollisionTriangles = 20'000;
 
 }  // namespace rigor::mesh

@@ -3,7 +3,7 @@
 //
 // Triangles in space, as they were read from a file.
 //
-// Coordinates are doubles in the mesh's own frame, in metres unless the file says nothing of its unit
+// Coordinates are doubles in the mesh's own frame, in meters unless the file says nothing of its unit
 // (STL, OBJ), then in whatever its author used. Vertices are those of the file: nothing is welded.
 //
 //   for (const Triangle& t : mesh.triangles) sum += area(facet(mesh, t));
@@ -42,14 +42,14 @@ struct Part {
 struct Material {
   std::string name;
   std::array<float, 4> diffuse{0.7F, 0.7F, 0.7F, 1};  ///< red, green, blue, opacity: 0 to 1
-  std::string texture = {};  ///< the picture of its colour, as the file names it; empty without one
-  /// The bytes of the picture that the mesh's own file holds (glTF), at most `kMaxHeldPictureBytes` in all; a
+  std::string texture = {};  ///< the picture of its color, as the file names it; empty without one
+  /// The bytes of the picture that the mesh's own file holds (glTF), at most `kMaxEmbeddedPictureBytes` in all; a
   /// material has one or the other.
-  std::shared_ptr<const std::string> held_picture = nullptr;
+  std::shared_ptr<const std::string> embedded_picture = nullptr;
   bool picture_opacity = false;  ///< where the picture lets light through, the surface does
 };
 
-inline constexpr std::size_t kMaxHeldPictureBytes = std::size_t{64} << 20U;
+inline constexpr std::size_t kMaxEmbeddedPictureBytes = std::size_t{64} << 20U;
 
 /// What the corners of triangles carry besides their positions. Each list is empty, when nothing of
 /// the mesh carries that, or has one entry a triangle.
@@ -63,7 +63,7 @@ struct Corners {
   std::vector<std::array<Color, 3>> colors;
 };
 
-/// What a corner without a colour has where another has one.
+/// What a corner without a color has where another has one.
 inline constexpr Corners::Color kWhite{1, 1, 1, 1};
 
 struct TriangleMesh {

@@ -102,8 +102,8 @@ class FrameSolver {
   /// Names to suggest. Only for the first problems: each copies the names of its scope, and who has
   /// more needs no spelling help.
   std::vector<std::string> candidates(ScopeId scope) const {
-    constexpr std::size_t kMostWithCandidates = 20;
-    if (frames_.problems_.size() >= kMostWithCandidates) return {};
+    constexpr std::size_t kMaxWithCandidates = 20;
+    if (frames_.problems_.size() >= kMaxWithCandidates) return {};
     return names_.in(scope);
   }
 
@@ -313,7 +313,7 @@ class FrameSolver {
       at = nodes_[at].up;
     } while (at != first);
     found.members.push_back(name_of(first));
-    // A cycle made by `attached_to` alone is told as that.
+    // A cycle made by `attached_to` alone is reported as that.
     if (found.where.nowhere()) {
       found.kind = FrameProblemKind::kAttachedToCycle;
       for (at = first; found.where.nowhere(); at = nodes_[at].up) {

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The shapes of collisions and visuals. Lengths in metres; each shape is centred at the origin of
+// The shapes of collisions and visuals. Lengths in meters; each shape is centered at the origin of
 // the collision or visual that holds it, its length along z.
 
 #pragma once

@@ -14,7 +14,7 @@
 //   }
 //
 // Values are as written; where nothing was written, as the format's version defaults them. Lengths
-// in metres, angles in radians, masses in kilograms, forces in newtons. What a name refers to, and
+// in meters, angles in radians, masses in kilograms, forces in newtons. What a name refers to, and
 // where things are, is answered by `Frames` (frames.h).
 
 #pragma once
@@ -64,10 +64,10 @@ struct Inertial {
   Field<bool> automatic;        ///< SDF 1.11: `auto="true"`
   Field<double> density;        ///< kg/m³, with `auto`
   Field<double> mass;           ///< kg
-  PoseField pose;               ///< of the centre of mass frame C in the link frame L
+  PoseField pose;               ///< of the center of mass frame C in the link frame L
   bool tensor_written = false;  ///< whether there is an `<inertia>` element
   Site tensor_site;
-  /// kg·m² about the centre of mass, in C's axes; matrix entries, so ixy = -∫xy dm.
+  /// kg·m² about the center of mass, in C's axes; matrix entries, so ixy = -∫xy dm.
   Field<double> ixx, ixy, ixz, iyy, iyz, izz;
   std::optional<FluidAddedMass> added_mass;
 };
@@ -375,7 +375,7 @@ struct Actor {
   std::vector<Trajectory> trajectories;
 };
 
-/// URDF: `<gazebo reference="…">`; an empty reference speaks of the whole robot.
+/// URDF: `<gazebo reference="…">`; an empty reference refers to the whole robot.
 struct GazeboBlock {
   Site site;
   Field<std::string> reference;

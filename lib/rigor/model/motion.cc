@@ -48,9 +48,9 @@ double screw_lead(const Root& root, const Joint& joint) {
   if (joint.screw_thread_pitch.written || (per_turn && !joint.thread_pitch.written)) {
     return joint.screw_thread_pitch.value / (2 * std::numbers::pi);
   }
-  const double radians_per_metre = joint.thread_pitch.value;
-  if (radians_per_metre == 0 || !std::isfinite(radians_per_metre)) return 0;
-  return -1 / radians_per_metre;
+  const double radians_per_meter = joint.thread_pitch.value;
+  if (radians_per_meter == 0 || !std::isfinite(radians_per_meter)) return 0;
+  return -1 / radians_per_meter;
 }
 
 }  // namespace rigor::model

@@ -36,8 +36,8 @@ double effort_limit(const Root& root, const Joint& joint, const Axis& axis);
 double velocity_limit(const Root& root, const Joint& joint, const Axis& axis);
 
 /// How far a screw moves along its axis while it turns by a radian, m/rad; positive for a right-handed
-/// thread. From SDF 1.10 `<screw_thread_pitch>` is metres for each turn, 1 by default; `<thread_pitch>`
-/// is radians for each metre of a left-handed thread, as Gazebo classic reads it.
+/// thread. From SDF 1.10 `<screw_thread_pitch>` is meters for each turn, 1 by default; `<thread_pitch>`
+/// is radians for each meter of a left-handed thread, as Gazebo classic reads it.
 double screw_lead(const Root& root, const Joint& joint);
 
 }  // namespace rigor::model

@@ -69,7 +69,7 @@ Quaternion from_rpy(double roll, double pitch, double yaw);
 /// Rotation by `angle` radians about `axis`, which need not be a unit vector but not zero either.
 Quaternion from_axis_angle(const Vector3& axis, double angle);
 
-/// The pose of B in A: translation p_AB in metres, in A's axes, and rotation R_AB.
+/// The pose of B in A: translation p_AB in meters, in A's axes, and rotation R_AB.
 struct Pose {
   Vector3 translation;
   Quaternion rotation;

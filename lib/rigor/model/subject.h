@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Names an entity the way people speak of it: "my_robot/joint elbow".
+// Names an entity the way people refer to it: "my_robot/joint elbow".
 
 #pragma once
 

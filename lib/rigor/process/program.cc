@@ -105,7 +105,7 @@ class ProgramOutput {
   std::chrono::steady_clock::time_point end_;
 };
 
-/// Nothing when nobody can tell: whoever ignores SIGCHLD is not told how its children end.
+/// Nothing when it is unknown: whoever ignores SIGCHLD is not told how its children end.
 std::optional<int> wait_for_program(pid_t pid) {
   int status = 0;
   while (::waitpid(pid, &status, 0) < 0) {

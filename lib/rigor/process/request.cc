@@ -32,7 +32,7 @@ std::string in_units(std::uint64_t bytes) {
 }  // namespace
 
 RequestResult ended_by(int signal) {
-  // SIGXCPU is a limit that was there before; SIGALRM stands for the caller's clock.
+  // SIGXCPU is a limit that was there before; SIGALRM represents the caller's clock.
   const bool too_long = signal == SIGPROF || signal == SIGXCPU || signal == SIGALRM;
   return {too_long ? End::kOutOfTime : End::kCrashed, signal, {}};
 }

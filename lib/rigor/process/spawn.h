@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What posix_spawn is told of a new program, freed again. For the files of this folder.
+// What posix_spawn is informed of a new program, freed again. For the files of this folder.
 //
 //   SpawnFiles files;
 //   files.give(pipe, STDOUT_FILENO);

@@ -262,7 +262,7 @@ class SchemaWalk {
     }
   }
 
-  /// urdfdom takes a colour only with its alpha: with three numbers it is black, without a word.
+  /// urdfdom takes a color only with its alpha: with three numbers it is black, without a word.
   std::optional<schema::ValueFault> checked(Type type, std::string_view text,
                                             schema::RotationFormat format) const {
     constexpr std::size_t kOfColor = 4;

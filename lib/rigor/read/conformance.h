@@ -5,7 +5,7 @@
 //
 // The facts say what is so; a rule turns each kind into words. Elements and attributes with a colon
 // in their names belong to somebody else, and what stands inside a `<plugin>` to the plugin: neither
-// is looked at.
+// is examined.
 //
 //   check_conformance(document, *schema.root("sdf", version),
 //                     [](const SchemaFact& fact) { speak_of(fact); });

@@ -37,7 +37,7 @@ model::Polyline polyline(xml::Element element) {
   return result;
 }
 
-/// The shape an element stands for; nothing when its name is no shape's.
+/// The shape an element represents; nothing when its name is no shape's.
 std::optional<Shape> shape_of(xml::Element element) {
   const std::string_view name = element.name();
   const auto number = [element](std::string_view child, double fallback) {

@@ -158,7 +158,7 @@ IncludeChanges with_include_parameters(const xml::Document& included, const xml:
   if (!parameters) return result;
   std::size_t count = 0;
   for (const xml::Element parameter : parameters->children()) {
-    if (++count > kMostIncludeParameters) break;
+    if (++count > kMaxIncludeParameters) break;
     const xml::Document target = xml::parse(
         result.bytes ? std::string_view(*result.bytes) : included.bytes(), included.source());
     const auto root = target.root();

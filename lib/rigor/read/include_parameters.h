@@ -14,7 +14,7 @@
 //   </include>
 //
 // An `element_id` is a path of names below the model, of `add` that of the parent. Without an `action`
-// each child has its own. What leads nowhere is left out, as there.
+// each child has its own. What does not exist is left out, as there.
 
 #pragma once
 
@@ -28,7 +28,7 @@
 namespace rigor::read {
 
 /// Further ones are left out: each one reads the file anew, and people write a handful.
-inline constexpr std::size_t kMostIncludeParameters = 64;
+inline constexpr std::size_t kMaxIncludeParameters = 64;
 
 struct IncludeChanges {
   /// Of the included file with the parameters done; nothing where there are none, or none does anything.

@@ -13,12 +13,12 @@
 
 namespace rigor::read {
 
-/// Folders above a file that are looked at for a package.xml or a model.config.
+/// Folders above a file that are examined for a package.xml or a model.config.
 inline constexpr int kMaxAncestors = 16;
 
 struct PackageManifest {
   std::string name;
-  /// Folders that Gazebo is told of, as by `<export><gazebo_ros gazebo_model_path="${prefix}/models"/>`;
+  /// Folders that Gazebo is informed of, as by `<export><gazebo_ros gazebo_model_path="${prefix}/models"/>`;
   /// those below the package's own.
   std::vector<std::string> gazebo_folders;
 };

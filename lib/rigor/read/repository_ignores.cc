@@ -52,7 +52,7 @@ std::optional<std::string> RepositoryIgnores::left_out_with_folders(const std::s
   for (const Folder* at = folder(std::string(parent_path(path))); at != nullptr; at = at->above) {
     if (at->above != nullptr) folders.push_back(at->path);
   }
-  // What is in a folder that is left out is not looked at, its patterns neither.
+  // What is in a folder that is left out is not examined, its patterns neither.
   for (auto outer = folders.rbegin(); outer != folders.rend(); ++outer) {
     if (auto why = left_out(*outer, PathKind::kFolder)) return why;
   }

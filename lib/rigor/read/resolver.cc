@@ -128,7 +128,7 @@ void Resolver::resolve_model(std::string_view rest, std::string_view file,
   for (int i = 0; i < kMaxAncestors; ++i) {
     std::string parent = enclosing_folder(folder);
     if (disk_.kind(join_path(folder, "model.config")) == PathKind::kFile) {
-      if (try_path(join_path(parent, rest), "neighbour of the model's folder", result)) return;
+      if (try_path(join_path(parent, rest), "neighbor of the model's folder", result)) return;
       break;
     }
     if (parent == folder || folder == "/") break;

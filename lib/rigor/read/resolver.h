@@ -5,7 +5,7 @@
 //
 // `model://NAME/rest`, `package://NAME/rest`, `file://path`, a relative path: searched through, in
 // this order, the command line's `--model-path` and `--package`, the configuration's paths, the
-// file's own model folder and its neighbours, the nearest ancestor's `package.xml` (with the folders
+// file's own model folder and its neighbors, the nearest ancestor's `package.xml` (with the folders
 // of models that it tells Gazebo of, and `models` between it and the file), the environment variables
 // of Gazebo and ROS, `~/.gazebo/models`, and the Fuel cache. Nothing is ever downloaded.
 //

@@ -83,23 +83,23 @@ std::size_t SdfReader::parts() const {
 }
 
 void SdfReader::tell_too_much(Span where) {
-  const auto is_told = [](const Fact& fact) { return fact.kind == FactKind::kTooMuchIncluded; };
-  if (std::any_of(facts_.begin(), facts_.end(), is_told)) return;
+  const auto is_reported = [](const Fact& fact) { return fact.kind == FactKind::kTooMuchIncluded; };
+  if (std::any_of(facts_.begin(), facts_.end(), is_reported)) return;
   facts_.push_back({FactKind::kTooMuchIncluded, where, {}, {}});
 }
 
 /// Asked before a file is followed, so that what cannot be held costs nothing.
 bool SdfReader::fits(const File& file, Span where) {
   const std::size_t now = parts();
-  if (!is_included()) most_ = now + kMaxIncludedParts - std::min(brought_, kMaxIncludedParts);
-  if (now + parts_with_includes(reader_, file) <= most_) return true;
+  if (!is_included()) max_ = now + kMaxIncludedParts - std::min(brought_, kMaxIncludedParts);
+  if (now + parts_with_includes(reader_, file) <= max_) return true;
   tell_too_much(where);
   return false;
 }
 
 /// Only files that include each other are larger than counted before.
 bool SdfReader::is_full(Span where) {
-  if (!is_included() || parts() < most_) return false;
+  if (!is_included() || parts() < max_) return false;
   tell_too_much(where);
   return true;
 }
@@ -316,10 +316,10 @@ bool SdfReader::follow(model::Include& include, xml::Element element, Scope scop
   const auto version = schema::parse_version(string_field(attribute_text(top, "version")).value);
   const std::size_t first_fact = facts_.size();
   SdfReader inner(reader_, root_, facts_, std::move(files),
-                  version ? version->minor : reader_.sdf.latest().minor, most_);
+                  version ? version->minor : reader_.sdf.latest().minor, max_);
   include.loaded = inner.read_included(top, scope);
   brought_ += parts() - before;
-  // What is wrong inside is told when that file is checked, but for what follows from where the
+  // What is wrong inside is reported when that file is checked, but for what follows from where the
   // includes began: no other file that anybody checks may show it.
   const auto inside = [](const Fact& fact) {
     return fact.kind != FactKind::kIncludeCycle && fact.kind != FactKind::kTooMuchIncluded &&

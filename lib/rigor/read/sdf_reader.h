@@ -45,7 +45,7 @@ class SdfReader {
         facts_(facts),
         files_(std::move(files)),
         version_(version),
-        most_(most) {}
+        max_(most) {}
 
   /// Worlds, and the models, actors and lights at the top.
   void read_top(xml::Element sdf);
@@ -97,7 +97,7 @@ class SdfReader {
   std::vector<std::string> files_;
   int version_;
   std::size_t brought_ = 0;  ///< parts that the includes of the outermost file brought
-  std::size_t most_ = 0;     ///< parts that may have been read when an include ends
+  std::size_t max_ = 0;      ///< parts that may have been read when an include ends
 };
 
 /// The URI of an `<include>`, as any version writes it.

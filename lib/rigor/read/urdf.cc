@@ -253,7 +253,7 @@ class UrdfReader {
     return key;
   }
 
-  /// Written as in SDF. It belongs to a link; what is told of a joint, or of none, belongs to no part
+  /// Written as in SDF. It belongs to a link; what is informed of a joint, or of none, belongs to no part
   /// of the model. The list of a link has only those that are written inside it.
   void read_sensor(xml::Element element, const std::string& reference, Id<model::Link> link) {
     const Id<model::Sensor> id = next_id(root_.sensors);

@@ -39,7 +39,7 @@ std::string conversion_json(const ConversionReport& report) {
 std::string conversion_summary(const author::Conversion& result) {
   const auto& counts = result.account.counts;
   const std::size_t all = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
-  if (all == 0) return {};  // refused before anything was looked at
+  if (all == 0) return {};  // refused before anything was examined
   std::string line = counted(all, "element or attribute", "elements and attributes");
   char mark = ':';
   for (std::size_t i = 0; i < counts.size(); ++i) {

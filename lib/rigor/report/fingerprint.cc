@@ -94,8 +94,8 @@ std::uint32_t take_code_point(std::string_view& text) {
     valid = valid && (byte(i) & 0xC0U) == 0x80U;
     value = value << 6U | (byte(i) & 0x3FU);
   }
-  constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
-  valid = valid && value >= kLeast[size] && value <= 0x10FFFF && (value < 0xD800 || value > 0xDFFF);
+  constexpr std::uint32_t kMin[] = {0, 0, 0x80, 0x800, 0x10000};
+  valid = valid && value >= kMin[size] && value <= 0x10FFFF && (value < 0xD800 || value > 0xDFFF);
   text.remove_prefix(valid ? size : 1);
   return valid ? value : 0xFFFD;
 }

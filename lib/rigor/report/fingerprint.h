@@ -24,7 +24,7 @@ namespace rigor::report {
 std::vector<std::string> finding_ids(const Validation& validation);
 
 /// GitHub's hash of lines, by number from 1: a polynomial in 37, modulo 2^64, over the 100 UTF-16 units from
-/// the line's begin on that are no blanks, any line ending being one LF; 0xFFFF stands for the end of the
+/// the line's begin on that are no blanks, any line ending being one LF; 0xFFFF represents the end of the
 /// text, zeros for what is behind it. In hexadecimal, a colon, and how many lines so far had that hash. As
 /// in `src/fingerprints.ts` of github/codeql-action, which warns of any other.
 std::map<std::uint32_t, std::string> line_hashes(std::string_view bytes,

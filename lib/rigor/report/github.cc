@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kShownOfAKind = 10;
 
 /// Bytes of a step's summary; GitHub takes 1,048,576, of all that a step writes there.
-constexpr std::size_t kMostSummary = 1'000'000;
+constexpr std::size_t kMaxSummary = 1'000'000;
 
 std::string_view command_of(Severity severity) {
   switch (severity) {
@@ -170,7 +170,7 @@ std::string github_summary(const Validation& ungrouped) {
           fmt::format("| {} | {} | {} | {} |\n", to_string(severity),
                       markdown_cell(where_text(*diagnostic, places)),
                       markdown_cell(diagnostic->message), markdown_cell(diagnostic->rule));
-      if (out.size() + row.size() > kMostSummary) {
+      if (out.size() + row.size() > kMaxSummary) {
         return out + "\nAnd " + counted(left, "more finding") + ": see the log.\n";
       }
       out += row;

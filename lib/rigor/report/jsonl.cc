@@ -13,7 +13,7 @@
 namespace rigor::report {
 namespace {
 
-using Reasons = std::map<std::string_view, Json>;  // what of a file was not looked at, by its path
+using Reasons = std::map<std::string_view, Json>;  // what of a file was not examined, by its path
 
 Reasons reasons_of(const rules::ValidateResult& result) {
   Reasons reasons;

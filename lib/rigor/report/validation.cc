@@ -17,7 +17,7 @@ namespace rigor::report {
 namespace {
 
 /// Other places that are listed: more do not fit a line, and JSON has them all.
-constexpr std::size_t kMostPlaces = 8;
+constexpr std::size_t kMaxPlaces = 8;
 
 /// The last file that was named, so that its further lines need no path.
 class PlaceList {
@@ -93,7 +93,7 @@ std::string place_text(const Diagnostic& diagnostic, Places& places) {
 std::string other_places(const Diagnostic& diagnostic, Places& places) {
   if (diagnostic.others.empty()) return {};
   PlaceList list(diagnostic, places);
-  const std::size_t listed = std::min(diagnostic.others.size(), kMostPlaces);
+  const std::size_t listed = std::min(diagnostic.others.size(), kMaxPlaces);
   for (std::size_t i = 0; i < listed; ++i) list.add(diagnostic.others[i]);
   std::set<std::string_view> files{places.path(diagnostic)};
   for (const Diagnostic& other : diagnostic.others) files.insert(places.path(other));
@@ -103,13 +103,13 @@ std::string other_places(const Diagnostic& diagnostic, Places& places) {
 }
 
 std::vector<std::string> origin_lines(const Diagnostic& diagnostic, Places& places) {
-  constexpr std::size_t kMostParameters = 3;
+  constexpr std::size_t kMaxParameters = 3;
   std::vector<std::string> lines;
   for (const MacroCall& call : diagnostic.origin) {
     std::string line = fmt::format("in macro '{}'", call.macro);
     // Those of the calls around it are rarely what a reader looks for.
     const std::size_t listed =
-        lines.empty() ? std::min(call.params.size(), kMostParameters) : std::size_t{0};
+        lines.empty() ? std::min(call.params.size(), kMaxParameters) : std::size_t{0};
     for (std::size_t i = 0; i < listed; ++i) {
       line += fmt::format("{}{}='{}'", i == 0 ? " (" : ", ", call.params[i].first,
                           call.params[i].second);

@@ -36,7 +36,7 @@ class SplitMix {
 
 /// In [-1, 1] inside the limits. Where they leave nothing of it, the first unit
 /// inside the limits; a joint that is locked is moved all the same, since its
-/// axis is to be looked at.
+/// axis is to be examined.
 double draw_position(SplitMix& random, const Axis& axis) {
   double low = std::max(-1.0, axis.lower), high = std::min(1.0, axis.upper);
   if (axis.lower > 1) low = axis.lower, high = std::min(axis.upper, low + 1);
@@ -76,10 +76,10 @@ std::optional<Robot> as_chosen(const Robot& a, const Robot& b, const Corresponde
   }
   if (held_by.empty() && !names.from_world) return std::nullopt;
   Robot chosen = names.from_world ? in_world(a) : a;
-  return held_by.empty() ? chosen : with_held(chosen, held_by);
+  return held_by.empty() ? chosen : with_embedded(chosen, held_by);
 }
 
-/// With the mass of links between joints that stand for one in what these carry: the source has no such
+/// With the mass of links between joints that represent one in what these carry: the source has no such
 /// links. Nothing when they have none.
 std::optional<Robot> with_rows_weighed(const Robot& robot, const Match::Side& side) {
   std::optional<Robot> result;

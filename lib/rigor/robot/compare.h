@@ -8,8 +8,8 @@
 //   std::vector<Difference> differences = compare(robot_of(sdf…), robot_of(urdf…), {names});
 //   for (const Difference& d : differences) say(to_string(d.kind), d.a, d.b, d.distance);
 //
-// One thing that differs is one difference: what a moved joint carries is not told again. A link that
-// was made one with its neighbour (lumped) is told as missing, not as a change of mass.
+// One thing that differs is one difference: what a moved joint carries is not reported again. A link that
+// was made one with its neighbor (lumped) is reported as missing, not as a change of mass.
 
 #pragma once
 
@@ -26,11 +26,11 @@ namespace rigor::robot {
 
 /// What has no part in motion and mass: massless bodies without shapes on fixed joints, and these
 /// joints, that only one of the two has; new names of collisions and visuals. A frame that only one has
-/// is told in any case.
-enum class Helpers : std::uint8_t { kIgnored, kTold };
+/// is reported in any case.
+enum class Helpers : std::uint8_t { kIgnored, kReported };
 
 /// Model pose, pose of the root, static: what one of two formats may have no place for.
-enum class Placement : std::uint8_t { kIgnored, kTold };
+enum class Placement : std::uint8_t { kIgnored, kReported };
 
 /// Which names of A are which of B. A name that is not in it is the same in B, or the same with `::`
 /// written as `__`.
@@ -105,7 +105,7 @@ enum class DifferenceKind : std::uint8_t {
   kTotalMass,    ///< these when no link's own difference explains it
   kTotalFirst,   ///< Σ m c
   kTotalSecond,  ///< about the root's origin
-  kWorldPose,    ///< a thing is elsewhere though nothing it hangs on is told as different
+  kWorldPose,    ///< a thing is elsewhere though nothing it hangs on is reported as different
   kModelPose,
   kRootPose,  ///< of a root in the model
   kStatic,

@@ -77,7 +77,7 @@ class MatchedHolders {
 std::vector<NamedPlace> places_in(const Robot& robot, const Match::Side& side, Helpers helpers) {
   std::vector<NamedPlace> places;
   const MatchedHolders holders(robot, side);
-  const bool told = helpers == Helpers::kTold;
+  const bool told = helpers == Helpers::kReported;
   for (const Frame& frame : robot.frames) {
     places.push_back(
         holders.of({frame.name, frame.of_joint ? PlaceKind::kJoint : PlaceKind::kFrame, frame.body,

@@ -38,7 +38,7 @@ constexpr AxisNumber kSpringNumbers[] = {
 };
 
 /// Joints that follow each other in a row before nobody asks any more.
-constexpr int kMostFollowed = 100;
+constexpr int kMaxFollowed = 100;
 
 class JointComparer {
  public:
@@ -59,7 +59,7 @@ class JointComparer {
   }
 
  private:
-  /// The joint of a link that is nothing but a frame is told with that.
+  /// The joint of a link that is nothing but a frame is reported with that.
   static bool of_frame(const Robot& robot, const Match::Side& side, std::uint32_t i) {
     const Joint& joint = robot.joints[i];
     if (i == side.root_joint) return true;
@@ -96,13 +96,13 @@ class JointComparer {
       const Match::Axis& other = c_.match.axes[i][k];
       if (other.joint != kNoIndex) compare_axis(i, k, other);
     }
-    // What moves in another way for a reason that is told; where a joint stands is allowed for.
+    // What moves in another way for a reason that is reported; where a joint stands is allowed for.
     const std::vector<DifferenceKind> otherwise = {
         DifferenceKind::kJointType, DifferenceKind::kJointParent, DifferenceKind::kJointChild,
         DifferenceKind::kJointAxis};
     if (x.closes_loop) {
       compare_loop(x, last, add);
-    } else if (c_.shifts[x.child].motion_differs && !told_since(before, otherwise)) {
+    } else if (c_.shifts[x.child].motion_differs && !reported_since(before, otherwise)) {
       const BodyShift& shift = c_.shifts[x.child];
       Difference& d = add(DifferenceKind::kJointMotion);
       d.distance = shift.motion.distance;
@@ -110,15 +110,15 @@ class JointComparer {
       d.unit = "m";
       d.configuration = shift.configuration;
     }
-    if (told_since(before, otherwise) ||
-        told_since(before, {DifferenceKind::kJointMoved, DifferenceKind::kJointMotion})) {
+    if (reported_since(before, otherwise) ||
+        reported_since(before, {DifferenceKind::kJointMoved, DifferenceKind::kJointMotion})) {
       c_.explained[x.child] = true;
     }
   }
 
   enum class End : std::uint8_t { kFirst, kLast };
 
-  /// Of B's joints in a row that stand for one, in the order of its axes, the one at that end of the row:
+  /// Of B's joints in a row that represent one, in the order of its axes, the one at that end of the row:
   /// a screw's slides before it turns.
   std::uint32_t end_of_row(const std::vector<std::uint32_t>& row, std::uint32_t only,
                            End end) const {
@@ -132,8 +132,8 @@ class JointComparer {
     return only;
   }
 
-  /// Whether one of the kinds is told from there on.
-  bool told_since(std::size_t first, const std::vector<DifferenceKind>& kinds) const {
+  /// Whether one of the kinds is derived from there on.
+  bool reported_since(std::size_t first, const std::vector<DifferenceKind>& kinds) const {
     return std::any_of(c_.found.begin() + static_cast<std::ptrdiff_t>(first), c_.found.end(),
                        [&kinds](const Difference& d) {
                          return std::find(kinds.begin(), kinds.end(), d.kind) != kinds.end();
@@ -224,7 +224,7 @@ class JointComparer {
       if (!y.limit_span.nowhere()) d.span_b = y.limit_span;
     };
     for (const AxisNumber& number : kAxisNumbers) compare(number);
-    if (c_.names.placement == Placement::kTold) {
+    if (c_.names.placement == Placement::kReported) {
       for (const AxisNumber& number : kSpringNumbers) compare(number);
     }
     compare_follow(x, y, add);
@@ -276,7 +276,7 @@ class JointComparer {
   /// Whom it follows in the end, and how: a follower of a follower may as well name the leader of both.
   static Mimic in_the_end(const Robot& robot, Mimic follow) {
     const Mimic written = follow;
-    for (int steps = 0; steps < kMostFollowed; ++steps) {
+    for (int steps = 0; steps < kMaxFollowed; ++steps) {
       const auto leader =
           std::find_if(robot.joints.begin(), robot.joints.end(),
                        [&follow](const Joint& joint) { return joint.name == follow.joint; });

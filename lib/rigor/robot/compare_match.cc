@@ -17,7 +17,7 @@ namespace {
 
 /// How many links with as many parts under one parent are tried as the new name
 /// of one: a file decides how many there are.
-constexpr std::size_t kMostCandidates = 16;
+constexpr std::size_t kMaxCandidates = 16;
 
 /// Who has a name, in order: a file may give it twice.
 class NameIndex {
@@ -187,7 +187,7 @@ class RobotMatcher {
       if (group == free_in_b.end()) continue;
       std::size_t tried = 0;
       for (const std::uint32_t candidate : group->second) {
-        if (match_.b.body[candidate] != kNoIndex || ++tried > kMostCandidates) continue;
+        if (match_.b.body[candidate] != kNoIndex || ++tried > kMaxCandidates) continue;
         if (!is_renamed(i, candidate)) continue;
         pair_bodies(i, candidate);
         match_.renamed_body[i] = true;

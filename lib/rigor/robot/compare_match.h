@@ -37,7 +37,7 @@ struct Match {
   std::vector<std::vector<std::uint32_t>>
       substitutes;                      ///< of each joint of A: several of B, or none
   std::vector<std::vector<Axis>> axes;  ///< of each joint of A and its axes: those of B
-  /// The bodies of A and B that poses are told in: the first root of A that B
+  /// The bodies of A and B that poses are expressed in: the first root of A that B
   /// has. None when no body is matched.
   std::uint32_t reference_a = kNoIndex;
   std::uint32_t reference_b = kNoIndex;

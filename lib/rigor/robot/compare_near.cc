@@ -11,7 +11,7 @@ namespace rigor::robot {
 namespace {
 
 /// m: from here on a distance is judged relative to the reach. A rotation that
-/// is off by one rounding (1e-16) moves what is a kilometre away by 1e-13 m;
+/// is off by one rounding (1e-16) moves what is a kilometer away by 1e-13 m;
 /// long chains add up thousands of them.
 constexpr double kReach = 1e3;
 

@@ -28,7 +28,7 @@ struct Comparison {
   const TwinPoses& poses;
   const std::vector<BodyShift>& shifts;
   std::vector<Difference> found;
-  /// Of A's bodies: something is told that explains why what hangs on it is
+  /// Of A's bodies: something is told that explains why its subtree is
   /// elsewhere.
   std::vector<bool> explained;
 

@@ -15,10 +15,10 @@ namespace {
 
 using model::Pose;
 
-/// A link that moved as a whole is told by what it holds: a few parts are
+/// A link that moved as a whole is found by what it holds: a few parts are
 /// enough to vote.
-constexpr std::size_t kMostVoters = 64;
-constexpr std::size_t kMostHypotheses = 4;
+constexpr std::size_t kMaxVoters = 64;
+constexpr std::size_t kMaxHypotheses = 4;
 
 std::vector<Pose> seen_from(const std::vector<Pose>& X_M, std::uint32_t reference) {
   if (X_M[reference] == Pose{}) return X_M;
@@ -77,11 +77,11 @@ struct BodyVotes {
   void for_each_pair(Use use) const {
     std::size_t seen = 0;
     for (const PartPair& p : collisions) {
-      if (p.a == kNoIndex || p.b == kNoIndex || ++seen > kMostVoters) continue;
+      if (p.a == kNoIndex || p.b == kNoIndex || ++seen > kMaxVoters) continue;
       use(a.collisions[p.a], b.collisions[p.b]);
     }
     for (const PartPair& p : visuals) {
-      if (p.a == kNoIndex || p.b == kNoIndex || ++seen > kMostVoters) continue;
+      if (p.a == kNoIndex || p.b == kNoIndex || ++seen > kMaxVoters) continue;
       use(a.visuals[p.a], b.visuals[p.b]);
     }
   }
@@ -95,7 +95,7 @@ Pose shift_of(const BodyVotes& votes, const Pose& stays) {
   std::vector<Pose> hypotheses{stays};
   votes.for_each_pair([&](const Part& x, const Part& y) {
     ++all;
-    if (hypotheses.size() < kMostHypotheses && !votes.agrees({}, x, y)) {
+    if (hypotheses.size() < kMaxHypotheses && !votes.agrees({}, x, y)) {
       hypotheses.push_back(compose(y.X_BS, inverse(x.X_BS)));
     }
   });

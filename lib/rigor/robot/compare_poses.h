@@ -44,7 +44,7 @@ class TwinPoses {
   std::vector<std::vector<model::Pose>> in_a_, in_b_;
 };
 
-/// What a matched pair is about, beside what hangs on it.
+/// What a matched pair is about, beside its subtree.
 struct BodyShift {
   model::Pose E;
   Apart frame;                    ///< at rest, its own frame in what it hangs on

@@ -9,7 +9,7 @@
 namespace rigor::robot {
 namespace {
 
-/// Colours are told apart by eye and by bytes, of which this is a 250th.
+/// Colors are distinguished by eye and by bytes, of which this is a 250th.
 constexpr double kColorStep = 1.0 / 255 / 250;
 
 struct ShapeKinds {
@@ -71,7 +71,7 @@ class ShapeComparer {
       return c_.add(kind, robot_part_name(kinds.name, x_, x, pair.a),
                     robot_part_name(kinds.name, y_, y, pair.b), x.span, y.span);
     };
-    if (c_.names.helpers == Helpers::kTold && !x.name.empty() && !y.name.empty() &&
+    if (c_.names.helpers == Helpers::kReported && !x.name.empty() && !y.name.empty() &&
         plain_name(x.name) != plain_name(y.name)) {
       add(DifferenceKind::kPartRenamed);
     }

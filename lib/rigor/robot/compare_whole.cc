@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The robots as wholes. Of what the parts have told already nothing is told
+// The robots as wholes. Of what the parts have told already nothing is reported
 // again.
 
 #include <algorithm>
@@ -46,7 +46,7 @@ class WholeComparer {
   void compare() {
     compare_worlds();
     compare_sums();
-    if (c_.names.placement == Placement::kTold) compare_placement();
+    if (c_.names.placement == Placement::kReported) compare_placement();
   }
 
  private:
@@ -54,7 +54,7 @@ class WholeComparer {
     return c_.add(kind, subject("robot", c_.a.name), subject("robot", c_.b.name), {}, {});
   }
 
-  /// Every thing of every pair that nothing is told of yet.
+  /// Every thing of every pair that nothing is informed of yet.
   void compare_worlds() {
     std::vector<bool> explained = c_.explained;
     for (const std::uint32_t i : c_.a.order) {

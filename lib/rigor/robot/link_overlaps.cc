@@ -55,7 +55,7 @@ LinkOverlaps overlapping_links(const model::Root& root, const model::Frames& fra
       placed,
       [&](const PlacedCollision& a, const PlacedCollision& b) {
         return a.top == b.top && !a.fast && !b.fast &&
-               !linkage.are_neighbours(a.collision->link, b.collision->link);
+               !linkage.are_neighbors(a.collision->link, b.collision->link);
       },
       [&](const PlacedCollision& a, const PlacedCollision& b) {
         const double depth = mass::common_ball(a.shape, b.shape);

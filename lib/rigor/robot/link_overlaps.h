@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Links of one model that are in each other at the start, and no neighbours: pairs that an engine
+// Links of one model that are in each other at the start, and no neighbors: pairs that an engine
 // which lets a model's links collide pushes apart. Boxes, spheres, cylinders and the like; no meshes.
 //
 //   for (const auto& [top, pairs] : overlapping_links(root, frames)) …

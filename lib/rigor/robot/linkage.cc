@@ -21,13 +21,13 @@ Linkage::Linkage(const model::Root& root, const model::Frames& frames)
   }
   skip_links_without_shape(root, hinges);
   for (const auto& [parent, child] : hinges) {
-    neighbours_.insert(std::minmax(bodies_.find(parent), bodies_.find(child)));
+    neighbors_.insert(std::minmax(bodies_.find(parent), bodies_.find(child)));
   }
 }
 
-bool Linkage::are_neighbours(model::Id<model::Link> a, model::Id<model::Link> b) {
+bool Linkage::are_neighbors(model::Id<model::Link> a, model::Id<model::Link> b) {
   const Ends pair = std::minmax(bodies_.find(a.value), bodies_.find(b.value));
-  return pair.first == pair.second || neighbours_.contains(pair);
+  return pair.first == pair.second || neighbors_.contains(pair);
 }
 
 void Linkage::skip_links_without_shape(const model::Root& root, const std::vector<Ends>& hinges) {
@@ -39,7 +39,7 @@ void Linkage::skip_links_without_shape(const model::Root& root, const std::vecto
     const std::uint32_t before = bodies_.find(parent), after = bodies_.find(child);
     if (touchable[after] || after == before) continue;
     bodies_.join(parent, child);
-    // What stands for both is as touchable as the parent.
+    // What represents both is as touchable as the parent.
     touchable[bodies_.find(parent)] = touchable[before];
   }
 }

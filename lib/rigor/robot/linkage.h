@@ -5,7 +5,7 @@
 // with one joint between them.
 //
 //   Linkage linkage(root, frames);
-//   if (!linkage.are_neighbours(a, b)) collide(a, b);
+//   if (!linkage.are_neighbors(a, b)) collide(a, b);
 
 #pragma once
 
@@ -26,7 +26,7 @@ class Linkage {
 
   /// Whether no joint moves one against the other, or one joint does. A link without a collision
   /// between two joints makes one joint of them, with two axes.
-  bool are_neighbours(model::Id<model::Link> a, model::Id<model::Link> b);
+  bool are_neighbors(model::Id<model::Link> a, model::Id<model::Link> b);
 
  private:
   using Ends = std::pair<std::uint32_t, std::uint32_t>;
@@ -34,7 +34,7 @@ class Linkage {
   void skip_links_without_shape(const model::Root& root, const std::vector<Ends>& hinges);
 
   DisjointSets bodies_;
-  std::set<Ends> neighbours_;
+  std::set<Ends> neighbors_;
 };
 
 }  // namespace rigor::robot

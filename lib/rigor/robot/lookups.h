@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a loaded model's structs do not hold, from its files: where URIs lead, colours, threads of screws.
+// What a loaded model's structs do not hold, from its files: where URIs lead, colors, threads of screws.
 //
 //   Lookups lookups = lookups_in(loaded.root, workspace, resolver);
 //   Robot robot = robot_of(loaded.root, frames, id, lookups);
@@ -16,7 +16,7 @@ namespace rigor::robot {
 
 /// All but `find_mesh`. The arguments outlive the result.
 ///
-/// A visual's colour is the one that ambient and diffuse share; where they differ, what Gazebo's plain
+/// A visual's color is the one that ambient and diffuse share; where they differ, what Gazebo's plain
 /// light makes of them: 0.4 of the ambient and 0.8 of the diffuse one, at most 1. Its opacity is the
 /// diffuse one's, less the transparency. Of a URDF it is what is written. Nothing where the file has
 /// none in its own words (a material script, a texture).

@@ -154,7 +154,7 @@ class BodyHolder {
 
 }  // namespace
 
-Robot with_held(const Robot& robot, const std::map<std::string, std::string>& held_by) {
+Robot with_embedded(const Robot& robot, const std::map<std::string, std::string>& held_by) {
   return BodyHolder(robot).hold(held_by);
 }
 

@@ -14,7 +14,7 @@ namespace rigor::robot {
 
 /// With mass, shapes and joints of each body of the map held by the one that it names, and a frame where
 /// the body was. Only where nothing but fixed joints lies between the two; else it stays a body.
-Robot with_held(const Robot& robot, const std::map<std::string, std::string>& held_by);
+Robot with_embedded(const Robot& robot, const std::map<std::string, std::string>& held_by);
 
 /// Seen from the world and not from its model: what hangs on the world stands where the model's pose puts
 /// it, and every root is fixed there, by a joint without a name.

@@ -9,7 +9,7 @@
 namespace rigor::robot {
 namespace {
 
-/// Whether each pose can be told. One that could not be read, and a name that leads nowhere, are told of
+/// Whether each pose can be told. One that could not be read, and a name that is undefined, are told of
 /// by other rules; what then lies at the origin is nobody's intention.
 bool poses_are_known(const model::Root& root, const model::Frames& frames) {
   const auto known = [](const auto& list) {

@@ -40,10 +40,10 @@ std::vector<PlacedCollision> placed_collisions(const model::Root& root,
 
 /// Boxes that are compared in one file: some milliseconds. Shapes that all lie at one place make the
 /// square of their number.
-inline constexpr std::size_t kMostBoxPairs = 1'000'000;
+inline constexpr std::size_t kMaxBoxPairs = 1'000'000;
 
 /// Shapes that are compared in one file, likewise.
-inline constexpr std::size_t kMostShapePairs = 5'000;
+inline constexpr std::size_t kMaxShapePairs = 5'000;
 
 /// Every pair that may overlap by the boxes around it, and for which `matters` holds; up to the bounds
 /// above. Sorts them along x.
@@ -60,11 +60,11 @@ void for_near_pairs(std::vector<PlacedCollision>& placed, Matters matters, Visit
     for (std::size_t j = i + 1; j < placed.size(); ++j) {
       const PlacedCollision& b = placed[j];
       if (b.bounds.min.x > box.max.x) break;
-      if (++boxes > kMostBoxPairs) return;
+      if (++boxes > kMaxBoxPairs) return;
       if (b.bounds.min.y > box.max.y || box.min.y > b.bounds.max.y) continue;
       if (b.bounds.min.z > box.max.z || box.min.z > b.bounds.max.z) continue;
       if (!matters(a, b)) continue;
-      if (++shapes > kMostShapePairs) return;
+      if (++shapes > kMaxShapePairs) return;
       visit(a, b);
     }
   }

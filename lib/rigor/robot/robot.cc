@@ -34,7 +34,7 @@ struct ShapeNumbers {
   Shape operator()(const model::Plane& s) const { return {"plane", three(s.normal.value)}; }
   Shape operator()(const model::Mesh& s) const {
     Shape shape{"mesh", three(s.scale.value), s.uri.value, path(s.uri), s.submesh.value};
-    if (s.center.value) shape.submesh += " (centred)";
+    if (s.center.value) shape.submesh += " (centered)";
     return shape;
   }
   Shape operator()(const model::Heightmap& s) const {
@@ -174,11 +174,11 @@ class RobotBuilder {
 
   /// A body that joints lead to from two sides hangs on one of them.
   void turn_joints() {
-    std::vector<Edge> limbs;
+    std::vector<Edge> edges;
     for (const Joint& joint : robot_.joints) {
-      limbs.push_back({joint.parent, joint.child, can_turn(joint.type)});
+      edges.push_back({joint.parent, joint.child, can_turn(joint.type)});
     }
-    const auto hangs = edge_directions(limbs, robot_.bodies.size(), world_);
+    const auto hangs = edge_directions(edges, robot_.bodies.size(), world_);
     turned_.resize(hangs.size());
     for (std::size_t i = 0; i < hangs.size(); ++i) {
       turned_[i] = hangs[i] == Edge::Direction::kTurned;

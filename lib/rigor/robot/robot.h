@@ -38,7 +38,7 @@ inline constexpr std::uint32_t kNoIndex = 0xffffffffU;
 
 using model::kUnlimited;
 
-/// The name of the body that stands for the world.
+/// The name of the body that represents the world.
 inline constexpr const char* kWorldBody = "world";
 
 struct Color {
@@ -46,14 +46,14 @@ struct Color {
   bool operator==(const Color&) const = default;
 };
 
-/// A shape and its numbers, in metres. `kind` is the element's name in SDF ("box"; "none").
+/// A shape and its numbers, in meters. `kind` is the element's name in SDF ("box"; "none").
 struct Shape {
   std::string kind;
   /// box: sides; sphere: radius; cylinder, capsule, cone: radius, length; ellipsoid: radii; plane:
   /// normal; mesh: scale; heightmap: size; polyline: height, then x and y of each point.
   std::vector<double> numbers;
   std::string uri;   ///< of a mesh, heightmap or image, as written
-  std::string path;  ///< of the file it leads to; empty when it leads nowhere
+  std::string path;  ///< of the file it leads to; empty when it does not exist
   std::string submesh;
 };
 
@@ -149,7 +149,7 @@ struct Robot {
 /// What a model alone does not say.
 struct Lookups {
   mass::FindMesh find_mesh = {};  ///< for automatic inertials
-  /// The path that a URI leads to, from the source it stands in; empty when it leads nowhere.
+  /// The path that a URI leads to, from the source it stands in; empty when it does not exist.
   std::function<std::string(const std::string& uri, SourceId from)> find_file = {};
   std::function<std::optional<Color>(model::Id<model::Visual>)> color_of = {};
   /// Of a URDF joint, which has its spring in a `<gazebo>` block: reference and stiffness.

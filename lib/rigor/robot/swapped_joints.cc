@@ -11,9 +11,9 @@
 namespace rigor::robot {
 namespace {
 
-/// Joints on the ways that are looked at, all together: robots have a few thousand at most, and a file
+/// Joints on the ways that are examined, all together: robots have a few thousand at most, and a file
 /// that is made to have longer ones keeps them as they are.
-constexpr std::size_t kMostSteps = 1'000'000;
+constexpr std::size_t kMaxSteps = 1'000'000;
 
 class EdgeDirector {
  public:
@@ -55,7 +55,7 @@ class EdgeDirector {
     std::vector<std::uint32_t> way;
     while (carrier_[body] != kNoIndex) {
       const std::uint32_t i = carrier_[body];
-      if (!edges_[i].can_turn || ++steps_ > kMostSteps) return std::nullopt;
+      if (!edges_[i].can_turn || ++steps_ > kMaxSteps) return std::nullopt;
       way.push_back(i);
       body = edges_[i].parent == body ? edges_[i].child : edges_[i].parent;
     }

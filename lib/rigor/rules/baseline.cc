@@ -19,7 +19,7 @@ namespace rigor::rules {
 namespace {
 
 /// Problems of a file that are reported: more of them mean the wrong file.
-constexpr std::size_t kMostBaselineProblems = 10;
+constexpr std::size_t kMaxBaselineProblems = 10;
 
 /// More findings than any file has; sums of such counts still fit.
 constexpr std::size_t kMaxBaselineCount = 1'000'000'000;
@@ -28,7 +28,7 @@ constexpr std::string_view kBaselineHead =
     "# Findings that are known: how many of which rule in which file. `rigor validate "
     "--baseline-write`\n";
 
-/// The letters that stand for the most usual of what is escaped.
+/// The letters that represent the most usual of what is escaped.
 constexpr std::pair<char, char> kBaselineEscapes[] = {
     {'\\', '\\'}, {' ', 's'}, {'\t', 't'}, {'\n', 'n'}, {'\r', 'r'}};
 
@@ -83,7 +83,7 @@ class BaselineLines {
  public:
   BaselineFile read(std::string_view bytes) {
     if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
-    while (!bytes.empty() && file_.problems.size() < kMostBaselineProblems) {
+    while (!bytes.empty() && file_.problems.size() < kMaxBaselineProblems) {
       const std::size_t end = std::min(bytes.find('\n'), bytes.size());
       std::string_view text = bytes.substr(0, end);
       bytes.remove_prefix(std::min(end + 1, bytes.size()));

@@ -31,7 +31,7 @@ namespace rigor::rules {
 
 namespace {
 
-/// A message quotes values; one of a megabyte helps nobody. Longer than any sentence we write.
+/// A message quotes values; one of a megabyte helps no one. Longer than any sentence we write.
 constexpr std::size_t kLongestMessage = 1000;
 
 /// Places of one cause cost a line each in a report, so that more of them are listed than of causes.
@@ -142,8 +142,8 @@ void Context::list_or_count(Diagnostic diagnostic) {
   Found::Tally& tally = found_->tallies[rule_];
   std::string cause = cause_of(diagnostic);
   const bool is_new = tally.causes.count(cause) == 0;
-  const bool is_listed = is_new ? tally.causes.size() < inputs_.most_listed
-                                : tally.listed < kPlacesPerCause * inputs_.most_listed;
+  const bool is_listed = is_new ? tally.causes.size() < inputs_.max_listed
+                                : tally.listed < kPlacesPerCause * inputs_.max_listed;
   if (is_listed) {
     ++tally.listed;
     if (is_new) tally.causes.insert(std::move(cause));
@@ -218,7 +218,7 @@ const mass::LinkBody& Context::body(const model::Link& link, mass::From from) {
       .first->second;
 }
 
-/// As deep as the mesh is looked at in any case, so that no file is read for this alone.
+/// As deep as the mesh is examined in any case, so that no file is read for this alone.
 std::optional<mesh::Bounds> Context::bounds(const model::Mesh& mesh, robot::ShapeRole role) {
   if (inputs_.files == nullptr || mesh.uri.value.empty()) return std::nullopt;
   if (!mesh.submesh.value.empty()) {

@@ -95,7 +95,7 @@ class Context {
     const schema::Schema& sdf;
     mass::MeshSurveys* meshes;  ///< null when meshes are not to be opened
     mass::MeshFiles* files;     ///< likewise
-    std::size_t most_listed;    ///< findings of one rule
+    std::size_t max_listed;     ///< findings of one rule
   };
 
   /// Both outlive it.
@@ -104,7 +104,7 @@ class Context {
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
 
-  /// Lists the first `most_listed` causes of a rule, each with its places up to ten times as many in all,
+  /// Lists the first `max_listed` causes of a rule, each with its places up to ten times as many in all,
   /// and counts the others. Of what was left for xacro only
   /// that is reported. What a rule says of a mesh file is reported once, however many shapes use it.
   void report(Finding finding);
@@ -113,7 +113,7 @@ class Context {
 
   /// Whether a finding may still come with a suggestion. Each compares a name with all that there
   /// are, and whoever has thousands of wrong ones needs no help with their spelling.
-  bool may_suggest() const { return compared_ < kMostCompared; }
+  bool may_suggest() const { return compared_ < kMaxCompared; }
   void compared(std::size_t names) { compared_ += names; }
 
   const Sources& sources() const { return inputs_.sources; }
@@ -126,7 +126,7 @@ class Context {
   bool is_urdf() const { return inputs_.root.format == model::Format::kUrdf; }
   bool is_sdf() const { return inputs_.root.format == model::Format::kSdf; }
 
-  /// The bytes a span stands for, as written.
+  /// The bytes a span represents, as written.
   std::string_view bytes(Span span) const { return inputs_.sources.bytes(span); }
 
   /// The element an entity was read from. Only for entities of the file itself.
@@ -201,19 +201,19 @@ class Context {
   Span written(Span where) const;
 
   /// Names compared for suggestions in one file: a tenth of a second.
-  static constexpr std::size_t kMostCompared = 300'000;
+  static constexpr std::size_t kMaxCompared = 300'000;
 
   const Inputs& inputs_;
   Diagnostics& diagnostics_;
   std::unique_ptr<Found> found_;
   std::size_t compared_ = 0;
-  std::string mesh_;  // empty when none is looked at
+  std::string mesh_;  // empty when none is examined
   std::string_view rule_;
   std::string_view category_;
   PageInBrief page_;
   Severity severity_ = Severity::kError;
   bool graded_ = true;              // whether a finding may have a severity of its own
-  std::optional<Refusal> refusal_;  // nothing when rigor's own judgement counts
+  std::optional<Refusal> refusal_;  // nothing when rigor's own judgment counts
 };
 
 }  // namespace rigor::rules

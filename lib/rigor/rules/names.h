@@ -97,7 +97,7 @@ class NameCollector {
     all_.push_back({name->value(), parent->index(), element.index()});
   }
 
-  /// An include stands for the model that it brings, under the name that it gives it.
+  /// An include represents the model that it brings, under the name that it gives it.
   void add(const model::Include& include) {
     const xml::Element element = document_.element(include.site.element);
     const auto parent = element.parent();
@@ -140,7 +140,7 @@ class NameCollector {
   const xml::Document& document_;
   const model::Root& root_;
   std::vector<Member> all_;
-  std::vector<std::string_view> names_;  // of the scope that is looked at, sorted
+  std::vector<std::string_view> names_;  // of the scope that is examined, sorted
   std::vector<NameScope> scopes_;
 };
 

@@ -101,7 +101,7 @@ const schema::Schema* schema_of(const Environment& environment, model::Format fo
 }  // namespace
 
 Runner::Runner(const Registry& registry, const Selection& selection)
-    : most_listed_(selection.most_listed) {
+    : max_listed_(selection.max_listed) {
   for (const Rule& rule : registry.rules()) {
     const bool selected = selection.select.empty() || names(selection.select, rule);
     if (!selected || names(selection.ignore, rule) || !targeted(rule, selection)) continue;
@@ -159,7 +159,7 @@ class Runner::Walk {
                 environment.sdf,
                 meshes.surveys,
                 meshes.files,
-                runner.most_listed_},
+                runner.max_listed_},
         context_(inputs_, diagnostics_) {}
 
   Diagnostics run() {

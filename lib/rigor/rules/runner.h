@@ -95,7 +95,7 @@ class Runner {
 
   SlotsOf<Check>::type slots_;
   std::vector<std::string_view> active_;  // names
-  std::size_t most_listed_;
+  std::size_t max_listed_;
 };
 
 }  // namespace rigor::rules

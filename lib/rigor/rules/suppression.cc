@@ -23,7 +23,7 @@ constexpr std::size_t kNoCover = static_cast<std::size_t>(-1);
 
 /// Unknown names of a file that come with others that may be meant: each is compared with all rules, and
 /// more of them need no help with their spelling.
-constexpr std::size_t kMostSuppressionsSuggested = 100;
+constexpr std::size_t kMaxSuppressionsSuggested = 100;
 
 bool ends_line(char c) { return c == '\n' || c == '\r'; }
 bool is_blank(char c) { return xml::kBlanks.find(c) != std::string_view::npos; }
@@ -36,7 +36,7 @@ Edit removal_of(Span span) { return {span, ""}; }
 
 /// Whether a run of `validate` finds all there is to find of a rule, so that what is not found is not
 /// there. Of what becomes of a model in a conversion or a simulation it knows nothing, and a mesh that is
-/// only drawn is looked at more closely by `mesh-check`.
+/// only drawn is examined more closely by `mesh-check`.
 enum class Seen : std::uint8_t { kAll, kUnlessMeshesAreInDoubt, kNotAll };
 
 Seen seen_by_validate(const Rule& rule, MeshPolicy meshes) {
@@ -307,7 +307,7 @@ SuppressionFacts Suppressions::facts(const Registry& registry, const Runner& run
       const auto known = tells.find(names_[i].name);
       if (known == tells.end()) {
         facts.push_back({SuppressionFactKind::kUnknownRule, names_[i].where, names_[i].name, {}});
-        if (++unknown > kMostSuppressionsSuggested) continue;
+        if (++unknown > kMaxSuppressionsSuggested) continue;
         for (const std::string_view near : schema::near(names_[i].name, all_names)) {
           facts.back().near.emplace_back(near);
         }

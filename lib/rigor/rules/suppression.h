@@ -43,8 +43,8 @@ class Suppressions {
 
   /// The findings that no comment covers, in their order; remembers which comments covered one. Findings in
   /// other sources, and those that stand nowhere, are covered by `file-ignore` only, and so is one that
-  /// stands for many that are not listed: they may be anywhere. What ended the reading is never covered,
-  /// since nobody looked at what follows it.
+  /// represents many that are not listed: they may be anywhere. What ended the reading is never covered,
+  /// since nobody examined what follows it.
   Diagnostics uncovered(Diagnostics found);
 
   /// What is wrong with the comments, when all findings of the file went through `uncovered`. Of a rule

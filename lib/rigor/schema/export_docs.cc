@@ -48,7 +48,8 @@ class DocsWriter {
     oldest_ = schema.versions().front();
     out_ = "# " + code(root.name()) + " " + to_string(root.version()) + "\n\n";
     out_ +=
-        "Each section is one element. What an element may contain is told once; later places refer "
+        "Each section is one element. What an element may contain is listed once; later places "
+        "refer "
         "to it.\n";
     write(root, std::string(root.name()));
     return out_;

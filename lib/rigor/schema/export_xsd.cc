@@ -11,7 +11,7 @@
 namespace rigor::schema {
 namespace {
 
-// The forms of values. xs:token collapses white space first, so one space stands for any.
+// The forms of values. xs:token collapses white space first, so one space represents any.
 constexpr std::string_view kNumber =
     "[+\\-]?(([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+\\-]?[0-9]+)?"
     "|0[xX]([0-9a-fA-F]+\\.?[0-9a-fA-F]*|\\.[0-9a-fA-F]+)([pP][+\\-]?[0-9]+)?"

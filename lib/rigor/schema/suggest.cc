@@ -10,13 +10,13 @@
 namespace rigor::schema {
 namespace {
 
-constexpr std::size_t kMostEdits = 2;
+constexpr std::size_t kMaxEdits = 2;
 // names of robot formats are shorter; the bound keeps a long run of text from costing its square
 constexpr std::size_t kLongestName = 128;
 
 std::size_t allowed_edits(std::size_t length) {
   if (length < 3) return 0;
-  return length <= 4 ? 1 : kMostEdits;
+  return length <= 4 ? 1 : kMaxEdits;
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ std::vector<std::string_view> near(std::string_view name,
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::string_view> names;
   for (const auto& [distance, candidate] : found) {
-    if (names.size() == kMostSuggestions) break;
+    if (names.size() == kMaxSuggestions) break;
     names.push_back(candidate);
   }
   return names;

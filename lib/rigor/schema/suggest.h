@@ -14,11 +14,11 @@
 
 namespace rigor::schema {
 
-constexpr std::size_t kMostSuggestions = 3;  // a longer list is read by nobody
+constexpr std::size_t kMaxSuggestions = 3;  // a longer list is not read
 
 // At most three candidates, the nearest first and ties in the given order: those that are equal but
 // for the case of letters; then those at most two edits away, an edit being a byte inserted,
-// removed, replaced or swapped with its neighbour. A short name must be nearer: one edit for up to
+// removed, replaced or swapped with its neighbor. A short name must be nearer: one edit for up to
 // four bytes, none below three.
 std::vector<std::string_view> near(std::string_view name,
                                    const std::vector<std::string_view>& candidates);

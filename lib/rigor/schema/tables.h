@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A parsed schema file, as parse.cc builds it and schema.cc reads it; not for other rooms. Every
-// line of the file that stands for an element, attribute or use is a Line; the children of a line
+// line of the file that represents an element, attribute or use is a Line; the children of a line
 // lie side by side as Entries, which hold all that a search by name needs. A set of versions is a
 // word with bit n for 1.n.
 //

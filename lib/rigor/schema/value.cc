@@ -110,8 +110,8 @@ Unsigned take_prefix(std::string_view text, Token token) {
   return number;
 }
 
-constexpr std::ptrdiff_t kMostDigits = 15;  // 10^15 is below 2^53
-constexpr std::array<double, kMostDigits + 1> kPowersOfTen = {
+constexpr std::ptrdiff_t kMaxDigits = 15;  // 10^15 is below 2^53
+constexpr std::array<double, kMaxDigits + 1> kPowersOfTen = {
     1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 
 // A plain decimal of few digits, as nearly every number of a model is; nothing for any other. Its
@@ -119,7 +119,7 @@ constexpr std::array<double, kMostDigits + 1> kPowersOfTen = {
 // to the number (Clinger 1990, "How to read floating point numbers accurately"), where doubles are
 // computed as such.
 std::optional<double> read_short_decimal(const char* first, const char* last) {
-  if (FLT_EVAL_METHOD != 0 || last - first > kMostDigits) return std::nullopt;
+  if (FLT_EVAL_METHOD != 0 || last - first > kMaxDigits) return std::nullopt;
   std::int64_t digits = 0;
   const char* point = nullptr;
   for (const char* at = first; at != last; ++at) {
@@ -153,7 +153,7 @@ std::optional<std::size_t> count_short_decimals(std::string_view text) {
       while (at != end && is_digit(*at)) ++at;
       digits += at - point - 1;
     }
-    if (digits == 0 || digits > kMostDigits || (at != end && !is_space(*at))) return std::nullopt;
+    if (digits == 0 || digits > kMaxDigits || (at != end && !is_space(*at))) return std::nullopt;
   }
 }
 

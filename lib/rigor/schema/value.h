@@ -33,7 +33,7 @@ struct ValueFault {
     kDecimalComma,  // "1,5", and so "1,2,3"; the span is the number with its comma
     kTooFew,        // "1 2" for a vector3; the span is the whole text
     kTooMany,       // "1 1 1 99" for a vector3; the span is what is too much
-    kNotFinite,     // "inf" or "nan" in a vector, pose, colour or angle
+    kNotFinite,     // "inf" or "nan" in a vector, pose, color or angle
     kOutOfRange,    // too large for the type: "1e400", "3000000000" for an int
     kUnderflow,     // not zero, but nearer to it than any double: "1e-400"
     kNegative,      // "-1" for an unsigned number
@@ -84,7 +84,7 @@ enum class RotationFormat : std::uint8_t {
   kQuatXyzw,  // seven: x y z, then the quaternion's x y z w
 };
 
-// The numbers as they are written: no unit is converted and no quaternion normalised.
+// The numbers as they are written: no unit is converted and no quaternion normalized.
 struct PoseNumbers {
   std::array<double, 7> numbers{};
   int count = 0;  // 6 or 7

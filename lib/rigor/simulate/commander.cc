@@ -41,82 +41,86 @@ Commander::Commander(const Scene& scene, const Scenario& scenario, const SolverS
       throw EngineError("a command for an axis that is not there");
     }
     const std::size_t index = first[command.joint] + command.axis;
-    auto told = std::find_if(told_.begin(), told_.end(),
-                             [index](const Told& known) { return known.index == index; });
-    if (told == told_.end()) {
-      told_.push_back({.joint = command.joint, .axis = command.axis, .index = index});
-      told = told_.end() - 1;
+    auto commanded = std::find_if(commanded_.begin(), commanded_.end(),
+                                  [index](const Commanded& known) { return known.index == index; });
+    if (commanded == commanded_.end()) {
+      commanded_.push_back({.joint = command.joint, .axis = command.axis, .index = index});
+      commanded = commanded_.end() - 1;
     }
-    told->commands.push_back(&command);
+    commanded->commands.push_back(&command);
   }
-  for (Told& told : told_) {
-    std::stable_sort(told.commands.begin(), told.commands.end(),
+  for (Commanded& commanded : commanded_) {
+    std::stable_sort(commanded.commands.begin(), commanded.commands.end(),
                      [](const Command* a, const Command* b) { return a->begin < b->begin; });
   }
 }
 
-void Commander::begin(Told& told, const Command* next, const AxisState& axis, double time) const {
-  const bool goes_on = told.now != nullptr && told.now->kind == next->kind;
+void Commander::begin(Commanded& commanded, const Command* next, const AxisState& axis,
+                      double time) const {
+  const bool goes_on = commanded.now != nullptr && commanded.now->kind == next->kind;
   if (goes_on) {
-    told.from = command_value(*told.now, told.from, time);
+    commanded.from = command_value(*commanded.now, commanded.from, time);
   } else {
-    told.from = next->kind == CommandKind::kPosition ? axis.position : 0;
-    told.integral = 0;
+    commanded.from = next->kind == CommandKind::kPosition ? axis.position : 0;
+    commanded.integral = 0;
   }
-  told.now = next;
+  commanded.now = next;
 }
 
-void Commander::tell(Told& told, Engine& engine) const {
+void Commander::apply(Commanded& commanded, Engine& engine) const {
   const double time = engine.state().time;
   const double soon = time + kMoment * step_;
   const Command* next = nullptr;
-  for (const Command* command : told.commands) {
+  for (const Command* command : commanded.commands) {
     if (command->begin <= soon && soon < command->end) next = command;
   }
   if (next == nullptr) {
-    if (told.now != nullptr) engine.release(told.joint, told.axis);
-    told.now = nullptr;
+    if (commanded.now != nullptr) engine.release(commanded.joint, commanded.axis);
+    commanded.now = nullptr;
     return;
   }
-  const AxisState axis = engine.state().axes[told.index];
-  if (next != told.now) begin(told, next, axis, time);
-  const double value = command_value(*next, told.from, time);
-  const double fastest = scene_.joints[told.joint].axes[told.axis].velocity;
+  const AxisState axis = engine.state().axes[commanded.index];
+  if (next != commanded.now) begin(commanded, next, axis, time);
+  const double value = command_value(*next, commanded.from, time);
+  const double fastest = scene_.joints[commanded.joint].axes[commanded.axis].velocity;
   switch (next->kind) {
     case CommandKind::kEffort:
-      engine.set_effort(told.joint, told.axis, std::clamp(value, -next->effort, next->effort));
+      engine.set_effort(commanded.joint, commanded.axis,
+                        std::clamp(value, -next->effort, next->effort));
       return;
     case CommandKind::kVelocity:
-      engine.set_motor(told.joint, told.axis, std::clamp(value, -fastest, fastest), next->effort);
+      engine.set_motor(commanded.joint, commanded.axis, std::clamp(value, -fastest, fastest),
+                       next->effort);
       return;
-    case CommandKind::kPosition: reach_position(told, engine, axis, time); return;
+    case CommandKind::kPosition: reach_position(commanded, engine, axis, time); return;
   }
 }
 
-void Commander::reach_position(Told& told, Engine& engine, const AxisState& axis,
+void Commander::reach_position(Commanded& commanded, Engine& engine, const AxisState& axis,
                                double time) const {
-  const Command& command = *told.now;
-  const SceneAxis& written = scene_.joints[told.joint].axes[told.axis];
-  const double error = command_value(command, told.from, time) - axis.position;
-  const double rate = command_rate(command, told.from, time);
+  const Command& command = *commanded.now;
+  const SceneAxis& written = scene_.joints[commanded.joint].axes[commanded.axis];
+  const double error = command_value(command, commanded.from, time) - axis.position;
+  const double rate = command_rate(command, commanded.from, time);
   if (!command.gains) {
     const double closing = std::min(kClosingRate, kClosingShare / step_) * error;
     const double velocity = std::clamp(rate + closing, -written.velocity, written.velocity);
-    engine.set_motor(told.joint, told.axis, velocity, command.effort);
+    engine.set_motor(commanded.joint, commanded.axis, velocity, command.effort);
     return;
   }
   const Gains& gains = *command.gains;
   if (command.control == Control::kImplicit) {
-    engine.set_servo(told.joint, told.axis, {gains.p, gains.d, error, rate, command.effort});
+    engine.set_servo(commanded.joint, commanded.axis,
+                     {gains.p, gains.d, error, rate, command.effort});
     return;
   }
   const double most = std::min(command.effort, written.effort);
-  const double integral = told.integral + error * step_;
+  const double integral = commanded.integral + error * step_;
   const double wanted = gains.p * error + gains.i * integral + gains.d * (rate - axis.velocity);
   const double effort = std::clamp(wanted, -most, most);
   // While the effort is cut, summing up would only wind it up.
-  if (wanted == effort) told.integral = integral;
-  engine.set_effort(told.joint, told.axis, effort);
+  if (wanted == effort) commanded.integral = integral;
+  engine.set_effort(commanded.joint, commanded.axis, effort);
 }
 
 /// The table turns by an angle, so gravity, as the table sees it, by the opposite.
@@ -134,7 +138,7 @@ void Commander::tilt(Engine& engine, double time) const {
 
 void Commander::tell(Engine& engine) {
   const double time = engine.state().time;
-  for (Told& told : told_) tell(told, engine);
+  for (Commanded& commanded : commanded_) apply(commanded, engine);
   for (const Push& push : scenario_.pushes) {
     const double since = (time - push.at) / step_;
     if (since >= -kMoment && since < 1 - kMoment) engine.push(push.body, push.impulse_W, push.p_BP);

@@ -30,7 +30,7 @@ class Commander {
   void tell(Engine& engine);
 
  private:
-  struct Told {
+  struct Commanded {
     std::uint32_t joint = 0;
     std::uint32_t axis = 0;
     std::size_t index = 0;                 ///< in `State::axes`
@@ -40,15 +40,16 @@ class Commander {
     double integral = 0;  ///< of a position's error
   };
 
-  void tell(Told& told, Engine& engine) const;
-  void begin(Told& told, const Command* next, const AxisState& axis, double time) const;
-  void reach_position(Told& told, Engine& engine, const AxisState& axis, double time) const;
+  void apply(Commanded& commanded, Engine& engine) const;
+  void begin(Commanded& commanded, const Command* next, const AxisState& axis, double time) const;
+  void reach_position(Commanded& commanded, Engine& engine, const AxisState& axis,
+                      double time) const;
   void tilt(Engine& engine, double time) const;
 
   const Scene& scene_;
   const Scenario& scenario_;
   double step_;
-  std::vector<Told> told_;
+  std::vector<Commanded> commanded_;
 };
 
 }  // namespace rigor::simulate

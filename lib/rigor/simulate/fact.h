@@ -19,7 +19,7 @@ namespace rigor::simulate {
 
 enum class FactKind : std::uint8_t {
   // What an engine cannot take: nothing is run, the verdict is `invalid`.
-  kUnreadable,         ///< no model, no pose, an include that leads nowhere; `name` says what
+  kUnreadable,         ///< no model, no pose, an include that does not exist; `name` says what
   kNoMass,             ///< of a body that moves; `name`: "all" of a model that is only drawn
   kNotFinite,          ///< a number; `name` says which
   kInertiaImpossible,  ///< no rigid body has it
@@ -83,7 +83,7 @@ enum class FactKind : std::uint8_t {
   kCauseInertia,         ///< `value`: times the moment of the link's shapes; `name`: which moment
   kCauseDefaultInertia,  ///< nothing is written: 1 kg and the identity; `value` and `name` as above
   kCauseMassRatio,       ///< of two bodies that a joint connects; `name`: the other's
-  kCauseWheelOffCentre,
+  kCauseWheelOffCenter,
   kCauseWheelAxis,  ///< `name`: "tilted" against the cylinder's, or "reversed": it rolls backward
   kCauseCasterFriction,
   kCauseTopHeavy,
@@ -95,7 +95,7 @@ enum class FactKind : std::uint8_t {
   kCauseFlag,
   kCauseWheelFriction,  ///< of a wheel that drives; `value`: the larger of mu and mu2
   kCauseWheelRadii,     ///< of two on one axle; `value`: m, `limit`: the other's, `name`: the other
-  kCauseSoftContact,    ///< `value`: m that it sinks where an engine honours kp
+  kCauseSoftContact,    ///< `value`: m that it sinks where an engine honors kp
   kCauseMeshMissing,    ///< `value`: how many of a model's collisions, `limit`: of how many
   kCauseMeshScale,  ///< `value`: m, its longest side; `limit`: m, that of a shape with the link's inertia
 };

@@ -144,7 +144,7 @@ class FootingFinder {
   }
 
   /// On the highest point of the land under its bounds. Land is level but for its heights: that which was
-  /// put up as a wall is not looked at.
+  /// put up as a wall is not examined.
   void fall_on_lands(std::uint32_t root) {
     for (const SceneShape* land : lands_) {
       const auto& grid = std::get<HeightGrid>(land->kind);
@@ -218,7 +218,7 @@ class FootingFinder {
   std::vector<const SceneShape*> lands_;
 };
 
-bool is_told(const Scenario& scenario, std::uint32_t joint) {
+bool is_commanded(const Scenario& scenario, std::uint32_t joint) {
   return std::any_of(scenario.commands.begin(), scenario.commands.end(),
                      [&](const Command& command) {
                        return command.joint == joint && command.kind != CommandKind::kEffort;
@@ -250,7 +250,7 @@ std::vector<bool> moving_freely(const Scene& scene, const Scenario& scenario) {
     if (body >= scene.bodies.size() || !joint.mimics.empty()) continue;
     const bool can_move =
         joint.type != model::JointType::kFixed && joint.type != model::JointType::kGearbox;
-    if (can_move && !is_told(scenario, j)) loose[groups.root(scene.bodies[body].model)] = true;
+    if (can_move && !is_commanded(scenario, j)) loose[groups.root(scene.bodies[body].model)] = true;
   }
   for (std::size_t b = 0; b < free.size(); ++b) {
     const std::uint32_t model = scene.bodies[b].model;

@@ -26,12 +26,12 @@ struct Footing {
   double gap = 0;  ///< m to what is below it, of what is in the air; infinite when nothing is
 };
 
-/// Of each model. In a world only: a model alone gets ground under it. What is below is told by bounds,
+/// Of each model. In a world only: a model alone gets ground under it. What is below is found by bounds,
 /// so what is in a room, or beside a hill, stands.
 std::vector<Footing> footings_of(const Scene& scene);
 
 /// Of each body, whether it may move for as long as energy lasts: it is in the air, or hangs on joints
-/// of which one is told nothing.
+/// of which one has no command.
 std::vector<bool> moving_freely(const Scene& scene, const Scenario& scenario);
 
 }  // namespace rigor::simulate

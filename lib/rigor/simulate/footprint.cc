@@ -101,14 +101,14 @@ std::vector<Vector3> footprint_at_start(const Scene& scene, std::uint32_t model,
 }
 
 TiltOver tip_angle(const Scene& scene, std::uint32_t model, const std::vector<Vector3>& corners) {
-  const Vector3 centre = centre_of_mass(scene, model);
-  const FootprintMargin margin = margin_in(corners, centre);
+  const Vector3 center = center_of_mass(scene, model);
+  const FootprintMargin margin = margin_in(corners, center);
   double ground = kInfinity;
   for (const Vector3& corner : corners) ground = std::min(ground, corner.z);
-  return {std::atan2(margin.distance, centre.z - ground), margin.outward};
+  return {std::atan2(margin.distance, center.z - ground), margin.outward};
 }
 
-Vector3 centre_of_mass(const Scene& scene, std::uint32_t model) {
+Vector3 center_of_mass(const Scene& scene, std::uint32_t model) {
   Vector3 sum;
   double mass = 0;
   for (const SceneBody& body : scene.bodies) {

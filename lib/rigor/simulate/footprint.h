@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What something stands on, seen from above, and how far its centre of mass is from the edge.
+// What something stands on, seen from above, and how far its center of mass is from the edge.
 //
 //   const std::vector<Vector3> corners = footprint(contacts);
 //   if (corners.size() >= 3 && margin_in(corners, com).distance < 0) falls();
@@ -45,7 +45,7 @@ struct TiltOver {
 
 TiltOver tip_angle(const Scene& scene, std::uint32_t model, const std::vector<Vector3>& corners);
 
-/// Centre of mass of what moves of a model at the start, in W.
-Vector3 centre_of_mass(const Scene& scene, std::uint32_t model);
+/// Center of mass of what moves of a model at the start, in W.
+Vector3 center_of_mass(const Scene& scene, std::uint32_t model);
 
 }  // namespace rigor::simulate

@@ -52,7 +52,7 @@ std::vector<std::uint32_t> CarriedBodies::by(std::uint32_t body) const {
   return all;
 }
 
-bool can_be_told(const SceneJoint& joint) {
+bool can_be_commanded(const SceneJoint& joint) {
   const bool kind = joint.type == model::JointType::kRevolute ||
                     joint.type == model::JointType::kContinuous ||
                     joint.type == model::JointType::kPrismatic;

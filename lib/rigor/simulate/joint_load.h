@@ -35,7 +35,7 @@ class CarriedBodies {
 };
 
 /// Whether a motor can move it by itself: a hinge or a slider that follows no other joint.
-bool can_be_told(const SceneJoint& joint);
+bool can_be_commanded(const SceneJoint& joint);
 
 /// kg·m² (of a slider kg): what an effort between the joint's two bodies moves when everything else
 /// gives way: the two inertias in series.
@@ -49,7 +49,7 @@ struct SweepMotion {
   double acceleration = 0;  ///< rad/s², m/s², as it starts and stops
 };
 
-/// Of joints of the scene that can be told to move, and whose child is a body.
+/// Of joints of the scene that can be commanded, and whose child is a body.
 class JointLoads {
  public:
   /// The scene outlives it.
@@ -61,7 +61,7 @@ class JointLoads {
   /// N·m (of a slider N): what gravity asks of the joint at the start.
   double weight(const SceneJoint& joint) const;
 
-  /// N·m (of a slider N): what the joint has to hold at the start: the weight of what hangs on it, and of a
+  /// N·m (of a slider N): what the joint has to hold at the start: the weight of its subtree, and of a
   /// model that stands by itself what the ground pushes up with where that touches it, each body that does
   /// with the same share of the model's weight. So the knee of a leg bears the robot.
   double standing(const SceneJoint& joint) const;

@@ -29,7 +29,7 @@ std::uint32_t free_model(const Scene& scene) {
 
 bool has_joint_to_move(const Scene& scene, std::uint32_t model) {
   return std::any_of(scene.joints.begin(), scene.joints.end(), [&](const SceneJoint& joint) {
-    return can_be_told(joint) && joint.child < scene.bodies.size() &&
+    return can_be_commanded(joint) && joint.child < scene.bodies.size() &&
            scene.bodies[joint.child].model == model;
   });
 }

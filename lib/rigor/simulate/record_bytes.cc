@@ -37,11 +37,11 @@ struct RecordFields {
     } else if constexpr (std::is_same_v<Kind, PhaseMeasures>) {
       auto& [steps, speed, residual, acceleration, energy, tilt, anchor_error, limit_violation,
              penetration, sunk, self_contact, self_contact_with, tipped, contact_changes,
-             ground_force, vertical_square, yaw_path, jitter_square, axis_least, axis_most,
-             axis_begin, axis_end, axis_path, axis_effort, begin, end] = whole;
+             ground_force, vertical_square, yaw_path, jitter_square, axis_min, axis_max, axis_begin,
+             axis_end, axis_path, axis_effort, begin, end] = whole;
       archive(steps, speed, residual, acceleration, energy, tilt, anchor_error, limit_violation,
               penetration, sunk, self_contact, self_contact_with, tipped, contact_changes,
-              ground_force, vertical_square, yaw_path, jitter_square, axis_least, axis_most,
+              ground_force, vertical_square, yaw_path, jitter_square, axis_min, axis_max,
               axis_begin, axis_end, axis_path, axis_effort, begin, end);
     } else if constexpr (std::is_same_v<Kind, Measures>) {
       auto& [phases, spawn_penetration, spawn_overlap, spawn_overlap_with, settle_time, support] =

@@ -59,14 +59,14 @@ std::optional<RoundShape> round_mesh(const std::vector<Vector3>& points, const P
     along_u.add(dot(p, u));
     along_v.add(dot(p, v));
   }
-  const Vector3 centre = along_u.middle() * u + along_v.middle() * v;
+  const Vector3 center = along_u.middle() * u + along_v.middle() * v;
   RimExtent rim;
   double sum = 0;
   for (int i = 0; i < kRimDirections; ++i) {
     const double angle = 2 * std::numbers::pi * i / kRimDirections;
     const Vector3 outward = std::cos(angle) * u + std::sin(angle) * v;
     double farthest = 0;
-    for (const Vector3& p : points) farthest = std::max(farthest, dot(p - centre, outward));
+    for (const Vector3& p : points) farthest = std::max(farthest, dot(p - center, outward));
     rim.add(farthest);
     sum += farthest;
   }
@@ -76,10 +76,10 @@ std::optional<RoundShape> round_mesh(const std::vector<Vector3>& points, const P
   const double radius = sum / kRimDirections;
   RimExtent width;
   for (const Vector3& p : points) {
-    const Vector3 out = p - centre;
+    const Vector3 out = p - center;
     if (std::hypot(dot(out, u), dot(out, v)) >= kRimShare * radius) width.add(dot(p, axis));
   }
-  const Vector3 middle = centre + width.middle() * axis;
+  const Vector3 middle = center + width.middle() * axis;
   return RoundShape{radius, width.most - width.least, transform(X_WS, middle), axis_W};
 }
 

@@ -33,7 +33,7 @@ struct Gains {
   double d = 0;
 };
 
-/// An axis is told an effort (N·m, N), a velocity (rad/s, m/s) or a position (rad, m). The value rises
+/// An axis is given an effort (N·m, N), a velocity (rad/s, m/s) or a position (rad, m). The value rises
 /// linearly from the one before (zero, or where the axis stands) over `ramp` seconds.
 struct Command {
   std::uint32_t joint = 0;  ///< index in the scene
@@ -65,7 +65,7 @@ struct Tilt {
   Vector3 axis{0, 1, 0};
 };
 
-/// A span of time that metrics speak of.
+/// A span of time that metrics refer to.
 struct Phase {
   std::string name;
   double begin = 0;

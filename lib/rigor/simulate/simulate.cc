@@ -22,7 +22,7 @@ namespace rigor::simulate {
 namespace {
 
 /// s: with less left nothing is begun. A worker's limit is in whole seconds.
-constexpr double kLeastBudget = 1;
+constexpr double kMinBudget = 1;
 
 /// A second of budget suffices for so many joints: a test of 1 s takes 7 ms of CPU time for each of them (a chain of
 /// 2,000 hinges, 200 iterations), so that 1,000 of them take half of the default budget.
@@ -85,7 +85,7 @@ void add_comparisons(const Scene& scene, const std::vector<Again>& agains, Run& 
   if (spread) add_difference(scene, "seed.spread", *spread, run);
 }
 
-/// Two facts with the same are told once.
+/// Two facts with the same are reported once.
 using FactKey = std::tuple<FactKind, std::string_view, std::string_view>;
 
 FactKey key_of(const Fact& fact) { return {fact.kind, fact.subject, fact.name}; }
@@ -99,7 +99,7 @@ void call_unconfirmed(Run& run) {
   }
 }
 
-/// The verdict, and what is to be said about it, each fact with what is likely to be behind it: a cause of several is told
+/// The verdict, and what is to be said about it, each fact with what is likely to be behind it: a cause of several is reported
 /// with each.
 void conclude_run(const Scene& scene, const Facts& causes, Run& run) {
   if (was_stopped(run.record)) {
@@ -212,7 +212,7 @@ class Runs {
       waiting_.pop_front();
       const TaskRun& one = runs_[job.run];
       const double left = options_.budget - spent_[one.task];
-      if (left < kLeastBudget) {
+      if (left < kMinBudget) {
         skip(job);
         continue;
       }
@@ -243,8 +243,7 @@ class Runs {
 
   /// Whether it was ended since no more time was left to its task.
   bool is_over_budget(const TaskRun& one, const Record& record) const {
-    return record.end == Record::End::kOutOfTime &&
-           options_.budget - spent_[one.task] < kLeastBudget;
+    return record.end == Record::End::kOutOfTime && options_.budget - spent_[one.task] < kMinBudget;
   }
 
   void ended(std::size_t number, const process::RequestResult& result) {

@@ -58,7 +58,7 @@ Wheel wheel_of(const SceneJoint& joint, std::uint32_t index, std::uint32_t shape
           .shape = shape,
           .radius = round.radius,
           .width = round.width,
-          .centre_W = joint.anchor_W + along,
+          .center_W = joint.anchor_W + along,
           .middle_W = round.middle_W,
           .shape_axis_W = round.axis_W};
 }
@@ -91,7 +91,7 @@ const Vector3& rolling_axis(const Scene& scene, const Wheel& wheel) {
 }
 
 bool is_on_axis(const Wheel& wheel) {
-  return length(wheel.middle_W - wheel.centre_W) < kOffAxisShare * wheel.radius;
+  return length(wheel.middle_W - wheel.center_W) < kOffAxisShare * wheel.radius;
 }
 
 bool drives(const Scene& scene, const LowestPoints& lowest, const Wheel& wheel) {
@@ -163,7 +163,7 @@ Vector3 forward_across(const Vector3& axis, const Quaternion& R_WB) {
 }
 
 /// Ahead is x by convention (REP 103). Of a model that is drawn along its y nothing says which way it faces: it is
-/// the way that most wheels roll when they are told a positive velocity.
+/// the way that most wheels roll at a positive velocity.
 bool faces_backward(const Scene& scene, const std::vector<Wheel>& wheels, const Vector3& forward_W,
                     const Quaternion& R_WB) {
   if (std::abs(dot(forward_W, rotate(R_WB, {1, 0, 0}))) > kAcrossCosine) return false;

@@ -22,8 +22,8 @@ struct Wheel {
   std::uint32_t shape = kWorld;  ///< that rolls
   double radius = 0;             ///< m, of the circle that rolls (of a mesh, its outline over 2 pi)
   double width = 0;              ///< m, of the line it touches the ground along; 0 for a ball
-  Vector3 centre_W;              ///< at the start: where the axis is nearest the shape's middle
-  Vector3 middle_W;  ///< of the shape itself; off the axis where the wheel is off centre
+  Vector3 center_W;              ///< at the start: where the axis is nearest the shape's middle
+  Vector3 middle_W;  ///< of the shape itself; off the axis where the wheel is off center
   /// The shape's own axis of rotation, a unit vector; zero for a ball.
   Vector3 shape_axis_W;
   /// +1 when a positive velocity rolls it forward.

@@ -56,7 +56,7 @@ struct Diagnostic {
   std::string help;           ///< what to do, in the imperative; empty when the message says it all
   std::vector<Fix> fixes;     ///< none or one; the first is the one to apply
   std::size_t instances = 1;  ///< elements of the expanded model that show it
-  std::size_t count = 1;      ///< findings it stands for: many when it says how many are not listed
+  std::size_t count = 1;      ///< findings it represents: many when it says how many are not listed
   /// What findings of one rule have in common: the URI, the missing package, the misspelt name. Empty when
   /// the message says it (`text/grouping.h`).
   std::string cause;

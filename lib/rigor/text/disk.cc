@@ -135,7 +135,7 @@ std::string RealDisk::obstacle(const std::string& path) const {
     return "cannot be listed: " + why;
   }
   const bool is_link = fs::is_symlink(fs::symlink_status(path, error));
-  return is_link && !fs::exists(status) ? "is a link that leads nowhere" : "";
+  return is_link && !fs::exists(status) ? "is a link to a file that does not exist" : "";
 }
 
 MemoryDisk::MemoryDisk(std::map<std::string, std::string> files) {

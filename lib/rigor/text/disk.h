@@ -61,7 +61,7 @@ class Disk {
   /// out.
   virtual std::vector<std::string> list(const std::string& folder) const = 0;
 
-  /// Why what stands at the path is as if it were not there: "is a link that leads nowhere", of a folder
+  /// Why the entry at the path counts as absent: "is a link to a file that does not exist", of a folder
   /// "cannot be listed: permission denied". Empty when nothing stands there, or nothing is wrong.
   virtual std::string obstacle(const std::string&) const { return {}; }
 };

@@ -23,7 +23,7 @@ namespace rigor {
 
 /// Calls `work` with each index below `count`, in as many threads at the same time as there are turns at
 /// most, and one for each `per_thread` things: fewer are not worth a thread. As many again stand ready for
-/// turns that are given back. Each thread begins in a part of its own, then helps in the others: neighbours
+/// turns that are given back. Each thread begins in a part of its own, then helps in the others: neighbors
 /// use the same meshes, and two threads at one mesh would wait for each other. Where the system gives fewer
 /// threads, those there are do all. Throws what a `work` threw, when all have ended.
 template <class Work>

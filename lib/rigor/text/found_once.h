@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What takes long to find and is asked for often: found once for each key, by whoever asks first, while
+// What takes long to find and is asked for often: found once for each key, by the first request, while
 // others who ask for the same wait and those who ask for something else do not.
 //
 //   FoundOnce<std::string, Survey> known;

@@ -38,7 +38,7 @@ class IgnorePattern {
  private:
   bool folders_only_ = false;
   bool name_only_ = false;
-  std::string beginning_;  ///< its bytes before the first special one stand for themselves
+  std::string beginning_;  ///< its bytes before the first special one represent themselves
   Glob rest_;
   bool plain_ = false;  ///< there is no rest
 };

@@ -25,8 +25,8 @@ inline constexpr std::size_t kMaxPatternBytes = 4096;
 
 /// A pattern for a whole path, relative and with '/' between its parts. It works on bytes: `?` is one of
 /// them. What it means is what git's wildmatch makes of it: `\` takes the next byte as it is, `[!a]` is
-/// any byte but that, `[[:digit:]]` a class; none of them, nor `*`, stands for a '/'. A `**` that is a
-/// whole part of the path stands for any number of parts, before a '/' for none as well.
+/// any byte but that, `[[:digit:]]` a class; none of them, nor `*`, represents a '/'. A `**` that is a
+/// whole part of the path represents any number of parts, before a '/' for none as well.
 class Glob {
  public:
   explicit Glob(std::string_view pattern);

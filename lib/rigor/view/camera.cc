@@ -23,7 +23,7 @@ constexpr std::array<std::pair<View, std::string_view>, 5> kViewNames{{
 constexpr double kFilled = 0.92;
 /// rad. Narrow enough that a robot's near wheels do not look swollen.
 constexpr double kFieldOfView = 0.55;
-/// Of the diagonal: nothing is looked at as thinner, since a line would be
+/// Of the diagonal: nothing is examined as thinner, since a line would be
 /// enlarged without end.
 constexpr double kThinnest = 1e-3;
 
@@ -75,9 +75,9 @@ std::array<model::Vector3, 8> corners_of(const mesh::Bounds& bounds) {
   return corners;
 }
 
-/// How the corners, seen from their centre, bound the place of the eye along
+/// How the corners, seen from their center, bound the place of the eye along
 /// one axis of the picture. A corner `a` to the right and `c` ahead of the
-/// centre is in the picture of an eye `e` to the right and `d` ahead when |a -
+/// center is in the picture of an eye `e` to the right and `d` ahead when |a -
 /// e| <= k (c - d).
 struct EyeLimits {
   double right = -INFINITY;  ///< e - k d is at least this
@@ -111,7 +111,7 @@ std::vector<std::string_view> view_names() {
 
 Camera framing(const mesh::Bounds& asked, View view, double aspect) {
   const mesh::Bounds bounds = framable(asked);
-  const model::Vector3 centre = 0.5 * (bounds.min + bounds.max);
+  const model::Vector3 center = 0.5 * (bounds.min + bounds.max);
   Camera camera;
   camera.forward = unit(-1.0 * towards_eye(view));
   const model::Vector3 upward =
@@ -123,11 +123,11 @@ Camera framing(const mesh::Bounds& asked, View view, double aspect) {
     double width = 0;
     double height = 0;
     for (const model::Vector3& corner : corners_of(bounds)) {
-      width = std::max(width, 2 * std::abs(dot(corner - centre, camera.right)));
-      height = std::max(height, 2 * std::abs(dot(corner - centre, camera.up)));
+      width = std::max(width, 2 * std::abs(dot(corner - center, camera.right)));
+      height = std::max(height, 2 * std::abs(dot(corner - center, camera.up)));
     }
     camera.height = std::max(height, width / aspect) / kFilled;
-    camera.eye = centre - length(bounds.max - bounds.min) * camera.forward;
+    camera.eye = center - length(bounds.max - bounds.min) * camera.forward;
     return camera;
   }
   camera.field_of_view = kFieldOfView;
@@ -136,7 +136,7 @@ Camera framing(const mesh::Bounds& asked, View view, double aspect) {
   EyeLimits across;
   EyeLimits upright;
   for (const model::Vector3& corner : corners_of(bounds)) {
-    const model::Vector3 p = corner - centre;
+    const model::Vector3 p = corner - center;
     const double c = dot(p, camera.forward);
     const double a = dot(p, camera.right);
     const double b = dot(p, camera.up);
@@ -146,7 +146,7 @@ Camera framing(const mesh::Bounds& asked, View view, double aspect) {
     upright.left = std::min(upright.left, b + k_up * c);
   }
   const double ahead = std::min(across.farthest_ahead(k_right), upright.farthest_ahead(k_up));
-  camera.eye = centre + across.middle() * camera.right + upright.middle() * camera.up +
+  camera.eye = center + across.middle() * camera.right + upright.middle() * camera.up +
                ahead * camera.forward;
   return camera;
 }

@@ -9,7 +9,7 @@
 namespace rigor::view {
 namespace {
 
-/// So fine that the darkest two values of eight bits are told apart.
+/// So fine that the darkest two values of eight bits are distinguished.
 constexpr std::size_t kEncodingSteps = 8192;
 
 // Shares of a white surface's light. The three are over one where all fall

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How much light a point sends to the eye. Colours of files are sRGB; light
+// How much light a point sends to the eye. Colors of files are sRGB; light
 // adds up in linear numbers, so that is what all of this computes in.
 //
 //   const Light paint = to_linear(surface.color);

@@ -21,7 +21,7 @@ constexpr double kGroundFades = 0.45;
 
 // Bodies of one mesh in exactly one place of which a ray meets all: thousands take a picture minutes. Nothing is seen
 // of more, whatever light the others let through.
-constexpr unsigned kMostInOnePlace = 16;
+constexpr unsigned kMaxInOnePlace = 16;
 /// The cosine of 172°: from there on two surfaces face opposite ways; of 8°: up to there the same.
 constexpr double kOpposite = -0.99;
 constexpr double kSameWay = 0.99;
@@ -36,9 +36,9 @@ bool is_finite_vector(const model::Vector3& v) {
 bool can_be_placed(const Body& body) {
   const model::Quaternion& q = body.pose.rotation;
   // Embree computes with squares in single precision.
-  constexpr double kLeastFactor = 1e-15;
+  constexpr double kMinFactor = 1e-15;
   const auto usable = [](double factor) {
-    return std::isfinite(factor) && std::abs(factor) >= kLeastFactor;
+    return std::isfinite(factor) && std::abs(factor) >= kMinFactor;
   };
   return body.mesh && !body.mesh->triangles.empty() && is_finite_vector(body.pose.translation) &&
          std::isfinite(q.w) && std::isfinite(q.x) && std::isfinite(q.y) && std::isfinite(q.z) &&
@@ -170,7 +170,7 @@ void Stage::place(const Body& body, std::uint32_t index) {
   if (!std::all_of(columns.begin(), columns.end(), [](float f) { return std::isfinite(f); })) {
     return;
   }
-  if (++in_one_place_[{body.mesh.get(), columns}] > kMostInOnePlace) return;
+  if (++in_one_place_[{body.mesh.get(), columns}] > kMaxInOnePlace) return;
   const RTCGeometry instance = embree_.new_geometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
   if (!instance) return;
   embree_.set_instanced_scene(instance, held.scene);

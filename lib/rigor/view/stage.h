@@ -3,13 +3,13 @@
 //
 // A drawing as Embree holds it: each mesh once, placed by each of its bodies.
 // Coordinates are relative to the drawing's middle, and a mesh's to its own, so
-// that 32-bit numbers do for a robot a kilometre off.
+// that 32-bit numbers do for a robot a kilometer off.
 //
 //   const Stage stage(embree, drawing, encoding);
 //   if (const auto hit = stage.first_solid(ray)) shade(*hit);
 //
 // What is solid is kept apart from what lets light through or marks what is
-// inside (frames, centres of mass), since these are also seen when they lie on
+// inside (frames, centers of mass), since these are also seen when they lie on
 // or behind something solid.
 
 #pragma once
@@ -70,7 +70,7 @@ class Stage {
   bool ground_is_all_glass() const { return ground_is_all_glass_; }
 
   /// The nearest. Of surfaces in one place that which faces the eye: exporters write a wall's two sides as
-  /// triangles of their own, each with its colour; of those that face the same way the first of the drawing. Safe
+  /// triangles of their own, each with its color; of those that face the same way the first of the drawing. Safe
   /// across threads, as all here.
   std::optional<Hit> first_solid(const Ray& ray) const;
   /// The nearest from `from` to `to` along the ray.

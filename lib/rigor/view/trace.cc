@@ -27,7 +27,7 @@ constexpr float kNothingLeft = 0.01F;
 /// Of the distance: what is drawn on a surface (a collision on the visual of
 /// the same shape) is in front.
 constexpr double kOnSurface = 1e-4;
-/// Neighbours that differ by more, of 255, are an edge, which is looked at with
+/// Neighbors that differ by more, of 255, are an edge, which is examined with
 /// all samples.
 constexpr int kEdge = 6;
 constexpr unsigned kMaxSamples = 16;
@@ -58,7 +58,7 @@ class Tracer {
                      std::clamp(options.background.a, 0.0F, 1.0F));
   }
 
-  /// One row by a sample of each pixel. Neighbours look at different thirds of theirs, so that a line
+  /// One row by a sample of each pixel. Neighbors look at different thirds of theirs, so that a line
   /// thinner than a pixel does not pass between all of them.
   void draft_row(std::uint32_t y, Picture& draft) const {
     const bool alone = options_.samples < 2;
@@ -208,7 +208,7 @@ unsigned threads_for(const TraceOptions& options) {
 
 Traced trace(const Drawing& drawing, const Camera& camera, const TraceOptions& options) {
   if (options.width == 0 || options.height == 0 || options.width > kMaxPixels / options.height) {
-    return {std::nullopt, "no picture has this size"};
+    return {std::nullopt, "no image has this size"};
   }
   const Embree embree = open_embree();
   const Encoding encoding;

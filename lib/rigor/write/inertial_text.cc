@@ -65,7 +65,7 @@ Inertia without_noise(Inertia inertia) {
   return inertia;
 }
 
-/// How far a body reaches from the origin, m: its centre of mass and its radius of gyration.
+/// How far a body reaches from the origin, m: its center of mass and its radius of gyration.
 double size_of(const MassProperties& body) {
   const double gyration = body.mass > 0 ? std::sqrt(trace(body.about_com) / 2 / body.mass) : 0;
   return length(body.com) + gyration;

@@ -25,14 +25,14 @@ enum class BlockFormat : std::uint8_t { kSdf, kUrdf, kMjcf };
 inline constexpr int kDigits = 9;
 
 /// Below this share of the trace a product of inertia is written as zero, and so is a coordinate of
-/// the centre of mass, below this share of the body's size: sums in double precision are off by
+/// the center of mass, below this share of the body's size: sums in double precision are off by
 /// some 1e-16 of what they add up.
 inline constexpr double kNoise = 1e-15;
 
 /// What the written numbers are: few digits, no noise, no -0, and of a body still those of one.
 mass::MassProperties rounded(const mass::MassProperties& body);
 
-/// The written numbers: mass; centre of mass x, y, z; ixx, ixy, ixz, iyy, iyz, izz. Never "-0", no
+/// The written numbers: mass; center of mass x, y, z; ixx, ixy, ixz, iyy, iyz, izz. Never "-0", no
 /// exponent where a plain number is as short, no trailing zeros.
 struct InertialNumbers {
   std::string mass;

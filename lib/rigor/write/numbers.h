@@ -19,7 +19,7 @@
 namespace rigor::write {
 
 /// Digits kept of a computed number: what doubles hold after some additions, so that 0.1 + 0.2 is
-/// written 0.3. Of a pose 100 km wide they are a tenth of a nanometre.
+/// written 0.3. Of a pose 100 km wide they are a tenth of a nanometer.
 inline constexpr int kComputedDigits = 15;
 
 /// `value` as it is written, when `written` stands there and both come from numbers of this size:

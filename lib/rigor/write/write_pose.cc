@@ -27,7 +27,7 @@ constexpr double kQuarter = std::numbers::pi / 2;
 constexpr Quaternion kBack{std::numbers::sqrt2 / 2, -std::numbers::sqrt2 / 2, 0, 0};
 
 /// An angle this near to a multiple of 90° is one, rad: π/2 with eleven decimals, as many files
-/// have it, is off by 4.9e-12, which moves nothing within 200 m by more than a nanometre.
+/// have it, is off by 4.9e-12, which moves nothing within 200 m by more than a nanometer.
 constexpr double kAngleNoise = 5e-12;
 
 double roll_turned_back(double roll, double quarter) {

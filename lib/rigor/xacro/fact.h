@@ -74,7 +74,7 @@ enum class FactKind : std::uint8_t {
   kMissingPrefix,      ///< an element with the name and the parameters of a macro
   kConstantCondition,  ///< of `if` or `unless`, that no argument decides; `name` is it
   kDeadBranch,         ///< an `if` or `unless` that no set of arguments takes
-  kOutsideRoots,       ///< a file that is read from a place nobody named; `name` is its path
+  kOutsideRoots,  ///< a file that is read from a place that no argument names; `name` is its path
 };
 
 constexpr bool is_error(FactKind kind) { return kind <= FactKind::kFatal; }

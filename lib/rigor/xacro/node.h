@@ -51,7 +51,7 @@ enum class NodeKind : std::uint8_t { kElement, kText, kCData, kComment, kInstruc
 
 /// What an element means to the expander, by its name.
 enum class Tag : std::uint8_t {
-  kUnknown,  ///< not looked at
+  kUnknown,  ///< not examined
   kPlain,    ///< none of xacro's
   kProperty,
   kMacro,

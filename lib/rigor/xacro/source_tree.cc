@@ -47,7 +47,7 @@ std::string fault_words(const xml::Fault& fault) {
   }
 }
 
-/// What a value is looked at for, byte by byte: most are short.
+/// What a value is examined for, byte by byte: most are short.
 enum ValueByte : std::uint8_t { kDecodedByte = 1, kDollarByte = 2, kLineByte = 4 };
 
 constexpr std::array<std::uint8_t, 256> kValueBytes = [] {
@@ -113,7 +113,7 @@ class SourceReader {
     const std::string_view raw = bytes_.substr(span.begin, span.size());
     const std::uint8_t found = bytes_in(raw);
     const std::string_view value = (found & ~kDollarByte) == 0 ? raw : flattened(raw);
-    // A reference may stand for a dollar.
+    // A reference may represent a dollar.
     const bool plain =
         (found & (kDollarByte | kDecodedByte)) == 0 || value.find('$') == std::string_view::npos;
     attributes_.push_back({name,

@@ -25,7 +25,7 @@ bool is_name_character(char c) {
          c == '_' || c == '.' || c == '-' || c == ':';
 }
 
-/// The text a reference's inside stands for; false when XML knows none.
+/// The text a reference's inside represents; false when XML knows none.
 bool append_reference(std::string& text, std::string_view inside) {
   if (inside.starts_with('#')) {
     const bool hex = inside.substr(1, 1) == "x";

@@ -53,7 +53,7 @@ bool is_space(char c) { return is_of(c, kSpaceByte); }
 bool is_name_start(char c) { return is_of(c, kNameStartByte); }
 bool is_name(char c) { return is_of(c, kNameByte); }
 
-/// A file uses a handful of prefixes; past this many no more are told apart.
+/// A file uses a handful of prefixes; past this many no more are distinguished.
 constexpr std::size_t kMaxPrefixes = 64;
 
 /// How a piece of markup other than a tag opens and closes.
@@ -396,7 +396,7 @@ class Builder {
 
   void end_tag() {
     const std::uint32_t begin = at_ + 2;
-    // Nearly always it is the name that is open, which need not be looked at letter by letter.
+    // Nearly always it is the name that is open, which need not be examined letter by letter.
     const std::string_view wanted =
         open_ == kNone ? std::string_view() : Element(document_, open_).name();
     const std::string_view rest = bytes_.substr(begin);

@@ -20,10 +20,10 @@ std::size_t line_begin(std::string_view bytes, std::size_t at) {
 }
 
 /// What `probe` finds first: in `near` and what it holds, then in its parent's elements, then further
-/// out. No element is looked at twice.
+/// out. No element is examined twice.
 template <class Probe>
 auto nearest(const Document& document, Element near, Probe probe) -> decltype(probe(near)) {
-  std::uint32_t first = near.index();  // of those that were looked at
+  std::uint32_t first = near.index();  // of those that were examined
   std::uint32_t last = first;          // past them
   for (std::optional<Element> around = near; around; around = around->parent()) {
     for (std::uint32_t i = around->index(); i < first; ++i) {

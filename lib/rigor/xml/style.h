@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How an XML file is laid out, told from the file itself: what stands nearest to the place in question
+// How an XML file is laid out, derived from the file itself: what stands nearest to the place in question
 // decides, because real files are mixtures.
 //
 //   std::string line = indentation(document, link) + indent_unit(document, link) + "<inertial>";

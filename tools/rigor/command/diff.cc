@@ -63,8 +63,8 @@ class Diff final : public Command {
     if (!model_.empty() && a->name != model_ && b->name != model_) {
       throw UsageError("no model is called " + model_ + did_you_mean(model_, {a->name, b->name}));
     }
-    const robot::Correspondence all{.helpers = robot::Helpers::kTold,
-                                    .placement = robot::Placement::kTold};
+    const robot::Correspondence all{.helpers = robot::Helpers::kReported,
+                                    .placement = robot::Placement::kReported};
     std::vector<robot::Difference> differences = robot::compare(*a, *b, all);
     const auto settings = files.settings(loaded_a, model_, loaded_b, model_);
     if (settings) differences.insert(differences.end(), settings->begin(), settings->end());

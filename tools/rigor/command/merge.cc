@@ -23,7 +23,7 @@ namespace rigor::tool {
 namespace {
 
 /// Missing cases are named up to this many.
-constexpr std::size_t kMostNamed = 20;
+constexpr std::size_t kMaxNamed = 20;
 
 class Merge final : public Command {
  public:
@@ -95,7 +95,7 @@ class Merge final : public Command {
     std::size_t missing = 0;
     const auto gap = [&](std::size_t end) {
       missing += end - next;
-      for (; next < end && named < kMostNamed; ++next, ++named) {
+      for (; next < end && named < kMaxNamed; ++next, ++named) {
         say("rigor: case " + std::to_string(next) + " of " + std::to_string(total_) +
             " is missing");
       }

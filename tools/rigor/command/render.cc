@@ -41,11 +41,11 @@ constexpr std::array kThumbnailViews{View::kPerspective, View::kTop, View::kFron
 constexpr std::array kAllViews{View::kPerspective, View::kFront, View::kSide, View::kTop};
 
 /// Of what is not drawn: a model whose package is not found lacks everything for one reason.
-constexpr std::size_t kMostSaid = 10;
-constexpr std::size_t kMostSaidOnASheet = 1;
+constexpr std::size_t kMaxSaid = 10;
+constexpr std::size_t kMaxSaidOnASheet = 1;
 
 /// More are no picture: each takes its place in memory.
-constexpr std::size_t kMostModels = 2000;
+constexpr std::size_t kMaxModels = 2000;
 
 std::uint32_t picture_side(std::string_view text, const std::string& whole) {
   std::uint32_t side = 0;
@@ -112,7 +112,7 @@ class Render final : public Command {
     if (files.size() > 1) return render_sheet(painter, files, layers, view);
 
     const DrawnModel drawn = painter.draw(files.front(), joints_, layers);
-    say_what_is_missing(drawn, kMostSaid);
+    say_what_is_missing(drawn, kMaxSaid);
     if (!compare_.empty()) return render_comparison(painter, drawn, layers, view);
     if (!drawn.problem.empty()) return kFindings;
     if (view == "thumbnails") return render_thumbnails(painter, drawn.drawing);
@@ -169,9 +169,9 @@ class Render final : public Command {
     }
     std::vector<std::string> all = model_paths(environment, paths_);
     if (all.empty()) throw UsageError("there is no model to draw");
-    if (all.size() > kMostModels) {
+    if (all.size() > kMaxModels) {
       throw UsageError(report::counted(all.size(), "model") + ": no sheet holds more than " +
-                       std::to_string(kMostModels));
+                       std::to_string(kMaxModels));
     }
     return all;
   }
@@ -215,19 +215,19 @@ class Render final : public Command {
     if (!view)
       throw UsageError("--compare needs one view: --view " + std::string(name) + " has several");
     const DrawnModel old = painter.draw(compare_, joints_, layers);
-    say_what_is_missing(old, kMostSaid);
+    say_what_is_missing(old, kMaxSaid);
     if (!now.problem.empty() && !old.problem.empty()) return kFindings;
     const mesh::Bounds bounds = around(old.drawing.bounds, now.drawing.bounds);
     const PictureOptions options = size({480, 400, 0});
     view::Picture before = painter.picture(old.drawing, *view, bounds, options);
     view::Picture after = painter.picture(now.drawing, *view, bounds, options);
-    const view::Picture grey_before =
-        painter.picture(view::in_grey(old.drawing), *view, bounds, options);
-    const view::Picture grey_after =
-        painter.picture(view::in_grey(now.drawing), *view, bounds, options);
+    const view::Picture gray_before =
+        painter.picture(view::in_gray(old.drawing), *view, bounds, options);
+    const view::Picture gray_after =
+        painter.picture(view::in_gray(now.drawing), *view, bounds, options);
     const std::size_t pixels = view::count_differences(before, after);
-    const bool shapes = view::count_differences(grey_before, grey_after) > 0;
-    view::Picture marked = view::difference({before, after, grey_before, grey_after});
+    const bool shapes = view::count_differences(gray_before, gray_after) > 0;
+    view::Picture marked = view::difference({before, after, gray_before, gray_after});
     const std::string what = pixels == 0 ? "no difference"
                              : shapes    ? "red: shapes, blue: colors only"
                                          : "blue: colors only";
@@ -270,7 +270,7 @@ class Render final : public Command {
                                                    const std::set<view::Layer>& layers) {
     try {
       DrawnModel drawn = painter.draw(file, {}, layers);
-      say_what_is_missing(drawn, kMostSaidOnASheet);
+      say_what_is_missing(drawn, kMaxSaidOnASheet);
       return drawn;
     } catch (const UsageError& error) {
       say("rigor: " + report::printable(error.what()));

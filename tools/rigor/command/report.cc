@@ -45,7 +45,7 @@ constexpr std::string_view kBudgetKinds[] = {"visual", "collision"};
 /// So many models are in memory at a time, with their trajectories.
 constexpr std::size_t kModelsAtATime = 64;
 
-/// Whether a file is told of as a model: what is broken has no format, but a name.
+/// Whether a file is informed of as a model: what is broken has no format, but a name.
 bool is_model(const rules::FileSummary& file) {
   if (!file.part_of.empty()) return false;
   if (file.format == model::Format::kSdf || file.format == model::Format::kUrdf) return true;
@@ -208,7 +208,7 @@ class Report final : public Command {
     return fails;
   }
 
-  /// Each model is told its own of the results, which it refers to.
+  /// Each model is given its own of the results, which it refers to.
   std::vector<author::SimulatedModel> simulate(const author::Simulator& simulator,
                                                std::vector<GatheredModel>& models) const {
     std::deque<author::PreparedModel> prepared;

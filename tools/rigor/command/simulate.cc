@@ -39,7 +39,7 @@ enum SimulationFormat : std::size_t { kPretty, kJson, kJsonl, kJunit, kCsv, kHtm
 constexpr std::size_t kChunk = 64;
 
 /// On a page, each of some ten kilobytes.
-constexpr std::size_t kMostPictures = 64;
+constexpr std::size_t kMaxPictures = 64;
 
 class Simulate final : public Command {
  public:
@@ -160,7 +160,7 @@ class Simulate final : public Command {
       refuse_problems(model, simulator.planned({&model, {}}));
     }
     for (const Target& target : targets) {
-      if (target.format == kPretty) color_.of(target);  // refuses what is no colour
+      if (target.format == kPretty) color_.of(target);  // refuses what is no color
     }
     ResultsFile results(results_file(targets));
     std::size_t failed_before = 0;
@@ -287,7 +287,7 @@ class Simulate final : public Command {
     std::map<std::string, std::string> known;
     std::vector<std::string> all;
     for (const author::SimulatedModel& model : done) {
-      if (!known.contains(model.path) && known.size() == kMostPictures) break;
+      if (!known.contains(model.path) && known.size() == kMaxPictures) break;
       const auto [entry, is_new] = known.try_emplace(model.path);
       if (is_new) entry->second = picture(painter, model.path);
       all.push_back(entry->second);

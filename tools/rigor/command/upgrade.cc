@@ -181,7 +181,7 @@ class UpgradeCommand final : public Command {
     }
   }
 
-  /// How many notes were not told.
+  /// How many notes were not reported.
   std::string remarks(const author::Upgrade& result) const {
     const auto count =
         std::count_if(result.notes.begin(), result.notes.end(),

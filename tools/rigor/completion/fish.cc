@@ -53,7 +53,7 @@ std::string fish_command(const CommandFacts& command, const CompletionFacts& fac
   }
   if (!command.positionals.empty()) {
     std::string rest = fish_value(command.positionals.front(), command, facts);
-    // -x and -r speak of an option's value.
+    // -x and -r refer to an option's value.
     rest = rest == "-x" ? "" : rest.substr(3);
     if (!rest.empty()) text += fish_line(command, rest);
   }

@@ -37,8 +37,9 @@ constexpr Entry kVariables[] = {
      "GAZEBO_RESOURCE_PATH, ROS_PACKAGE_PATH, AMENT_PREFIX_PATH",
      "Where model:// and package:// URIs are searched, in this order, after --model-path, "
      "--package, "
-     "and the model's own neighbours and package. `rigor resolve URI` shows the search."},
-    {"NO_COLOR, CLICOLOR_FORCE, TERM", "Whether terminal output is colored, unless --color is given."},
+     "and the model's own neighbors and package. `rigor resolve URI` shows the search."},
+    {"NO_COLOR, CLICOLOR_FORCE, TERM",
+     "Whether terminal output is colored, unless --color is given."},
     {"RIGOR_CACHE", "`off` forgets what earlier runs found of large meshes."},
     {"XDG_CACHE_HOME", "Where that is kept, in rigor; else ~/.cache/rigor."},
 };

@@ -176,7 +176,7 @@ int ConversionCommand::check(const Environment& environment, Sources& sources,
   const auto b = files.robot(kept, {});
   if (!a || !b) return kFindings;
   robot::Correspondence names = result.names;
-  names.placement = robot::Placement::kTold;
+  names.placement = robot::Placement::kReported;
   std::vector<robot::Difference> differences = robot::compare(*a, *b, names);
   bool settings_left_out = true;
   if (result.text) {

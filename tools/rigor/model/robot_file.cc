@@ -27,7 +27,7 @@ namespace {
 
 using model::Id;
 
-/// One file has one name, from wherever it is looked at.
+/// One file has one name, from wherever it is examined.
 std::string whole_path(const std::string& path) {
   std::error_code error;
   return path.empty() ? path : join_path(std::filesystem::current_path(error).string(), path);

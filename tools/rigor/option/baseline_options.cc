@@ -23,7 +23,7 @@ namespace rigor::tool {
 namespace {
 
 /// Changes of a baseline that are listed; the file itself has them all, and version control shows them.
-constexpr std::size_t kMostBaselineLines = 20;
+constexpr std::size_t kMaxBaselineLines = 20;
 
 std::string entry_of(const rules::BaselineKey& key) {
   return key.rule + " " + report::printable(key.path);
@@ -132,10 +132,10 @@ void BaselineOptions::keep(rules::Baseline next) {
   told_.push_back(what + (changes.empty() && there_ ? ", as before" : ""));
   std::size_t listed = 0;
   for (const auto& [key, change] : changes) {
-    if (++listed <= kMostBaselineLines) told_.push_back(change_line(key, change));
+    if (++listed <= kMaxBaselineLines) told_.push_back(change_line(key, change));
   }
-  if (listed > kMostBaselineLines) {
-    told_.push_back("  and " + report::counted(listed - kMostBaselineLines, "more change"));
+  if (listed > kMaxBaselineLines) {
+    told_.push_back("  and " + report::counted(listed - kMaxBaselineLines, "more change"));
   }
   if (!changes.empty() || !there_) write(rules::baseline_text(next));
   baseline_ = std::move(next);
@@ -158,7 +158,7 @@ void BaselineOptions::tell_stale(const std::vector<rules::StaleBaseline>& stale)
                                   : report::counted(stale.size(), "entry", "entries") + " count",
                               stale.size() == 1 ? "it" : "them"));
   if (!strict_) return;
-  const std::size_t listed = std::min(stale.size(), kMostBaselineLines);
+  const std::size_t listed = std::min(stale.size(), kMaxBaselineLines);
   for (std::size_t i = 0; i < listed; ++i) {
     told_.push_back(fmt::format("  {} ({} counted, {} found)", entry_of(stale[i].key),
                                 stale[i].counted, stale[i].now));

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Whose judgement counts: `--compat sdformat`.
+// Whose judgment counts: `--compat sdformat`.
 
 #pragma once
 

@@ -17,7 +17,7 @@ void FileOptions::declare(CLI::App& app) {
 read::DiscoverOptions FileOptions::discover() const {
   read::DiscoverOptions options;
   using read::GitIgnoring, read::NamedPaths;
-  options.git_ignoring = no_gitignore_ ? GitIgnoring::kPassOver : GitIgnoring::kHonour;
+  options.git_ignoring = no_gitignore_ ? GitIgnoring::kPassOver : GitIgnoring::kHonor;
   options.named = force_exclude_ ? NamedPaths::kJudge : NamedPaths::kAlwaysTake;
   std::error_code error;
   options.working_folder = std::filesystem::current_path(error).string();

@@ -24,8 +24,8 @@ namespace {
 
 using FixedFiles = std::vector<author::FixedFile>;
 
-/// Fixes that were not kept and are told one by one at most.
-constexpr std::size_t kMostHeldBackTold = 10;
+/// Fixes that were not kept and are reported one by one at most.
+constexpr std::size_t kMaxHeldBackReported = 10;
 
 /// While this lives, what asks the program to end waits: it does not leave half of its work behind.
 class SignalsWait {
@@ -88,7 +88,7 @@ void tell_held_back(const FixedFiles& files) {
   std::size_t more = 0;
   for (const author::FixedFile& file : files) {
     for (const author::HeldBackFix& fix : file.held_back) {
-      if (told == kMostHeldBackTold) {
+      if (told == kMaxHeldBackReported) {
         ++more;
         continue;
       }

@@ -29,11 +29,11 @@ constexpr std::string_view kSplitNames[] = {"component", "material"};
 
 std::vector<std::string_view> unit_names() {
   std::vector<std::string_view> names;
-  for (const auto& [name, metres] : kUnits) names.push_back(name);
+  for (const auto& [name, meters] : kUnits) names.push_back(name);
   return names;
 }
 
-double metres_of(const std::string& unit) {
+double meters_of(const std::string& unit) {
   return kUnits[choice("--unit", unit, unit_names())].second;
 }
 
@@ -115,7 +115,7 @@ MeshOperations MeshOperationOptions::operations() const {
   MeshOperations operations;
   operations.weld = weld_;
   operations.repair = repair_;
-  if (!unit_.empty()) operations.unit = metres_of(unit_);
+  if (!unit_.empty()) operations.unit = meters_of(unit_);
   if (!scale_.empty()) operations.scale = scale_factors(scale_);
   if (!up_.empty() && choice("--up axis", up_, kUpAxes) == 0) operations.up = mesh::UpAxis::kY;
   if (!center_.empty()) {

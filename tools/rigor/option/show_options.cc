@@ -21,7 +21,7 @@ Severity show_level(const std::string& name) {
 }  // namespace
 
 void ShowOptions::declare(CLI::App& app) {
-  offer(app.add_option("--show", least_,
+  offer(app.add_option("--show", min_,
                        "Lowest severity that is listed: error, warning (the default) or info")
             ->type_name("LEVEL"),
         kShowLevels);
@@ -29,23 +29,21 @@ void ShowOptions::declare(CLI::App& app) {
 }
 
 void ShowOptions::check(const std::vector<Target>& targets) const {
-  if (!least_.empty()) show_level(least_);
+  if (!min_.empty()) show_level(min_);
   if (summary_ && std::none_of(targets.begin(), targets.end(),
                                [](const Target& target) { return target.format == 0; })) {
     throw UsageError("--summary is of the format pretty: the other formats list all findings");
   }
 }
 
-Severity ShowOptions::least() const {
-  return least_.empty() ? Severity::kWarning : show_level(least_);
-}
+Severity ShowOptions::least() const { return min_.empty() ? Severity::kWarning : show_level(min_); }
 
 TerminalView ShowOptions::view(const rules::ValidateResult& result,
                                const RuleSettings& settings) const {
   TerminalView view;
   if (summary_) view.form = TerminalView::Form::kTable;
   view.least = least();
-  if (!least_.empty()) return view;
+  if (!min_.empty()) return view;
   if (summary_ || std::any_of(result.files.begin(), result.files.end(),
                               [&settings](const rules::FileSummary& file) {
                                 return settings.fail_on(file.path) == Severity::kInfo;

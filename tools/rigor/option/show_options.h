@@ -31,7 +31,7 @@ class ShowOptions {
   TerminalView view(const rules::ValidateResult& result, const RuleSettings& settings) const;
 
  private:
-  std::string least_;
+  std::string min_;
   bool summary_ = false;
 };
 

@@ -32,7 +32,7 @@ constexpr double kCommandDuration = 5;
 
 /// s of CPU time a model: a wait that a person takes. And less than a run's least makes no sense.
 constexpr double kBudget = 20;
-constexpr double kLeastBudget = 1;
+constexpr double kMinBudget = 1;
 
 /// A step command makes wheels spin: a second of ramp is what the tests take too.
 constexpr double kCommandRamp = 1;
@@ -259,7 +259,7 @@ author::SimulationOptions SimulationChoices::options(const Disk& disk) const {
   if (no_confirm_) options.confirm = simulate::Confirm::kNo;
   const double budget = budget_.empty() ? kBudget : finite_number("--budget", budget_);
   if (budget < 0) throw UsageError("--budget " + budget_ + ": must not be negative");
-  if (budget > 0) options.budget = std::max(budget, kLeastBudget);
+  if (budget > 0) options.budget = std::max(budget, kMinBudget);
   if (!jobs_.empty()) {
     options.jobs = static_cast<unsigned>(whole_number("--jobs", jobs_, 0, 1024));
     if (options.jobs == 0) options.jobs = std::max(1U, std::thread::hardware_concurrency());

@@ -70,7 +70,8 @@ void sync_folder_of(const std::string& path) {
 }
 
 [[noreturn]] void refuse_way(const std::string& path, std::string_view why) {
-  throw UsageError(path + ": " + std::string(why) + ", and is not written: nobody named it");
+  throw UsageError(path + ": " + std::string(why) +
+                   ", and is not written, as no argument names it");
 }
 
 /// A folder in an open folder, made where there is none.

@@ -21,7 +21,7 @@ std::string variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// Whether a terminal on stdout is to be coloured; https://no-color.org, https://bixense.com/clicolors.
+/// Whether a terminal on stdout is to be colored; https://no-color.org, https://bixense.com/clicolors.
 bool terminal_wants_color() {
   if (!variable("NO_COLOR").empty()) return false;
   const std::string force = variable("CLICOLOR_FORCE");

@@ -48,7 +48,7 @@ class ColorOption {
  public:
   void declare(CLI::App& app);
 
-  /// For what is written to the target: a file gets colour only with `--color always`.
+  /// For what is written to the target: a file gets color only with `--color always`.
   report::Color of(const Target& target) const;
 
  private:

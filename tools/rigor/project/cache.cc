@@ -52,7 +52,7 @@ std::optional<mass::MeshCache> CacheOption::cache(const process::Workers& worker
   const std::string folder = cache_folder();
   if (off_ || setting("RIGOR_CACHE") == "off" || folder.empty()) return std::nullopt;
   return mass::MeshCache(FolderStore(folder), this_program(), workers,
-                         mass::MeshCache::kLeastTriangles, stamp_of);
+                         mass::MeshCache::kMinTriangles, stamp_of);
 }
 
 }  // namespace rigor::tool

@@ -79,7 +79,7 @@ std::string repository_folder(const std::string& folder) {
   }
 }
 
-/// The tops of the repositories that files and folders are in. Those that are not there are told elsewhere.
+/// The tops of the repositories that files and folders are in. Those that are not there are reported elsewhere.
 std::set<std::string> repositories_of(const std::vector<std::string>& paths,
                                       const std::string& revision) {
   std::set<std::string> folders;

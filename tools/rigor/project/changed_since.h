@@ -29,7 +29,7 @@ namespace rigor::tool {
 
 class ChangedFiles {
  public:
-  /// `paths` are absolute; one that is a folder stands for all that is in it.
+  /// `paths` are absolute; one that is a folder represents all that is in it.
   ChangedFiles(std::string revision, std::set<std::string> paths);
 
   bool concern(const Disk& disk, const read::Resolver& resolver, const std::string& path);

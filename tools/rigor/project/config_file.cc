@@ -20,8 +20,8 @@
 namespace rigor::tool {
 namespace {
 
-/// Problems that are told one by one; nobody reads more before the first are mended.
-constexpr std::size_t kMostProblemsTold = 50;
+/// Problems that are reported one by one; more would not be read before the first are mended.
+constexpr std::size_t kMaxProblemsReported = 50;
 
 read::ConfiguredPaths configured_paths(const config::Config& config) {
   read::ConfiguredPaths paths;
@@ -164,7 +164,7 @@ void ConfigOptions::refuse(std::vector<config::Problem> problems) const {
     return std::tie(a.path, a.line) < std::tie(b.path, b.line);
   });
   if (problems.size() == 1) throw UsageError(told(problems.front()));
-  const std::size_t count = std::min(problems.size(), kMostProblemsTold);
+  const std::size_t count = std::min(problems.size(), kMaxProblemsReported);
   for (std::size_t i = 0; i < count; ++i) say("rigor: " + report::printable(told(problems[i])));
   throw UsageError(report::counted(problems.size(), "problem") + " in the configuration");
 }

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The disk as a model that nobody trusts may use it.
+// The disk as an untrusted model may use it.
 //
 //   const GuardedDisk disk(Reach(paths, search), {});
 

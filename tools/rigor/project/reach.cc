@@ -106,7 +106,7 @@ Reach::Reach(const std::vector<std::string>& named, const read::SearchPaths& pat
     std::string folder = real_path_of(is_folder ? path : std::string(parent_path(path)));
     std::string package = package_of(folder);
     if (!package.empty()) {
-      neighbours_.emplace_back(parent_path(package));
+      neighbors_.emplace_back(parent_path(package));
       folders_.push_back(std::move(package));
     }
     folders_.push_back(std::move(folder));
@@ -128,10 +128,10 @@ bool Reach::holds(const std::string& path) const {
   if (in_repository_data(real)) return false;
   const auto holds_it = [&real](const std::string& folder) { return lies_below(real, folder); };
   if (std::any_of(folders_.begin(), folders_.end(), holds_it)) return true;
-  if (std::none_of(neighbours_.begin(), neighbours_.end(), holds_it)) return false;
+  if (std::none_of(neighbors_.begin(), neighbors_.end(), holds_it)) return false;
   const std::string package = package_of(std::string(parent_path(real)));
-  return !package.empty() && std::find(neighbours_.begin(), neighbours_.end(),
-                                       parent_path(package)) != neighbours_.end();
+  return !package.empty() &&
+         std::find(neighbors_.begin(), neighbors_.end(), parent_path(package)) != neighbors_.end();
 }
 
 Diagnostics withheld(const Diagnostics& found, const Sources& sources, const Reach& reach) {

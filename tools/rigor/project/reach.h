@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How far a model that nobody trusts may lead rigor. What CI publishes must hold no file of the machine that ran it:
+// How far an untrusted model may lead rigor. What CI publishes must hold no file of the machine that ran it:
 // an include of "../../.ssh/id" is named in a report, and none of its bytes is in it.
 //
 //   const Reach reach({"robots/arm"}, search_paths);
@@ -34,9 +34,9 @@ class Reach {
 
  private:
   bool everything_ = true;
-  std::vector<std::string> named_;       // files, as they were written
-  std::vector<std::string> folders_;     // real paths
-  std::vector<std::string> neighbours_;  // folders whose packages are within reach
+  std::vector<std::string> named_;      // files, as they were written
+  std::vector<std::string> folders_;    // real paths
+  std::vector<std::string> neighbors_;  // folders whose packages are within reach
 };
 
 /// The path with all links followed, as far as it exists; from the root.

@@ -182,7 +182,7 @@ class HttpSite final : public PageSite, private httplib::Server {
         });
   }
 
-  /// Into `text` what was told since; false when the listener is let go.
+  /// Into `text` what was reported since; false when the listener is let go.
   bool wait_for_events(std::uint64_t listener, std::uint64_t& heard, std::string& text) {
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, kHeartbeat,
@@ -200,7 +200,7 @@ class HttpSite final : public PageSite, private httplib::Server {
   PageServer::Content content_;
   std::uint64_t published_ = 0;
   std::uint64_t asked_for_ = 0;
-  std::deque<std::string> events_;  // the last that were told
+  std::deque<std::string> events_;  // the last that were reported
   std::uint64_t told_ = 0;
   std::set<std::uint64_t> listeners_;  // the oldest first
   std::uint64_t next_listener_ = 0;

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `--watch`: checks, waits until something that was looked at changes, and says what that did.
+// `--watch`: checks, waits until something that was examined changes, and says what that did.
 //
 //   return watch(
 //       disk,
@@ -26,7 +26,7 @@ namespace rigor::tool {
 using WatchedCheck = std::function<rules::ValidateResult(const Disk& disk, Sources& sources)>;
 
 /// A UsageError of the first check is thrown; one of a later check, as of a configuration that was edited,
-/// is told. Comes back only when the first check could use none of its arguments (then with the exit code of a wrong
+/// is reported. Comes back only when the first check could use none of its arguments (then with the exit code of a wrong
 /// invocation). `conclude` is called after each check. Findings go to stdout.
 int watch(const Disk& real, const WatchedCheck& check,
           const std::function<void(const rules::ValidateResult&)>& conclude, report::Color color,

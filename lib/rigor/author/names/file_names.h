@@ -7,7 +7,7 @@
 //   for (const NameReference& reference : names.references) point_at(reference.where);
 //
 // Definitions are models, links, joints and frames; references are those of the formats, and what plugins,
-// transmissions, ros2_control and SRDF are told. Nothing is resolved here: names cross files (name_graph.h).
+// transmissions, ros2_control and SRDF are reported. Nothing is resolved here: names cross files (name_graph.h).
 
 #pragma once
 

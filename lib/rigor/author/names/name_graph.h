@@ -6,7 +6,7 @@
 //   NameGraph graph(workspace, resolver);
 //   for (const NameUse& use : graph.uses("worlds/lab.sdf")) if (use.target == link) point_at(use.where);
 //
-// Of `arm::hand` each part is a use of its own: of the model and of what is in it. Templates are looked at as
+// Of `arm::hand` each part is a use of its own: of the model and of what is in it. Templates are examined as
 // what they expand to; `read::ExpandedFile` leads back.
 
 #pragma once

@@ -6,7 +6,7 @@
 //
 //   for (const TemplateName& name : template_names(document)) if (name.defines) …
 //
-// Two are the same thing when kind, owner and name are. A property is looked at as one of the file, wherever it
+// Two are the same thing when kind, owner and name are. A property is examined as one of the file, wherever it
 // is set.
 
 #pragma once

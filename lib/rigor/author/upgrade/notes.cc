@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What edits cannot carry into the newer version, told from the schema's tables.
+// What edits cannot carry into the newer version, derived from the schema's tables.
 
 #include <map>
 #include <string>

@@ -229,8 +229,8 @@ class UpgradeProof {
     same("automatic inertial", p.automatic, q.automatic);
     if (p.automatic.value) same("density", p.density, q.density);
     same("mass", p.mass, q.mass);
-    same("centre of mass", std::optional(p.pose.pose.value), std::optional(q.pose.pose.value));
-    same("frame of the centre of mass", p.pose.relative_to, q.pose.relative_to);
+    same("center of mass", std::optional(p.pose.pose.value), std::optional(q.pose.pose.value));
+    same("frame of the center of mass", p.pose.relative_to, q.pose.relative_to);
     same("ixx", p.ixx, q.ixx);
     same("ixy", p.ixy, q.ixy);
     same("ixz", p.ixz, q.ixz);
@@ -337,7 +337,7 @@ class UpgradeProof {
     same("name", scoped_name(a_.root, id), scoped_name(b_.root, id));
     same("pose", a_.frames.pose(id), b_.frames.pose(id));
     geometry(a.geometry, b.geometry);
-    same("colours", a.material.defines_color, b.material.defines_color);
+    same("colors", a.material.defines_color, b.material.defines_color);
     // In 1.0 the name of a script is an attribute that the reader leaves aside.
     if (a_.root.version > 0) same("material", a.material.name, b.material.name);
   }
@@ -368,7 +368,7 @@ class UpgradeProof {
     same("URI", a.uri, b.uri);
     same("scale", a.scale, b.scale);
     same("submesh", a.submesh, b.submesh);
-    same("centred submesh", a.center, b.center);
+    same("centered submesh", a.center, b.center);
   }
   void shapes(const model::Heightmap& a, const model::Heightmap& b) {
     same("URI", a.uri, b.uri);

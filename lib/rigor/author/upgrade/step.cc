@@ -11,7 +11,7 @@ namespace rigor::author {
 
 void UpgradeNotes::add(UpgradeNote note) {
   OfKind& of_kind = kinds_[note.kind];
-  if (of_kind.listed.size() < kMostOfKind) {
+  if (of_kind.listed.size() < kMaxOfKind) {
     of_kind.listed.push_back(std::move(note));
   } else {
     ++of_kind.more;

@@ -32,7 +32,7 @@ std::vector<std::optional<schema::Node>> schema_nodes(const xml::Document& docum
 /// ask for.
 class UpgradeNotes {
  public:
-  static constexpr std::size_t kMostOfKind = 100;
+  static constexpr std::size_t kMaxOfKind = 100;
 
   void add(UpgradeNote note);
   /// With their places taken from a later text back to an earlier one.

@@ -135,7 +135,7 @@ class Upgrader {
       append(edits, xml::set_attribute(document_, element, "name", entity.alias));
       add(UpgradeNoteKind::kRenamed, Severity::kInfo, entity.name.span,
           fmt::format("a sibling has the name '{}' too: it is '{}' now, as libsdformat calls it; "
-                      "plugins that name it are not looked at",
+                      "plugins that name it are not checked",
                       entity.name.value, entity.alias));
     };
     for (const model::Joint& joint : loaded_.root.joints) rename(joint);

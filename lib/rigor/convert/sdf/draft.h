@@ -98,7 +98,7 @@ std::vector<SdfPart> sdf_joint(SdfDraft& draft, model::Id<model::Joint> id);
 /// What `<gazebo>` blocks say, where it belongs (gazebo.cc).
 void add_gazebo_blocks(SdfDraft& draft);
 
-/// By the options' policy (uri.cc); takes the URI and notes a change and one that leads nowhere.
+/// By the options' policy (uri.cc); takes the URI and notes a change and one that does not exist.
 std::string sdf_uri(SdfDraft& draft, const model::Field<std::string>& uri,
                     const std::string& subject);
 

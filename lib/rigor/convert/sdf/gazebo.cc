@@ -150,7 +150,7 @@ class BlockConverter {
 
   static std::string_view value(xml::Element element) { return value_of_key(element); }
 
-  /// A key without a value says nothing: nobody takes it, so it is in the account as lost.
+  /// A key without a value says nothing: no code takes it, so it is in the account as lost.
   static bool is_key(std::string_view name) {
     return find_key(kCollisionKeys, name) != nullptr || find_key(kLinkKeys, name) != nullptr ||
            is_joint_key(name) || name == "turnGravityOff" || name == "dampingFactor" ||
@@ -232,7 +232,7 @@ class BlockConverter {
 
   void add_to_joint(xml::Element child) {
     SdfJoint* joint = draft_.joint(joint_);
-    if (joint == nullptr) return;  // nobody takes it: it is lost
+    if (joint == nullptr) return;  // no code takes it: it is lost
     if (const BlockKey* key = find_key(kJointKeys, child.name())) {
       set_at(joint->rest, key->path, value(child));
     } else if (const BlockKey* axis_key = find_key(kAxisKeys, child.name())) {

@@ -24,7 +24,7 @@ using model::Id;
 using model::Link;
 using model::Pose;
 
-/// How far the mass of a link without mass lies from its centre, m: what turns at all is about so
+/// How far the mass of a link without mass lies from its center, m: what turns at all is about so
 /// large, and solvers dislike bodies that are nearly points.
 constexpr double kNothingGyration = 0.1;
 
@@ -148,7 +148,7 @@ void make_possible(const SdfDraft& draft, const Link& link, UrdfInertial& inerti
 Pose pose_in_holder(const SdfDraft& draft, Id<Link> id) {
   const Id<Link> holder = draft.node(id).holder;
   if (const auto X = pose_below(draft, id, holder)) return *X;
-  // A root that became a frame of what hangs on it.
+  // A root that became a frame of its subtree.
   const auto X = pose_below(draft, holder, id);
   return X ? inverse(*X) : Pose{};
 }

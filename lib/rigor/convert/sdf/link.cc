@@ -216,7 +216,7 @@ class SdfLinkConverter {
     link_.collisions.push_back(std::move(shape));
   }
 
-  /// The first that uses a name tells that SDF has none; what it stands for is in each.
+  /// The first that uses a name tells that SDF has none; the shape that it represents is in each.
   void take_material_name(const model::Field<std::string>& name, const std::string& subject) {
     ledger_.take(name, Outcome::kRewritten);
     if (!name.written || !draft_.used_materials.insert(name.value).second) return;
@@ -225,7 +225,7 @@ class SdfLinkConverter {
                   .where = name.span,
                   .subject = subject,
                   .written = "name " + name.value,
-                  .instead = "what it stands for"});
+                  .instead = "the shape that it represents"});
   }
 
   void add_material(SdfShape& shape, const model::Material& material, const std::string& subject) {

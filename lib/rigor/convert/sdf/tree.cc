@@ -34,7 +34,7 @@ std::string without_dunder(std::string_view name) {
 }
 
 /// Names of roots in a note: more say nothing new.
-constexpr std::size_t kMostSdfRootsTold = 10;
+constexpr std::size_t kMaxSdfRootsReported = 10;
 
 class SdfTreeBuilder {
  public:
@@ -100,10 +100,10 @@ class SdfTreeBuilder {
     for (std::uint32_t i = 0; i < tree_.nodes.size(); ++i) {
       if (tree_.nodes[i].carrier) continue;
       roots.push_back({i});
-      if (roots.size() > kMostSdfRootsTold) continue;
+      if (roots.size() > kMaxSdfRootsReported) continue;
       names += (names.empty() ? "" : ", ") + root_.links[i].name.value;
     }
-    if (roots.size() > kMostSdfRootsTold) names += ", …";
+    if (roots.size() > kMaxSdfRootsReported) names += ", …";
     if (roots.size() == 1) return roots[0];
     const model::Model& robot = root_.models[0];
     refuse(roots.empty() ? NoteKind::kNoRoot : NoteKind::kSeveralRoots, robot.site.name,
@@ -211,17 +211,17 @@ class SdfTreeBuilder {
         continue;
       }
       const Link& link = root_.links[i];
-      told_name(link.name, links[i], model::subject(root_, link));
+      report_name(link.name, links[i], model::subject(root_, link));
     }
     for (const Joint& joint : root_.joints) {
       const std::string name = without_dunder(joint.name.value);
       tree_.joint_names.push_back(names.add(taken.count(name) != 0 ? name + "_joint" : name));
-      told_name(joint.name, tree_.joint_names.back(), model::subject(root_, joint));
+      report_name(joint.name, tree_.joint_names.back(), model::subject(root_, joint));
     }
   }
 
-  void told_name(const model::Field<std::string>& name, const std::string& instead,
-                 std::string subject) {
+  void report_name(const model::Field<std::string>& name, const std::string& instead,
+                   std::string subject) {
     if (name.value == instead) return;
     ledger_.take(name, Outcome::kRewritten);
     ledger_.note({.kind = NoteKind::kRenamed,

@@ -32,7 +32,7 @@ namespace {
 using model::Id;
 using model::Pose;
 
-/// Nearer than this to a pitch of ±90°, rad, roll and yaw are told by one of them.
+/// Nearer than this to a pitch of ±90°, rad, roll and yaw are expressed by one of them.
 constexpr double kGimbal = 1e-9;
 
 std::string pose_text(const UrdfOrigin& origin) {

@@ -18,15 +18,15 @@ namespace {
 using model::FrameProblemKind;
 using model::Id;
 
-/// A list of names is cut here: nobody reads more.
-constexpr std::size_t kMostNamesTold = 12;
+/// A list of names is cut here: more would not be read.
+constexpr std::size_t kMaxNamesReported = 12;
 
 std::string model_names(const model::Root& root, const std::vector<Id<model::Model>>& models) {
   std::string names;
-  for (std::size_t i = 0; i < models.size() && i < kMostNamesTold; ++i) {
+  for (std::size_t i = 0; i < models.size() && i < kMaxNamesReported; ++i) {
     names += (i == 0 ? "" : ", ") + scoped_name(root, models[i]);
   }
-  return models.size() > kMostNamesTold ? names + ", …" : names;
+  return models.size() > kMaxNamesReported ? names + ", …" : names;
 }
 
 void add_lost_includes(const model::Root& root, Id<model::Model> scope, Notes& notes) {
@@ -64,7 +64,7 @@ Note without_pose(const model::Root& root, const T& entity) {
           .written = "the pose"};
 }
 
-/// The notes on what has no pose though every name was found: it stands in a circle, or in a model
+/// The notes on what has no pose though every name was found: it stands in a cycle, or in a model
 /// that does.
 Notes without_poses(const Source& source, const UrdfTree& tree) {
   Notes notes;

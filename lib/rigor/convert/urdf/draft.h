@@ -30,16 +30,16 @@ struct UrdfDraft {
   std::map<model::Id<model::Joint>, std::string> joint_names;
   model::Id<model::Model> top;  ///< that is converted
   PluginNames plugin_names;     ///< what plugins have to say otherwise
-  /// Joints in a row that stand for one.
+  /// Joints in a row that represent one.
   struct Row {
     std::vector<std::size_t> links;  ///< between them, of `robot.links`
     model::Id<model::Link> carried;  ///< by the last one
   };
   std::vector<Row> rows;
 
-  // What was met so far, so that equals are told once.
+  // What was met so far, so that equals are reported once.
   std::map<std::array<double, 4>, std::string> material_names;  ///< by red, green, blue and opacity
-  std::map<std::string, int> color_names;  ///< how many are named after a link
+  std::map<std::string, int> color_names;                       ///< how many are named after a link
   std::map<std::string, std::string> file_names;                ///< of `files`, by what they hold
   /// What a link or joint carries and the model does not list with it; filled when first needed.
   struct Riders {
@@ -64,13 +64,13 @@ void add_model_blocks(UrdfDraft& draft, model::Id<model::Model> model);
 /// `name` is the joint's in URDF.
 void add_joint_blocks(UrdfDraft& draft, model::Id<model::Joint> joint, const std::string& name);
 
-/// What nobody took says only what a URDF reader takes without being told (implied.cc): the
+/// What no code took says only what a URDF reader takes by default (implied.cc): the
 /// schema's own default, an identity pose, an empty container.
 bool is_implied(const schema::Schema& schema, xml::Element element);
 bool is_implied(const schema::Schema& schema, xml::Element element, xml::Attribute attribute);
 bool is_implied(const Source& source, const model::Site& opened, xml::Element element);
 bool is_implied(const Source& source, xml::Element element, xml::Attribute attribute);
-/// The note for an element that nobody took, by its name and where it stands.
+/// The note for an element that no code took, by its name and where it stands.
 NoteKind kind_of(xml::Element element);
 
 }  // namespace rigor::convert

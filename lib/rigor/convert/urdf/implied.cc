@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What nobody converted: whether it says anything, and what kind of thing is lost with it.
+// What no code converted: whether it says anything, and what kind of thing is lost with it.
 
 #include <algorithm>
 #include <array>
@@ -41,7 +41,7 @@ std::optional<schema::Node> node_of(const schema::Schema& schema, xml::Element e
   return node;
 }
 
-/// An opacity of one may be left out of a colour.
+/// An opacity of one may be left out of a color.
 std::vector<double> with_opacity(std::vector<double> color) {
   if (color.size() == 3) color.push_back(1);
   return color;

@@ -23,7 +23,7 @@ std::array<Number, 6> computed_tensor(const mass::Inertia& I) {
 }
 
 /// kg. libsdformat takes less for 0 where it reads URDF: `equal(mass, 0.0)` of its mathematics library.
-constexpr double kLeastMassInGazebo = 1e-6;
+constexpr double kMinMassInGazebo = 1e-6;
 
 class InertialConverter {
  public:
@@ -35,7 +35,7 @@ class InertialConverter {
 
   std::optional<UrdfInertial> convert() {
     std::optional<UrdfInertial> result = inertial();
-    if (result && result->mass.value > 0 && result->mass.value < kLeastMassInGazebo) {
+    if (result && result->mass.value > 0 && result->mass.value < kMinMassInGazebo) {
       draft_.ledger.note(
           {.kind = NoteKind::kTinyMass,
            .outcome = Outcome::kConverted,

@@ -151,7 +151,7 @@ class LinkConverter {
                                               : std::string(shape_name(geometry.shape))});
   }
 
-  /// A transparency without a colour has nothing to act on.
+  /// A transparency without a color has nothing to act on.
   void tell_extras(const model::Visual& visual, const std::string& whose,
                    const std::string& material) {
     LostChildren lost(draft_, visual.site);

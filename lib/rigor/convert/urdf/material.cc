@@ -31,7 +31,7 @@ using Rgba = std::array<Number, 4>;
 constexpr double kAmbientLight = 0.4;
 constexpr double kSunLight = 0.8;
 
-/// A colour as a file gives it: three or four numbers, each brought to 0 to 1.
+/// A color as a file gives it: three or four numbers, each brought to 0 to 1.
 std::optional<Rgba> color_in(const std::optional<read::Text>& text) {
   if (!text) return std::nullopt;
   Rgba color;
@@ -131,7 +131,7 @@ class MaterialConverter {
     return look;
   }
 
-  /// A colour that is written beside a script is what Gazebo shows.
+  /// A color that is written beside a script is what Gazebo shows.
   void tell_script(xml::Element material, std::optional<Rgba>& color) {
     const std::string name = script_name(draft_.source, visual_);
     if (name.empty()) return;
@@ -199,7 +199,7 @@ class MaterialConverter {
   xml::Element element_;
   std::string subject_;
   const std::string& in_block_;
-  std::string name_;  // of the colour, where it is a script's
+  std::string name_;  // of the color, where it is a script's
 };
 
 }  // namespace

@@ -23,7 +23,7 @@ namespace rigor::convert {
 std::optional<UrdfInertial> urdf_inertial(UrdfDraft& draft, model::Id<model::Link> link,
                                           const model::Pose& X_JL);
 
-/// Keys of a link's block that speak of its visuals or collisions.
+/// Keys of a link's block that refer to its visuals or collisions.
 struct PartKeys {
   std::string script;   ///< `common_script` of its visuals
   std::string surface;  ///< `surface_lines` of its collisions

@@ -44,14 +44,14 @@ double rounded_behind_point(double value, int decimals) {
 }
 
 /// Fifteen significant digits of the largest component; never so few that they move the pose by
-/// more than kOriginTolerance, never so many that the noise of sums about a metre large is told.
+/// more than kOriginTolerance, never so many that the noise of sums about a meter large is reported.
 Vector3 rounded_translation(const Vector3& p) {
   constexpr int kFewestDecimals = 12;
-  constexpr int kMostDecimals = 14;
+  constexpr int kMaxDecimals = 14;
   const double size = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   if (!(size > 0) || !std::isfinite(size)) return p;
   const int magnitude = static_cast<int>(std::floor(std::log10(size)));
-  const int decimals = std::clamp(14 - magnitude, kFewestDecimals, kMostDecimals);
+  const int decimals = std::clamp(14 - magnitude, kFewestDecimals, kMaxDecimals);
   return {rounded_behind_point(p.x, decimals), rounded_behind_point(p.y, decimals),
           rounded_behind_point(p.z, decimals)};
 }
@@ -109,8 +109,8 @@ bool usable_text(const Number& number) {
 std::string to_text(const Number& number) {
   if (usable_text(number)) return number.text;
   if (std::isnan(number.value) || number.value == 0) return "0";
-  constexpr double kMost = std::numeric_limits<double>::max();
-  std::string text = schema::to_shortest(std::clamp(number.value, -kMost, kMost));
+  constexpr double kMax = std::numeric_limits<double>::max();
+  std::string text = schema::to_shortest(std::clamp(number.value, -kMax, kMax));
   std::erase(text, '+');  // 1e+16
   return text;
 }

@@ -34,7 +34,7 @@ std::string to_text(const Number& number);
 using Number3 = std::array<Number, 3>;
 Number3 numbers(const model::Vector3& v);
 
-/// `<origin>`: metres, and roll, pitch, yaw in radians.
+/// `<origin>`: meters, and roll, pitch, yaw in radians.
 struct UrdfOrigin {
   Number3 xyz;
   Number3 rpy;
@@ -46,7 +46,7 @@ bool is_identity(const UrdfOrigin& origin);
 model::Pose pose_of(const UrdfOrigin& origin);
 
 struct UrdfInertial {
-  UrdfOrigin origin;              ///< of the centre of mass frame
+  UrdfOrigin origin;              ///< of the center of mass frame
   Number mass;                    ///< kg
   std::array<Number, 6> inertia;  ///< ixx ixy ixz iyy iyz izz, kg·m²
   Remarks comments = {};

@@ -14,8 +14,8 @@ namespace {
 
 using model::Id;
 
-/// A list of roots is cut here: nobody reads more.
-constexpr std::size_t kMostRootsTold = 12;
+/// A list of roots is cut here: more would not be read.
+constexpr std::size_t kMaxRootsReported = 12;
 
 std::string end_text(const std::string& name, const char* which) {
   return name.empty() ? std::string("it has no ") + which : std::string(which) + " " + name;
@@ -58,11 +58,11 @@ Note note_on_roots(const Source& source, const UrdfTree& tree) {
     return note;
   }
   std::string names;
-  for (std::size_t i = 0; i < std::min(tree.roots.size(), kMostRootsTold); ++i) {
+  for (std::size_t i = 0; i < std::min(tree.roots.size(), kMaxRootsReported); ++i) {
     names += (i == 0 ? "" : ", ") + model::name_in(source.root, tree.models.front(), tree.roots[i]);
   }
-  if (tree.roots.size() > kMostRootsTold) names += ", …";
-  if (tree.on_world) names += " (others hang on the world)";
+  if (tree.roots.size() > kMaxRootsReported) names += ", …";
+  if (tree.on_world) names += " (others are joined to the world)";
   note.written = names;
   return note;
 }

@@ -143,7 +143,7 @@ class ShapeFiler {
     if (shape.submesh.value.empty() || !path) return std::nullopt;
     const std::string_view name = file_name(*path);
     std::string stem = write::safe_name(name.substr(0, name.rfind('.')));
-    stem += '-' + write::safe_name(shape.submesh.value) + (shape.center.value ? "-centred" : "");
+    stem += '-' + write::safe_name(shape.submesh.value) + (shape.center.value ? "-centered" : "");
     const std::string identity = stem + ' ' + *path + ' ' + shape.submesh.value;
     return file(identity, stem, ".dae", [&] { return part_mesh(draft_.source, *path, shape); });
   }

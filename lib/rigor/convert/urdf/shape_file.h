@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Mesh files that stand for shapes that URDF lacks. Private to the room.
+// Mesh files that represent shapes that URDF lacks. Private to the room.
 //
 //   if (auto name = shape_file(draft, shape)) return UrdfMesh{*name};
 

@@ -38,7 +38,7 @@ constexpr std::array kSurfaceKeys{SurfaceKey{"mu1", kFrictionOde, "mu"},
                                   SurfaceKey{"laserRetro", {}, "laser_retro"}};
 
 /// How many different values a note lists.
-constexpr std::size_t kMostListedValues = 4;
+constexpr std::size_t kMaxListedValues = 4;
 
 /// What is written and is not the default.
 std::optional<read::Text> surface_value(const Source& source, const model::Collision& collision,
@@ -74,7 +74,7 @@ std::string listed(std::string_view key, const SurfaceValues& values) {
   for (const auto& value : values) {
     std::string word = value ? std::string(read::trimmed(value->text)) : "default";
     if (std::find(words.begin(), words.end(), word) != words.end()) continue;
-    if (words.size() == kMostListedValues) {
+    if (words.size() == kMaxListedValues) {
       words.emplace_back("…");
       break;
     }

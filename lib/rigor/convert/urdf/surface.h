@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Friction, contact and reflection of a link's collisions as the keys of its `<gazebo>` block, which speak of the
+// Friction, contact and reflection of a link's collisions as the keys of its `<gazebo>` block, which refer to the
 // whole link. Private to the room.
 
 #pragma once

@@ -26,7 +26,7 @@ void take_overridden(Ledger& ledger, xml::Element model, std::string_view name) 
   if (const auto child = model.child(name)) ledger.take_all(*child, Outcome::kImplied);
 }
 
-/// The model was read with them done, but for what leads nowhere.
+/// The model was read with them done, but for what does not exist.
 void take_parameters(const Source& source, Ledger& ledger, const model::Include& include,
                      const std::string& subject) {
   const xml::Element element = source.documents.element(include.site);
@@ -42,13 +42,13 @@ void take_parameters(const Source& source, Ledger& ledger, const model::Include&
                   {.where = ignored.name_span(),
                    .subject = subject,
                    .written = "experimental:params/" + std::string(ignored.name()) +
-                              ", which leads nowhere,"});
+                              ", which does not exist,"});
     }
   }
   ledger.take(*parameters);
   std::size_t count = 0;
   for (const xml::Element parameter : parameters->children()) {
-    if (++count > read::kMostIncludeParameters) return;
+    if (++count > read::kMaxIncludeParameters) return;
     ledger.take_all(parameter);
   }
 }

@@ -15,14 +15,14 @@
 namespace rigor::convert {
 namespace {
 
-/// Folders above a mesh that are looked at for a package.xml or model.config, as the resolver does.
-constexpr int kMostFoldersAbove = 16;
+/// Folders above a mesh that are examined for a package.xml or model.config, as the resolver does.
+constexpr int kMaxFoldersAbove = 16;
 
 /// Larger manifests are not read for their names.
-constexpr std::uint64_t kMostManifestBytes = std::uint64_t{1} << 20U;
+constexpr std::uint64_t kMaxManifestBytes = std::uint64_t{1} << 20U;
 
 std::string manifest_name(const Disk& disk, const std::string& path) {
-  const ReadResult manifest = disk.read(path, kMostManifestBytes);
+  const ReadResult manifest = disk.read(path, kMaxManifestBytes);
   if (!manifest.bytes) return {};
   const xml::Document document = xml::parse(*manifest.bytes, kNoSource);
   const auto name = document.root() ? document.root()->child("name") : std::nullopt;
@@ -47,7 +47,7 @@ std::optional<std::string> package_uri(const Disk& disk, const std::string& pack
                                        const std::string& file) {
   const std::string path = normalize_path(file);
   std::string folder(parent_path(path));
-  for (int i = 0; i < kMostFoldersAbove; ++i) {
+  for (int i = 0; i < kMaxFoldersAbove; ++i) {
     const std::string name = package_name_of(disk, folder);
     if (!name.empty()) {
       const std::size_t inside = folder == "." ? 0 : folder.size() + 1;
@@ -109,7 +109,7 @@ bool names_ros_package(const Disk& disk, std::string_view uri, const std::string
   std::string_view name = uri.substr(scheme.size() + 3);
   name = name.substr(0, name.find('/'));
   std::string folder(parent_path(normalize_path(file)));
-  for (int i = 0; i < kMostFoldersAbove; ++i) {
+  for (int i = 0; i < kMaxFoldersAbove; ++i) {
     const std::string manifest = join_path(folder, "package.xml");
     if (disk.kind(manifest) == PathKind::kFile) return manifest_name(disk, manifest) == name;
     const std::string above(parent_path(folder));

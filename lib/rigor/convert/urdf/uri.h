@@ -26,7 +26,7 @@ std::optional<std::string> file_uri(const Source& source, const std::string& fil
 /// The path of the file that a source was read from.
 std::string path_of(const Source& source, SourceId id);
 
-/// Where the URI leads; nothing when it leads nowhere.
+/// Where the URI leads; nothing when it does not exist.
 std::optional<std::string> file_of(const Source& source, const model::Field<std::string>& uri);
 
 /// A URI in the result and whether it leads to the file from where that will stand.
@@ -41,7 +41,7 @@ PlacedUri placed_uri(const Source& source, std::string uri, const std::string& f
                      UriChoice choice);
 
 /// By the options' policy; takes the URI, and notes a change, one that only some readers will
-/// find, and one that leads nowhere.
+/// find, and one that does not exist.
 std::string urdf_uri(UrdfDraft& draft, const model::Field<std::string>& uri,
                      const std::string& subject);
 

@@ -75,7 +75,7 @@ class SymbolTree {
 };
 
 /// Symbols of a workspace that are listed for a query.
-constexpr std::size_t kMostSymbols = 500;
+constexpr std::size_t kMaxSymbols = 500;
 
 /// Whether the letters of a query come in the name, in their order.
 bool matches(std::string_view name, std::string_view query) {
@@ -110,7 +110,7 @@ Json workspace_symbols(State& state, const Json& params) {
     if (!read.bytes) continue;
     const xml::Document document = xml::parse_own(*read.bytes, SourceId{0});
     const LineIndex lines(*read.bytes, state.client.encoding);
-    for (std::uint32_t i = 0; i < document.element_count() && list.size() < kMostSymbols; ++i) {
+    for (std::uint32_t i = 0; i < document.element_count() && list.size() < kMaxSymbols; ++i) {
       const xml::Element element = document.element(i);
       const auto name = element.attribute("name");
       const int kind = name ? symbol_kind(element.name()) : 0;

@@ -22,7 +22,7 @@ void list_folder(const State& state, const std::string& folder, std::uint32_t be
   }
 }
 
-/// Folders in which models and packages are searched by their names, and the neighbours of the file's own.
+/// Folders in which models and packages are searched by their names, and the neighbors of the file's own.
 std::vector<std::string> searched(const State& state, const std::string& path) {
   std::vector<std::string> folders;
   const read::SearchPaths& paths = state.environment().resolver.paths();

@@ -121,7 +121,7 @@ MeshCache::MeshCache(FolderStore store, std::string program, const process::Work
     : store_(std::move(store)),
       program_(std::move(program)),
       workers_(workers),
-      least_(least),
+      min_(least),
       importer_(std::make_shared<Importer>(workers)),
       digests_(std::make_shared<Digests>(std::move(stamp))) {}
 
@@ -163,10 +163,10 @@ Found MeshCache::find(const Disk& disk, const std::string& path, std::string_vie
   }
   const WitnessDisk asked(disk, path, digests_->function());
   auto [found, whole] = find(asked);
-  const bool small = own_format(found.format) && found.triangles < least_;
+  const bool small = own_format(found.format) && found.triangles < min_;
   if (!before || !whole || !found.usable() || small) return std::move(found);
   CachedMesh entry{asked.witnesses(), importer_of(found.format), std::move(found)};
-  // What changed while it was looked at is not known well enough.
+  // What changed while it was examined is not known well enough.
   const bool steady = holds(disk, entry) && key(disk, path, what) == before;
   if (steady && entry.witnesses.size() <= kMaxWitnesses) store_.put(*before, encode(entry));
   return std::move(std::get<Found>(entry.found));
@@ -179,7 +179,7 @@ std::optional<Digest> MeshCache::key(const Disk& disk, const std::string& path,
   const Format format = format_of_file(*file, path);
   if (!names_are_known(format)) return std::nullopt;
   // Then it is not even looked up.
-  if (own_format(format) && most_triangles(format, file->size()) < least_) return std::nullopt;
+  if (own_format(format) && most_triangles(format, file->size()) < min_) return std::nullopt;
   Hasher hasher;
   const auto add = [&hasher](std::string_view text) { hasher.add(digest_bytes(digest_of(text))); };
   add(kMeshFactsCode);

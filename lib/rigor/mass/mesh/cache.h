@@ -3,8 +3,8 @@
 //
 // What was found of meshes, kept in a folder from one run of a program to the next. It is that of the
 // same bytes at the same path, as the same program with the same importer of scenes found it,
-// and is used as long as everything else that was looked at (libraries of materials, buffers, pictures,
-// names that were not there) is as it was. Whether there is a cache can be told from time alone.
+// and is used as long as everything else that was examined (libraries of materials, buffers, pictures,
+// names that were not there) is as it was. Whether there is a cache can be derived from time alone.
 //
 //   const MeshCache cache(FolderStore("/home/me/.cache/rigor"), "rigor 0.1.0", environment.workers);
 //   MeshFiles files(disk, MeshDepth::kAll, {.cache = &cache});
@@ -41,13 +41,13 @@ class MeshCache {
 
   /// Fewer triangles, in a format that rigor reads itself, are checked in some milliseconds, of which writing an
   /// entry would take more than a twentieth. Scenes are kept whatever their size: importing one takes a process.
-  static constexpr std::uint64_t kLeastTriangles = 5000;
+  static constexpr std::uint64_t kMinTriangles = 5000;
 
-  /// `program` tells apart programs that may find something else in the same bytes. One of `workers`, which
+  /// `program` distinguishes programs that may find something else in the same bytes. One of `workers`, which
   /// outlive this, is asked which importer there is. With `stamp`, for disks whose paths are the system's, a
   /// file's bytes are read once for their digest; without, whenever it is asked for.
   MeshCache(FolderStore store, std::string program, const process::Workers& workers,
-            std::uint64_t least = kLeastTriangles, Stamp stamp = {});
+            std::uint64_t least = kMinTriangles, Stamp stamp = {});
 
   /// What `mesh_facts` and `survey_mesh` give. Safe across threads.
   MeshFacts facts(const Disk& disk, const std::string& path, MeshDepth depth,
@@ -69,7 +69,7 @@ class MeshCache {
   FolderStore store_;
   std::string program_;
   const process::Workers& workers_;
-  std::uint64_t least_;
+  std::uint64_t min_;
   std::shared_ptr<Importer> importer_;
   std::shared_ptr<Digests> digests_;
 };

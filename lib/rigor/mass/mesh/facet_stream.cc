@@ -24,7 +24,7 @@ using model::Vector3;
 // Facets read at once: 200 kB, which stay in the second-level cache while they are added up.
 constexpr std::uint64_t kBlock = 4096;
 
-// Facets looked at, all over the file, to learn where the mesh is.
+// Facets examined, all over the file, to learn where the mesh is.
 constexpr std::uint64_t kSamples = 1024;
 
 constexpr Bounds kNowhere{

@@ -100,7 +100,7 @@ MeshFacts mesh_facts(const Disk& disk, const std::string& path, const mesh::Load
 Turns* MeshMemory::turns() const { return reads ? reads->turns() : nullptr; }
 
 const MeshFacts& MeshFiles::find(const std::string& path, MeshDepth depth) {
-  depth = std::max(depth, least_);
+  depth = std::max(depth, min_);
   return known_.find({path, depth}, [&] {
     const auto [cache, reads, workers] = memory_;
     if (cache) return cache->facts(disk_, path, depth, reads);

@@ -56,7 +56,7 @@ struct MeshFacts {
   std::uint64_t triangles = 0;
   std::uint64_t largest_part = 0;  ///< vertices of the part that has most, as a renderer needs them
   bool normals = false;            ///< corners carry some
-  mesh::Bounds bounds;             ///< of what triangles use; metres, or the file's own unit
+  mesh::Bounds bounds;             ///< of what triangles use; meters, or the file's own unit
   std::optional<MeshShape> shape;  ///< from `kShape` on
 
   bool usable() const;  ///< no fault is fatal
@@ -89,15 +89,15 @@ struct MeshMemory {
 /// Facts found once, however many links use a mesh. Safe across threads.
 class MeshFiles {
  public:
-  /// Each mesh is looked at as deep as is asked, and at least as deep as `least`.
+  /// Each mesh is examined as deep as is asked, and at least as deep as `least`.
   explicit MeshFiles(const Disk& disk, MeshDepth least = MeshDepth::kFile, MeshMemory memory = {})
-      : disk_(disk), least_(least), memory_(memory), known_(memory.turns()) {}
+      : disk_(disk), min_(least), memory_(memory), known_(memory.turns()) {}
 
   const MeshFacts& find(const std::string& path, MeshDepth depth);
 
  private:
   const Disk& disk_;
-  MeshDepth least_;
+  MeshDepth min_;
   MeshMemory memory_;
   FoundOnce<std::pair<std::string, MeshDepth>, MeshFacts> known_;
 };

@@ -17,7 +17,7 @@
 namespace rigor::mass {
 
 /// To be raised when the same members get another meaning. New members need not: the compiler stops
-/// until they are named in facts_code.cc, and other programs' entries are not looked at.
+/// until they are named in facts_code.cc, and other programs' entries are not examined.
 inline constexpr std::string_view kMeshFactsCode = "3";
 
 std::string encode(CachedMesh entry);

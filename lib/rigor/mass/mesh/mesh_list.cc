@@ -12,7 +12,7 @@
 namespace rigor::mass {
 namespace {
 
-/// As deep as rules look at a mesh, so that nothing is looked at twice.
+/// As deep as rules look at a mesh, so that nothing is examined twice.
 using DepthByPath = std::map<std::string, MeshDepth>;
 
 template <class Entity>

@@ -19,7 +19,7 @@ std::uint64_t bytes_of(const mesh::LoadedMesh& loaded) {
   const mesh::TriangleMesh& mesh = loaded.mesh;
   std::uint64_t pictures = 0;
   for (const mesh::Material& material : mesh.materials) {
-    if (material.held_picture) pictures += material.held_picture->size();
+    if (material.embedded_picture) pictures += material.embedded_picture->size();
   }
   return pictures + sizeof loaded + bytes_in(mesh.positions) + bytes_in(mesh.triangles) +
          bytes_in(mesh.corners.texture) + bytes_in(mesh.corners.normals) +

@@ -22,9 +22,9 @@ using mesh::TriangleMesh;
 // A file of more is not held in memory for what one pass over it tells.
 constexpr std::uint64_t kStreamedBytes = std::uint64_t{32} << 20U;
 
-// Less volume than this share of the bounds' is that of a sheet: of what a modeller means as a solid,
+// Less volume than this share of the bounds' is that of a sheet: of what a modeler means as a solid,
 // the thinnest is a plate a thousand times as wide as thick.
-constexpr double kLeastFill = 1e-7;
+constexpr double kMinFill = 1e-7;
 
 double volume_of(const mesh::Bounds& b) {
   return (b.max.x - b.min.x) * (b.max.y - b.min.y) * (b.max.z - b.min.z);
@@ -82,7 +82,7 @@ void take(const FacetSums& sums, MeshSurvey& survey) {
 }
 
 bool flat(const MeshSurvey& survey) {
-  return !(std::abs(survey.moments.volume) > kLeastFill * volume_of(survey.bounds));
+  return !(std::abs(survey.moments.volume) > kMinFill * volume_of(survey.bounds));
 }
 
 MeshState state_of(const MeshSurvey& survey) {

@@ -78,7 +78,7 @@ class MeshSurveys {
   FoundOnce<std::tuple<std::string, std::string, bool>, MeshSurvey> known_;
 };
 
-/// Overlap up to this share of the inside is taken for the modeller's way to join parts.
+/// Overlap up to this share of the inside is taken for the modeler's way to join parts.
 inline constexpr double kMaxDoubled = 0.01;
 
 struct MeshBody {

@@ -41,7 +41,7 @@ struct FileReference {
   std::uint32_t height = 0;
 };
 
-/// With each %xx as the byte that it stands for (RFC 3986, 2.1).
+/// With each %xx as the byte that it represents (RFC 3986, 2.1).
 std::string percent_decoded(std::string_view written);
 
 /// Whether there is a file at `path`.

@@ -29,11 +29,11 @@ std::optional<double> unit_of(xml::Element root) {
   const auto meter = unit ? unit->attribute("meter") : std::nullopt;
   if (!meter) return 1;
   const std::string_view text = value(*unit, "meter");
-  double metres = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), metres);
+  double meters = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), meters);
   const bool good = error == std::errc() && end == text.data() + text.size();
-  if (!good || !std::isfinite(metres) || metres <= 0) return std::nullopt;
-  return metres;
+  if (!good || !std::isfinite(meters) || meters <= 0) return std::nullopt;
+  return meters;
 }
 
 class ColladaReader {
@@ -44,7 +44,7 @@ class ColladaReader {
     const xml::Element root = *index_.document().root();
     const std::optional<double> unit = unit_of(root);
     if (!unit) {
-      fail(FaultKind::kMalformed, "the unit is no positive number of metres", root);
+      fail(FaultKind::kMalformed, "the unit is no positive number of meters", root);
     } else if (!scene_.root()) {
       fail(FaultKind::kMalformed, "there is no scene", root);
     } else {

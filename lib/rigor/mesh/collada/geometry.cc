@@ -25,8 +25,8 @@ using ColladaTriangle = std::array<ColladaCorner, 3>;
 
 class ColladaGeometryReader {
  public:
-  ColladaGeometryReader(const ColladaIndex& index, Element geometry, std::uint64_t most_bytes)
-      : index_(index), geometry_(geometry), most_bytes_(most_bytes) {}
+  ColladaGeometryReader(const ColladaIndex& index, Element geometry, std::uint64_t max_bytes)
+      : index_(index), geometry_(geometry), max_bytes_(max_bytes) {}
 
   ColladaGeometry run() {
     shape_.name = value(geometry_, "name");
@@ -201,7 +201,7 @@ class ColladaGeometryReader {
       const ColladaNumbers read = read_collada_source(index_, source, kColladaWidths[kind]);
       shape_.bytes_read += read.bytes_read;
       if (read.problem) return fail(FaultKind::kMalformed, read.problem, geometry_);
-      if (shape_.bytes_read > most_bytes_) {
+      if (shape_.bytes_read > max_bytes_) {
         return fail(FaultKind::kTooLarge, "the same numbers are read over and over", geometry_);
       }
       keep_used(kind, read.numbers, groups);
@@ -247,7 +247,7 @@ class ColladaGeometryReader {
   ColladaGeometry shape_;
   ColladaGroup group_;
   std::string_view vertices_;  ///< url, the same for all groups
-  std::uint64_t most_bytes_;
+  std::uint64_t max_bytes_;
   std::uint64_t lists_ = 0;    ///< triangles, once for each kind that their corners have
   std::uint64_t missing_ = 0;  ///< faces that the counts promise
   Fault out_of_range_{.kind = FaultKind::kIndexOutOfRange};
@@ -257,8 +257,8 @@ class ColladaGeometryReader {
 }  // namespace
 
 ColladaGeometry read_collada_geometry(const ColladaIndex& index, Element geometry,
-                                      std::uint64_t most_bytes) {
-  return ColladaGeometryReader(index, geometry, most_bytes).run();
+                                      std::uint64_t max_bytes) {
+  return ColladaGeometryReader(index, geometry, max_bytes).run();
 }
 
 }  // namespace rigor::mesh

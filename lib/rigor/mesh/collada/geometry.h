@@ -42,9 +42,9 @@ struct ColladaGeometry {
   std::vector<Fault> faults;
 };
 
-/// With a fatal fault the rest is of no use. There is one when more than about `most_bytes` of
+/// With a fatal fault the rest is of no use. There is one when more than about `max_bytes` of
 /// numbers would be read.
 ColladaGeometry read_collada_geometry(const ColladaIndex& index, xml::Element geometry,
-                                      std::uint64_t most_bytes);
+                                      std::uint64_t max_bytes);
 
 }  // namespace rigor::mesh

@@ -45,7 +45,7 @@ class ColladaIndex {
   const xml::Document& document() const { return document_; }
 
   /// What `#id` names, if that is an element called `name`. Of two with one id the first counts;
-  /// other files are never looked at.
+  /// other files are never examined.
   std::optional<xml::Element> find(std::string_view url, std::string_view name) const;
 
   /// Without the `#`, as images are named.

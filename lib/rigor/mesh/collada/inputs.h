@@ -21,7 +21,7 @@
 
 namespace rigor::mesh {
 
-// What a corner has. Tangents, and all but the first set of texture points and of colours, are
+// What a corner has. Tangents, and all but the first set of texture points and of colors, are
 // passed over, as mesh/importer/bake.h does.
 inline constexpr std::size_t kColladaPosition = 0;
 inline constexpr std::size_t kColladaTexture = 1;

@@ -16,7 +16,7 @@ namespace {
 
 using xml::Element;
 
-// What consumers make of a surface that says nothing of its colour: assimp's grey, so that both
+// What consumers make of a surface that says nothing of its color: assimp's gray, so that both
 // readers of Collada agree.
 constexpr float kGrey = 0.6F;
 
@@ -40,7 +40,7 @@ std::optional<std::array<double, 4>> color_of(Element element) {
 
 float fraction(double number) { return static_cast<float>(std::clamp(number, 0.0, 1.0)); }
 
-/// With each %xx as the byte that it stands for (RFC 3986, 2.1), without the scheme of files.
+/// With each %xx as the byte that it represents (RFC 3986, 2.1), without the scheme of files.
 std::string path_of_uri(std::string_view uri) {
   constexpr std::string_view kFile = "file://";
   if (uri.starts_with(kFile)) uri.remove_prefix(kFile.size());
@@ -90,7 +90,7 @@ class ColladaEffect {
 
  private:
   /// Collada 1.4.1 and 1.5, "Determining Transparency": A_ONE, which is meant where nothing is
-  /// said, and A_ZERO count the colour's alpha, the others its luminance (ITU-R BT.709); the ones
+  /// said, and A_ZERO count the color's alpha, the others its luminance (ITU-R BT.709); the ones
   /// have 1 for opaque, the zeros 0. Nothing where neither element is.
   std::optional<double> opacity() const {
     const auto transparent = shading_->child("transparent");

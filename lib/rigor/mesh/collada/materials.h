@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How the surfaces of a Collada file look: the diffuse colour or picture, and the opacity, of the
+// How the surfaces of a Collada file look: the diffuse color or picture, and the opacity, of the
 // effect behind a <material>. What is said in other ways, such as by a <param>, is not known.
 //
 //   ColladaMaterials materials(index);

@@ -21,7 +21,7 @@
 
 namespace rigor::mesh {
 
-/// A geometry, directly or behind a controller (whose bones are not applied: it stands as modelled).
+/// A geometry, directly or behind a controller (whose bones are not applied: it stands as modeled).
 struct ColladaInstance {
   xml::Element geometry;
   std::map<std::string_view, xml::Element> materials;  ///< by symbol

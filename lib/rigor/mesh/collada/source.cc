@@ -14,7 +14,7 @@ namespace {
 
 using xml::Element;
 
-// Of a colour's numbers, those that it cannot do without.
+// Of a color's numbers, those that it cannot do without.
 constexpr std::size_t kOpaque = 3;
 
 ColladaNumbers accessed_numbers(Element array, Element accessor, std::size_t width) {

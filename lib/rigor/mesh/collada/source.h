@@ -24,7 +24,7 @@ struct ColladaNumbers {
   const char* problem = nullptr;  ///< why there are none
 };
 
-/// The first `width` numbers of each item. Of colours without an opacity, the fourth is 1.
+/// The first `width` numbers of each item. Of colors without an opacity, the fourth is 1.
 ColladaNumbers read_collada_source(const ColladaIndex& index, std::string_view url,
                                    std::size_t width);
 

@@ -51,7 +51,7 @@ void append_color(std::string& text, const std::array<float, 4>& color) {
   text += "</color>";
 }
 
-/// A surface has a picture or a colour; which pixels are meant, two parameters say in a roundabout
+/// A surface has a picture or a color; which pixels are meant, two parameters say in a roundabout
 /// way.
 void append_picture(std::string& parameters, std::string& surface, const std::string& image) {
   parameters += "<newparam sid=\"surface\"><surface type=\"2D\"><init_from>" + image +
@@ -60,7 +60,7 @@ void append_picture(std::string& parameters, std::string& surface, const std::st
   surface += "<texture texture=\"sampler\" texcoord=\"UV\"/>";
 }
 
-/// With the colour's own opacity 1, and the true one apart, as consumers look for it there.
+/// With the color's own opacity 1, and the true one apart, as consumers look for it there.
 void append_effect(std::string& text, const Material* look, const std::string& image) {
   text += "<profile_COMMON>";
   std::string surface;

@@ -24,8 +24,8 @@ constexpr std::uint32_t kNoFace = std::numeric_limits<std::uint32_t>::max();
 // Work per triangle before the hull is made in another way. A ball with rounded coordinates takes
 // less than one flip, a box of grids about three; vertices have six edges in the mean, so only one
 // with very many takes more steps.
-constexpr std::uint64_t kMostFlips = 8;
-constexpr std::uint64_t kMostSteps = 64;
+constexpr std::uint64_t kMaxFlips = 8;
+constexpr std::uint64_t kMaxSteps = 64;
 
 struct HullFace {
   Triangle corners;                     ///< places; all the same when it is no more
@@ -39,7 +39,7 @@ class FlipHull {
   explicit FlipHull(const TriangleMesh& mesh) : mesh_(mesh), welded_(weld(mesh.positions)) {}
 
   std::optional<TriangleMesh> run() {
-    if (!take_faces() || !seen_once() || !find_neighbours() || !flip()) return std::nullopt;
+    if (!take_faces() || !seen_once() || !find_neighbors() || !flip()) return std::nullopt;
     TriangleMesh hull{.positions = mesh_.positions};
     for (const HullFace& face : faces_) {
       if (!degenerate(face.corners)) hull.triangles.push_back(as_positions(face.corners));
@@ -88,13 +88,13 @@ class FlipHull {
   }
 
   /// Whether each edge has two triangles, which run along it in opposite directions.
-  bool find_neighbours() {
+  bool find_neighbors() {
     std::vector<std::uint32_t> first(welded_.places(), kNoFace);  // half-edge, by its begin
     std::vector<std::uint32_t> next(3 * faces_.size());
     for (std::uint32_t h = 0; h < next.size(); ++h) {
       next[h] = std::exchange(first[faces_[h / 3].corners[h % 3]], h);
     }
-    std::uint64_t steps = kMostSteps * faces_.size();
+    std::uint64_t steps = kMaxSteps * faces_.size();
     for (std::uint32_t h = 0; h < next.size(); ++h) {
       const Triangle& corners = faces_[h / 3].corners;
       const std::uint32_t begin = corners[h % 3];
@@ -120,7 +120,7 @@ class FlipHull {
 
   bool flip() {
     std::vector<Edge> open = inward_edges();
-    std::uint64_t left = kMostFlips * faces_.size();
+    std::uint64_t left = kMaxFlips * faces_.size();
     while (!open.empty()) {
       const Edge edge = open.back();
       open.pop_back();
@@ -160,8 +160,8 @@ class FlipHull {
     const auto [ad, db] = others(back);
     faces_[f] = {{c, a, d}, {ca, ad, g}};
     faces_[g] = {{d, b, c}, {db, bc, f}};
-    replace_neighbour(ad, g, f, d, a);
-    replace_neighbour(bc, f, g, c, b);
+    replace_neighbor(ad, g, f, d, a);
+    replace_neighbor(bc, f, g, c, b);
     for (const std::size_t i : {0U, 1U}) {
       open.push_back({f, i});
       open.push_back({g, i});
@@ -169,7 +169,7 @@ class FlipHull {
     return true;
   }
 
-  /// A vertex a with only the neighbours b, c and d, under the triangle bcd, which takes its place.
+  /// A vertex a with only the neighbors b, c and d, under the triangle bcd, which takes its place.
   bool leave_out(const Edge& edge, std::vector<Edge>& open) {
     const Edge back = twin(edge);
     const auto [a, b, c, d] = around(edge);
@@ -182,8 +182,8 @@ class FlipHull {
     const std::uint32_t f = edge.face;
     const std::uint32_t cd = faces_[third].across[i];
     faces_[f] = {{b, c, d}, {bc, cd, db}};
-    replace_neighbour(cd, third, f, d, c);
-    replace_neighbour(db, back.face, f, b, d);
+    replace_neighbor(cd, third, f, d, c);
+    replace_neighbor(db, back.face, f, b, d);
     faces_[third].corners = faces_[back.face].corners = {};
     for (const std::size_t edge_of_f : {0U, 1U, 2U}) open.push_back({f, edge_of_f});
     return true;
@@ -216,8 +216,8 @@ class FlipHull {
   }
 
   /// Of `face`, beyond its edge from `begin` to `end`.
-  void replace_neighbour(std::uint32_t face, std::uint32_t was, std::uint32_t is,
-                         std::uint32_t begin, std::uint32_t end) {
+  void replace_neighbor(std::uint32_t face, std::uint32_t was, std::uint32_t is,
+                        std::uint32_t begin, std::uint32_t end) {
     for (std::size_t i = 0; i < 3; ++i) {
       HullFace& f = faces_[face];
       if (f.across[i] == was && f.corners[i] == begin && f.corners[corner_after(i)] == end) {

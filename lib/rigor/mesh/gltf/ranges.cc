@@ -16,8 +16,8 @@ constexpr std::uint64_t kMaxGltfItems = 1'000'000;
 
 // Numbers are cut to these, so that no product of them overflows. A file has 2^31 bytes at most, and
 // a stride 252 (glTF 2.0, 3.6.2.4).
-constexpr double kMostGltfBytes = 1e12;
-constexpr std::uint64_t kMostGltfStride = 1 << 20U;
+constexpr double kMaxGltfBytes = 1e12;
+constexpr std::uint64_t kMaxGltfStride = 1 << 20U;
 
 template <class Item>
 Item* gltf_item(std::vector<Item>& items, std::uint64_t index) {
@@ -33,7 +33,7 @@ const Item* find_gltf_item(const std::vector<Item>& items, std::optional<std::ui
 
 /// Zero of what is below, and of what is no number.
 std::uint64_t gltf_number(double value) {
-  return value > 0 ? static_cast<std::uint64_t>(std::floor(std::min(value, kMostGltfBytes))) : 0;
+  return value > 0 ? static_cast<std::uint64_t>(std::floor(std::min(value, kMaxGltfBytes))) : 0;
 }
 
 std::uint64_t gltf_component_bytes(std::uint64_t type) {
@@ -81,7 +81,7 @@ void GltfRanges::take(View& view, const JsonScalar& scalar) const {
   if (scalar.key == "buffer") view.buffer = number;
   if (scalar.key == "byteOffset") view.offset = number;
   if (scalar.key == "byteLength") view.length = number;
-  if (scalar.key == "byteStride") view.stride = std::min(number, kMostGltfStride);
+  if (scalar.key == "byteStride") view.stride = std::min(number, kMaxGltfStride);
 }
 
 void GltfRanges::take(Accessor& accessor, const JsonScalar& scalar) const {

@@ -8,7 +8,7 @@
 #include <map>
 #include <string>
 
-#include <rigor/mesh/image/held_pictures.h>
+#include <rigor/mesh/image/embedded_pictures.h>
 #include <rigor/mesh/write/parts.h>
 #include <rigor/mesh/write/write.h>
 
@@ -111,14 +111,14 @@ class Glb {
 
   /// Of a surface, if it has a picture.
   std::string picture_member(const Material& material) {
-    const PictureKind kind = kind_of(material.held_picture);
+    const PictureKind kind = kind_of(material.embedded_picture);
     std::size_t index = images_.size();
     if (!material.texture.empty()) {
       add_image("\"uri\":" + quoted(uri(material.texture)));
     } else if (kind == PictureKind::kPng || kind == PictureKind::kJpeg) {
-      const auto [known, is_new] = held_.try_emplace(material.held_picture, index);
+      const auto [known, is_new] = held_.try_emplace(material.embedded_picture, index);
       index = known->second;
-      if (is_new) add_held(*material.held_picture, kind);
+      if (is_new) add_held(*material.embedded_picture, kind);
     } else {
       return {};
     }

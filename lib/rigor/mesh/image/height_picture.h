@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A picture as heights: the levels of a PNG's first channel, as they are stored. They are numbers and no
-// colours: neither gamma nor colour profiles touch them, and 16 bits stay 16.
+// colors: neither gamma nor color profiles touch them, and 16 bits stay 16.
 //
 //   const auto levels = read_height_picture(bytes);
 //   const double height = levels->at(column, row) * tallest;

@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view kPng = "\x89PNG\r\n\x1a\n";
 constexpr std::string_view kPngHeader = "IHDR";
 
-// Segments before a JPEG's frame: thumbnails and colour profiles take some dozens.
+// Segments before a JPEG's frame: thumbnails and color profiles take some dozens.
 constexpr int kMaxSegments = 1000;
 
 std::string bytes_at(const OpenFile& file, std::uint64_t offset, std::size_t count) {

@@ -141,7 +141,7 @@ class Files {
 
 // ---- What assimp leaves as it is
 
-/// Collada's surfaces have a colour or a picture; for those with a picture assimp makes up a grey.
+/// Collada's surfaces have a color or a picture; for those with a picture assimp makes up a gray.
 /// The names of glTF's pictures are URIs, which assimp hands on undecoded.
 void mend_materials(std::vector<Material>& materials, const std::string& ending) {
   for (Material& material : materials) {

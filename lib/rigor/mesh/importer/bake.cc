@@ -144,9 +144,9 @@ Material material_of(const aiMaterial& material) {
 }
 
 /// The pictures within a file, which are numbered "*0", "*1", …
-class HeldPictures {
+class EmbeddedPictures {
  public:
-  explicit HeldPictures(const aiScene& scene) : scene_(scene) {}
+  explicit EmbeddedPictures(const aiScene& scene) : scene_(scene) {}
 
   /// Null when there is none, when it is no file but bare pixels, or when there are too many bytes.
   std::shared_ptr<const std::string> find(std::string_view name) {
@@ -157,7 +157,8 @@ class HeldPictures {
     const auto [known, is_new] = known_.try_emplace(index);
     const aiTexture& texture = *scene_.mTextures[index];
     const bool is_file = texture.mHeight == 0 && texture.pcData;
-    if (!is_new || !is_file || texture.mWidth > kMaxHeldPictureBytes - bytes_) return known->second;
+    if (!is_new || !is_file || texture.mWidth > kMaxEmbeddedPictureBytes - bytes_)
+      return known->second;
     bytes_ += texture.mWidth;
     return known->second = std::make_shared<const std::string>(
                reinterpret_cast<const char*>(texture.pcData), texture.mWidth);
@@ -169,18 +170,18 @@ class HeldPictures {
   std::size_t bytes_ = 0;
 };
 
-/// What assimp gives to shapes of which the file says nothing: grey or white.
+/// What assimp gives to shapes of which the file says nothing: gray or white.
 bool is_invented(const Material& material) {
   const bool named = !material.name.empty() && material.name != AI_DEFAULT_MATERIAL_NAME;
   const std::array<float, 4>& color = material.diffuse;
   const bool plain = color[0] == color[1] && color[0] == color[2] && color[3] == 1 &&
                      (color[0] == 0.6F || color[0] == 1);
-  return !named && plain && material.texture.empty() && !material.held_picture;
+  return !named && plain && material.texture.empty() && !material.embedded_picture;
 }
 
 bool look_alike(const Material& a, const Material& b) {
-  return a.diffuse == b.diffuse && a.texture == b.texture && a.held_picture == b.held_picture &&
-         a.picture_opacity == b.picture_opacity;
+  return a.diffuse == b.diffuse && a.texture == b.texture &&
+         a.embedded_picture == b.embedded_picture && a.picture_opacity == b.picture_opacity;
 }
 
 /// The materials of a scene that its shapes use, in order of their use.
@@ -203,7 +204,7 @@ class UsedMaterials {
  private:
   std::string added(Material material) {
     if (material.texture.starts_with('*')) {
-      material.held_picture = pictures_.find(material.texture);
+      material.embedded_picture = pictures_.find(material.texture);
       material.texture.clear();
     }
     if (is_invented(material)) return material.name;
@@ -217,7 +218,7 @@ class UsedMaterials {
   }
 
   const aiScene& scene_;
-  HeldPictures pictures_;
+  EmbeddedPictures pictures_;
   std::vector<Material> materials_;
   std::map<std::string, std::size_t> by_name_;
   std::map<unsigned, std::string> names_;  ///< by index

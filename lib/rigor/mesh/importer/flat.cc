@@ -106,11 +106,11 @@ bool lists_fit(const TriangleMesh& mesh) {
 }
 
 /// Each once, in the order of the materials.
-using HeldPicture = std::shared_ptr<const std::string>;
-std::vector<HeldPicture> held_pictures(const TriangleMesh& mesh) {
-  std::vector<HeldPicture> pictures;
+using EmbeddedPicture = std::shared_ptr<const std::string>;
+std::vector<EmbeddedPicture> embedded_pictures(const TriangleMesh& mesh) {
+  std::vector<EmbeddedPicture> pictures;
   for (const Material& material : mesh.materials) {
-    const HeldPicture& picture = material.held_picture;
+    const EmbeddedPicture& picture = material.embedded_picture;
     if (picture && std::find(pictures.begin(), pictures.end(), picture) == pictures.end()) {
       pictures.push_back(picture);
     }
@@ -119,7 +119,7 @@ std::vector<HeldPicture> held_pictures(const TriangleMesh& mesh) {
 }
 
 /// 0 for none.
-std::uint64_t number_of(const HeldPicture& picture, const std::vector<HeldPicture>& all) {
+std::uint64_t number_of(const EmbeddedPicture& picture, const std::vector<EmbeddedPicture>& all) {
   if (!picture) return 0;
   return static_cast<std::uint64_t>(std::find(all.begin(), all.end(), picture) - all.begin()) + 1;
 }
@@ -147,15 +147,15 @@ std::string flatten(const LoadedMesh& loaded) {
     writer.number(part.first);
     writer.number(part.count);
   }
-  const std::vector<HeldPicture> pictures = held_pictures(loaded.mesh);
+  const std::vector<EmbeddedPicture> pictures = embedded_pictures(loaded.mesh);
   writer.number(pictures.size());
-  for (const HeldPicture& picture : pictures) writer.list(*picture);
+  for (const EmbeddedPicture& picture : pictures) writer.list(*picture);
   writer.number(loaded.mesh.materials.size());
   for (const Material& material : loaded.mesh.materials) {
     writer.list(material.name);
     for (const float part : material.diffuse) writer.value(part);
     writer.list(material.texture);
-    writer.number(number_of(material.held_picture, pictures));
+    writer.number(number_of(material.embedded_picture, pictures));
     writer.number(material.picture_opacity ? 1 : 0);
   }
   writer.list(loaded.mesh.corners.texture);
@@ -185,7 +185,7 @@ std::optional<LoadedMesh> unflatten(std::string_view bytes) {
     part.first = reader.number();
     part.count = reader.number();
   }
-  std::vector<HeldPicture> pictures{nullptr};
+  std::vector<EmbeddedPicture> pictures{nullptr};
   for (std::uint64_t left = reader.number(); left > 0 && reader.good(); --left) {
     pictures.push_back(std::make_shared<const std::string>(reader.list<std::string>()));
   }
@@ -196,7 +196,7 @@ std::optional<LoadedMesh> unflatten(std::string_view bytes) {
     material.texture = reader.list<std::string>();
     const std::uint64_t picture = reader.number();
     if (picture >= pictures.size()) return std::nullopt;
-    material.held_picture = pictures[picture];
+    material.embedded_picture = pictures[picture];
     material.picture_opacity = reader.number() != 0;
   }
   mesh.corners.texture = reader.list<decltype(Corners::texture)>();

@@ -107,7 +107,7 @@ class ObjMaterialReader {
     return true;
   }
 
-  /// Takes in the material so far. A picture without a colour is seen as it is.
+  /// Takes in the material so far. A picture without a color is seen as it is.
   void finish() {
     if (!now_) return;
     Material& look = now_->look;

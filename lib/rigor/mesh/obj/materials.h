@@ -1,8 +1,8 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The material library beside an OBJ (.mtl): names, diffuse colours (`Kd`), opacity (`d`, or `Tr`
-// from 1 down), and the pictures of colours (`map_Kd`).
+// The material library beside an OBJ (.mtl): names, diffuse colors (`Kd`), opacity (`d`, or `Tr`
+// from 1 down), and the pictures of colors (`map_Kd`).
 //
 //   std::vector<Material> materials = read_obj_materials("newmtl steel\nKd 0.5 0.5 0.6\n");
 

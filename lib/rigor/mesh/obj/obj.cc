@@ -30,7 +30,7 @@ constexpr std::size_t kMaxParts = 1'000'000;
 // As many as 32 bits can tell apart.
 constexpr std::uint64_t kAnyNumber = std::uint64_t{1} << 32U;
 
-// So many lines with names of libraries are looked at, and so many names in each. Among 60 real
+// So many lines with names of libraries are examined, and so many names in each. Among 60 real
 // files that name any, none names two.
 constexpr std::size_t kMaxLibraries = 4;
 

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Wavefront OBJ: `v` (with colours, too), `vt`, `vn`, `f` (polygons, negative indices, v/vt/vn),
+// Wavefront OBJ: `v` (with colors, too), `vt`, `vn`, `f` (polygons, negative indices, v/vt/vn),
 // `o`, `g`, `usemtl`, `mtllib`; continued lines; any line ending. Polygons are cut into triangles
 // as fans from their first corner, as consumers do. Lines, points and free-form surfaces are passed
 // over and counted. An OBJ has no unit.

@@ -21,7 +21,7 @@ bool are_floats(const std::vector<Vector3>& positions) {
   });
 }
 
-/// Colours as bytes are what every reader understands; others would be rounded by them.
+/// Colors as bytes are what every reader understands; others would be rounded by them.
 bool are_bytes(const std::vector<Corners::Color>& colors) {
   return std::all_of(colors.begin(), colors.end(), [](const Corners::Color& color) {
     return std::all_of(color.begin(), color.end(), [](float part) {

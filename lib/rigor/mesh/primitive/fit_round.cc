@@ -59,7 +59,7 @@ Placed cylinder_along(const Vector3& axis, const std::vector<Vector3>& points) {
 Placed capsule_along(const Vector3& axis, const std::vector<Vector3>& points) {
   const Shadow shadow = shadow_along(upward(axis), points);
   const double radius = shadow.circle.radius;
-  // The centres of the caps: a cap reaches a point that is off the axis from so far below it.
+  // The centers of the caps: a cap reaches a point that is off the axis from so far below it.
   double top = -std::numeric_limits<double>::infinity();
   double bottom = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -55,7 +55,7 @@ TriangleMesh turned_on_lathe(double top, const std::vector<LatheRing>& rings, do
   return mesh;
 }
 
-/// Two half balls, their centres `length` apart; the equator is drawn once when that is zero.
+/// Two half balls, their centers `length` apart; the equator is drawn once when that is zero.
 TriangleMesh round_ended(double radius, double length) {
   constexpr unsigned quarter = kCircleSegments / 4;
   std::vector<LatheRing> rings;

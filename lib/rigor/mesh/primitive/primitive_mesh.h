@@ -3,7 +3,7 @@
 //
 // The shapes that physics engines collide best, with plain numbers, and as meshes.
 //
-// Dimensions are SDFormat's: each shape is centred at its origin, its length along z.
+// Dimensions are SDFormat's: each shape is centered at its origin, its length along z.
 //
 //   const TriangleMesh drawn = mesh_of(Capsule{.radius = 0.1, .length = 0.5});
 

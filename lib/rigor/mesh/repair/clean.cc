@@ -145,15 +145,15 @@ Triangle longest_first(const Workpiece& work, const Triangle& t) {
   return {t[at], t[(at + 1) % 3], t[(at + 2) % 3]};
 }
 
-/// Splits `neighbour`, at the line's edge from x to y, at the line's third corner z.
-bool flip(Workpiece& work, std::uint32_t line, std::uint32_t neighbour) {
+/// Splits `neighbor`, at the line's edge from x to y, at the line's third corner z.
+bool flip(Workpiece& work, std::uint32_t line, std::uint32_t neighbor) {
   const auto [x, y, z] = longest_first(work, work[line]);
-  const Triangle n = work[neighbour];
+  const Triangle n = work[neighbor];
   const std::uint32_t d = apex(n, x, y);
   if (d == z) {  // its copy
     return work.attempt([&] {
       work.remove(line);
-      work.remove(neighbour);
+      work.remove(neighbor);
     });
   }
   const bool against = runs(n, y, x);
@@ -165,9 +165,9 @@ bool flip(Workpiece& work, std::uint32_t line, std::uint32_t neighbour) {
   if (after > before || (after == before && span(work, z, d) >= span(work, x, y))) return false;
   return work.attempt([&] {
     work.remove(line);
-    work.remove(neighbour);
-    work.add_piece(one, neighbour);
-    work.add_piece(two, neighbour);
+    work.remove(neighbor);
+    work.add_piece(one, neighbor);
+    work.add_piece(two, neighbor);
   });
 }
 

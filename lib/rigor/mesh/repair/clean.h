@@ -23,10 +23,10 @@ std::uint64_t drop_degenerate(Workpiece& work);
 
 /// Where two bodies have a wall in common, each with its own copy facing away from the other, both
 /// copies go and the bodies become one. Of other copies one stays, whatever side they face; the first, if
-/// its neighbours agree with it.
+/// its neighbors agree with it.
 std::uint64_t drop_duplicates(Workpiece& work);
 
-/// Triangles of no area. As their corners hold together what else would be a crack, the neighbour at the
+/// Triangles of no area. As their corners hold together what else would be a crack, the neighbor at the
 /// longest edge is split at the third corner instead (a flip of that edge), and the line is gone.
 std::uint64_t drop_lines(Workpiece& work);
 

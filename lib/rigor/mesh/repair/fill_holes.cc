@@ -20,7 +20,7 @@ namespace {
 // Holes that touch get their turn when the first of them is filled.
 constexpr int kMaxFillingRounds = 4;
 
-/// Triangles looked at for best fillings: two seconds. After that ears must do.
+/// Triangles examined for best fillings: two seconds. After that ears must do.
 constexpr std::uint64_t kMaxBestWork = 10'000'000;
 
 /// A filling that has this share of the area of the patch that it would close is the other side of a

@@ -22,7 +22,7 @@
 
 namespace rigor::mesh {
 
-/// 160,000 triangles are looked at for it: some hundredths of a second.
+/// 160,000 triangles are examined for it: some hundredths of a second.
 inline constexpr std::size_t kMaxBestEdges = 100;
 
 /// The triangles of the best filling; there are two fewer than edges.

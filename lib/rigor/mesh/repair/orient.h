@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Turns triangles so that neighbours agree, and closed bodies so that they face outward.
+// Turns triangles so that neighbors agree, and closed bodies so that they face outward.
 //
 //   turn_consistent(work);   // most triangles of each patch stay as they are
 //   face_outward(mesh);      // what lies in a body that is turned is turned with it

@@ -112,7 +112,7 @@ std::vector<BadEdge> PinchedSurface::part(std::vector<BadEdge> edges, const Chos
     return edge.defect == Defect::kNonmanifoldEdge && chosen(edge);
   };
   if (std::none_of(edges.begin(), edges.end(), pinched)) return edges;
-  const std::vector<OldNeighbour> old = old_neighbours(edges, pinched, corners);
+  const std::vector<OldNeighbor> old = old_neighbors(edges, pinched, corners);
   std::size_t room = most - std::min(most, faces_.size());
   return in_rounds(std::move(edges), pinched, [&](PinchRound& round, const BadEdge& edge) {
     if (room < 2 || !round.part(edge, old)) return false;
@@ -144,14 +144,14 @@ std::vector<BadEdge> PinchedSurface::in_rounds(std::vector<BadEdge> edges, const
 }
 
 /// Of the vertices at the ends of the chosen edges. Gives their places a number.
-std::vector<OldNeighbour> PinchedSurface::old_neighbours(
-    const std::vector<BadEdge>& edges, const Chosen& chosen,
-    const std::vector<std::uint32_t>& corners) {
+std::vector<OldNeighbor> PinchedSurface::old_neighbors(const std::vector<BadEdge>& edges,
+                                                       const Chosen& chosen,
+                                                       const std::vector<std::uint32_t>& corners) {
   std::vector<bool> at_end(places_.size());
   for (const BadEdge& edge : edges) {
     if (chosen(edge)) at_end[edge.low] = at_end[edge.high] = true;
   }
-  std::vector<OldNeighbour> old;
+  std::vector<OldNeighbor> old;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const std::uint32_t vertex = corners[i];
     if (!at_end[place_[vertex]]) continue;

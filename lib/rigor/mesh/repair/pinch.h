@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Mends what collapsing edges does to a surface when nobody asks whether the two ends have more
-// neighbours in common than their triangles show (the link condition; T. Dey, H. Edelsbrunner,
+// neighbors in common than their triangles show (the link condition; T. Dey, H. Edelsbrunner,
 // S. Guha, D. Nekhayev, "Topology preserving edge contraction", 1999). Two triangles come to
 // lie back to back, or a tetrahedron hangs on an edge: these are taken away. Or four triangles meet at
 // an edge: two of them are turned to the other diagonal of their quadrangle, or get a vertex of the
@@ -60,8 +60,8 @@ class PinchedSurface {
   BadEdge numbered(BadEdge edge) const;
   std::vector<BadEdge> in_rounds(std::vector<BadEdge> edges, const Chosen& chosen,
                                  const Step& step);
-  std::vector<OldNeighbour> old_neighbours(const std::vector<BadEdge>& edges, const Chosen& chosen,
-                                           const std::vector<std::uint32_t>& corners);
+  std::vector<OldNeighbor> old_neighbors(const std::vector<BadEdge>& edges, const Chosen& chosen,
+                                         const std::vector<std::uint32_t>& corners);
 
   std::vector<Vector3> places_;
   std::vector<std::uint32_t> place_;  // of each vertex

@@ -79,7 +79,7 @@ bool PinchRound::mend(const BadEdge& edge) {
   return take_back_to_back(edge, at) || take_tetrahedron(edge, at) || turn_two(edge, at);
 }
 
-bool PinchRound::part(const BadEdge& edge, std::span<const OldNeighbour> old) {
+bool PinchRound::part(const BadEdge& edge, std::span<const OldNeighbor> old) {
   const Sides at = sides(edge);
   if (at.upward.size() != 2 || at.downward.size() != 2 || !few_around(edge)) return false;
   std::optional<Change> best;
@@ -240,18 +240,18 @@ std::optional<PinchRound::Change> PinchRound::turned(const Pair& pair) const {
   return change;
 }
 
-/// By the old neighbour of one of the edge's ends that bends the surface least.
+/// By the old neighbor of one of the edge's ends that bends the surface least.
 std::optional<PinchRound::Change> PinchRound::parted(const Pair& pair,
-                                                     std::span<const OldNeighbour> old) const {
+                                                     std::span<const OldNeighbor> old) const {
   const auto part = [](const std::array<Triangle, 2>& both, std::uint32_t v) {
     const auto& [a, b] = both;
     return std::vector<Triangle>{
         {a[0], v, a[2]}, {b[0], v, b[2]}, {v, a[1], a[2]}, {v, b[1], b[2]}};
   };
-  std::optional<OldNeighbour> best;
+  std::optional<OldNeighbor> best;
   double most = kMinAlong;
   for (const std::uint32_t end : {pair.vertices[0][0], pair.vertices[0][1]}) {
-    for (auto n = std::lower_bound(old.begin(), old.end(), OldNeighbour{end, 0, 0});
+    for (auto n = std::lower_bound(old.begin(), old.end(), OldNeighbor{end, 0, 0});
          n != old.end() && n->of == end; ++n) {
       if (!around(n->place).empty() || touched_[n->place]) continue;
       const std::vector<Triangle> places = part(pair.places, n->place);

@@ -22,12 +22,12 @@
 namespace rigor::mesh {
 
 /// A vertex that was joined to another by a triangle once.
-struct OldNeighbour {
+struct OldNeighbor {
   std::uint32_t of;
   std::uint32_t vertex;
   std::uint32_t place;
 
-  friend auto operator<=>(const OldNeighbour&, const OldNeighbour&) = default;
+  friend auto operator<=>(const OldNeighbor&, const OldNeighbor&) = default;
 };
 
 class PinchRound {
@@ -39,9 +39,9 @@ class PinchRound {
   bool mend(const BadEdge& edge);
 
   /// Puts a vertex that no triangle has into two of the four triangles at an edge, which makes them
-  /// four, so that each pair has an edge of its own. It is one of the old neighbours of its ends, which
+  /// four, so that each pair has an edge of its own. It is one of the old neighbors of its ends, which
   /// are sorted. Where nothing else is left, the two pairs only touch at one end then.
-  bool part(const BadEdge& edge, std::span<const OldNeighbour> old);
+  bool part(const BadEdge& edge, std::span<const OldNeighbor> old);
 
   /// Whether something was mended that its triangles touch: only then may another round do more.
   bool changed_at(const BadEdge& edge) const;
@@ -86,7 +86,7 @@ class PinchRound {
   bool turn_two(const BadEdge& edge, const Sides& at);
   std::optional<Pair> pair_of(std::uint32_t up, std::uint32_t down, const BadEdge& edge) const;
   std::optional<Change> turned(const Pair& pair) const;
-  std::optional<Change> parted(const Pair& pair, std::span<const OldNeighbour> old) const;
+  std::optional<Change> parted(const Pair& pair, std::span<const OldNeighbor> old) const;
   bool splits(const Change& change, std::uint32_t place) const;
   bool make(const std::optional<Change>& change);
   Vector3 area_at(const Triangle& places) const;

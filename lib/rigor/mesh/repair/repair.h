@@ -9,14 +9,14 @@
 //   drop lines       triangles with three corners on a line, without opening what they hold together
 //   drop fins        small patches on edges of three or more triangles, which close nothing
 //   close seams      borders that differ by rounding
-//   turn consistent  neighbours face the same side
+//   turn consistent  neighbors face the same side
 //   fill holes       small ones
 //   face outward     closed bodies, and what lies in them with them
 //   drop specks      components that are tiny beside the whole
 //
 // Nothing that `Topology` counts gets worse, slivers apart: what would is left as it was. Vertices
 // stay where they are, but for rounding at seams, unless a distance to weld within is asked for. What
-// triangles carry (parts, texture, colours) stays theirs.
+// triangles carry (parts, texture, colors) stays theirs.
 //
 //   Repaired repaired = repair(std::move(mesh), {});
 //   tell(repaired.report.before, repaired.report.after);

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Components of a mesh that are tiny beside the whole: crumbs of modelling and scanning.
+// Components of a mesh that are tiny beside the whole: crumbs of modeling and scanning.
 //
 //   gone = drop_specks(mesh, 1e-3);
 

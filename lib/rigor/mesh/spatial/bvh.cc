@@ -81,7 +81,7 @@ void sort_by_halving(std::vector<Item>& items, std::size_t leaf) {
   }
 }
 
-/// Middles as from one corner of all, so that a mesh far from the origin is told apart as well.
+/// Middles as from one corner of all, so that a mesh far from the origin is distinguished as well.
 std::vector<Item> items_of(const std::vector<Facet>& facets) {
   std::vector<Item> items(facets.size());
   if (items.empty()) return items;

@@ -4,7 +4,7 @@
 // A tree of axis-aligned boxes over triangles, to find which are near each other or near a place.
 //
 // Triangles are halved along the longest side of what their middles take up, again and again, until
-// eight or fewer are left; each eight neighbours in that order are a block, each eight blocks one of
+// eight or fewer are left; each eight neighbors in that order are a block, each eight blocks one of
 // the level above. So the tree is one list of blocks without pointers, its depth is the logarithm of
 // the number of triangles, whatever they are, and the same triangles always make the same tree.
 // (Packed trees: I. Kamel, C. Faloutsos, "On packing R-trees", 1993.)
@@ -43,7 +43,7 @@ struct Nearest {
   std::uint32_t slot = 0;
   Vector3 at;
   double distance = 0;
-  std::uint64_t looks = 0;  ///< boxes and triangles that were looked at
+  std::uint64_t looks = 0;  ///< boxes and triangles that were examined
 };
 
 class Bvh {
@@ -70,7 +70,7 @@ class Bvh {
   bool pairs(std::uint64_t budget, const Visit& visit) const;
 
   /// The place of the triangles next to p; any that is not farther than `enough` will do. `guess` is
-  /// looked at first: a good one saves time. There must be a triangle.
+  /// examined first: a good one saves time. There must be a triangle.
   Nearest nearest(const Vector3& p, std::uint32_t guess = 0, double enough = 0) const;
 
  private:
@@ -85,7 +85,7 @@ class Bvh {
     std::array<float, 3> max{-kFar, -kFar, -kFar};
   };
 
-  /// The boxes of eight neighbours, side by side, so that they are compared at once.
+  /// The boxes of eight neighbors, side by side, so that they are compared at once.
   struct Block {
     Block();
     void set(std::uint32_t child, const Box& box);
@@ -103,7 +103,7 @@ class Bvh {
     std::uint32_t block;  // in its level
   };
 
-  /// Nodes still to be looked at: of each level, no more than all children of one block.
+  /// Nodes still to be examined: of each level, no more than all children of one block.
   template <class Entry>
   class Stack {
    public:
@@ -127,7 +127,7 @@ class Bvh {
   }
 
   /// Calls `visit(leaf)` for each block of triangles from `first` on whose box touches `box`; returns
-  /// the number of blocks that were looked at, or stops when `visit` returns false.
+  /// the number of blocks that were examined, or stops when `visit` returns false.
   template <class Visit>
   std::uint64_t leaves_touching(const Box& box, std::uint32_t first, const Visit& visit) const;
 

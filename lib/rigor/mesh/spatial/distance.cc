@@ -75,7 +75,7 @@ Farthest farthest_apart(const Bvh& from, const Bvh& to, std::size_t samples) {
   if (to.size() == 0) return {std::numeric_limits<double>::infinity()};
   Farthest result;
   std::uint64_t looks = 0;
-  std::uint32_t guess = 0;  // neighbours follow each other: what was next to one is near the other
+  std::uint32_t guess = 0;  // neighbors follow each other: what was next to one is near the other
   const auto look = [&](const Vector3& p) {
     const Nearest near = to.nearest(p, guess, result.distance);
     guess = near.slot;

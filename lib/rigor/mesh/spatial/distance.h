@@ -12,7 +12,7 @@
 // algorithm for calculating the exact Hausdorff distance", 2015.)
 //
 //   const Deviation d = deviation(original, simplified, 100'000);
-//   if (d.hausdorff() > tolerance) say("differs by %g, looked at every %g", …, d.spacing);
+//   if (d.hausdorff() > tolerance) say("differs by %g, examined every %g", …, d.spacing);
 
 #pragma once
 
@@ -24,7 +24,7 @@
 
 namespace rigor::mesh {
 
-/// More samples are not taken: at 10 million, a surface of 1 m² is seen every third of a millimetre.
+/// More samples are not taken: at 10 million, a surface of 1 m² is seen every third of a millimeter.
 inline constexpr std::size_t kMaxSamples = 10'000'000;
 
 /// Looks at boxes and triangles from each mesh, after which no more samples are taken: some ten

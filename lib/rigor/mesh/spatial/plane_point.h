@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Points and vectors of a plane, for what is flat or looked at along a direction.
+// Points and vectors of a plane, for what is flat or examined along a direction.
 //
 //   if (turn(a, b, c) > 0) left_of_the_line_from_a_to_b(c);
 

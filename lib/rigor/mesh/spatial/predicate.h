@@ -25,11 +25,11 @@ namespace rigor::mesh {
 /// Coordinates are 0 or between these in size: then no product of three of them, nor of any of their
 /// digits, leaves a double's range, and the answers are exact (2^-300 has digits down to 2^-352, three
 /// of which make 2^-1056; a double ends at 2^-1074).
-inline constexpr double kLeastSeen = 0x1p-300;
-inline constexpr double kMostSeen = 0x1p300;
+inline constexpr double kMinSeen = 0x1p-300;
+inline constexpr double kMaxSeen = 0x1p300;
 
 inline bool exactly_seen(double x) {
-  return x == 0 || (std::abs(x) >= kLeastSeen && std::abs(x) <= kMostSeen);
+  return x == 0 || (std::abs(x) >= kMinSeen && std::abs(x) <= kMaxSeen);
 }
 
 inline bool exactly_seen(const Vector3& p) {

@@ -124,7 +124,7 @@ Vector3 common_place(const Facet& f, const Facet& g) {
   return best;
 }
 
-/// The triangles that can be looked at.
+/// The triangles that can be examined.
 struct Sound {
   std::vector<Facet> facets;
   std::vector<Triangle> places;

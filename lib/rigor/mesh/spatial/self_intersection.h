@@ -46,9 +46,9 @@ struct Intersection {
 
 struct SelfIntersections {
   std::uint64_t pairs = 0;
-  bool complete = true;  ///< whether all pairs were looked at; if not, there may be more
+  bool complete = true;  ///< whether all pairs were examined; if not, there may be more
 
-  /// Triangles that were not looked at: without an area, or with coordinates out of range (bvh.h,
+  /// Triangles that were not examined: without an area, or with coordinates out of range (bvh.h,
   /// predicate.h).
   std::uint64_t left_out = 0;
 

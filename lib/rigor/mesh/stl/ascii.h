@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The text form of STL: solids of facets of three vertices. What stands after `facet normal` is not
-// looked at: consumers take the normal from the corners, and many writers put `nan` there.
+// examined: consumers take the normal from the corners, and many writers put `nan` there.
 //
 //   LoadedMesh loaded = read_ascii_stl("solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n…");
 

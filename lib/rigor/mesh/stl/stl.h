@@ -8,7 +8,7 @@
 // The reader believes nothing: the count is checked against the size before anything is allocated,
 // "solid" in a binary header is no ASCII file, keywords may be in any case, lines may end with CR,
 // LF or both. What is beside the corners is not read: consumers take normals from the corners, and
-// the colours that some writers put in the attributes follow no common rule.
+// the colors that some writers put in the attributes follow no common rule.
 //
 //   LoadedMesh loaded = read_stl(bytes);
 

@@ -24,7 +24,7 @@ enum class Nesting : std::uint8_t {
   kBody,     ///< in none, or in a cavity: matter
   kCavity,   ///< turned against the body it is in: takes its inside away
   kDoubled,  ///< turned as the body or cavity it is in: its inside counts twice
-  kUnknown   ///< not looked at: the work would have passed its bound
+  kUnknown   ///< not examined: the work would have passed its bound
 };
 
 struct Component {

@@ -32,7 +32,7 @@ enum class Defect : std::uint8_t {
 
 inline constexpr std::size_t kDefects = 9;
 
-/// So many of each are told with their place.
+/// So many of each are reported with their place.
 inline constexpr std::uint64_t kMaxExamples = 8;
 
 /// The middle of an edge or triangle, which is named by a triangle; or a vertex, named by a position.

@@ -50,7 +50,7 @@ class Nest {
   }
 
   void run() {
-    std::vector<std::uint32_t> open;  // components whose range along x reaches the one looked at
+    std::vector<std::uint32_t> open;  // components whose range along x reaches the one examined
     for (const std::uint32_t inner : outer_first()) {
       Component& component = components_[inner];
       std::erase_if(open, [this, &component](std::uint32_t outer) {

@@ -4,7 +4,7 @@
 // Which closed components of a mesh lie in others: cavities, and bodies that count twice.
 //
 // The middle of one triangle of the inner one decides, by the number of triangles of the outer one
-// above it; so components that cut each other are told by where that point lies. Bounds are compared
+// above it; so components that cut each other are found by where that point lies. Bounds are compared
 // first.
 //
 //   nest(mesh, components);
@@ -19,7 +19,7 @@
 
 namespace rigor::mesh {
 
-/// Triangles and pairs of components that are looked at; some tenths of a second. A hundred
+/// Triangles and pairs of components that are examined; some tenths of a second. A hundred
 /// components in one another, of two thousand triangles each, are within it; what comes after is
 /// `kUnknown`.
 inline constexpr std::uint64_t kMaxNestingWork = 20'000'000;

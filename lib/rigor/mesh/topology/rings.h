@@ -6,7 +6,7 @@
 //
 // An edge counts at its lower end, a triangle at its lowest corner. Round most vertices each triangle
 // leads to the next across one edge until the first comes again; such a ring is known to be sound
-// after one walk. Only the others are sorted and looked at one by one.
+// after one walk. Only the others are sorted and examined one by one.
 //
 //   Rings rings = look_round(mesh, welded, tally);
 

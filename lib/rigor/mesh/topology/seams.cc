@@ -15,7 +15,7 @@
 namespace rigor::mesh {
 namespace {
 
-// Vertices looked at along x for each; more are in one place only in files made for it.
+// Vertices examined along x for each; more are in one place only in files made for it.
 constexpr std::size_t kMaxNear = 64;
 
 // Where three borders meet, two are joined first.

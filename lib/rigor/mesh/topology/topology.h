@@ -45,7 +45,7 @@ struct Topology {
   std::uint64_t inverted = 0;    ///< closed components that are inside out, and in no other
   std::uint64_t cavities = 0;
   std::uint64_t doubled = 0;              ///< closed components in others that face the same way
-  std::uint64_t not_nested = 0;           ///< closed components of which that was not looked at
+  std::uint64_t not_nested = 0;           ///< closed components of which that was not examined
   std::vector<Component> component_list;  ///< in the order of their first triangles
 
   /// Without holes, whichever way its triangles run. Triangles without an area bound nothing, so a

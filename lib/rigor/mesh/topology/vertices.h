@@ -3,7 +3,7 @@
 //
 // What tells the corners at one place apart, and how a mesh is put together again from triangles of
 // vertices: a vertex is a place, a part of the mesh and, where seams are kept, a texture point and a
-// colour. Normals are no part of it, as most files have other ones for each triangle.
+// color. Normals are no part of it, as most files have other ones for each triangle.
 //
 //   Vertices vertices = vertices_of(mesh, welded, Seams::kKeep);
 //   TriangleMesh result = assembled(mesh, vertices, surface);

@@ -13,7 +13,7 @@ namespace {
 // them on the average.
 constexpr int kLines = 24;
 
-// Places of the first line within its cell, so that lines miss the edges that modellers put at round
+// Places of the first line within its cell, so that lines miss the edges that modelers put at round
 // shares of a mesh.
 constexpr double kOffX = 0.41421356;
 constexpr double kOffY = 0.61803399;

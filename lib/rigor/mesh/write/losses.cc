@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include <rigor/mesh/image/held_pictures.h>
+#include <rigor/mesh/image/embedded_pictures.h>
 #include <rigor/text/path.h>
 
 namespace rigor::mesh {
@@ -20,7 +20,7 @@ bool see_through(const Corners& corners) {
 }
 
 /// Readers hand on a URI decoded or as it is written.
-bool is_colour(const FileReference& picture, const std::vector<Material>& materials) {
+bool is_color(const FileReference& picture, const std::vector<Material>& materials) {
   return std::any_of(materials.begin(), materials.end(), [&picture](const Material& material) {
     return material.texture == picture.written ||
            material.texture == percent_decoded(picture.written);
@@ -41,19 +41,18 @@ std::vector<std::string> losses(const TriangleMesh& mesh, std::string_view path,
   lose(no_materials && mesh.parts.size() > 1, "the division into parts");
   lose(no_materials && !mesh.materials.empty(), "materials");
   lose(shape_alone && !mesh.corners.texture.empty(), "texture points");
-  lose(shape_alone && !mesh.corners.colors.empty(), "colours of vertices");
+  lose(shape_alone && !mesh.corners.colors.empty(), "colors of vertices");
   lose(ending == ".obj" && see_through(mesh.corners), "the opacity of vertices");
   if (no_materials || mesh.materials.empty()) return lost;
-  const bool unknown =
-      std::any_of(mesh.materials.begin(), mesh.materials.end(),
-                  [](const Material& m) { return kind_of(m.held_picture) == PictureKind::kOther; });
-  lose(unknown, "pictures that are neither PNG nor JPEG");
+  const bool unknown = std::any_of(
+      mesh.materials.begin(), mesh.materials.end(),
+      [](const Material& m) { return kind_of(m.embedded_picture) == PictureKind::kOther; });
+  lose(unknown, "images that are neither PNG nor JPEG");
   std::set<std::string> told;
   for (const FileReference& picture : textures) {
     const bool held = picture.state == FileReference::State::kEmbedded || picture.written.empty();
-    if (held || is_colour(picture, mesh.materials) || !told.insert(picture.written).second)
-      continue;
-    lost.push_back("the picture " + picture.written);
+    if (held || is_color(picture, mesh.materials) || !told.insert(picture.written).second) continue;
+    lost.push_back("the image " + picture.written);
   }
   return lost;
 }

@@ -17,8 +17,8 @@
 
 namespace rigor::mesh {
 
-/// "texture points", "the picture bumps.png". `textures` are what the mesh's own file names: those
-/// that are no surface's colour (normals, roughness, shine) are in no material.
+/// "texture points", "the image bumps.png". `textures` are what the mesh's own file names: those
+/// that are no surface's color (normals, roughness, shine) are in no material.
 std::vector<std::string> losses(const TriangleMesh& mesh, std::string_view path,
                                 const std::vector<FileReference>& textures);
 

@@ -20,8 +20,8 @@
 namespace rigor::mesh {
 namespace {
 
-constexpr double kLeastFixed = 1e-6;
-constexpr double kMostFixed = 1e15;
+constexpr double kMinFixed = 1e-6;
+constexpr double kMaxFixed = 1e15;
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
@@ -125,7 +125,7 @@ Indexed<Value> chosen(const std::vector<Value>& corners, const Weld& weld) {
 
 void append_number(std::string& text, double value) {
   const double size = std::abs(value);
-  const bool fixed = value == 0 || (size >= kLeastFixed && size < kMostFixed);
+  const bool fixed = value == 0 || (size >= kMinFixed && size < kMaxFixed);
   std::array<char, 32> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
                                  fixed ? std::chars_format::fixed : std::chars_format::scientific)

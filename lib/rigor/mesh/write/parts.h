@@ -18,7 +18,7 @@
 
 namespace rigor::mesh {
 
-/// The fewest digits that read back as the same double. Without an exponent from a micrometre to
+/// The fewest digits that read back as the same double. Without an exponent from a micrometer to
 /// 10¹⁵ m: assimp takes decimals up to the 15th as they are, but an exponent in single precision.
 void append_number(std::string& text, double value);
 void append_number(std::string& text, const Vector3& p);  ///< x, y and z with spaces between
@@ -79,7 +79,7 @@ Looks looks_of(const TriangleMesh& mesh, const std::vector<Part>& parts);
 Part whole(const TriangleMesh& mesh);
 
 /// What the corners of a mesh's parts carry, without -0. Texture points that are all zero and
-/// colours that are all white count as not carried when others of the mesh are not so. Where a part
+/// colors that are all white count as not carried when others of the mesh are not so. Where a part
 /// carries normals, corners without one get their triangle's.
 class PartCorners {
  public:

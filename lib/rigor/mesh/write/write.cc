@@ -11,7 +11,7 @@
 #include <limits>
 #include <utility>
 
-#include <rigor/mesh/image/held_pictures.h>
+#include <rigor/mesh/image/embedded_pictures.h>
 #include <rigor/mesh/obj/materials.h>
 #include <rigor/mesh/read.h>
 #include <rigor/mesh/write/parts.h>
@@ -33,8 +33,9 @@ struct FormatWriter {
 /// A file that only names pictures, with those beside it that the mesh holds.
 template <class Write>
 WrittenMesh with_pictures(const TriangleMesh& mesh, std::string_view path, const Write& write) {
-  const bool holds = std::any_of(mesh.materials.begin(), mesh.materials.end(),
-                                 [](const Material& material) { return material.held_picture; });
+  const bool holds =
+      std::any_of(mesh.materials.begin(), mesh.materials.end(),
+                  [](const Material& material) { return material.embedded_picture; });
   if (!holds) return write(mesh, path);
   const std::string_view name = file_name(path);
   NamedPictures named =

@@ -9,17 +9,17 @@
 // | ending | coordinates         | parts                                                     |
 // |--------|---------------------|-----------------------------------------------------------|
 // | .stl   | 32-bit              | forgotten                                                 |
-// | .obj   | decimal, exact      | `o` and `usemtl`; equal neighbours become one             |
+// | .obj   | decimal, exact      | `o` and `usemtl`; equal neighbors become one             |
 // | .dae   | decimal, exact      | a geometry and a node each; unit 1 m, Z_UP                |
 // | .glb   | 32-bit              | a mesh and a node each                                    |
 // | .ply   | 32-bit if exact so, | forgotten                                                 |
 // |        | otherwise 64-bit    |                                                           |
 //
-// | ending | texture points   | normals                 | colours         | materials             |
+// | ending | texture points   | normals                 | colors         | materials             |
 // |--------|------------------|-------------------------|-----------------|-----------------------|
 // | .stl   | forgotten        | each triangle's own     | forgotten       | forgotten             |
 // | .obj   | exact            | exact                   | without opacity | a .mtl beside it      |
-// | .dae   | exact            | exact; each triangle's  | exact           | a colour or a picture |
+// | .dae   | exact            | exact; each triangle's  | exact           | a color or a picture |
 // |        |                  | own where there is none |                 |                       |
 // | .glb   | u; v as 1 - v    | exact                   | exact           | all                   |
 // | .ply   | exact            | exact                   | exact           | forgotten             |
@@ -28,7 +28,7 @@
 // they carry (in .dae and .glb within a part) and leave out positions that no triangle uses. -0 is
 // written as 0. A part without a name, or a material, gets none; readers then make one up. Pictures
 // are named, as the mesh names them (mesh/image/picture_names.h gives names that lead to them from elsewhere); those
-// whose bytes it holds are part of a .glb and lie beside a .dae or .obj (mesh/image/held_pictures.h).
+// whose bytes it holds are part of a .glb and lie beside a .dae or .obj (mesh/image/embedded_pictures.h).
 //
 // assimp holds 32-bit numbers. Of a .dae it reads those that are such numbers exactly (from a
 // millionth on), others within two units of the last place (among 396 real meshes).

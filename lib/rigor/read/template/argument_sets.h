@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// With which arguments a template is to be expanded, so that all of it is looked at.
+// With which arguments a template is to be expanded, so that all of it is examined.
 //
 //   const ArgumentPlan plan = all_arguments(expansion, sources, disk, {});
 //   for (const TemplateArguments& set : plan.sets) expand(path, set);

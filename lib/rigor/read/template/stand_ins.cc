@@ -52,7 +52,7 @@ std::optional<TemplateArguments> stand_ins(
   ArgumentPlan plan;
   plan.sets.emplace_back();
   plan = all_arguments(expansion, sources, disk, std::move(plan));
-  for (std::size_t i = 0; i < std::min(plan.sets.size(), kMostStandIns); ++i) {
+  for (std::size_t i = 0; i < std::min(plan.sets.size(), kMaxStandIns); ++i) {
     std::map<std::string, std::string> values = lacking;
     for (const auto& [name, value] : plan.sets[i]) values[name] = value;
     TemplateArguments arguments(values.begin(), values.end());

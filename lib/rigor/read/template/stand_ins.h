@@ -19,7 +19,7 @@
 namespace rigor::read {
 
 /// Sets of arguments that are tried.
-inline constexpr std::size_t kMostStandIns = 12;
+inline constexpr std::size_t kMaxStandIns = 12;
 
 /// The defaults of the arguments that the expansion lacks, and the first values of others with which `makes_robot`
 /// says there is a robot; it is asked with a number, from 0, and the arguments. Nothing where the expansion lacks no

@@ -13,7 +13,7 @@
 namespace rigor::report {
 
 /// For content and for attributes in double or single quotes. What XML 1.0 cannot hold is shown by the
-/// sign that stands for it: a control character by its picture, a byte that is no UTF-8 by U+FFFD.
+/// sign that represents it: a control character by its picture, a byte that is no UTF-8 by U+FFFD.
 std::string escaped(std::string_view text);
 
 }  // namespace rigor::report

@@ -23,7 +23,7 @@ constexpr double kTop = 24;
 constexpr double kBottom = 24;
 
 /// What a plot shows is in m, rad, s: below this nothing of a robot is worth a look.
-constexpr double kLeastSize = 1e-3;
+constexpr double kMinSize = 1e-3;
 /// m, rad, m/s or s, and a share of the largest value: rounding and a solver's last digits are smaller.
 constexpr double kNoise = 1e-5;
 constexpr double kNoiseShare = 1e-4;
@@ -42,7 +42,7 @@ struct Range {
   /// Never empty, nor so narrow that noise fills it: a constant is a level line in the middle.
   void widen() {
     if (!(least <= most)) least = most = 0;
-    const double size = std::max({std::abs(least), std::abs(most), kLeastSize});
+    const double size = std::max({std::abs(least), std::abs(most), kMinSize});
     if (span() > std::max(kNoise, kNoiseShare * size)) return;
     const double middle = (least + most) / 2;
     least = middle - 0.5 * size;
@@ -163,12 +163,12 @@ std::string svg_path(const PlotTitle& title, const std::vector<double>& xs,
   const double per_x = scale.x.span() / (kWidth - kLeft - kRight);
   const double per_y = scale.y.span() / (kHeight - kTop - kBottom);
   const double unit = 1.1 * std::max(per_x, per_y);
-  const auto centre = [](Range& range, double span) {
+  const auto center = [](Range& range, double span) {
     const double middle = (range.least + range.most) / 2;
     range = {middle - span / 2, middle + span / 2};
   };
-  centre(scale.x, unit * (kWidth - kLeft - kRight));
-  centre(scale.y, unit * (kHeight - kTop - kBottom));
+  center(scale.x, unit * (kWidth - kLeft - kRight));
+  center(scale.y, unit * (kHeight - kTop - kBottom));
   std::string out = begin_svg(title, {}) + grid(scale);
   out += fmt::format("<path class=\"s0\" d=\"{}\"/>", line_of(scale, xs, ys));
   if (!xs.empty() && !ys.empty() && std::isfinite(xs.back()) && std::isfinite(ys.back())) {

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Small line plots as SVG, for pages that load nothing. Colours are the page's: the classes `s0` to `s5`,
+// Small line plots as SVG, for pages that load nothing. Colors are the page's: the classes `s0` to `s5`,
 // `axis` and `grid`.
 //
 //   page += svg_plot({"Height", "m"}, times, {{"base", heights}});
@@ -24,7 +24,7 @@ struct Series {
   std::vector<double> values;  ///< as many as there are times
 };
 
-/// Series have so many colours; more are left out, and counted in the title.
+/// Series have so many colors; more are left out, and counted in the title.
 inline constexpr std::size_t kPlotSeries = 6;
 
 /// Of a longer series every n-th point is drawn, so that the page of a long run stays small.

@@ -21,12 +21,12 @@ namespace {
 using mesh::Vector3;
 
 constexpr double kLargest16 = 65535;
-constexpr std::size_t kMostShortIndices = 65535;
+constexpr std::size_t kMaxShortIndices = 65535;
 
 /// Between size and speed: level 9 takes three times as long for a hundredth of the bytes.
 constexpr int kPageCompression = 6;
 
-/// All that a vertex is: three positions, three normals and a zero, a place in a picture, a colour.
+/// All that a vertex is: three positions, three normals and a zero, a place in a picture, a color.
 constexpr std::size_t kVertexBytes = 22;
 using PackedVertex = std::array<char, kVertexBytes>;
 constexpr std::size_t kNormalAt = 6;
@@ -127,7 +127,7 @@ std::string column(const std::vector<PackedVertex>& vertices, std::size_t at, st
 }
 
 std::string packed_indices(const std::vector<std::uint32_t>& indices, std::size_t vertices) {
-  const std::size_t bytes = vertices > kMostShortIndices ? 4 : 2;
+  const std::size_t bytes = vertices > kMaxShortIndices ? 4 : 2;
   std::string out(indices.size() * bytes, '\0');
   for (std::size_t i = 0; i < indices.size(); ++i) {
     if (bytes == 4) {

@@ -23,7 +23,7 @@ using model::Id;
 
 /// Digits of what is compared: an edit that changes no more is none.
 constexpr int kComparedDigits = 9;
-constexpr int kToldDigits = 4;
+constexpr int kReportedDigits = 4;
 
 /// Nobody sees a turn or a step that is smaller, rad and m.
 constexpr double kSeenTurn = 1e-7;
@@ -155,18 +155,19 @@ class ChangeTeller {
   void link(const std::string& name, const PageFacts::Link& old, const PageFacts::Link& now) {
     if (old.pose && now.pose) {
       const double step = length(now.pose->translation - old.pose->translation);
-      if (step > kSeenStep) say("link", name, "moved by " + number(step, kToldDigits) + " m");
+      if (step > kSeenStep) say("link", name, "moved by " + number(step, kReportedDigits) + " m");
       const model::Quaternion turn = conjugate(old.pose->rotation) * now.pose->rotation;
       const double angle =
           2 * std::atan2(model::length({turn.x, turn.y, turn.z}), std::abs(turn.w));
-      if (angle > kSeenTurn) say("link", name, "rotated by " + number(angle, kToldDigits) + " rad");
+      if (angle > kSeenTurn)
+        say("link", name, "rotated by " + number(angle, kReportedDigits) + " rad");
     } else if (old.pose || now.pose) {
       say("link", name, now.pose ? "has a place again" : "has no place any more");
     }
     if (number(old.mass, kComparedDigits) != number(now.mass, kComparedDigits)) {
       say("link", name,
-          fmt::format("weighs {} kg instead of {} kg", number(now.mass, kToldDigits),
-                      number(old.mass, kToldDigits)));
+          fmt::format("weighs {} kg instead of {} kg", number(now.mass, kReportedDigits),
+                      number(old.mass, kReportedDigits)));
     } else if (old.rest != now.rest) {
       say("link", name, "has another inertia");
     }
@@ -200,9 +201,9 @@ std::vector<std::string> page_changes(const PageFacts& before, const PageFacts& 
   teller.others("", before.shapes, after.shapes);
   teller.findings(before.findings, after.findings);
   std::vector<std::string>& said = teller.sentences;
-  if (said.size() > kMostChanges) {
-    const std::string rest = counted(said.size() - kMostChanges, "other change");
-    said.resize(kMostChanges);
+  if (said.size() > kMaxChanges) {
+    const std::string rest = counted(said.size() - kMaxChanges, "other change");
+    said.resize(kMaxChanges);
     said.push_back("and " + rest);
   }
   return std::move(said);

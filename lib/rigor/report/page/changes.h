@@ -37,7 +37,7 @@ struct PageFacts {
 PageFacts facts_of(const ModelPage& page);
 
 /// More sentences are only counted, in a last one.
-inline constexpr std::size_t kMostChanges = 8;
+inline constexpr std::size_t kMaxChanges = 8;
 
 /// None when nothing changed that a page shows.
 std::vector<std::string> page_changes(const PageFacts& before, const PageFacts& after);

@@ -61,7 +61,7 @@ int PageFiles::index_of(std::string_view path, std::string_view text) {
   const auto known = known_.find(path);
   if (known != known_.end()) return known->second;
   const int index = static_cast<int>(files_.size());
-  if (text.size() > kMostPageText - text_) text = {};
+  if (text.size() > kMaxPageText - text_) text = {};
   text_ += text.size();
   files_.push_back({{"path", path}, {"text", text}});
   known_.emplace(path, index);

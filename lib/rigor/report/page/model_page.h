@@ -52,13 +52,13 @@ struct ModelPage {
 
 /// The meshes of a page have at most so many triangles together; those that would be more are not drawn, and the
 /// page says so. Two million are 20 MB, and what a browser without a graphics card still turns.
-inline constexpr std::size_t kMostPageTriangles = 2'000'000;
+inline constexpr std::size_t kMaxPageTriangles = 2'000'000;
 /// Textures have at most so many pixels along a side, and fewer where all of a page would be over the second
 /// number: some 10 MB.
 inline constexpr std::uint32_t kPageTextureSide = 1024;
-inline constexpr std::uint64_t kMostPageTexels = std::uint64_t{8} << 20U;
+inline constexpr std::uint64_t kMaxPageTexels = std::uint64_t{8} << 20U;
 /// Of the texts of files; what comes after is named only.
-inline constexpr std::size_t kMostPageText = std::size_t{8} << 20U;
+inline constexpr std::size_t kMaxPageText = std::size_t{8} << 20U;
 
 struct PageData {
   std::string json;   ///< no `<` in it, whatever names hold: it can stand in a script element

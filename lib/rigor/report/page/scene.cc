@@ -38,19 +38,19 @@ class SceneWriter {
         pictures_.insert(surface.texture.get());
       }
     }
-    while (texels() > kMostPageTexels && side_ > 1) side_ /= 2;
+    while (texels() > kMaxPageTexels && side_ > 1) side_ /= 2;
   }
 
   void add(const Body& body) {
     const auto [known, is_new] = mesh_index_.try_emplace(body.mesh.get(), -1);
-    if (is_new && triangles_ + body.mesh->triangles.size() <= kMostPageTriangles) {
+    if (is_new && triangles_ + body.mesh->triangles.size() <= kMaxPageTriangles) {
       known->second = static_cast<int>(meshes.size());
       meshes.push_back(mesh_json(*body.mesh));
     }
     if (known->second < 0) {
       not_drawn.push_back(
           {{"name", body.name},
-           {"reason", "a page is limited to " + counted(kMostPageTriangles, "triangle")}});
+           {"reason", "a page is limited to " + counted(kMaxPageTriangles, "triangle")}});
       return;
     }
     Json json = {{"layer", to_string(body.layer)},

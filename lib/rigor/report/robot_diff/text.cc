@@ -22,7 +22,7 @@ using robot::DifferenceKind;
 using robot::DifferenceValue;
 
 /// Longer lists (the outline of a polyline) are cut.
-constexpr std::size_t kMostNumbers = 12;
+constexpr std::size_t kMaxNumbers = 12;
 constexpr std::size_t kPoseNumbers = 7;
 
 std::string number_in_words(double value, int digits) {
@@ -32,10 +32,10 @@ std::string number_in_words(double value, int digits) {
 
 std::string list_in_words(const std::vector<double>& all, int digits) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(all.size(), kMostNumbers); ++i) {
+  for (std::size_t i = 0; i < std::min(all.size(), kMaxNumbers); ++i) {
     text += (i > 0 ? " " : "") + number_in_words(all[i], digits);
   }
-  return all.size() > kMostNumbers ? text + " …" : text;
+  return all.size() > kMaxNumbers ? text + " …" : text;
 }
 
 /// With as many digits as it takes to tell them apart.
@@ -52,9 +52,9 @@ std::string with_unit(std::string text, std::string_view unit) {
 }
 
 std::string distance_in_words(double distance) {
-  constexpr double kMillimetres = 1;  // from here on metres are easier to read
+  constexpr double kMillimeters = 1;  // from here on meters are easier to read
   constexpr double kTiny = 1e-6;
-  if (distance >= kTiny && distance < kMillimetres) return number(1000 * distance) + " mm";
+  if (distance >= kTiny && distance < kMillimeters) return number(1000 * distance) + " mm";
   return number(distance) + " m";
 }
 

@@ -17,7 +17,7 @@ namespace rigor::report {
 namespace {
 
 /// GitHub refuses longer descriptions.
-constexpr std::size_t kMostDescription = 1024;
+constexpr std::size_t kMaxDescription = 1024;
 
 /// Whether `validate` runs it: any but the rules on conversions and simulations.
 bool is_of_files(const rules::Rule& rule) {
@@ -52,9 +52,9 @@ std::string sentence(std::string_view text) {
 
 /// Not longer than GitHub takes, cut between characters.
 std::string description(std::string text) {
-  if (text.size() <= kMostDescription) return text;
+  if (text.size() <= kMaxDescription) return text;
   constexpr std::string_view kCut = "…";
-  std::size_t end = kMostDescription - kCut.size();
+  std::size_t end = kMaxDescription - kCut.size();
   while ((static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
   return text.substr(0, end) + std::string(kCut);
 }

@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::string_view kSarifSchema = "https://json.schemastore.org/sarif-2.1.0.json";
 /// Of a result: GitHub refuses a log with more.
-constexpr std::size_t kMostLocations = 1000;
+constexpr std::size_t kMaxLocations = 1000;
 constexpr std::string_view kSourceRoot = "SRCROOT";
 
 class SarifLog {
@@ -147,7 +147,7 @@ class SarifLog {
     json["message"] = {{"text", sarif_message(diagnostic)}};
     json["locations"] = Json::array({location(diagnostic)});
     for (const Diagnostic& other : diagnostic.others) {
-      if (json["locations"].size() == kMostLocations) break;
+      if (json["locations"].size() == kMaxLocations) break;
       json["locations"].push_back(location(other));
     }
     Json related = related_of(diagnostic);
@@ -170,7 +170,7 @@ class SarifLog {
     return prints;
   }
 
-  /// What was not looked at, and arguments that could not be used, are notifications.
+  /// What was not examined, and arguments that could not be used, are notifications.
   Json invocation() const {
     Json json = {{"executionSuccessful", validation_.exit_code <= 1},
                  {"exitCode", validation_.exit_code}};

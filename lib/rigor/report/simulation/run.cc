@@ -40,7 +40,7 @@ struct Curves {
   std::vector<Series> positions, velocities;
 };
 
-/// The link that stands for the model: the first one of its base, or the first that moves.
+/// The link that represents the model: the first one of its base, or the first that moves.
 std::size_t base_link(const simulate::Scene& scene) {
   for (const simulate::SceneModel& model : scene.models) {
     if (model.base == simulate::kWorld) continue;

@@ -15,7 +15,7 @@
 
 namespace rigor::report {
 
-/// The word in its colour.
+/// The word in its color.
 std::string verdict_html(simulate::Verdict verdict);
 
 /// Under a heading of the third level; metrics are folded.

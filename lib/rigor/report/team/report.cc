@@ -84,7 +84,7 @@ std::string files_left_out(const rules::ValidateResult& result) {
 TriangleCount triangles_of(const ReportedModel& model, bool collision,
                            const TriangleBudget& budget) {
   const std::uint64_t of_mesh =
-      collision ? mesh::kMostCollisionTriangles : mesh::kMostVisualTriangles;
+      collision ? mesh::kMaxCollisionTriangles : mesh::kMaxVisualTriangles;
   const auto& of_model = collision ? budget.collision : budget.visual;
   TriangleCount count;
   for (const MeshUse& use : model.meshes) {

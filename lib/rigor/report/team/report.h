@@ -3,7 +3,7 @@
 //
 // What a team puts on its CI: one page about many models. A table of them with pictures, masses, meshes against
 // their budgets and verdicts; a section for each with its findings and how it fared in simulation; the rules
-// that spoke; and what was not looked at.
+// that spoke; and what was not examined.
 //
 //   TeamReport report(validation, {.form = TeamReportForm::kOneFile});
 //   for (const ReportedModel& model : models) report.add(model);

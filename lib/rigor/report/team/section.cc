@@ -20,7 +20,7 @@ namespace rigor::report {
 namespace {
 
 /// Lines of a list that are shown; what is missing in a large world is counted.
-constexpr std::size_t kMostLines = 20;
+constexpr std::size_t kMaxLines = 20;
 
 /// Of a model, before what is folded.
 constexpr std::size_t kFirstFindings = 3;
@@ -28,11 +28,11 @@ constexpr std::size_t kLongestFinding = 200;
 
 std::string list_of(const std::vector<std::string>& lines) {
   std::string out = "<ul>\n";
-  for (std::size_t i = 0; i < std::min(lines.size(), kMostLines); ++i) {
+  for (std::size_t i = 0; i < std::min(lines.size(), kMaxLines); ++i) {
     out += "<li>" + escaped(printable(lines[i])) + "</li>\n";
   }
-  if (lines.size() > kMostLines) {
-    out += fmt::format("<li>and {} more</li>\n", lines.size() - kMostLines);
+  if (lines.size() > kMaxLines) {
+    out += fmt::format("<li>and {} more</li>\n", lines.size() - kMaxLines);
   }
   return out + "</ul>\n";
 }
@@ -74,7 +74,7 @@ std::string top_models_table(const std::vector<TopModel>& models) {
 }
 
 std::uint64_t budget_of(const MeshUse& use) {
-  return use.collision ? mesh::kMostCollisionTriangles : mesh::kMostVisualTriangles;
+  return use.collision ? mesh::kMaxCollisionTriangles : mesh::kMaxVisualTriangles;
 }
 
 bool is_over(const MeshUse& use) { return use.triangles.value_or(0) > budget_of(use); }
@@ -140,7 +140,7 @@ std::string simulation_part(const ReportedModel& model, const TeamReportRow& row
   return out;
 }
 
-/// What nobody looked at, so that silence about it is not taken for praise.
+/// What nobody examined, so that silence about it is not taken for praise.
 std::string not_looked_at(const ReportedModel& model, const SectionPage& page) {
   const rules::ValidateResult& result = page.validation.result;
   const std::string& path = result.files[model.file].path;

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Colour as decoration: what a report says is all there without it.
+// Color as decoration: what a report says is all there without it.
 //
 //   out += paint("error", Paint::kError, color);
 

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kMaxColumns = 120;
 /// Columns kept before the mark when a line is cut.
 constexpr std::size_t kColumnsBefore = 40;
-/// Bytes looked at on either side of a mark's begin; as many columns of four bytes each.
+/// Bytes examined on either side of a mark's begin; as many columns of four bytes each.
 constexpr std::uint32_t kReach = 4 * kMaxColumns;
 constexpr std::size_t kTabWidth = 4;
 

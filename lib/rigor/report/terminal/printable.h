@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Text out of a file made fit for a terminal: what would move the cursor, colour the screen or turn
+// Text out of a file made fit for a terminal: what would move the cursor, color the screen or turn
 // the reading direction is shown as a sign instead. A hostile file must not drive who reads about it.
 //
 //   out += printable(diagnostic.message);  // one line, whatever it holds
@@ -17,7 +17,7 @@ namespace rigor::report {
 /// One character of a text.
 struct Glyph {
   std::uint32_t size;  ///< in bytes of the text
-  std::string shown;   ///< itself, or the sign that stands for it; one column wide, never empty
+  std::string shown;   ///< itself, or the sign that represents it; one column wide, never empty
 };
 
 /// The first character of `text`, which is not empty. A byte that is not part of UTF-8 is one.

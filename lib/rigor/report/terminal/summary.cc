@@ -16,7 +16,7 @@ namespace rigor::report {
 namespace {
 
 /// Files named one by one at most; a tree of templates would fill the screen.
-constexpr std::size_t kMostNamed = 10;
+constexpr std::size_t kMaxNamed = 10;
 
 constexpr Severity kSeverities[] = {Severity::kError, Severity::kWarning, Severity::kInfo};
 
@@ -101,7 +101,7 @@ std::string summary_of_groups(const rules::ValidateResult& result) {
 
 std::string left_out(const rules::ValidateResult& result) {
   const NotChecked found = not_checked(result);
-  const std::size_t named = std::min(found.files.size(), kMostNamed);
+  const std::size_t named = std::min(found.files.size(), kMaxNamed);
   std::string out;
   for (std::size_t i = 0; i < named; ++i) {
     const rules::NotLookedAt& item = *found.files[i];

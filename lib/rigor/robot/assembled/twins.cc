@@ -47,7 +47,7 @@ char lowered(char c) { return is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c
 char raised(char c) { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c; }
 
 /// Whether a new word begins at `i`: behind what is no letter, at the hump of a camel's back, and behind a
-/// capital that stands for a word, as in LHipYaw.
+/// capital that represents a word, as in LHipYaw.
 bool begins_word(std::string_view name, std::size_t i) {
   const char before = name[i - 1];
   const char here = name[i];

@@ -77,10 +77,10 @@ struct Odd {
 /// Whether one of the two is zero and places a shape or link elsewhere than the other by more than any
 /// calibration does.
 bool is_left_out(const TwinNumber& a, const TwinNumber& b) {
-  constexpr double kLeast = 0.005;  // m
+  constexpr double kMin = 0.005;  // m
   const bool places = a.pose != nullptr && a.name.find("mass") == std::string::npos;
   return places && (a.value == 0 || b.value == 0) &&
-         std::max(std::abs(a.value), std::abs(b.value)) > kLeast;
+         std::max(std::abs(a.value), std::abs(b.value)) > kMin;
 }
 
 std::optional<Odd> odd_one(const TwinNumbers& a, const TwinNumbers& b,

@@ -34,7 +34,7 @@ std::span<const Row> carried_rows() {
       {.rule = {"convert-plugin-reference", NoteKind::kPluginReference, Severity::kInfo},
        .message = "{written} of a plugin becomes {instead}",
        .summary = "a plugin refers to what the result has",
-       .why = "A plugin names links and joints, and speaks of places in the frame of a link. Where "
+       .why = "A plugin names links and joints, and gives places in the frame of a link. Where "
               "the result has another name, or the frame is elsewhere, its parameters are written "
               "anew.",
        .what_to_do = "Nothing: the plugin does the same."},

@@ -71,7 +71,7 @@ std::span<const Row> link_rows() {
            "Correct the source: `rigor inertia MODEL --diff` computes it from the shapes."},
       {.rule = {"convert-mass-tiny", NoteKind::kTinyMass, Severity::kWarning, Formats::kSdf},
        .message = "the mass {written} kg counts as none where Gazebo reads the URDF: the link and "
-                  "what hangs on it are dropped",
+                  "its subtree are dropped",
        .summary = "Gazebo drops a link of this mass when it reads URDF",
        .why =
            "libsdformat takes a mass of up to 1e-6 kg in URDF for 0 and leaves out the link, with "

@@ -39,7 +39,7 @@ std::span<const Row> proof_rows() {
            "`--allow-loss` writes the result in any case."},
       {.rule = {"convert-reference-lost", NoteKind::kDangling, Severity::kWarning, Formats::kUrdf},
        .message = "in the result {written}",
-       .summary = "a reference of the result leads nowhere",
+       .summary = "a reference of the result is undefined",
        .why = "A plugin or sensor of the source names something that the result does not have "
               "under this name: it will not work in Gazebo.",
        .what_to_do = "Give the plugin the name that the result has."},

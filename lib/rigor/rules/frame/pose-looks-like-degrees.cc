@@ -14,7 +14,7 @@ namespace rigor::rules::pose_looks_like_degrees {
 
 constexpr double kTurn = 6.283185307179586;
 // 1 % over a full turn leaves room for 6.3 and the like.
-constexpr double kMost = 1.01 * kTurn;
+constexpr double kMax = 1.01 * kTurn;
 
 /// Whole numbers up to a turn are what people write in degrees, and multiples of five beyond.
 bool round_degrees(double angle) {
@@ -36,7 +36,7 @@ std::optional<Finding> check_pose(const model::PoseField& pose, const Context& c
   const auto rotation = written_rotation(pose, context);
   if (!rotation || rotation->degrees || rotation->numbers.size() != 3) return std::nullopt;
   for (const double angle : rotation->numbers) {
-    if (std::abs(angle) < kMost || !round_degrees(angle)) continue;
+    if (std::abs(angle) < kMax || !round_degrees(angle)) continue;
     return Finding{
         .where = rotation->span,
         .message = fmt::format(

@@ -18,12 +18,12 @@ namespace rigor::rules::model_in_ground {
 using model::Id;
 using model::Vector3;
 
-// Contacts rest some millimetres deep, as do cars whose wheels touch the ground by their nominal
+// Contacts rest some millimeters deep, as do cars whose wheels touch the ground by their nominal
 // radius; from here on they push visibly.
 constexpr double kDeep = 0.008;  // m
 
 // A world has one ground, and perhaps some walls.
-constexpr std::size_t kMostPlanes = 8;
+constexpr std::size_t kMaxPlanes = 8;
 
 struct Ground {
   Vector3 point;
@@ -43,7 +43,7 @@ bool is_ground_plane(std::string_view uri) {
 std::vector<Ground> grounds(const model::Root& root, const model::Frames& frames) {
   std::vector<Ground> found;
   const auto top = robot::top_models(root);
-  for (std::uint32_t i = 0; i < root.collisions.size() && found.size() < kMostPlanes; ++i) {
+  for (std::uint32_t i = 0; i < root.collisions.size() && found.size() < kMaxPlanes; ++i) {
     const auto* plane = std::get_if<model::Plane>(&root.collisions[i].geometry.shape);
     const auto X_WP = frames.pose(Id<model::Collision>{i});
     if (plane == nullptr || !X_WP) continue;
@@ -55,7 +55,7 @@ std::vector<Ground> grounds(const model::Root& root, const model::Frames& frames
         {X_WP->translation, (1 / length(normal)) * normal, root[outermost].world, outermost});
   }
   for (const model::Include& include : root.includes) {
-    if (include.loaded || !include.world || found.size() == kMostPlanes) continue;
+    if (include.loaded || !include.world || found.size() == kMaxPlanes) continue;
     if (!is_ground_plane(include.uri.value) || !include.pose.relative_to.value.empty()) continue;
     const model::Pose& X_WP = include.pose.pose.value;
     found.push_back({X_WP.translation, rotate(X_WP.rotation, {0, 0, 1}), include.world, {}});

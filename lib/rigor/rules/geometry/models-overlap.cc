@@ -17,18 +17,18 @@ namespace rigor::rules::models_overlap {
 
 using ModelId = model::Id<model::Model>;
 
-// Things that stand on each other are often drawn some millimetres into each other, and slide out.
+// Things that stand on each other are often drawn some millimeters into each other, and slide out.
 constexpr double kDeep = 0.005;  // m
 constexpr double kDeepShare = 0.05;
 
-struct Neighbour {
+struct Neighbor {
   const model::Collision* own;
   const model::Collision* other;
   double depth;
 };
 
 /// By the model that moves, and of two that do the later one, then by the other.
-using Found = std::map<ModelId, std::map<ModelId, Neighbour>>;
+using Found = std::map<ModelId, std::map<ModelId, Neighbor>>;
 
 /// Models that a joint connects, or a plugin that makes one.
 std::set<std::pair<ModelId, ModelId>> joined(const model::Root& root, const model::Frames& frames) {
@@ -69,7 +69,7 @@ Found find(const model::Root& root, Context& context) {
         const bool a_moves = !a.fast && (b.fast || a.top > b.top);
         const robot::PlacedCollision& mover = a_moves ? a : b;
         const robot::PlacedCollision& other = a_moves ? b : a;
-        Neighbour& pair = found[mover.top][other.top];
+        Neighbor& pair = found[mover.top][other.top];
         if (depth <= pair.depth) return;
         pair = {mover.collision, other.collision,
                 mass::refined_common_ball(a.shape, b.shape, depth)};

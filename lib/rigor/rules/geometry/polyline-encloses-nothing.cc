@@ -14,12 +14,12 @@ namespace rigor::rules::polyline_encloses_nothing {
 
 // Whether its sides cross takes the square of their number: here some milliseconds. No author writes more
 // by hand, and no program crosses its own lines.
-constexpr std::size_t kMostSides = 1000;
+constexpr std::size_t kMaxSides = 1000;
 
 template <class Part>
 void check(const Part& part, Context& context) {
   const auto* line = std::get_if<model::Polyline>(&part.geometry.shape);
-  if (line == nullptr || line->points.size() > kMostSides || line->height.value <= 0) return;
+  if (line == nullptr || line->points.size() > kMaxSides || line->height.value <= 0) return;
   const auto& points = line->points;
   // What cannot be read is reported by the schema's rules.
   if (!std::all_of(points.begin(), points.end(), [](const auto& p) { return p.written; })) return;

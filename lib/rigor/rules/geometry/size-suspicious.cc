@@ -22,9 +22,9 @@ constexpr Unit kUnits[] = {{"millimeters", 0.001}, {"centimeters", 0.01}};
 
 std::string meant(double size) {
   for (const Unit& unit : kUnits) {
-    const double metres = size * unit.meter;
-    if (metres < kLikelySmall || metres > kLikelyLarge) continue;
-    return fmt::format("if the sizes are in {}, {:.3g} m are meant", unit.name, metres);
+    const double meters = size * unit.meter;
+    if (meters < kLikelySmall || meters > kLikelyLarge) continue;
+    return fmt::format("if the sizes are in {}, {:.3g} m are meant", unit.name, meters);
   }
   return {};
 }

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which shapes are so large that their sizes are likely to be in another unit than metres.
+// Which shapes are so large that their sizes are likely to be in another unit than meters.
 
 #pragma once
 

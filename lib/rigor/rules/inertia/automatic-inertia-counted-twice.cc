@@ -15,11 +15,11 @@ namespace rigor::rules::automatic_inertia_counted_twice {
 constexpr double kJoined = 0.2;
 
 // Each pair is compared, by some thousand points.
-constexpr std::size_t kMostShapes = 24;
+constexpr std::size_t kMaxShapes = 24;
 
 void check(const model::Link& link, Context& context) {
   if (!is_computed(link, context)) return;
-  if (link.collisions.size() < 2 || link.collisions.size() > kMostShapes) return;
+  if (link.collisions.size() < 2 || link.collisions.size() > kMaxShapes) return;
   const model::Root& root = context.root();
   const model::Id<model::Link> id{static_cast<std::uint32_t>(&link - root.links.data())};
   const mass::PartOverlap* worst = nullptr;

@@ -16,12 +16,12 @@ namespace rigor::rules::density_too_low {
 constexpr double kLightest = 10;  // kg/m³
 
 // Less is a token for a frame that had to have some mass.
-constexpr double kLeast = 1e-3;  // kg
+constexpr double kMin = 1e-3;  // kg
 
 void check(const model::Link& link, Context& context) {
   const model::Inertial& inertial = link.inertial;
   const double mass = inertial.mass.value;
-  if (!inertial.mass.written || !(mass > kLeast) || mass::is_automatic(link)) return;
+  if (!inertial.mass.written || !(mass > kMin) || mass::is_automatic(link)) return;
   if (!is_dynamic(link, context)) return;
   constexpr double kNone = std::numeric_limits<double>::infinity();
   double volume = kNone;  // m³

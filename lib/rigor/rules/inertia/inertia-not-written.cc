@@ -12,7 +12,7 @@ namespace rigor::rules::inertia_not_written {
 
 void check(const model::Link& link, Context& context) {
   const model::Inertial& inertial = link.inertial;
-  if (!(inertial.mass.value > 0)) return;  // mass-negative and mass-zero speak of that
+  if (!(inertial.mass.value > 0)) return;  // mass-negative and mass-zero report that
   if (!inertial.mass.written || inertial.tensor_written || mass::is_automatic(link)) return;
   if (!is_dynamic(link, context)) return;
   if (misspelt_child(inertial.site, "inertia", context)) return;  // unknown-element

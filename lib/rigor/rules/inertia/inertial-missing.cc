@@ -27,11 +27,11 @@ std::string comparison(const model::Link& link, Context& context) {
                      most, most < 1 ? 1 / most : most, most < 1 ? "less" : "more");
 }
 
-// Boxes half a metre wide that lie about in worlds turn thirty times as hard as they should, and
+// Boxes half a meter wide that lie about in worlds turn thirty times as hard as they should, and
 // no effect shows: no motor turns them.
 constexpr double kUnnoticed = 100;
 
-/// Whether a ball of three metres is near enough, or there is nothing that could be touched.
+/// Whether a ball of three meters is near enough, or there is nothing that could be touched.
 bool may_be_meant(const model::Link& link, const model::Model& model, Context& context) {
   if (link.collisions.empty()) return true;
   const auto share = share_of_solid(link, 1, mass::Inertia{1, 0, 0, 1, 0, 1}, context);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The fix that all rules about inertials share: what the link's shapes have as solids, written in
-// place of what is there. `rigor inertia` writes the same numbers, but a centre of mass that is
+// place of what is there. `rigor inertia` writes the same numbers, but a center of mass that is
 // written stays: no rule that has this fix doubts it.
 
 #pragma once
@@ -45,7 +45,7 @@ inline std::string title_of(const mass::Proposal& proposal, const model::Inertia
       before);
 }
 
-/// Whether the sizes of the link's shapes are likely to be in another unit than metres.
+/// Whether the sizes of the link's shapes are likely to be in another unit than meters.
 inline bool has_suspicious_shape(const model::Link& link, const Context& context) {
   const auto any = [&context](const auto& parts) {
     return std::any_of(parts.begin(), parts.end(), [&context](auto id) {

@@ -12,21 +12,21 @@
 
 namespace rigor::rules::light_link_between_heavy {
 
-// A link that is a hundredth of what hangs on it: twice what solvers take well.
-constexpr double kMost = 100;
+// A link that is a hundredth of its subtree: twice what solvers take well.
+constexpr double kMax = 100;
 
 void check(const model::Root& root, Context& context) {
   const std::vector<JointMasses> all = joint_masses(context);
   std::unordered_map<std::uint32_t, const JointMasses*> above;  // by the group that is the child
   for (const JointMasses& masses : all) {
-    if (masses.child == kImmovable || masses.parent < kMost * masses.child) continue;
+    if (masses.child == kImmovable || masses.parent < kMax * masses.child) continue;
     above.emplace(masses.child_group, &masses);
   }
   if (above.empty()) return;
   std::unordered_map<std::uint32_t, const JointMasses*> heaviest;  // by the light group
   for (const JointMasses& masses : all) {
     if (masses.parent == kImmovable || masses.child == kImmovable) continue;
-    if (masses.child < kMost * masses.parent || !above.contains(masses.parent_group)) continue;
+    if (masses.child < kMax * masses.parent || !above.contains(masses.parent_group)) continue;
     const JointMasses*& known = heaviest[masses.parent_group];
     if (known == nullptr || known->child < masses.child) known = &masses;
   }

@@ -11,7 +11,7 @@
 namespace rigor::rules::mass_ratio_across_joint {
 
 // Propellers and steering wheels have a hundredth of what they are on; the rest is tokens.
-constexpr double kMost = 1000;
+constexpr double kMax = 1000;
 
 // Double precision itself is spent on such a ratio when a solver squares it.
 constexpr double kGrave = 1e6;
@@ -23,7 +23,7 @@ void check(const model::Root& root, Context& context) {
       continue;
     const double heavy = std::max(masses.parent, masses.child);
     const double light = std::min(masses.parent, masses.child);
-    if (!(heavy > kMost * light)) continue;
+    if (!(heavy > kMax * light)) continue;
     const bool light_child = light == masses.child;
     const double ratio = heavy / light;
     context.report(

@@ -53,7 +53,7 @@ class LazyGroups {
     std::vector<const model::Link*> result;
     for (const std::uint32_t other : massless_[groups_->of({index})]) {
       if (other != index) result.push_back(&root.links[other]);
-      if (result.size() == kMost) break;
+      if (result.size() == kMax) break;
     }
     return result;
   }
@@ -62,7 +62,7 @@ class LazyGroups {
   // A token for a frame that had to have some mass.
   static constexpr double kToken = 1e-3;  // kg
   // Each link of a group may ask for all others of it.
-  static constexpr std::size_t kMost = 64;
+  static constexpr std::size_t kMax = 64;
 
   void fill() {
     const model::Root& root = context_.root();

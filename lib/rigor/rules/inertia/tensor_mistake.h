@@ -22,7 +22,7 @@ enum class TensorMistake : std::uint8_t {
   kNone,
   kAxesSwapped,      ///< the moments stand at each other's axes
   kProductsNegated,  ///< the products have the opposite sign
-  kAboutLinkOrigin,  ///< it is about the link's origin, not the centre of mass
+  kAboutLinkOrigin,  ///< it is about the link's origin, not the center of mass
   kTurned,  ///< it is along the link's axes, and the inertial's pose turns it away from them
 };
 

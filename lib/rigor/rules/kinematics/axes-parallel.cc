@@ -7,7 +7,7 @@
 
 namespace rigor::rules::axes_parallel {
 
-constexpr double kLeastSine = 1e-3;
+constexpr double kMinSine = 1e-3;
 
 void check(const model::Joint& joint, Context& context) {
   if (joint.type != model::JointType::kUniversal && joint.type != model::JointType::kRevolute2) {
@@ -22,7 +22,7 @@ void check(const model::Joint& joint, Context& context) {
   const double lengths = length(a) * length(b);
   if (!(lengths > 0)) return;  // axis-zero says so
   const model::Vector3 cross{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-  if (!(length(cross) < kLeastSine * lengths)) return;
+  if (!(length(cross) < kMinSine * lengths)) return;
   context.report({.where = second.xyz.span,
                   .message = "both axes of the " + std::string(to_string(joint.type)) +
                              " joint point the same way",

@@ -17,7 +17,7 @@ namespace rigor::rules::effort_below_gravity_load {
 constexpr double kFarBelow = 0.3;
 
 // N·m or N: less is lost in friction.
-constexpr double kLeastLoad = 0.02;
+constexpr double kMinLoad = 0.02;
 
 void check(const model::Root& root, Context& context) {
   std::optional<GravityLoads> loads;
@@ -31,7 +31,7 @@ void check(const model::Root& root, Context& context) {
     if (axis.spring_stiffness.written && axis.spring_stiffness.value > 0) continue;
     if (!loads) loads.emplace(context);
     const auto load = loads->most({i});
-    if (!load || *load < kLeastLoad || effort >= *load) continue;
+    if (!load || *load < kMinLoad || effort >= *load) continue;
     const bool far = effort < kFarBelow * *load;
     context.report({.where = axis.effort.span,
                     .message = fmt::format(

@@ -16,7 +16,7 @@ namespace rigor::rules::effort_looks_like_kilonewtons {
 constexpr double kKilo = 1000;
 
 // N·m or N: from here on both may be right, as of an arm of 2000 N·m with fingers of 2.
-constexpr double kMost = 1;
+constexpr double kMax = 1;
 
 // Numbers are copied with all their digits.
 constexpr double kSame = 1e-6;
@@ -42,7 +42,7 @@ void check(const model::Model& robot, Context& context) {
     const model::Joint& joint = root[id];
     if (!root.own(joint.site) || !has_axis(joint.type) || joint.axes.empty()) continue;
     const auto& effort = joint.axes.front().effort;
-    if (!effort.written || !(effort.value > 0) || !(effort.value < kMost)) continue;
+    if (!effort.written || !(effort.value > 0) || !(effort.value < kMax)) continue;
     const auto meant = twin(effort.value, efforts);
     if (!meant) continue;
     context.report({.where = effort.span,

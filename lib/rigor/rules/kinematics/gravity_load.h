@@ -53,13 +53,13 @@ class GravityLoads {
 
  private:
   static constexpr double kGravity = 9.8;
-  static constexpr std::size_t kMostLinks = 200;  // a chain that is longer is no arm
+  static constexpr std::size_t kMaxLinks = 200;  // a chain that is longer is no arm
 
   std::optional<mass::MassProperties> behind(model::Id<model::Link> child) const {
     std::vector<model::Id<model::Link>> all{child};
     mass::MassProperties sum;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      if (all.size() > kMostLinks) return std::nullopt;
+      if (all.size() > kMaxLinks) return std::nullopt;
       const auto X_WL = context_.frames().pose(all[i]);
       if (!X_WL || mass::is_automatic(context_.root()[all[i]])) return std::nullopt;
       sum = mass::add(sum, mass::transformed(*X_WL, mass::resolve(context_.root(), all[i])));

@@ -14,20 +14,20 @@
 namespace rigor::rules::limit_looks_like_degrees {
 
 constexpr double kTurn = 6.283185307179586;
-constexpr double kMost = 720;  // larger ones stand for "no limit"
+constexpr double kMax = 720;  // larger ones represent "no limit"
 
 /// Angles that people limit joints by. Those of a joint that may turn several times (10, 100) are
 /// none of them.
 bool looks_like_degrees(double angle) {
   const double size = std::abs(angle);
-  if (size <= kTurn || size > kMost) return false;
+  if (size <= kTurn || size > kMax) return false;
   return std::fmod(size, 15) == 0 || size == 170 || size == 350;
 }
 
 /// Bounds of any other number, beyond the turns that a multi-turn joint is given; those are round, or
 /// counted in half turns.
 bool look_like_degrees(const model::Field<double>& lower, const model::Field<double>& upper) {
-  constexpr double kMostOfTurns = 4 * kTurn;
+  constexpr double kMaxOfTurns = 4 * kTurn;
   constexpr double kCircle = 360;
   const auto is_count = [](double angle) {
     const double half_turns = std::abs(angle) / (kTurn / 2);
@@ -36,7 +36,7 @@ bool look_like_degrees(const model::Field<double>& lower, const model::Field<dou
   };
   if (!lower.written || !upper.written || !(lower.value < upper.value)) return false;
   const double most = std::max(std::abs(lower.value), std::abs(upper.value));
-  if (most <= kMostOfTurns || most > kCircle) return false;
+  if (most <= kMaxOfTurns || most > kCircle) return false;
   const double wider = most == std::abs(upper.value) ? upper.value : lower.value;
   return !is_count(wider);
 }

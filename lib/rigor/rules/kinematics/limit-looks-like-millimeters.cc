@@ -11,14 +11,14 @@
 
 namespace rigor::rules::limit_looks_like_millimeters {
 
-constexpr double kLeast = 20;   // rails of that length exist, between links as far apart
-constexpr double kMost = 5000;  // larger ones stand for "no limit"
+constexpr double kMin = 20;     // rails of that length exist, between links as far apart
+constexpr double kMax = 5000;   // larger ones represent "no limit"
 constexpr double kApart = 0.1;  // of the limit: links that are nearer are small
 
-/// Millimetres are written as round numbers.
-bool looks_like_millimetres(double limit) {
+/// Millimeters are written as round numbers.
+bool looks_like_millimeters(double limit) {
   const double size = std::abs(limit);
-  return size >= kLeast && size <= kMost && std::fmod(size, 5) == 0;
+  return size >= kMin && size <= kMax && std::fmod(size, 5) == 0;
 }
 
 bool has_shape(const model::Link& link) {
@@ -38,7 +38,7 @@ bool is_small(const model::Root& root, const model::Frames& frames, model::Id<mo
          length(child->translation - parent->translation) < kApart * std::abs(limit);
 }
 
-Fix in_metres(const model::Axis& axis) {
+Fix in_meters(const model::Axis& axis) {
   Fix fix{"write meters", Applicability::kUnsafe, {}};
   for (const model::Field<double>* limit : {&axis.lower, &axis.upper}) {
     if (!limit->written || !std::isfinite(limit->value) || limit->value == 0) continue;
@@ -52,8 +52,8 @@ void check(const model::Root& root, Context& context) {
     const model::Joint& joint = root.joints[i];
     if (joint.type != model::JointType::kPrismatic || joint.axes.empty()) continue;
     const model::Axis& axis = joint.axes.front();
-    const bool upper = axis.upper.written && looks_like_millimetres(axis.upper.value);
-    if (!upper && !(axis.lower.written && looks_like_millimetres(axis.lower.value))) continue;
+    const bool upper = axis.upper.written && looks_like_millimeters(axis.upper.value);
+    if (!upper && !(axis.lower.written && looks_like_millimeters(axis.lower.value))) continue;
     const model::Field<double>& limit = upper ? axis.upper : axis.lower;
     if (!root.own(joint.site) || !is_small(root, context.frames(), {i}, limit.value)) continue;
     context.report(
@@ -62,7 +62,7 @@ void check(const model::Root& root, Context& context) {
              "the limit {0} looks like millimeters: limits are in meters, and {0} mm is {1} m",
              limit.value, limit.value / 1000),
          .subject = context.subject(joint),
-         .fix = in_metres(axis)});
+         .fix = in_meters(axis)});
   }
 }
 

@@ -12,7 +12,7 @@
 
 namespace rigor::rules::limit_used_as_unlimited {
 
-constexpr double kHuge = 1e6;  // turns of a screw, or metres of a rail, that are not built
+constexpr double kHuge = 1e6;  // turns of a screw, or meters of a rail, that are not built
 constexpr int kInfiniteSince = 10;
 
 bool stands_for_none(const model::Field<double>& limit) {

@@ -24,10 +24,10 @@ JointId followed_by(const model::Root& root, const model::Frames& frames, JointI
 
 /// "a -> b -> a", or its beginning.
 std::string circle_of(const model::Root& root, const model::Frames& frames, JointId first) {
-  constexpr int kMostNamed = 8;
+  constexpr int kMaxNamed = 8;
   std::string circle = root[first].name.value;
   JointId at = first;
-  for (int named = 0; named < kMostNamed; ++named) {
+  for (int named = 0; named < kMaxNamed; ++named) {
     at = followed_by(root, frames, at);
     circle += " -> " + root[at].name.value;
     if (at == first) return circle;

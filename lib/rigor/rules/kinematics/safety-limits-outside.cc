@@ -18,8 +18,8 @@ constexpr double kTolerance = 1e-6;
 /// Robots of PR2's tradition write ±10 where they have no soft limits: whole numbers that are larger than
 /// any range of a revolute joint.
 bool means_none(double lower, double upper) {
-  constexpr double kLeast = 10;
-  return lower == -upper && upper >= kLeast && std::floor(upper) == upper;
+  constexpr double kMin = 10;
+  return lower == -upper && upper >= kMin && std::floor(upper) == upper;
 }
 
 void check(const model::Joint& joint, Context& context) {

@@ -13,7 +13,7 @@ namespace rigor::rules::several_roots {
 void check(const model::Model& robot, Context& context) {
   const model::Root& root = context.root();
   const Tree tree = tree_of(root, context.frames(), robot);
-  if (!tree.complete) return;  // a link whose joint leads nowhere is no second root
+  if (!tree.complete) return;  // a link whose joint does not exist is no second root
   const model::Link* first = nullptr;
   std::set<std::string_view> names;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {

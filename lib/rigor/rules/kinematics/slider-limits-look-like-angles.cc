@@ -12,8 +12,8 @@ namespace rigor::rules::slider_limits_look_like_angles {
 constexpr double kDegree = 57.29577951308232;
 
 // rad or m; below that many lengths are near a whole number of degrees.
-constexpr double kLeast = 0.5;
-constexpr double kMost = 6.3;
+constexpr double kMin = 0.5;
+constexpr double kMax = 6.3;
 
 // Degrees; what is left of π when it was written with four digits.
 constexpr double kOff = 0.012;
@@ -26,7 +26,7 @@ double whole_degrees(double limit) {
 
 bool is_angle(double limit) {
   const double size = std::abs(limit);
-  return size > kLeast && size < kMost && whole_degrees(limit) != 0;
+  return size > kMin && size < kMax && whole_degrees(limit) != 0;
 }
 
 void check(const model::Joint& joint, Context& context) {

@@ -24,10 +24,10 @@ struct Tree {
 };
 
 /// Per link, other links by their place in the robot.
-using Neighbours = std::vector<std::vector<std::size_t>>;
+using Neighbors = std::vector<std::vector<std::size_t>>;
 
 /// Removes the links without a predecessor, then those that have none left, and so on.
-inline void peel(const Neighbours& before, const Neighbours& after, std::vector<bool>& gone) {
+inline void peel(const Neighbors& before, const Neighbors& after, std::vector<bool>& gone) {
   std::vector<std::size_t> left(gone.size(), 0);
   std::vector<std::size_t> ready;
   for (std::size_t i = 0; i < gone.size(); ++i) {
@@ -53,7 +53,7 @@ inline Tree tree_of(const model::Root& root, const model::Frames& frames,
 
   Tree tree;
   tree.parents.resize(count);
-  Neighbours up(count), down(count);
+  Neighbors up(count), down(count);
   for (const auto id : robot.joints) {
     const auto& ends = frames.ends(id);
     const std::size_t parent = ends.parent ? place[ends.parent.value] : count;

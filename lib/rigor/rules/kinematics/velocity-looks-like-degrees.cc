@@ -20,7 +20,7 @@ constexpr double kDegree = 57.29577951308232;
 constexpr double kSame = 5e-3;
 
 // rad/s: fast servos of arms and legs turn at 30.
-constexpr double kLeast = 40;
+constexpr double kMin = 40;
 
 /// Another joint's velocity that is this one, in radians.
 std::optional<double> twin(double velocity, const std::vector<double>& others) {
@@ -43,7 +43,7 @@ void check(const model::Model& robot, Context& context) {
     const model::Joint& joint = root[id];
     if (!root.own(joint.site) || !turns(joint.type) || joint.axes.empty()) continue;
     const auto& velocity = joint.axes.front().velocity;
-    if (!velocity.written || !(velocity.value > kLeast)) continue;
+    if (!velocity.written || !(velocity.value > kMin)) continue;
     const auto meant = twin(velocity.value, velocities);
     if (!meant) continue;
     context.report(

@@ -20,7 +20,7 @@
 
 namespace rigor::rules {
 
-/// Extensions that say what the shape is, and that assimp 5.2.5 passes over.
+/// Extensions that say what the shape is, and that assimp 5.2.5 ignores.
 inline constexpr std::array<std::string_view, 4> kShapeExtensions{
     "KHR_mesh_quantization", "EXT_meshopt_compression", "KHR_meshopt_compression",
     "EXT_mesh_gpu_instancing"};

@@ -10,13 +10,13 @@
 
 namespace rigor::rules::mesh_16_bit_indices {
 
-constexpr std::uint64_t kMost = 65'535;
+constexpr std::uint64_t kMax = 65'535;
 
 void check(const MeshFile& file, Context& context) {
-  if (file.collision() || file.facts.largest_part <= kMost) return;
+  if (file.collision() || file.facts.largest_part <= kMax) return;
   report_mesh(
       file, context,
-      fmt::format("a part of the mesh has {} vertices, over {}", file.facts.largest_part, kMost));
+      fmt::format("a part of the mesh has {} vertices, over {}", file.facts.largest_part, kMax));
 }
 
 Rule rule() {

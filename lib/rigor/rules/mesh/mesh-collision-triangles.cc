@@ -10,12 +10,11 @@
 namespace rigor::rules::mesh_collision_triangles {
 
 void check(const MeshFile& file, Context& context) {
-  if (!file.collision() || takes_part(file) ||
-      file.facts.triangles <= mesh::kMostCollisionTriangles)
+  if (!file.collision() || takes_part(file) || file.facts.triangles <= mesh::kMaxCollisionTriangles)
     return;
   report_mesh(file, context,
               fmt::format("the mesh has {} triangles, over {}: much for collisions",
-                          file.facts.triangles, mesh::kMostCollisionTriangles));
+                          file.facts.triangles, mesh::kMaxCollisionTriangles));
 }
 
 Rule rule() {

@@ -10,15 +10,15 @@
 
 namespace rigor::rules::mesh_mujoco_faces {
 
-constexpr std::uint64_t kMost = 200'000;
+constexpr std::uint64_t kMax = 200'000;
 
 void check(const MeshFile& file, Context& context) {
   const bool stl =
       file.facts.format == mesh::Format::kStlBinary || file.facts.format == mesh::Format::kStlAscii;
-  if (!stl || file.facts.triangles <= kMost) return;
+  if (!stl || file.facts.triangles <= kMax) return;
   report_mesh(file, context,
               fmt::format("the STL has {} triangles, and MuJoCo reads {} at most",
-                          file.facts.triangles, kMost));
+                          file.facts.triangles, kMax));
 }
 
 Rule rule() {

@@ -18,7 +18,7 @@
 
 namespace rigor::rules::mesh_size_suspicious {
 
-// Diagonals, in metres. In 2,000 real model files no mesh that may move is beyond them; what stands fast
+// Diagonals, in meters. In 2,000 real model files no mesh that may move is beyond them; what stands fast
 // may be a building or terrain.
 constexpr double kLarge = 50;
 constexpr double kSmall = 0.005;
@@ -26,14 +26,14 @@ constexpr double kSmall = 0.005;
 constexpr double kLikelySmall = 0.01;
 constexpr double kLikelyLarge = 5;
 // Of 73 real models with three meshes or more, the largest mesh has at most 10.4 times the diagonal of
-// the next, and the smallest no less than a seventh; the least mistake, metres for inches, makes 39.
+// the next, and the smallest no less than a seventh; the least mistake, meters for inches, makes 39.
 constexpr double kBeyondOthers = 30;
 // More than nine in ten of their meshes are within this factor of the others.
 constexpr double kApart = 4;
 // With one other, it is unknown which of the two is wrong.
 constexpr std::size_t kFewestOthers = 2;
 // Shapes of the model that are compared with: these tell, and a hostile file has a million.
-constexpr int kMostOthers = 100;
+constexpr int kMaxOthers = 100;
 
 struct Unit {
   std::string_view name;
@@ -51,7 +51,7 @@ double diagonal_of(const mesh::Bounds& bounds, const model::Vector3& scale) {
   return length(model::Vector3{scale.x * size.x, scale.y * size.y, scale.z * size.z});
 }
 
-/// What a mesh may be expected to measure, in metres.
+/// What a mesh may be expected to measure, in meters.
 struct Likely {
   double least = kLikelySmall;
   double most = kLikelyLarge;
@@ -94,7 +94,7 @@ Others others_of(const MeshFile& file, const model::Link& link, Context& context
   int looked_at = 0;
   const auto compare = [&](const auto& shape) {
     const auto* const mesh = std::get_if<model::Mesh>(&shape.geometry.shape);
-    if (!mesh || !shape.link || !root.own(shape.site) || looked_at == kMostOthers) return;
+    if (!mesh || !shape.link || !root.own(shape.site) || looked_at == kMaxOthers) return;
     if (root.links[shape.link.value].model != link.model) return;
     ++looked_at;
     if (!seen.emplace(mesh->uri.value, length(mesh->scale.value)).second) return;

@@ -10,11 +10,11 @@
 namespace rigor::rules::mesh_visual_triangles {
 
 void check(const MeshFile& file, Context& context) {
-  if (!file.visual() || takes_part(file) || file.facts.triangles <= mesh::kMostVisualTriangles)
+  if (!file.visual() || takes_part(file) || file.facts.triangles <= mesh::kMaxVisualTriangles)
     return;
   report_mesh(file, context,
               fmt::format("the mesh has {} triangles, over {}", file.facts.triangles,
-                          mesh::kMostVisualTriangles));
+                          mesh::kMaxVisualTriangles));
 }
 
 Rule rule() {

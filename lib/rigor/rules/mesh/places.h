@@ -29,7 +29,7 @@ inline bool takes_part(const MeshFile& file) {
   return file.use && !file.use->mesh.submesh.value.empty();
 }
 
-/// Null when the shape was not looked at, or a part of it is used only.
+/// Null when the shape was not examined, or a part of it is used only.
 inline const mass::MeshShape* shape_of(const MeshFile& file) {
   return file.facts.shape && !takes_part(file) ? &*file.facts.shape : nullptr;
 }

@@ -11,7 +11,7 @@ namespace rigor::rules::include_not_followed {
 
 constexpr std::size_t kSearched = 300;  // of a file's first includes; real worlds have a hundred
 
-/// Worlds include one buoy fifty times: that it was not looked at is reported once.
+/// Worlds include one buoy fifty times: that it was not examined is reported once.
 bool is_reported(const read::Fact& fact, const model::Root& root) {
   for (std::size_t i = 0; i < std::min(root.includes.size(), kSearched); ++i) {
     const model::Include& include = root.includes[i];

@@ -13,7 +13,7 @@ void check(const model::Visual& visual, Context& context) {
   const model::Material& material = visual.material;
   if (!material.pbr.span.nowhere() || material.has_color) return;
   const std::string_view text = material.name.value;
-  // The colours of Gazebo's own materials gz-sim knows by heart, from version 8.
+  // The colors of Gazebo's own materials gz-sim knows by heart, from version 8.
   if (text.empty() || text.starts_with("Gazebo/") || text == "__default__") return;
   context.report({.where = material.name.span,
                   .message = "gz-sim reads no material scripts: nothing is seen of '" +

@@ -18,11 +18,11 @@
 namespace rigor::rules::mesh_unreferenced {
 
 // A model's folder has a dozen files and folders; a folder with more is not checked.
-constexpr std::size_t kMostEntries = 1000;
+constexpr std::size_t kMaxEntries = 1000;
 constexpr int kDeepest = 4;
 constexpr std::uint64_t kLargestText = std::uint64_t{8} << 20U;
 // Bytes compared with names: some hundredths of a second.
-constexpr std::uint64_t kMostCompared = std::uint64_t{100} << 20U;
+constexpr std::uint64_t kMaxCompared = std::uint64_t{100} << 20U;
 
 constexpr std::string_view kMeshes[] = {".stl", ".dae", ".obj", ".glb", ".gltf", ".ply", ".fbx"};
 /// Beside meshes, what is no text.
@@ -44,7 +44,7 @@ std::vector<std::string> files_below(const std::string& top, const Disk& disk) {
     open.pop_back();
     const std::vector<std::string> names = disk.list(folder);
     entries += names.size();
-    if (entries > kMostEntries) return {};
+    if (entries > kMaxEntries) return {};
     for (const std::string& name : names) {
       const std::string path = join_path(folder, name);
       const PathKind kind = disk.kind(path);
@@ -78,7 +78,7 @@ bool leave_unnamed(const std::vector<std::string>& files, const Disk& disk,
     auto bytes = disk.read(path, kLargestText).bytes;
     if (!bytes) return false;
     compared += bytes->size() * meshes.size();
-    if (compared > kMostCompared) return false;
+    if (compared > kMaxCompared) return false;
     // A name in the wrong case is meant all the same: mesh-case-mismatch tells of it.
     *bytes = lowered(*bytes);
     const auto is_named = [&](const std::string& mesh) {

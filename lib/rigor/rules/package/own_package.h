@@ -40,9 +40,9 @@ inline std::optional<RosPackage> package_in(const std::string& folder, const Con
 
 /// The package that the file belongs to.
 inline std::optional<RosPackage> own_package(const Context& context) {
-  constexpr int kMostAncestors = 16;  // as the resolver looks
+  constexpr int kMaxAncestors = 16;  // as the resolver looks
   std::string folder(context.folder());
-  for (int i = 0; i < kMostAncestors; ++i) {
+  for (int i = 0; i < kMaxAncestors; ++i) {
     if (auto package = package_in(folder, context)) return package;
     const std::string above = normalize_path(folder + "/..");
     if (above == folder) break;

@@ -14,7 +14,7 @@
 namespace rigor::rules {
 
 /// Places that are listed: what to do is of more use, and `rigor resolve` prints the whole search.
-inline constexpr std::size_t kMostTriedListed = 3;
+inline constexpr std::size_t kMaxTriedListed = 3;
 
 /// What to do first, then "tried a (beside the file), b (GZ_SIM_RESOURCE_PATH) and 4 more".
 inline std::string tried_places(const std::vector<std::string>& tried, std::string_view uri) {
@@ -30,7 +30,7 @@ inline std::string tried_places(const std::vector<std::string>& tried, std::stri
   }
   if (tried.empty()) return text + "; no folder is known to look in";
   text += "; tried ";
-  const std::size_t listed = std::min(tried.size(), kMostTriedListed);
+  const std::size_t listed = std::min(tried.size(), kMaxTriedListed);
   for (std::size_t i = 0; i < listed; ++i) text.append(i > 0 ? ", " : "").append(tried[i]);
   if (listed == tried.size()) return text;
   return text + " and " + std::to_string(tried.size() - listed) + " more: rigor resolve " +

@@ -13,9 +13,9 @@
 namespace rigor::rules::contact_depth_too_large {
 
 // Of the thinnest side: the body is seen to stand in the ground.
-constexpr double kMost = 0.25;
+constexpr double kMax = 0.25;
 
-// A few millimetres are usual, however thin the sheet is.
+// A few millimeters are usual, however thin the sheet is.
 constexpr double kUsual = 5e-3;  // m
 
 /// The thinnest side of a plain shape, m.
@@ -39,7 +39,7 @@ void check_collision(const model::Collision& collision, Context& context) {
   const auto thick = thickness(collision.geometry.shape);
   if (!thick || !(*thick > 0)) return;
   const auto& depth = collision.surface.min_depth;
-  if (!depth.written || depth.value <= std::max(kUsual, kMost * *thick)) return;
+  if (!depth.written || depth.value <= std::max(kUsual, kMax * *thick)) return;
   context.report({.where = depth.span,
                   .message = fmt::format("bodies may sink {} m into each other before anything "
                                          "pushes them apart, and this one is {:.3g} m thick",

@@ -35,7 +35,7 @@ void check(const model::Root& root, Context& context) {
     const model::Link& link = root[contact.link];
     if (!kp.written || !link.model || is_static(root, link.model)) continue;
     if (kp.value <= 0) {
-      if (context.is_sdf()) continue;  // contact-stiffness-not-positive speaks of it
+      if (context.is_sdf()) continue;  // contact-stiffness-not-positive reports it
       context.report(
           {.where = kp.span,
            .message = fmt::format("the contact's stiffness kp is {} N/m: nothing pushes the "

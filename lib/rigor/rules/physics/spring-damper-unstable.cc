@@ -15,11 +15,11 @@ namespace rigor::rules::spring_damper_unstable {
 
 // Explicit steps h diverge when a damper takes more than twice the speed in one (d h / I), and symplectic
 // ones when a spring turns it round more than twice (k h² / I).
-constexpr double kMostDamping = 2;
-constexpr double kMostStiffness = 4;
+constexpr double kMaxDamping = 2;
+constexpr double kMaxStiffness = 4;
 
 // What hangs on a joint is gone through only so far.
-constexpr std::size_t kMostLinks = 200;
+constexpr std::size_t kMaxLinks = 200;
 
 constexpr double kUsualStep = 0.001;  // s, of Gazebo
 
@@ -53,7 +53,7 @@ class Bodies {
     std::vector<model::Id<model::Link>> all{child};
     double sum = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      if (all.size() > kMostLinks) return std::nullopt;
+      if (all.size() > kMaxLinks) return std::nullopt;
       if (mass::is_automatic(root[all[i]])) return std::nullopt;
       const auto X_WL = context_.frames().pose(all[i]);
       if (!X_WL) return std::nullopt;
@@ -93,7 +93,7 @@ void check(const model::Root& root, Context& context) {
     const char* unit = joint.type == model::JointType::kPrismatic ? "kg" : "kg·m²";
     const double damped = axis.damping.value * step / *inertia;
     const double sprung = axis.spring_stiffness.value * step * step / *inertia;
-    if (damped > kMostDamping) {
+    if (damped > kMaxDamping) {
       context.report(
           {.where = axis.damping.span,
            .message = fmt::format("a damping of {} on {:.3g} {} takes {:.3g} times its speed away "
@@ -101,15 +101,15 @@ void check(const model::Root& root, Context& context) {
                                   axis.damping.value, *inertia, unit, damped, step),
            .subject = context.subject(joint),
            .help =
-               fmt::format("at this step up to {:.3g} is stable", kMostDamping * *inertia / step)});
-    } else if (has_spring && sprung > kMostStiffness) {
+               fmt::format("at this step up to {:.3g} is stable", kMaxDamping * *inertia / step)});
+    } else if (has_spring && sprung > kMaxStiffness) {
       context.report({.where = axis.spring_stiffness.span,
                       .message = fmt::format("a spring of {} on {:.3g} {} is too stiff for a step "
                                              "of {} s: it gains energy with each",
                                              axis.spring_stiffness.value, *inertia, unit, step),
                       .subject = context.subject(joint),
                       .help = fmt::format("at this step up to {:.3g} is stable",
-                                          kMostStiffness * *inertia / (step * step))});
+                                          kMaxStiffness * *inertia / (step * step))});
     }
   }
 }

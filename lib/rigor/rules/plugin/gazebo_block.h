@@ -10,7 +10,7 @@
 
 namespace rigor::rules {
 
-/// Whether the sensor's block refers to a part of the robot. What stands in a block that speaks of the
+/// Whether the sensor's block refers to a part of the robot. What stands in a block that refers to the
 /// whole robot comes into the model beside its links, where no consumer looks at it.
 inline bool is_in_part(const model::Sensor& sensor) {
   return sensor.link || sensor.joint || !sensor.gazebo_reference.empty();

@@ -37,7 +37,7 @@ void check(const model::Root& root, Context& context) {
     const auto [entry, first] = seen.try_emplace({plugin.model.value, topic}, &plugin);
     if (first) continue;
     const model::Plugin& other = *entry->second;
-    // The same plugin twice is what plugin-duplicate speaks of.
+    // The same plugin twice is what plugin-duplicate reports.
     if (context.bytes(plugin.site.span) == context.bytes(other.site.span)) continue;
     context.report({.where = plugin.site.name,
                     .message = topic.empty() ? "two plugins publish the odometry of the model"

@@ -67,8 +67,8 @@ bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
 /// The same but for a letter within a word, or two that are exchanged. Numbers and letters that stand alone, as in
 /// leg_2 and l_arm, tell parts apart.
 bool is_slip_of(std::string_view name, std::string_view other) {
-  constexpr std::size_t kLeast = 6;
-  if (name.size() < kLeast || schema::edit_distance(name, other, 1) != 1) return false;
+  constexpr std::size_t kMin = 6;
+  if (name.size() < kMin || schema::edit_distance(name, other, 1) != 1) return false;
   const auto at = std::mismatch(name.begin(), name.end(), other.begin(), other.end()).first;
   const std::string_view longer = other.size() > name.size() ? other : name;
   const auto i = static_cast<std::size_t>(at - name.begin());

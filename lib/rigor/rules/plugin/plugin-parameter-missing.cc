@@ -10,7 +10,7 @@
 
 namespace rigor::rules::plugin_parameter_missing {
 
-/// A parameter whose name is misspelt is not missing: plugin-parameter-unknown speaks of it.
+/// A parameter whose name is misspelt is not missing: plugin-parameter-unknown reports it.
 bool is_misspelt_in(const model::Plugin& plugin, std::string_view parameter,
                     std::string_view parameters) {
   for (const model::Parameter& given : plugin.parameters) {

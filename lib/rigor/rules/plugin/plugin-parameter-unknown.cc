@@ -53,17 +53,17 @@ std::vector<std::string_view> missing_from(const model::Plugin& plugin,
 /// All that is left of the ancestor's is one fault: only the name of the library was changed.
 void report_former(const std::vector<const model::Parameter*>& former, const model::Plugin& plugin,
                    Context& context) {
-  constexpr std::size_t kMostNamed = 4;  // a longer list is not read
+  constexpr std::size_t kMaxNamed = 4;  // a longer list is not read
   std::vector<std::string_view> names;
   for (const model::Parameter* parameter : former) {
     if (std::find(names.begin(), names.end(), parameter->name) != names.end()) continue;
     names.emplace_back(parameter->name);
   }
   std::string list;
-  for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i) {
+  for (std::size_t i = 0; i < std::min(names.size(), kMaxNamed); ++i) {
     list += (i == 0 ? "<" : ", <") + std::string(names[i]) + ">";
   }
-  if (names.size() > kMostNamed) list += fmt::format(" and {} more", names.size() - kMostNamed);
+  if (names.size() > kMaxNamed) list += fmt::format(" and {} more", names.size() - kMaxNamed);
   context.report({.where = former.front()->site.name,
                   .message = "the plugin does not read " + list +
                              ", which the plugin of gazebo_ros that did the same read",

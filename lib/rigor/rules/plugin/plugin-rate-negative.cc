@@ -14,7 +14,7 @@
 namespace rigor::rules::plugin_rate_negative {
 
 /// Parameters that mean a rate in Hz wherever they are used. The update_frequency of PosePublisher is
-/// not among them: there a negative one stands for as often as possible.
+/// not among them: there a negative one represents as often as possible.
 constexpr std::string_view kRates[] = {"updateRate", "update_rate", "odom_publish_frequency",
                                        "publish_rate", "publishRate"};
 

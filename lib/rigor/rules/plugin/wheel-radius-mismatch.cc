@@ -14,7 +14,7 @@
 namespace rigor::rules::wheel_radius_mismatch {
 
 // A tire is pressed in, and authors measure collision, visual or data sheet.
-constexpr double kMostOff = 0.12;
+constexpr double kMaxOff = 0.12;
 
 void check_against(const model::Parameter& parameter, double factor,
                    const std::vector<double>& radii, const model::Plugin& plugin,
@@ -22,7 +22,7 @@ void check_against(const model::Parameter& parameter, double factor,
   const auto written = positive_number(parameter);
   if (!written || radii.empty()) return;
   const bool fits = std::any_of(radii.begin(), radii.end(), [&](double radius) {
-    return std::abs(*written - factor * radius) < kMostOff * factor * radius;
+    return std::abs(*written - factor * radius) < kMaxOff * factor * radius;
   });
   if (fits) return;
   const char* name = factor == 1 ? "radius" : "diameter";
@@ -57,7 +57,7 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a drive plugin's wheel radius or diameter is not that of the wheels",
-      .why = "The robot drives faster or slower than it is told, and its odometry is wrong by the "
+      .why = "The robot drives faster or slower than commanded, and its odometry is wrong by the "
              "same factor: by two where a diameter was written for a radius. The plugin turns the "
              "wheels by speed over radius, and looks at no geometry.",
       .what_to_do = "Write the radius, or the diameter where the parameter says so, in meters.",

@@ -16,10 +16,10 @@ namespace rigor::rules::wheel_separation_mismatch {
 using model::Vector3;
 
 // Wheels have a width, and the point of contact is somewhere in it.
-constexpr double kMostOff = 0.12;
+constexpr double kMaxOff = 0.12;
 
 // A skid-steered robot turns as if its wheels were farther apart, and authors write that.
-constexpr double kMostSkid = 1.9;
+constexpr double kMaxSkid = 1.9;
 
 Vector3 mean(const std::vector<DrivenWheel>& wheels, Vector3 DrivenWheel::*point) {
   Vector3 sum;
@@ -37,7 +37,7 @@ double distance(const Drive& drive, Vector3 DrivenWheel::*point) {
 bool in_line(const std::vector<DrivenWheel>& wheels, double separation) {
   return std::all_of(wheels.begin(), wheels.end(), [&](const DrivenWheel& wheel) {
     const Vector3 off = wheel.center - wheels.front().center;
-    return std::abs(dot(off, wheels.front().axis)) < kMostOff * separation;
+    return std::abs(dot(off, wheels.front().axis)) < kMaxOff * separation;
   });
 }
 
@@ -48,9 +48,9 @@ void check_against(const model::Parameter& parameter, const Drive& drive,
   const double of_wheels = distance(drive, &DrivenWheel::center);
   const double of_joints = distance(drive, &DrivenWheel::position);
   if (!(of_wheels > 0) || !(of_joints > 0)) return;
-  const double most = drive.left.size() > 1 ? kMostSkid : 1 + kMostOff;
+  const double most = drive.left.size() > 1 ? kMaxSkid : 1 + kMaxOff;
   for (const double actual : {of_wheels, of_joints}) {
-    if (*written > actual * (1 - kMostOff) && *written < actual * most) return;
+    if (*written > actual * (1 - kMaxOff) && *written < actual * most) return;
   }
   const Span where = trimmed(parameter, context);
   const std::string right = fmt::format("{:.6g}", of_wheels);
@@ -79,9 +79,9 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a drive plugin's wheel separation is not that of the wheels",
-      .why = "The robot turns by another angle than it is told, and reports the angle that it was "
-             "told: odometry and map drift apart with each turn. The plugin computes the speeds "
-             "of its wheels from the separation, and looks at no geometry.",
+      .why = "The robot turns by another angle than commanded, and reports the commanded "
+             "angle: odometry and map drift apart with each turn. The plugin computes the speeds "
+             "of its wheels from the separation, not from the geometry.",
       .what_to_do = "Write the distance of the wheels' centers along the axle, in meters. Of a "
                     "robot with several wheels on a side up to 1.9 times that is taken for the "
                     "effective separation of a skid-steered one.",

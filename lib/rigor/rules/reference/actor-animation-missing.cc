@@ -15,7 +15,7 @@ void look_at(const model::Actor& actor, Context& context) {
   std::vector<std::string> animations;
   for (const auto& name : actor.animations) animations.push_back(name.value);
   const std::unordered_set<std::string_view> names(animations.begin(), animations.end());
-  // One that only stands in for what moves along a path has none.
+  // One that only replaces what moves along a path has none.
   if (animations.empty()) return;
   for (const model::Trajectory& trajectory : actor.trajectories) {
     const auto& type = trajectory.type;

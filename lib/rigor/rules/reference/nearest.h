@@ -47,7 +47,7 @@ Finding with_nearest(Finding finding, std::string_view name, const Candidates& c
   return with_nearest(std::move(finding), name, names, context);
 }
 
-/// Of a name that leads nowhere.
+/// Of a name that is undefined.
 inline Finding unresolved(const model::FrameProblem& problem, std::string message,
                           const Context& context) {
   return with_nearest(

@@ -28,8 +28,8 @@ using Links = std::unordered_set<std::string_view>;
 
 /// Whether the frame is a link's name but for a letter within it: no one else publishes it.
 bool is_slip(std::string_view frame, const Links& links) {
-  constexpr std::size_t kLeast = 6;
-  return frame.size() >= kLeast &&
+  constexpr std::size_t kMin = 6;
+  return frame.size() >= kMin &&
          std::any_of(links.begin(), links.end(), [&](std::string_view link) {
            return frame.front() == link.front() && frame.back() == link.back() &&
                   schema::edit_distance(frame, link, 1) == 1;

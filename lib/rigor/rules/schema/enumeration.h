@@ -19,7 +19,7 @@
 
 namespace rigor::rules {
 
-/// Who speaks of a value that is in no list.
+/// Who reports a value that is in no list.
 enum class ListKeeper {
   kOwnRule,    ///< the rule for types of joints, sensors or physics engines, or for mimics
   kRefuses,    ///< libsdformat refuses the file

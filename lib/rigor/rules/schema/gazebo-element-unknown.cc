@@ -42,9 +42,9 @@ std::vector<std::string_view> meant(std::string_view name,
 
 /// Whether the first is nearer than the second: of `mu` no one is.
 bool is_nearest(const std::vector<std::string_view>& near, std::string_view name) {
-  constexpr std::size_t kMost = 2;  // edits of what is near
+  constexpr std::size_t kMax = 2;  // edits of what is near
   if (near.size() < 2) return !near.empty();
-  return schema::edit_distance(name, near[0], kMost) < schema::edit_distance(name, near[1], kMost);
+  return schema::edit_distance(name, near[0], kMax) < schema::edit_distance(name, near[1], kMax);
 }
 
 void check(const model::GazeboBlock& block, Context& context) {

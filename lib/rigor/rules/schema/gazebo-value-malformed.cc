@@ -108,7 +108,7 @@ std::optional<KeyFault> fault_of_key(const GazeboKey& key, std::string_view text
   return std::nullopt;
 }
 
-/// Whether libsdformat's model has what the block speaks of: a link without mass it drops, with what
+/// Whether libsdformat's model has what the block refers to: a link without mass it drops, with what
 /// hangs on it, and a joint with a link that it lumps into another.
 bool comes_into_sdf(const model::GazeboBlock& block, Context& context) {
   const std::string& name = block.reference.value;

@@ -13,14 +13,14 @@
 
 namespace rigor::rules::misplaced_element {
 
-constexpr std::size_t kMostPlaces = 3;  // a longer list is not read
+constexpr std::size_t kMaxPlaces = 3;  // a longer list is not read
 
 std::string list(const std::vector<std::string>& places) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(places.size(), kMostPlaces); ++i) {
+  for (std::size_t i = 0; i < std::min(places.size(), kMaxPlaces); ++i) {
     text += (i > 0 ? ", <" : "<") + places[i].substr(places[i].rfind('/') + 1) + ">";
   }
-  return places.size() > kMostPlaces ? text + " and others" : text;
+  return places.size() > kMaxPlaces ? text + " and others" : text;
 }
 
 /// The nearest element around it that takes it is what was meant.

@@ -38,7 +38,7 @@ bool looks_at_axis(const read::SchemaFact& fact) {
   return !type || (type->value() != "fixed" && type->value() != "floating");
 }
 
-/// urdfdom takes the default where there is one (but of an axis), passes over a colour or texture without
+/// urdfdom takes the default where there is one (but of an axis), ignores a color or texture without
 /// a value, and reads no sensors.
 bool needed(const read::SchemaFact& fact, const schema::Node& attribute, const Context& context) {
   const std::string_view name = fact.element.name();

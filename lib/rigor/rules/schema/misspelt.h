@@ -54,7 +54,7 @@ inline bool has_xacro_child(const model::Site& site, const Context& context) {
 }
 
 /// Whether a consumer refuses or misreads the file where `parent` lacks this required child: then
-/// `missing-element` speaks of it, misspelt or not. libsdformat takes the default of most.
+/// `missing-element` reports it, misspelt or not. libsdformat takes the default of most.
 inline bool is_needed(std::string_view parent, std::string_view child, const Context& context) {
   if (context.is_urdf()) return true;
   if (parent == "joint") return child == "parent" || child == "child";

@@ -52,7 +52,7 @@ inline std::vector<std::string_view> node_names(const schema::NodeRange& nodes) 
 }
 
 /// The missing required attribute that an unknown one was probably meant to be; `missing-attribute`
-/// then speaks of both.
+/// then reports both.
 inline std::optional<std::string_view> meant_for_missing(const read::SchemaFact& fact,
                                                          std::string_view written) {
   if (!fact.parent) return std::nullopt;
@@ -64,7 +64,7 @@ inline std::optional<std::string_view> meant_for_missing(const read::SchemaFact&
 }
 
 /// Whether a child element is written as an attribute, as SDF 1.0 had it: `element-as-attribute`
-/// then speaks of it.
+/// then reports it.
 inline bool written_as_attribute(const read::SchemaFact& fact) {
   return fact.attribute && fact.parent && fact.parent->child(fact.attribute->name());
 }

@@ -20,7 +20,7 @@
 namespace rigor::rules {
 
 /// Whether urdfdom gives up the robot for what it cannot read in the element: it does in joints. Of a link
-/// it passes over the part, and of a fixed joint it reads no axis.
+/// it ignores the part, and of a fixed joint it reads no axis.
 inline bool urdfdom_refuses_in(xml::Element element) {
   bool in_axis = false;
   for (std::optional<xml::Element> at = element; at; at = at->parent()) {
@@ -35,7 +35,7 @@ inline bool urdfdom_refuses_in(xml::Element element) {
 }
 
 /// A pose with a quaternion has seven numbers.
-constexpr std::size_t kMostInPose = 7;
+constexpr std::size_t kMaxInPose = 7;
 
 /// libsdformat takes these words for 1 and 0 wherever one number is due.
 inline bool is_truth(std::string_view text) {
@@ -61,7 +61,7 @@ inline bool known_to_sdformat(xml::Element element, const Context& context) {
 }
 
 /// Whether libsdformat refuses a value of SDF for a fault. Numbers are read up to what is no part of
-/// them: alone, in poses and in colours each by itself, in vectors up to the end.
+/// them: alone, in poses and in colors each by itself, in vectors up to the end.
 inline bool sdformat_refuses(const schema::ValueFault& fault, schema::Type type,
                              std::string_view text) {
   using Kind = schema::ValueFault::Kind;
@@ -72,7 +72,7 @@ inline bool sdformat_refuses(const schema::ValueFault& fault, schema::Type type,
     case Kind::kNotFinite: return vector || type == Type::kPose || type == Type::kColor;
     case Kind::kDecimalComma: return vector;
     case Kind::kTrailingText: {
-      if (type == Type::kPose) return read::words_in(text) > kMostInPose;
+      if (type == Type::kPose) return read::words_in(text) > kMaxInPose;
       const std::string_view value = read::trimmed(text);
       const std::size_t begin = static_cast<std::size_t>(value.data() - text.data());
       return vector && fault.end < begin + value.size();

@@ -25,7 +25,7 @@ bool all_are_read(std::string_view name, std::string_view parent) {
 }
 
 /// A file may repeat elements that repeat elements: what is longer is taken to differ.
-constexpr std::uint32_t kMostCompared = 1000;
+constexpr std::uint32_t kMaxCompared = 1000;
 
 /// The next word of a text, taken off it; empty at the end.
 std::string_view take_word(std::string_view& text) {
@@ -69,7 +69,7 @@ bool same(xml::Element a, xml::Element b, const xml::Document& document) {
     return index < document.element_count() &&
            document.element(index).span().begin < top.span().end;
   };
-  for (std::uint32_t i = 0; i < kMostCompared; ++i) {
+  for (std::uint32_t i = 0; i < kMaxCompared; ++i) {
     const bool more = within(a, i);
     if (more != within(b, i)) return false;
     if (!more) return true;
@@ -99,15 +99,15 @@ std::optional<xml::Element> contradiction(xml::Element second, const Context& co
 }
 
 /// Elements that one fix removes: each costs a walk to the start of its line. More are no slip.
-constexpr std::size_t kMostRemoved = 100;
+constexpr std::size_t kMaxRemoved = 100;
 
-/// One finding stands for all of them.
+/// One finding represents all of them.
 std::vector<Edit> without_others(const read::SchemaFact& fact, const Context& context) {
   std::vector<Edit> edits;
   std::size_t removed = 0;
   for (const xml::Element other : fact.element.parent()->children()) {
     if (other.index() < fact.element.index() || other.name() != fact.element.name()) continue;
-    if (++removed > kMostRemoved) return {};
+    if (++removed > kMaxRemoved) return {};
     append(edits, xml::remove_element(context.document(), other));
   }
   return edits;

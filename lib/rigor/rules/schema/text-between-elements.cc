@@ -59,10 +59,10 @@ std::optional<schema::Node> meant_child(const read::SchemaFact& fact, std::strin
 
 /// What is to be looked for: in a template the place may be that of a call.
 std::string in_short(std::string_view text) {
-  constexpr std::size_t kMost = 30;
+  constexpr std::size_t kMax = 30;
   std::string line(text.substr(0, text.find('\n')));
-  if (line.size() > kMost) {
-    std::size_t end = kMost;
+  if (line.size() > kMax) {
+    std::size_t end = kMax;
     // Whole code points, where it has any.
     while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) --end;
     line.resize(end);

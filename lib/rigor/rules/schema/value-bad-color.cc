@@ -17,7 +17,7 @@ using FaultKind = schema::ValueFault::Kind;
 
 /// Parts such as 128 or 255 are of a scale of bytes; 2 or 8 is a slip, or a light that is to be brighter.
 bool is_in_bytes(std::string_view text) {
-  constexpr double kLeast = 16;
+  constexpr double kMin = 16;
   bool large = false;
   std::string_view rest = read::trimmed(text);
   while (!rest.empty()) {
@@ -26,7 +26,7 @@ bool is_in_bytes(std::string_view text) {
     rest = read::trimmed(rest.substr(end));
     const double* part = std::get_if<double>(&parsed);
     if (part == nullptr || *part < 0 || *part > 255) return false;
-    large = large || *part >= kLeast;
+    large = large || *part >= kMin;
   }
   return large;
 }

@@ -9,7 +9,7 @@ namespace rigor::rules::value_not_finite {
 
 using FaultKind = schema::ValueFault::Kind;
 
-/// mass-not-finite and inertia-not-finite speak of those.
+/// mass-not-finite and inertia-not-finite report those.
 bool of_inertial(const read::SchemaFact& fact) {
   const auto parent = fact.element.parent();
   return fact.element.name() == "mass" || fact.element.name() == "inertia" ||

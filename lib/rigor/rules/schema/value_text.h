@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the rules about single values share: which value it is, and how to speak of it.
+// What the rules about single values share: which value it is, and how to refer to it.
 
 #pragma once
 
@@ -52,7 +52,7 @@ inline std::string_view expected(schema::Type type) {
   }
 }
 
-/// Of this value: what urdfdom takes for a colour, and a pose with a quaternion, are their own.
+/// Of this value: what urdfdom takes for a color, and a pose with a quaternion, are their own.
 inline std::string_view expected(const read::SchemaFact& fact, const Context& context) {
   const schema::Type type = fact.node->type();
   if (type == schema::Type::kColor && context.is_urdf()) return "four numbers from 0 to 1";
@@ -64,7 +64,7 @@ inline std::string_view expected(const read::SchemaFact& fact, const Context& co
   return expected(type);
 }
 
-/// Whether xacro was to write the value; `xml-leftover-xacro` speaks of that.
+/// Whether xacro was to write the value; `xml-leftover-xacro` reports that.
 inline bool left_for_xacro(const read::SchemaFact& fact) { return has_xacro(fact.text); }
 
 inline bool has_kind(const read::SchemaFact& fact, schema::ValueFault::Kind kind) {

@@ -9,9 +9,9 @@
 
 namespace rigor::rules::camera_clip_inverted {
 
-// What the schema of SDF allows. Its rules speak of less in SDF, and no rule of the schema checks a URDF's <gazebo>.
-constexpr double kLeastFarInSdf = 0.1;
-constexpr double kLeastNearInSdf = 0;
+// What the schema of SDF allows. Its rules report less in SDF, and no rule of the schema checks a URDF's <gazebo>.
+constexpr double kMinFarInSdf = 0.1;
+constexpr double kMinNearInSdf = 0;
 
 void check(const model::Sensor& sensor, Context& context) {
   for (const model::Camera& camera : sensor.cameras) {
@@ -29,8 +29,8 @@ void check(const model::Sensor& sensor, Context& context) {
                     .subject = context.subject(sensor),
                     .fix = std::move(fix),
                     .refused = context.is_urdf() && is_in_part(sensor) &&
-                               (camera.near_clip.value < kLeastNearInSdf ||
-                                camera.far_clip.value < kLeastFarInSdf)});
+                               (camera.near_clip.value < kMinNearInSdf ||
+                                camera.far_clip.value < kMinFarInSdf)});
   }
 }
 

@@ -16,26 +16,26 @@ namespace rigor::rules::camera_fov_out_of_range {
 // Of a flat picture the edges go to infinity at half a turn; 3.14 is meant to be that, too.
 constexpr double kWidest = 3.135;
 // What the schema of SDF allows: beyond that its rules speak.
-constexpr double kMostInSdf = 6.283186;
-constexpr double kLeastInSdf = 0.001;
-constexpr double kMostDegrees = 180;
+constexpr double kMaxInSdf = 6.283186;
+constexpr double kMinInSdf = 0.001;
+constexpr double kMaxDegrees = 180;
 
 void check(const model::Sensor& sensor, Context& context) {
   if (sensor.type.value.starts_with("wide")) return;  // a fish eye sees more
   for (const model::Camera& camera : sensor.cameras) {
     const auto& fov = camera.horizontal_fov;
     if (!fov.written || (fov.value > 0 && fov.value < kWidest)) continue;
-    if (context.is_sdf() && (fov.value < kLeastInSdf || fov.value > kMostInSdf)) continue;
+    if (context.is_sdf() && (fov.value < kMinInSdf || fov.value > kMaxInSdf)) continue;
     Finding finding{
         .where = fov.span,
         .message = fmt::format("the camera sees {} rad across, more than a flat image can show",
                                fov.value),
         .subject = context.subject(sensor),
         .refused = context.is_urdf() && is_in_part(sensor) &&
-                   !(fov.value >= kLeastInSdf && fov.value <= kMostInSdf)};
+                   !(fov.value >= kMinInSdf && fov.value <= kMaxInSdf)};
     if (!(fov.value > 0)) {
       finding.message = fmt::format("the field of view is {} rad", fov.value);
-    } else if (fov.value > kMostInSdf && fov.value < kMostDegrees) {
+    } else if (fov.value > kMaxInSdf && fov.value < kMaxDegrees) {
       const std::string radians = fmt::format("{:.6g}", fov.value * std::numbers::pi / 180);
       finding.help = "as degrees it would be " + radians + " rad";
       finding.fix = Fix{"write " + radians, Applicability::kUnsafe, {{fov.span, radians}}};

@@ -7,11 +7,11 @@
 namespace rigor::rules::camera_image_huge {
 
 // Graphics cards of today draw pictures of at most so many pixels a side.
-constexpr double kMostPixels = 16384;
+constexpr double kMaxPixels = 16384;
 
 void check(const model::Sensor& sensor, Context& context) {
   report_pictures(
-      sensor, [](double pixels) { return pixels > kMostPixels; }, context);
+      sensor, [](double pixels) { return pixels > kMaxPixels; }, context);
 }
 
 Rule rule() {

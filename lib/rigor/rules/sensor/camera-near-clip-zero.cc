@@ -11,7 +11,7 @@ namespace rigor::rules::camera_near_clip_zero {
 void check(const model::Sensor& sensor, Context& context) {
   for (const model::Camera& camera : sensor.cameras) {
     const auto& near = camera.near_clip;
-    // In SDF the schema's rules speak of one below 0; camera-clip-inverted of one that is the far one.
+    // In SDF the schema's rules report one below 0; camera-clip-inverted of one that is the far one.
     const bool zero = context.is_sdf() ? near.value == 0 : near.value <= 0;
     if (!near.written || !zero || camera.far_clip.value <= near.value) continue;
     context.report({.where = near.span,

@@ -13,7 +13,7 @@ namespace rigor::rules::lidar_range_looks_like_millimeters {
 // m; lidars on the ground see 300 m, those for mapping from the air 1000.
 constexpr double kFarthest = 1000;
 
-// m; a larger number stands for no limit.
+// m; a larger number represents no limit.
 constexpr double kNoLimit = 1e6;
 
 void check(const model::Sensor& sensor, Context& context) {
@@ -35,7 +35,7 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a lidar's range is more than a kilometer",
-      .why = "The lidar sees what the real one does not, and depth in its picture loses "
+      .why = "The lidar sees what the real one does not, and depth in its image loses "
              "resolution with the range. Ranges are in meters; data sheets have them in "
              "millimeters.",
       .what_to_do = "Write the largest distance of the data sheet in meters.",

@@ -14,13 +14,13 @@
 namespace rigor::rules::sensor_angle_looks_like_degrees {
 
 // 1 % over a full turn leaves room for 6.3 and the like.
-constexpr double kMost = 1.01 * 2 * std::numbers::pi;
+constexpr double kMax = 1.01 * 2 * std::numbers::pi;
 
-/// Looks at two angles that are of the same unit, and speaks of one.
+/// Looks at two angles that are of the same unit, and reports one.
 void look_at(std::initializer_list<std::pair<const char*, model::Field<double>>> angles,
              const std::string& subject, Context& context) {
   for (const auto& [name, angle] : angles) {
-    if (!angle.written || !std::isfinite(angle.value) || std::abs(angle.value) <= kMost) continue;
+    if (!angle.written || !std::isfinite(angle.value) || std::abs(angle.value) <= kMax) continue;
     context.report({.where = angle.span,
                     .message = fmt::format("<{0}> is {1}, which looks like degrees: it is in "
                                            "radians, and {1}° is {2:.6g} rad",

@@ -7,7 +7,7 @@
 namespace rigor::rules::sensor_name_missing {
 
 void check(const model::Sensor& sensor, Context& context) {
-  // In SDF the schema's rules say so; an empty name is what name-empty speaks of.
+  // In SDF the schema's rules say so; an empty name is what name-empty reports.
   if (!context.is_urdf() || sensor.name.written || !is_in_part(sensor)) return;
   context.report({.where = sensor.site.name,
                   .message = "the sensor has no name",

@@ -15,7 +15,7 @@ void check(const model::Root& root, Context& context) {
   for (const model::Sensor& sensor : root.sensors) {
     const std::string& topic = sensor.topic.value;
     // Bumpers of one robot often share a topic, each message naming its own collision; and
-    // __default_topic__ stands for a name that the simulator makes up.
+    // __default_topic__ represents a name that the simulator makes up.
     if (!root.own(sensor.site) || topic.empty() || topic == "__default_topic__") continue;
     if (sensor.type.value == "contact") continue;
     const auto [entry, first] = seen.emplace(Topic{sensor.type.value, topic}, &sensor);

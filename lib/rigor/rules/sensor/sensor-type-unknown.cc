@@ -20,7 +20,7 @@ void check(const read::SchemaFact& fact, Context& context) {
   if (is_type_of(fact, "sensor")) report_unknown_type(fact, context);
 }
 
-/// Those of SDF 1.12, for the <gazebo> of a URDF, where no schema is looked at.
+/// Those of SDF 1.12, for the <gazebo> of a URDF, where no schema is examined.
 constexpr std::string_view kTypes[] = {"air_pressure",
                                        "air_speed",
                                        "altimeter",

@@ -7,7 +7,7 @@
 namespace rigor::rules::sensor_without_link {
 
 void check(const model::Sensor& sensor, Context& context) {
-  // A reference to nothing is what gazebo-reference-missing speaks of.
+  // A reference to nothing is what gazebo-reference-missing reports.
   if (is_in_part(sensor)) return;
   context.report(
       {.where = sensor.site.name,

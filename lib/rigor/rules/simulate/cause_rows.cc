@@ -45,7 +45,7 @@ std::span<const Row> cause_rows() {
            "Iterative solvers need about as many iterations as the ratio of masses across a joint.",
        .what_to_do = "Keep the ratio within about 50: make light links heavier or join them to "
                      "their neighbors."},
-      {.rule = {"simulate-cause-wheel-off-center", FactKind::kCauseWheelOffCentre,
+      {.rule = {"simulate-cause-wheel-off-center", FactKind::kCauseWheelOffCenter,
                 Severity::kWarning},
        .message = "has an axis that misses the center of the wheel by {value_mm:.3g} mm",
        .help = "put the wheel's collision on the axis",

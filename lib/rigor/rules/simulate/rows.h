@@ -3,7 +3,7 @@
 //
 // The rules on simulations: a row for each kind of `simulate::Fact`, in a file for each group of kinds.
 // Their messages may name {name}, {value} and {limit} of the fact, and what is made of these:
-// {value_mm} of metres, {value_deg} of radians, {value_percent} of a share, {value_length} with its unit,
+// {value_mm} of meters, {value_deg} of radians, {value_percent} of a share, {value_length} with its unit,
 // and the same of the limit; {inverse} of the value, {deficit_percent} of a negative one; {unit} and
 // {effort_unit} of the joint. What shows a cause has a help, and is so whatever a test shows.
 

@@ -10,17 +10,17 @@
 
 namespace rigor::rules::globe_position_impossible {
 
-constexpr double kMostLatitude = 90;  // degrees
+constexpr double kMaxLatitude = 90;  // degrees
 
 // Some count east from 0 to 360.
-constexpr double kMostLongitude = 360;
+constexpr double kMaxLongitude = 360;
 
 void check(const model::World& world, Context& context) {
   if (!world.globe_position) return;
   const auto& [latitude, longitude] = *world.globe_position;
-  if (std::abs(latitude.value) > kMostLatitude) {
-    const bool swapped = longitude.written && std::abs(longitude.value) <= kMostLatitude &&
-                         std::abs(latitude.value) <= kMostLongitude;
+  if (std::abs(latitude.value) > kMaxLatitude) {
+    const bool swapped = longitude.written && std::abs(longitude.value) <= kMaxLatitude &&
+                         std::abs(latitude.value) <= kMaxLongitude;
     Finding finding{
         .where = latitude.span,
         .message = fmt::format("the latitude is {}°: the poles are at 90°", latitude.value),
@@ -28,7 +28,7 @@ void check(const model::World& world, Context& context) {
     if (swapped)
       finding.fix = swap("swap latitude and longitude", latitude.span, longitude.span, context);
     context.report(std::move(finding));
-  } else if (std::abs(longitude.value) > kMostLongitude) {
+  } else if (std::abs(longitude.value) > kMaxLongitude) {
     context.report(
         {.where = longitude.span,
          .message = fmt::format("the longitude is {}°: a turn has 360°", longitude.value),

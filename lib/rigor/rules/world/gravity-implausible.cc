@@ -16,13 +16,13 @@ using model::Vector3;
 constexpr double kStrongest = 30;
 
 // m/s²: what is written for the Earth.
-constexpr double kEarthLeast = 9;
-constexpr double kEarthMost = 11;
+constexpr double kEarthMin = 9;
+constexpr double kEarthMax = 11;
 
-/// Where centimetres or millimetres were written: the number in metres.
-std::optional<Fix> in_metres(const model::Field<Vector3>& gravity, double size) {
+/// Where centimeters or millimeters were written: the number in meters.
+std::optional<Fix> in_meters(const model::Field<Vector3>& gravity, double size) {
   for (const double unit : {100.0, 1000.0}) {
-    if (size / unit < kEarthLeast || size / unit > kEarthMost) continue;
+    if (size / unit < kEarthMin || size / unit > kEarthMax) continue;
     const Vector3 g = (1 / unit) * gravity.value;
     return Fix{"write it in m/s²",
                Applicability::kUnsafe,
@@ -33,17 +33,17 @@ std::optional<Fix> in_metres(const model::Field<Vector3>& gravity, double size) 
 
 void check(const model::World& world, Context& context) {
   const Vector3& g = world.gravity.value;
-  if (!world.gravity.written || g.z > 0) return;  // gravity-upward speaks of that
+  if (!world.gravity.written || g.z > 0) return;  // gravity-upward reports that
   const double size = length(g);
   if (size > kStrongest) {
     context.report({.where = world.gravity.span,
                     .message = fmt::format("gravity is {:.4g} m/s²: the Earth's is 9.8", size),
                     .subject = context.subject(world),
-                    .fix = in_metres(world.gravity, size)});
+                    .fix = in_meters(world.gravity, size)});
     return;
   }
   const double sideways = std::hypot(g.x, g.y);
-  if (g.z == 0 && sideways > kEarthLeast && sideways < kEarthMost) {
+  if (g.z == 0 && sideways > kEarthMin && sideways < kEarthMax) {
     context.report({.where = world.gravity.span,
                     .message = "gravity pulls sideways: z is zero",
                     .subject = context.subject(world),

@@ -12,7 +12,7 @@ void check(const model::Physics& physics, Context& context) {
   const auto& factor = physics.real_time_factor;
   if (!factor.written || factor.value >= 0) return;
   context.report({.where = factor.span,
-                  .message = fmt::format("the real time factor is {}: time does not run backwards",
+                  .message = fmt::format("the real time factor is {}: time cannot run in reverse",
                                          factor.value),
                   .fix = Fix{"run in real time", Applicability::kUnsafe, {{factor.span, "1"}}}});
 }

@@ -14,11 +14,11 @@ namespace rigor::rules::step_size_large {
 constexpr double kLarge = 0.02;
 
 // s: what is meant where the number is in milliseconds.
-constexpr double kLeastMeant = 0.0005;
+constexpr double kMinMeant = 0.0005;
 
 std::optional<Fix> in_seconds(const model::Field<double>& step) {
   const double meant = step.value / 1000;
-  if (meant < kLeastMeant || meant > kLarge) return std::nullopt;
+  if (meant < kMinMeant || meant > kLarge) return std::nullopt;
   return Fix{"read it as milliseconds",
              Applicability::kUnsafe,
              {{step.span, fmt::format("{:.6g}", meant)}}};

@@ -18,7 +18,7 @@ namespace {
 /// What a limit may be off of where the joint stands: it is drawn in degrees, written in radians.
 constexpr double kOutsideLimits = 0.001;  // rad, m
 
-constexpr std::size_t kMostCauses = 3;
+constexpr std::size_t kMaxCauses = 3;
 
 /// What can be behind a fact, the likeliest first.
 std::vector<FactKind> kinds_behind(FactKind shown) {
@@ -36,7 +36,7 @@ std::vector<FactKind> kinds_behind(FactKind shown) {
     case kSolverDiffers:
     case kEngineRefused:
       return {kCauseMeshScale, kCauseStartOutsideLimits, kCauseDefaultInertia, kCauseInertia,
-              kCauseMassRatio, kCauseWheelOffCentre,     kCauseMeshWheel,      kCauseNoCollision};
+              kCauseMassRatio, kCauseWheelOffCenter,     kCauseMeshWheel,      kCauseNoCollision};
     case kCreeps:
       return {kCauseMeshScale, kCauseMeshWheel, kCauseWheelAxis, kCauseDefaultInertia,
               kCauseInertia};
@@ -44,7 +44,7 @@ std::vector<FactKind> kinds_behind(FactKind shown) {
     case kNearlyTips:
     case kTiltsEarly:
     case kPushedOver:
-      return {kCauseMeshScale,      kCauseTopHeavy,    kCauseWheelOffCentre, kCauseWheelAxis,
+      return {kCauseMeshScale,      kCauseTopHeavy,    kCauseWheelOffCenter, kCauseWheelAxis,
               kCauseDefaultInertia, kCauseNoCollision, kCauseInertia};
     case kUnbalanced:
     case kFalls:
@@ -59,17 +59,17 @@ std::vector<FactKind> kinds_behind(FactKind shown) {
               kCauseInertia, kCauseTopHeavy,      kCauseEffort,    kCauseNoCollision};
     case kDriveSlips:
       return {kCauseFlag,           kCauseWheelFriction, kCauseMeshWheel,
-              kCauseWheelOffCentre, kCauseWheelAxis,     kCauseWheelRadii,
+              kCauseWheelOffCenter, kCauseWheelAxis,     kCauseWheelRadii,
               kCauseDefaultInertia, kCauseInertia,       kCauseEffort};
     case kDriveDrifts:
-      return {kCauseWheelFriction,  kCauseWheelOffCentre, kCauseWheelAxis,      kCauseWheelRadii,
+      return {kCauseWheelFriction,  kCauseWheelOffCenter, kCauseWheelAxis,      kCauseWheelRadii,
               kCauseCasterFriction, kCauseMeshWheel,      kCauseDefaultInertia, kCauseInertia};
     case kDriveBounces:
-      return {kCauseWheelOffCentre, kCauseMeshWheel, kCauseWheelAxis, kCauseDefaultInertia,
+      return {kCauseWheelOffCenter, kCauseMeshWheel, kCauseWheelAxis, kCauseDefaultInertia,
               kCauseInertia};
     case kTurnOff:
       return {kCauseFlag,      kCauseWheelFriction,  kCauseCasterFriction, kCauseWheelAxis,
-              kCauseMeshWheel, kCauseWheelOffCentre, kCauseDefaultInertia, kCauseInertia};
+              kCauseMeshWheel, kCauseWheelOffCenter, kCauseDefaultInertia, kCauseInertia};
     case kDoesNotBrake:
       return {kCauseWheelFriction, kCauseDefaultInertia, kCauseInertia, kCauseEffort};
     case kJointShort:
@@ -106,7 +106,7 @@ void add_joint_causes(Causes& causes) {
       causes.add(FactKind::kCauseStartOutsideLimits, about, outside, kOutsideLimits,
                  outside / kOutsideLimits, 1);
     }
-    if (!can_be_told(joint) || !(axis.effort > 0) || !std::isfinite(axis.effort)) continue;
+    if (!can_be_commanded(joint) || !(axis.effort > 0) || !std::isfinite(axis.effort)) continue;
     const double load = std::max(loads.weight(joint), axis.friction);
     if (load > axis.effort) {
       causes.add(FactKind::kCauseEffort, about, load, axis.effort, load / axis.effort, 1);
@@ -138,7 +138,7 @@ Facts explain(const Fact& shown, const Facts& causes) {
   }
   for (const FactKind kind : kinds_behind(shown.kind)) {
     for (const Fact& cause : causes) {
-      if (cause.kind == kind && likely.size() < kMostCauses) likely.push_back(cause);
+      if (cause.kind == kind && likely.size() < kMaxCauses) likely.push_back(cause);
     }
   }
   return likely;

@@ -64,7 +64,7 @@ double weight_of(const Scene& scene, std::uint32_t model) {
   return mass * length(scene.gravity);
 }
 
-/// Each point that the model stands on is a spring of its shape's `kp`, where an engine honours it.
+/// Each point that the model stands on is a spring of its shape's `kp`, where an engine honors it.
 void add_soft_contacts(Causes& causes, std::uint32_t m) {
   const Scene& scene = causes.scene;
   const double ground = lowest_of_model(scene, m) + kTouchGap;
@@ -91,7 +91,7 @@ void add_soft_contacts(Causes& causes, std::uint32_t m) {
 /// What `rest.weight_balance` warns of: what weighs less is not missed.
 constexpr double kMissedShare = 0.005;
 
-/// A link that moves as it is told or that gravity forgets, a shape that may touch nothing, is often
+/// A link that moves as commanded or that gravity forgets, a shape that may touch nothing, is often
 /// meant: it goes along with what a run shows, and is no fault by itself.
 void add_flags(Causes& causes, std::uint32_t m) {
   const Scene& scene = causes.scene;

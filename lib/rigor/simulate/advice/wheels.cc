@@ -15,9 +15,9 @@
 namespace rigor::simulate {
 namespace {
 
-/// Of the radius: a wheel that is 1 % off centre lifts the robot by that at each turn.
-constexpr double kOffCentreShare = 0.01;
-constexpr double kOffCentreSevere = 3;
+/// Of the radius: a wheel that is 1 % off center lifts the robot by that at each turn.
+constexpr double kOffCenterShare = 0.01;
+constexpr double kOffCenterSevere = 3;
 
 /// The tutorial's own pi/2, written 1.5707, is 0.0001 off.
 constexpr double kAxisAngle = 0.0175;  // rad, 1°
@@ -30,7 +30,7 @@ constexpr double kCasterSevere = 2;
 /// The test drive speeds up with a tenth of gravity: with less friction a wheel that bears its part of the
 /// weight spins.
 constexpr double kWheelMu = 0.1;
-constexpr double kLeastWheelMu = 1e-3;  // in a division
+constexpr double kMinWheelMu = 1e-3;  // in a division
 
 /// Of the larger radius. Two wheels that turn alike with 1 % between them turn a robot by a tenth of a
 /// radian for each ten tracks of way.
@@ -44,7 +44,7 @@ void add_friction(Causes& causes, const Wheel& wheel) {
   if (mu >= kWheelMu) return;
   // Robots that a plugin moves have such wheels on purpose: no fault by itself.
   causes.add(FactKind::kCauseWheelFriction, about_shape(causes.scene, wheel.shape), mu, kWheelMu,
-             kWheelMu / std::max(mu, kLeastWheelMu), kInfinity);
+             kWheelMu / std::max(mu, kMinWheelMu), kInfinity);
 }
 
 /// Of each two wheels of an axle the smaller one.
@@ -54,7 +54,7 @@ void add_radii(Causes& causes) {
     for (const Wheel& right : causes.wheels.right) {
       const Wheel& small = left.radius < right.radius ? left : right;
       const Wheel& large = left.radius < right.radius ? right : left;
-      const double ahead = dot(small.centre_W - large.centre_W, causes.wheels.forward_W);
+      const double ahead = dot(small.center_W - large.center_W, causes.wheels.forward_W);
       const double share = (large.radius - small.radius) / large.radius;
       if (std::abs(ahead) > kAxleShare * large.radius || share <= kRadiiShare) continue;
       Fact about = about_shape(scene, small.shape);
@@ -69,10 +69,10 @@ void add_geometry(Causes& causes, const Wheel& wheel) {
   const Scene& scene = causes.scene;
   Fact about = about_joint(scene, wheel.joint);
   about.name = about_shape(scene, wheel.shape).subject;
-  const double off = length(wheel.middle_W - wheel.centre_W);
-  const double most = kOffCentreShare * wheel.radius;
+  const double off = length(wheel.middle_W - wheel.center_W);
+  const double most = kOffCenterShare * wheel.radius;
   if (off > most) {
-    causes.add(FactKind::kCauseWheelOffCentre, about, off, most, off / most, kOffCentreSevere);
+    causes.add(FactKind::kCauseWheelOffCenter, about, off, most, off / most, kOffCenterSevere);
   }
   const Vector3& axis = scene.joints[wheel.joint].axes[0].direction_W;
   const double angle =

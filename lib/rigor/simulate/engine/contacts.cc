@@ -21,7 +21,7 @@ constexpr std::uint64_t body_pair(std::uint32_t a, std::uint32_t b) {
 double in_series(double a, double b) { return a > 0 && b > 0 ? 1 / (1 / a + 1 / b) : 0; }
 
 /// fdir1 nearer than this to the normal gives no direction to slide along: the engine chooses.
-constexpr double kLeastAcross = 1e-3;
+constexpr double kMinAcross = 1e-3;
 
 }  // namespace
 
@@ -163,7 +163,7 @@ void EngineContacts::touch(dGeomID a, dGeomID b) {
       const Vector3 across = along - dot(along, normal) * normal;
       const double size = model::length(across);
       contact.surface.mode &= ~dContactFDir1;
-      if (size > kLeastAcross * model::length(along)) {
+      if (size > kMinAcross * model::length(along)) {
         contact.surface.mode |= dContactFDir1;
         contact.fdir1[0] = across.x / size;
         contact.fdir1[1] = across.y / size;

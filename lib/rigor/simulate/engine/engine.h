@@ -31,7 +31,7 @@ class EngineError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A spring and a damper that pull an axis to where it is told to be.
+/// A spring and a damper that pull an axis to where it is commanded to be.
 struct Servo {
   double stiffness = 0;  ///< N·m/rad, N/m
   double damping = 0;    ///< N·m·s/rad, N·s/m
@@ -51,7 +51,7 @@ class Engine {
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
-  /// For the coming steps, until told otherwise; `effort` is cut at the axis' limit. A motor reaches
+  /// For the coming steps, until commanded otherwise; `effort` is cut at the axis' limit. A motor reaches
   /// the velocity with at most `effort`, and takes the place of the axis' friction meanwhile.
   void set_effort(std::uint32_t joint, std::uint32_t axis, double effort);
   void set_motor(std::uint32_t joint, std::uint32_t axis, double velocity, double effort);

@@ -17,7 +17,7 @@
 namespace rigor::simulate {
 namespace {
 
-/// A point of W, from a body's centre in its axes; for the world the point itself.
+/// A point of W, from a body's center in its axes; for the world the point itself.
 Vector3 point_in(dBodyID body, const Vector3& p_W) {
   if (body == nullptr) return p_W;
   return in_body(body, p_W - vector_of(dBodyGetPosition(body)));
@@ -56,7 +56,7 @@ double sliding_ease(dBodyID body, const Vector3& axis_W, const Vector3& p_W) {
 }
 
 /// Sine of the angle between two axes below which they are taken for parallel.
-constexpr double kLeastAngle = 1e-3;
+constexpr double kMinAngle = 1e-3;
 
 std::size_t engine_axes_of(model::JointType type) {
   using Type = model::JointType;
@@ -164,7 +164,7 @@ void EngineJoints::make_universal(const SceneJoint& joint) {
   const Vector3& written = joint.axes[1].direction_W;
   const Vector3 across = written - dot(written, a) * a;
   const double size = model::length(across);
-  if (!(size > kLeastAngle)) throw EngineError("a joint's two axes are parallel: " + joint.name);
+  if (!(size > kMinAngle)) throw EngineError("a joint's two axes are parallel: " + joint.name);
   const Vector3 b = (1 / size) * across;
   const dJointID made = attach(dJointCreateUniversal(ode_.world(), nullptr), joint);
   const Vector3& p = joint.anchor_W;

@@ -14,7 +14,7 @@
 namespace rigor::simulate {
 
 struct BodyState {
-  Vector3 p_WBcm;   ///< of the centre of mass, m
+  Vector3 p_WBcm;   ///< of the center of mass, m
   Quaternion R_WB;  ///< of the body's frame
   Vector3 v_WBcm;   ///< m/s
   Vector3 w_WB;     ///< rad/s

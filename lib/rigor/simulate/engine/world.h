@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The parts of an engine, for engine*.cc only: ODE's world with the bodies, their shapes, what touches,
-// and the joints. Frames: an ODE body stands at its centre of mass, with the axes of the scene's body B.
+// and the joints. Frames: an ODE body stands at its center of mass, with the axes of the scene's body B.
 //
 //   OdeWorld ode(scene, settings);
 //   EngineShapes shapes(scene, ode);
@@ -101,7 +101,7 @@ class EngineContacts {
  public:
   EngineContacts(const Scene& scene, const SolverSettings& settings, const OdeWorld& ode);
 
-  /// Finds all contacts of this moment. With `join`, the coming step is told of them.
+  /// Finds all contacts of this moment. With `join`, the coming step is informed of them.
   enum class Join : std::uint8_t { kNo, kYes };
   void find(Join join, Forces forces, std::vector<ContactState>& contacts);
 
@@ -133,7 +133,7 @@ class EngineContacts {
   std::vector<Shape> shapes_;
   std::vector<std::uint64_t> jointed_;  ///< pairs of bodies, sorted
   std::array<dContactGeom, kFound> found_{};
-  // Of the moment that is looked at.
+  // Of the moment that is examined.
   Join join_ = Join::kNo;
   std::vector<ContactState>* contacts_ = nullptr;
   std::vector<dJointID> joints_;
@@ -190,7 +190,7 @@ class EngineJoints {
   void read(State& state);
 
  private:
-  /// A joint's two anchors, from the centres of its bodies, in their axes.
+  /// A joint's two anchors, from the centers of its bodies, in their axes.
   struct Anchors {
     dBodyID child = nullptr;
     dBodyID parent = nullptr;

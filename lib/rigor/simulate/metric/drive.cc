@@ -15,7 +15,7 @@ namespace rigor::simulate {
 namespace {
 
 /// Wheels that rolled less than this have no ratio to speak of.
-constexpr double kLeastWay = 0.01;  // m
+constexpr double kMinWay = 0.01;  // m
 
 /// Wheels of one side whose middles are farther apart than this share of their radius skid in a turn,
 /// and nothing but friction says how far it turns: then it should only turn at all.
@@ -46,7 +46,7 @@ double rolled_any_way(const MetricSheet& sheet, const PhaseMeasures& phase) {
   return sum / count;
 }
 
-/// m: how far they would have rolled in the phase "drive", as they were told.
+/// m: how far they would have rolled in the phase "drive", as commanded.
 double told_to_roll(const MetricSheet& sheet) {
   const auto is_drive = [](const Phase& phase) { return phase.name == "drive"; };
   const std::vector<Phase>& phases = sheet.scenario.phases;
@@ -127,7 +127,7 @@ void add_drive_bounce(MetricSheet& sheet, const Fact& about) {
 bool skids(const MetricSheet& sheet) {
   for (const auto* side : {&sheet.wheels.left, &sheet.wheels.right}) {
     for (const Wheel& wheel : *side) {
-      const Vector3 apart = wheel.centre_W - side->front().centre_W;
+      const Vector3 apart = wheel.center_W - side->front().center_W;
       if (std::abs(dot(apart, sheet.wheels.forward_W)) > kSkidShare * wheel.radius) return true;
     }
   }
@@ -171,10 +171,10 @@ void add_turn(MetricSheet& sheet, std::string_view phase_name, std::string_view 
   const double apart = rolled(sheet.scene, sheet.wheels.right, *phase) -
                        rolled(sheet.scene, sheet.wheels.left, *phase);
   // Wheels that do not turn do not turn the model either.
-  if (std::abs(apart) < kLeastWay) return sheet.add(id, 1, about_laziest(sheet, *phase));
+  if (std::abs(apart) < kMinWay) return sheet.add(id, 1, about_laziest(sheet, *phase));
   const double track = sheet.wheels.track;
   const double ratio = phase->yaw_path[sheet.wheels.model] / (apart / track);
-  // Wheels that skid anyway: a turn of a tenth will do, and what is missing of that is told.
+  // Wheels that skid anyway: a turn of a tenth will do, and what is missing of that is reported.
   const bool skidding = skids(sheet);
   const double off = skidding ? std::max(0.0, 1 - ratio / kSkidLeast)
                               : beyond_band(ratio, track, widest(sheet.wheels));
@@ -196,11 +196,11 @@ void add_drive_metrics(MetricSheet& sheet) {
   const double wheels = rolled_any_way(sheet, *drive);
   const double told = told_to_roll(sheet);
   if (told > 0) sheet.add("drive.reached", wheels / told, about_laziest(sheet, *drive));
-  if (wheels > kLeastWay) {
+  if (wheels > kMinWay) {
     add_direction(sheet, *drive, ahead, wheels);
     sheet.add("drive.ratio", std::abs(std::hypot(ahead, aside) / wheels - 1), about);
   }
-  if (std::abs(ahead) > kLeastWay) {
+  if (std::abs(ahead) > kMinWay) {
     sheet.add("drive.lateral", std::abs(aside / ahead), about);
     sheet.add("drive.yaw", std::abs(drive->yaw_path[sheet.wheels.model]), about);
   }

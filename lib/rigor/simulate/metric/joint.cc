@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Metrics of joints: whether they hold together and keep their limits, reach what they are told to, and
+// Metrics of joints: whether they hold together and keep their limits, reach what they are commanded to, and
 // hold it.
 
 #include <rigor/simulate/metric/parts.h>
@@ -134,8 +134,8 @@ void add_sweep_metrics(MetricSheet& sheet) {
     const PhaseMeasures& seen = sheet.record.measures.phases[i];
     if (sweep.joint == kWorld || seen.steps == 0) continue;
     const std::uint32_t axis = first[sweep.joint];
-    const double missing = missing_share(sweep.motion.least, sweep.motion.most,
-                                         seen.axis_least[axis], seen.axis_most[axis]);
+    const double missing = missing_share(sweep.motion.least, sweep.motion.most, seen.axis_min[axis],
+                                         seen.axis_max[axis]);
     const double share = effort_share(sheet.scene.joints[sweep.joint], loads, sweep.motion,
                                       seen.axis_effort[axis], missing);
     const bool touches_itself = seen.self_contact.value > 0;
@@ -163,9 +163,8 @@ void add_hold_metrics(MetricSheet& sheet) {
   for (const Command& command : sheet.scenario.commands) {
     if (command.kind != CommandKind::kPosition) continue;
     const std::uint32_t axis = first[command.joint] + command.axis;
-    error.see(
-        std::max(hold->axis_most[axis] - command.value, command.value - hold->axis_least[axis]),
-        axis, 0);
+    error.see(std::max(hold->axis_max[axis] - command.value, command.value - hold->axis_min[axis]),
+              axis, 0);
   }
   sheet.add("hold.error", error.value, about_axis(sheet.scene, error.of));
   blame_effort(sheet, error.of != kWorld && hold->axis_effort[error.of] >= kAllEffort);

@@ -38,8 +38,8 @@ double jitter_filter(double step) {
   return rc / (rc + step);
 }
 
-/// m: how far a shape may reach from its body's centre of mass; no more than all of the scene.
-double reach_from_centre(const SceneBody& body, const SceneShape& shape, double most) {
+/// m: how far a shape may reach from its body's center of mass; no more than all of the scene.
+double reach_from_center(const SceneBody& body, const SceneShape& shape, double most) {
   const double reach = length(shape.X_BS.translation - body.mass.com) + shape.extent / 2;
   return reach < most ? reach : most;
 }
@@ -62,7 +62,7 @@ void begin_phase(PhaseMeasures& phase, const std::vector<BodyState>& bodies,
   phase.begin = phase.end = bodies;
   phase.axis_begin.clear();
   for (const AxisState& axis : axes) phase.axis_begin.push_back(axis.position);
-  phase.axis_least = phase.axis_most = phase.axis_end = phase.axis_begin;
+  phase.axis_min = phase.axis_max = phase.axis_end = phase.axis_begin;
   phase.axis_path.assign(axes.size(), 0);
   phase.axis_effort.assign(axes.size(), 0);
   phase.jitter_square.assign(axes.size(), 0);
@@ -99,7 +99,7 @@ Watch::Watch(const Scene& scene, const Scenario& scenario, const SolverSettings&
     const bool of_world = shape.body >= scene.bodies.size();
     if (!of_world) {
       double& radius = bodies_[shape.body].radius;
-      radius = std::max(radius, reach_from_centre(scene.bodies[shape.body], shape, scene.size));
+      radius = std::max(radius, reach_from_center(scene.bodies[shape.body], shape, scene.size));
     }
     shapes_.push_back(
         {of_world ? kWorld : shape.body, of_world ? kWorld : scene.bodies[shape.body].model});
@@ -316,8 +316,8 @@ void Watch::add_to(PhaseMeasures& phase, const State& state, const StepPeaks& pe
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     const AxisState& axis = state.axes[i];
     phase.jitter_square[i] += axes_[i].second * axes_[i].second;
-    phase.axis_least[i] = std::min(phase.axis_least[i], axis.position);
-    phase.axis_most[i] = std::max(phase.axis_most[i], axis.position);
+    phase.axis_min[i] = std::min(phase.axis_min[i], axis.position);
+    phase.axis_max[i] = std::max(phase.axis_max[i], axis.position);
     phase.axis_path[i] += axis.velocity * step_;
     phase.axis_end[i] = axis.position;
     if (axes_[i].effort > 0) {

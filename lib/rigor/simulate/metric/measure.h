@@ -37,9 +37,9 @@ struct Peak {
 /// Of one phase of a scenario: of the states after its begin, up to its end. Phases may overlap.
 struct PhaseMeasures {
   std::uint64_t steps = 0;
-  Peak speed;         ///< m/s, of bodies' centres, but of what begins in the air
+  Peak speed;         ///< m/s, of bodies' centers, but of what begins in the air
   Peak residual;      ///< m/s: of the farthest point of a body that is to rest: |v| + |w| · radius
-  Peak acceleration;  ///< m/s², of bodies' centres, save in steps that a new contact begins in
+  Peak acceleration;  ///< m/s², of bodies' centers, save in steps that a new contact begins in
   Peak energy;        ///< J above that at the start and what motors put in
   Peak tilt;          ///< rad, of the base of a model that stands, against its start; `of` a model
   Peak anchor_error;  ///< m; `of` a joint
@@ -56,8 +56,8 @@ struct PhaseMeasures {
   std::vector<double> yaw_path;         ///< rad: integral of the turn rate about W's z
   // Of each axis.
   std::vector<double> jitter_square;  ///< (rad/s)²·steps above kJitterFrequency
-  std::vector<double> axis_least;     ///< positions that it reached
-  std::vector<double> axis_most;
+  std::vector<double> axis_min;       ///< positions that it reached
+  std::vector<double> axis_max;
   std::vector<double> axis_begin;  ///< positions as the phase began and ended
   std::vector<double> axis_end;
   std::vector<double> axis_path;  ///< rad or m, signed: integral of its velocity
@@ -96,7 +96,7 @@ inline constexpr double kTipped = 0.15;  // rad
 /// What joints of robots do on purpose is slower; contacts and stiff controllers chatter faster.
 inline constexpr double kJitterFrequency = 20;  // Hz
 
-/// A motor that is told another speed gives a blow in one step, which no real one could give.
+/// A motor that is given another speed gives a blow in one step, which no real one could give.
 inline constexpr double kBlow = 0.02;  // s, of a low-pass of first order
 
 /// Contacts of one step may miss a corner that flickers; those of so many do not.
@@ -120,7 +120,7 @@ class Watch {
     bool moves = true;   // by forces
     bool falls = false;  // begins in the air
     bool rests = true;   // is to come to rest: neither in the air, nor free to swing
-    double radius = 0;   // m: how far its shapes reach from its centre of mass
+    double radius = 0;   // m: how far its shapes reach from its center of mass
   };
   struct WatchedAxis {
     double lower, upper, effort, spring_stiffness, spring_reference;
@@ -153,7 +153,7 @@ class Watch {
   double step_;
   double filter_;
   Vector3 gravity_;
-  bool conserves_ = true;  // nothing moves as it is told
+  bool conserves_ = true;  // nothing moves as commanded
   std::vector<WatchedBody> bodies_;
   std::vector<WatchedAxis> axes_;
   std::vector<WatchedShape> shapes_;

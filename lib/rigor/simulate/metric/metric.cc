@@ -145,7 +145,7 @@ std::vector<Metric> metrics_of(const Scene& scene, const Scenario& scenario, con
   add_motion_metrics(sheet);
   add_joint_metrics(sheet);
   if (record.end == Record::End::kDone) {
-    // The rest speaks of how it ended.
+    // The rest refers to how it ended.
     add_rest_metrics(sheet);
     add_drive_metrics(sheet);
     add_turn_metrics(sheet);

@@ -21,7 +21,7 @@ double commanded_speed_of(const Scene& scene, const DriveTrain& wheels, const Co
   double arm = slides ? 1 : scene.size;
   for (const auto* side : {&wheels.left, &wheels.right}) {
     for (const Wheel& wheel : *side) {
-      // The rim of a wheel is twice as fast as its centre.
+      // The rim of a wheel is twice as fast as its center.
       if (wheel.joint == command.joint) arm = 2 * wheel.radius;
     }
   }

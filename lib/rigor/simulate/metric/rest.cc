@@ -54,7 +54,7 @@ void add_settle_time(MetricSheet& sheet) {
   fact.limit = phases[0].end - kSettleHold;
   fact.test = sheet.scenario.name;
   fact.severe = false;
-  metric.warn = fact.limit;  // the table and the finding speak of one limit
+  metric.warn = fact.limit;  // the table and the finding refer to one limit
   metric.verdict = Verdict::kWarn;
   metric.fact = std::move(fact);
 }
@@ -102,15 +102,15 @@ void add_support(MetricSheet& sheet) {
     const std::vector<Vector3> corners = footprint(std::move(points));
     if (corners.size() < 3)
       continue;  // a ball, or two wheels: whether it falls is seen by its tilt
-    Vector3 centre;
+    Vector3 center;
     double mass = 0;
     for (std::size_t b = 0; b < scene.bodies.size() && b < first.end.size(); ++b) {
       if (scene.bodies[b].model != m) continue;
-      centre = centre + scene.bodies[b].mass.mass * first.end[b].p_WBcm;
+      center = center + scene.bodies[b].mass.mass * first.end[b].p_WBcm;
       mass += scene.bodies[b].mass.mass;
     }
     if (!(mass > 0)) continue;
-    const FootprintMargin margin = margin_in(corners, (1 / mass) * centre);
+    const FootprintMargin margin = margin_in(corners, (1 / mass) * center);
     sheet.add("rest.support_margin", margin.distance / margin.half_width, about_model(scene, m));
   }
 }

@@ -28,7 +28,7 @@ constexpr MetricRow kMetricRows[] = {
     {"accel.peak", "g", kTooFast, 50, 500},
     // Of M g size. A sane robot has 1e-9; a soft stop or overlap has some per cent.
     {"energy.gain", "", kEnergyGained, 0.01, 0.1},
-    // m. The solver lets contacts rest a millimetre deep; from 5 mm on they push visibly.
+    // m. The solver lets contacts rest a millimeter deep; from 5 mm on they push visibly.
     {"spawn.penetration", "m", kSpawnedInGround, 0.001, 0.005},
     // m. Links that overlap push each other for ever when a joint keeps them there.
     {"spawn.self_overlap", "m", kSelfOverlap, 0.0001, 0.002},
@@ -51,9 +51,9 @@ constexpr MetricRow kMetricRows[] = {
     {"rest.falls", "", kFalls, kNone, 0.5},
     // rad. 8.6° is the most that robots' own tests in the wild allow; nothing stands at 30°.
     {"tilt.max", "rad", kTips, 5 * kDegree, 30 * kDegree},
-    // m. Contacts rest up to a millimetre deep by design (the surface layer).
+    // m. Contacts rest up to a millimeter deep by design (the surface layer).
     {"ground.sink", "m", kSinks, 0.0015, 0.005},
-    // m, for a robot of a metre; in proportion for a larger one. A chain with a mass ratio of 100 has
+    // m, for a robot of a meter; in proportion for a larger one. A chain with a mass ratio of 100 has
     // 1.4 mm, a sane robot 5e-8.
     {"joint.anchor_error", "m", kAnchorError, 0.0001, 0.001},
     {"joint.limit_violation", "rad", kLimitViolated, 0.001, 0.01},
@@ -65,7 +65,7 @@ constexpr MetricRow kMetricRows[] = {
     // |way/(wheels' angle · radius) - 1|: 6e-6 for a sane robot, 3 % on mesh wheels of 32 corners.
     {"drive.ratio", "", kDriveSlips, 0.01, 0.05},
     {"drive.reached", "", kJointOverloaded, 0.95, 0.5, BadSide::kBelow},
-    // Way ahead for each metre that the wheels roll. Below a half it goes somewhere else.
+    // Way ahead for each meter that the wheels roll. Below a half it goes somewhere else.
     {"drive.direction", "", kDriveBackwards, 0.9, 0.5, BadSide::kBelow},
     // Of the way: 4e-5 for a sane robot.
     {"drive.lateral", "", kDriveDrifts, 0.005, 0.05},
@@ -86,7 +86,7 @@ constexpr MetricRow kMetricRows[] = {
     {"joint.effort", "", kJointOverloaded, 0.999, 1.001},
     // rad. The test's gains let a load bend a joint by 0.005.
     {"hold.error", "rad", kDoesNotHold, 0.02, 0.1},
-    // Of the angle that the footprint and the centre of mass give.
+    // Of the angle that the footprint and the center of mass give.
     {"tilt-table.angle", "", kTiltsEarly, 0.9, 0.7, BadSide::kBelow},
     {"solver.messages", "", kSolverDiffers, kNone, kNone},
     // Relative changes of where the robot ends: 1e-4 for a sane one. Without a limit to fail at: a

@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 6> kStances{"standing", "stand",   "half_
                                                    "home",     "default", "initial"};
 
 /// A folder of configurations has few; a thousand files are something else.
-constexpr std::size_t kMostSrdfs = 16;
+constexpr std::size_t kMaxSrdfs = 16;
 
 std::string_view attribute_of(const xml::Element& element, std::string_view name) {
   const auto attribute = element.attribute(name);
@@ -44,7 +44,7 @@ std::vector<std::string> srdfs_near(const std::string& model_path, const Disk& d
     for (const char* within : {"", "/srdf", "/config"}) {
       const std::string folder = base + within;
       for (const std::string& name : disk.list(folder)) {
-        if (name.ends_with(".srdf") && found.size() < kMostSrdfs) {
+        if (name.ends_with(".srdf") && found.size() < kMaxSrdfs) {
           found.push_back(folder + '/' + name);
         }
       }

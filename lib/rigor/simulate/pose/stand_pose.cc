@@ -28,7 +28,7 @@ constexpr double kPairSlack = 0.05;
 constexpr double kFeetBand = 0.25;
 
 /// Each pose that is tried costs the lowest point of every shape.
-constexpr int kMostTrials = 400;
+constexpr int kMaxTrials = 400;
 
 /// The first step of the search, of a joint's range, and how often it is halved.
 constexpr double kFirstStep = 0.25;
@@ -44,13 +44,13 @@ constexpr double kGoodSlope = 0.25;
 constexpr double kWayPrice = 0.05;
 
 /// A legged robot has 12 to 60 joints; of a chain of thousands the limbs are not even counted.
-constexpr std::size_t kMostLeggedJoints = 200;
+constexpr std::size_t kMaxLeggedJoints = 200;
 
-constexpr std::size_t kToldJoints = 6;
+constexpr std::size_t kMaxReportedJoints = 6;
 
 struct Limb {
   std::uint32_t trunk = 0;
-  std::vector<std::uint32_t> joints;  ///< that can be told, from the trunk on
+  std::vector<std::uint32_t> joints;  ///< that can be commanded, from the trunk on
   std::vector<std::uint32_t> bodies;
   Vector3 root_W;
   double mass = 0;
@@ -65,10 +65,11 @@ struct LegPair {
 
 std::vector<Limb> limbs_of(const Scene& scene, std::uint32_t model) {
   const CarriedBodies carried(scene);
-  std::vector<std::uint32_t> told(scene.bodies.size(), kWorld);  // the joint that holds each body
+  std::vector<std::uint32_t> carriers(scene.bodies.size(),
+                                      kWorld);  // the joint that holds each body
   for (std::uint32_t j = 0; j < scene.joints.size(); ++j) {
     const SceneJoint& joint = scene.joints[j];
-    if (joint.child < told.size() && can_be_told(joint)) told[joint.child] = j;
+    if (joint.child < carriers.size() && can_be_commanded(joint)) carriers[joint.child] = j;
   }
   std::vector<Limb> limbs;
   for (const SceneJoint& joint : scene.joints) {
@@ -77,7 +78,7 @@ std::vector<Limb> limbs_of(const Scene& scene, std::uint32_t model) {
     Limb limb{.trunk = joint.parent, .bodies = carried.by(joint.child), .root_W = joint.anchor_W};
     for (const std::uint32_t body : limb.bodies) {
       limb.mass += scene.bodies[body].mass.mass;
-      if (told[body] != kWorld) limb.joints.push_back(told[body]);
+      if (carriers[body] != kWorld) limb.joints.push_back(carriers[body]);
     }
     if (!limb.joints.empty()) limbs.push_back(std::move(limb));
   }
@@ -210,7 +211,7 @@ class StandSearch {
     double best = score(positions);
     double share = kFirstStep;
     for (int i = 0; i <= kHalvings; ++i, share /= 2) {
-      for (bool better = true; better && trials_ < kMostTrials;) {
+      for (bool better = true; better && trials_ < kMaxTrials;) {
         better = false;
         for (const std::vector<double>& move : moves) {
           for (std::size_t k = 0; k < most; ++k) {
@@ -236,7 +237,7 @@ class StandSearch {
   bool step(const std::vector<double>& move, std::size_t k, double share,
             std::vector<double>& positions, double& best) {
     for (const double way : {share, -share}) {
-      if (trials_ >= kMostTrials) return false;
+      if (trials_ >= kMaxTrials) return false;
       std::vector<double> tried = positions;
       for (std::size_t i = 0; i < legs_.size(); ++i) {
         const LegPair& pair = legs_[i];
@@ -309,7 +310,7 @@ std::vector<double> positions_in(const Scene& scene, const GroupState& state,
                                  std::vector<double> positions) {
   for (const auto& [name, value] : state.positions) {
     for (std::size_t j = 0; j < scene.joints.size(); ++j) {
-      if (is_named(scene.joints[j].name, name) && can_be_told(scene.joints[j]))
+      if (is_named(scene.joints[j].name, name) && can_be_commanded(scene.joints[j]))
         positions[j] = value;
     }
   }
@@ -331,7 +332,7 @@ StandPose find_stand_pose(const Scene& scene, const DriveTrain& wheels,
     return {};
   // With half of its shapes nobody knows what its feet are.
   if (scene.models[0].missing_shapes > 0 || lowest_of_model(scene, 0) == kInfinity) return {};
-  if (scene.joints.size() > kMostLeggedJoints) return {};
+  if (scene.joints.size() > kMaxLeggedJoints) return {};
   const std::vector<Limb> limbs = limbs_of(scene, 0);
   const std::vector<LegPair> legs = legs_of(scene, 0, limbs);
   if (legs.empty()) return {};
@@ -370,20 +371,20 @@ std::string in_words(const Scene& scene, const StandPose& pose) {
            "do";
   }
   std::string words = "begins in a pose in which it stands, from " + pose.from + ": ";
-  std::size_t told = 0;
+  std::size_t reported = 0;
   std::size_t more = 0;
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
     const SceneJoint& joint = scene.joints[j];
     if (joint.axes.size() != 1 || pose.positions[j] == joint.axes[0].start) continue;
-    if (told == kToldJoints) {
+    if (reported == kMaxReportedJoints) {
       ++more;
       continue;
     }
     const std::string name = joint.name.substr(joint.name.rfind(':') + 1);
     const bool slides = joint.type == model::JointType::kPrismatic;
-    words += (told == 0 ? "" : ", ") + name + '=' + three_digits(pose.positions[j]) +
+    words += (reported == 0 ? "" : ", ") + name + '=' + three_digits(pose.positions[j]) +
              (slides ? " m" : " rad");
-    ++told;
+    ++reported;
   }
   if (more > 0) words += " and " + std::to_string(more) + " more";
   return words + " (--joint NAME=VALUE begins elsewhere)";

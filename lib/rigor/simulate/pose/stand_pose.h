@@ -7,7 +7,7 @@
 //   const StandPose pose = find_stand_pose(scene, wheels, group_states);
 //   if (pose.found()) scene = in_stand_pose(scene, pose);
 //
-// Legs are pairs of limbs, alike and mirrored, that reach lower than what carries them. Poses that somebody wrote go
+// Legs are pairs of limbs, alike and mirrored, that reach lower than what carries them. Poses that an author wrote go
 // first (states of an SRDF); then the middle of the legs' limits; then a small search, both legs of a pair alike, for
 // feet at one height and a center of mass well within them.
 

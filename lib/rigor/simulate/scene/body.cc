@@ -25,7 +25,7 @@ using model::JointType;
 constexpr double kRoundedTensor = 0.01;
 
 /// √(moment / mass) below this is no body's that has a size: a tensor of 1e-30 kg·m² ends in 10²⁷ rad/s.
-constexpr double kLeastGyration = 1e-6;  // m
+constexpr double kMinGyration = 1e-6;  // m
 
 class BodyBuilder {
  public:
@@ -268,7 +268,8 @@ class BodyBuilder {
     const mass::Verdict verdict = mass::judge(body.mass);
     const bool whole = body.mass.mass > 0 && verdict.tensor_finite && verdict.principal[0] > 0;
     if (body.kinematic) {
-      if (!whole) body.mass = {1, {}, {1, 0, 0, 1, 0, 1}};  // it moves as told: nobody asks for it
+      if (!whole)
+        body.mass = {1, {}, {1, 0, 0, 1, 0, 1}};  // it moves as commanded: nobody asks for it
       return;
     }
     if (!(body.mass.mass > 0)) {
@@ -278,7 +279,7 @@ class BodyBuilder {
       draft_.say(FactKind::kNoMass, where, first, {}, body.mass.mass);
       return;
     }
-    const double least = kLeastGyration * kLeastGyration * body.mass.mass;
+    const double least = kMinGyration * kMinGyration * body.mass.mass;
     if (!verdict.mass_finite || !verdict.tensor_finite) return;  // is said of its link
     if (impossible(verdict) || verdict.principal[0] <= least) say_impossible(body, verdict, least);
   }

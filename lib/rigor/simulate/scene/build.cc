@@ -25,7 +25,7 @@ namespace {
 using model::Id;
 
 /// What a length is held against where nothing has a size.
-constexpr double kLeastSize = 0.001;  // m
+constexpr double kMinSize = 0.001;  // m
 
 /// m: a model whose origin is deeper in the ground is set down on it. As the metric's failure.
 constexpr double kOriginInGround = 0.005;
@@ -202,7 +202,7 @@ double size_of(const Scene& scene) {
     }
   }
   if (scene.bodies.empty()) return 1;
-  return std::max(bounds.diagonal(), kLeastSize);
+  return std::max(bounds.diagonal(), kMinSize);
 }
 
 std::uint32_t lowest_shape(const Scene& scene) {
@@ -219,7 +219,7 @@ std::uint32_t lowest_shape(const Scene& scene) {
 }
 
 /// Where a model stands is up to who uses it, unless its `<pose>` says a height: a URDF has none, and
-/// the root is often a hip; an SDF model's origin is often its centre. As written they would begin up to
+/// the root is often a hip; an SDF model's origin is often its center. As written they would begin up to
 /// the waist in the earth. Of a URDF that says nothing; of an SDF model it is a warning.
 void set_down(SceneDraft& draft) {
   Scene& scene = draft.scene;

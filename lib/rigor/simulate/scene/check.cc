@@ -127,7 +127,7 @@ class SceneCheck {
     const mass::Verdict verdict = mass::judge(body.mass);
     if (!verdict.mass_finite) return not_finite("mass");
     if (!(body.mass.mass > 0)) return SceneFault{FactKind::kNoMass, {}, body.mass.mass};
-    if (!is_finite(body.mass.com)) return not_finite("centre of mass");
+    if (!is_finite(body.mass.com)) return not_finite("center of mass");
     if (!verdict.tensor_finite) return not_finite("inertia");
     if (!(verdict.principal[0] > 0)) {
       return SceneFault{FactKind::kInertiaImpossible, {}, verdict.principal[0]};
@@ -315,10 +315,10 @@ Facts check_counts(const Scene& scene) {
                      .name = std::string(name),
                      .test = {}});
   };
-  say("bodies", scene.bodies.size(), kMostBodies);
-  say("shapes", scene.shapes.size(), kMostShapes);
-  say("joints", scene.joints.size(), kMostJoints);
-  say("triangles", triangles, kMostSceneTriangles);
+  say("bodies", scene.bodies.size(), kMaxBodies);
+  say("shapes", scene.shapes.size(), kMaxShapes);
+  say("joints", scene.joints.size(), kMaxJoints);
+  say("triangles", triangles, kMaxSceneTriangles);
   return facts;
 }
 

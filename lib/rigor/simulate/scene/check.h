@@ -19,12 +19,12 @@
 namespace rigor::simulate {
 
 /// Of 1,350 real files the largest, a demonstration of speed, has 3,003 bodies, the next one 100. Pairs
-/// of shapes are all looked at in each step.
-inline constexpr std::size_t kMostBodies = 5'000;
-inline constexpr std::size_t kMostShapes = 10'000;
-inline constexpr std::size_t kMostJoints = 5'000;
+/// of shapes are all examined in each step.
+inline constexpr std::size_t kMaxBodies = 5'000;
+inline constexpr std::size_t kMaxShapes = 10'000;
+inline constexpr std::size_t kMaxJoints = 5'000;
 /// Of all meshes together: ODE takes 100 bytes for each.
-inline constexpr std::size_t kMostSceneTriangles = 5'000'000;
+inline constexpr std::size_t kMaxSceneTriangles = 5'000'000;
 
 /// At most one fact of each body, shape, joint and mesh; all are severe.
 Facts check_scene(const Scene& scene);

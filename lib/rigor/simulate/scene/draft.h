@@ -22,7 +22,7 @@
 
 namespace rigor::simulate {
 
-/// Farther and larger things are refused: at 1000 km a double still tells nanometres apart, and ODE
+/// Farther and larger things are refused: at 1000 km a double still tells nanometers apart, and ODE
 /// ends the process at 10¹² m.
 inline constexpr double kFarthest = 1e6;  // m
 
@@ -31,7 +31,7 @@ class GazeboBlocks {
  public:
   explicit GazeboBlocks(const model::Root& root);
 
-  /// Their children of these names, in document order; an empty reference speaks of the robot.
+  /// Their children of these names, in document order; an empty reference refers to the robot.
   std::vector<const model::Parameter*> find(const model::Model& robot, const std::string& reference,
                                             std::initializer_list<std::string_view> names) const;
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <variant>
 
-#include <rigor/simulate/scene/draft.h>
 #include <rigor/model/motion.h>
+#include <rigor/simulate/scene/draft.h>
 
 namespace rigor::simulate {
 namespace {
@@ -44,7 +44,7 @@ constexpr std::array kIgnoredSettings{
 };
 
 /// Of two axes in one joint, the sine of the angle between them: along one line they are one.
-constexpr double kLeastAcrossAxes = 1e-3;
+constexpr double kMinAcrossAxes = 1e-3;
 
 class JointBuilder {
  public:
@@ -110,9 +110,9 @@ class JointBuilder {
     }
     if (out.type == JointType::kUniversal || out.type == JointType::kRevolute2) {
       const double across = length(cross(out.axes[0].direction_W, out.axes[1].direction_W));
-      if (across < kLeastAcrossAxes) {
+      if (across < kMinAcrossAxes) {
         const Span where = or_name(joint.axes[1].xyz.span, joint);
-        return say(FactKind::kAxisZero, where, joint, "axis2 along axis", across, kLeastAcrossAxes);
+        return say(FactKind::kAxisZero, where, joint, "axis2 along axis", across, kMinAcrossAxes);
       }
     }
     if (out.type == JointType::kScrew) add_screw(out, joint);

@@ -61,7 +61,7 @@ void center_and_scale(mesh::TriangleMesh& mesh, const model::Mesh& shape) {
 /// Before flat triangles go: one may close a gap.
 void judge_hull(MeshShape& shape) {
   const mesh::TriangleMesh& mesh = shape.mesh;
-  if (mesh.triangles.size() > kMostFittedTriangles) return;
+  if (mesh.triangles.size() > kMaxFittedTriangles) return;
   shape.hull = mesh::convex_hull(mesh.positions);
   if (!shape.hull) return;
   mesh::EdgeBalance balance;

@@ -34,15 +34,15 @@ inline constexpr double kNearlySphere = 0.94;
 /// few digits.
 inline constexpr double kNearlyConvex = 0.999;
 
-/// Meshes with more triangles are not looked at closer: their hull costs a second.
-inline constexpr std::size_t kMostFittedTriangles = 200'000;
+/// Meshes with more triangles are not examined closer: their hull costs a second.
+inline constexpr std::size_t kMaxFittedTriangles = 200'000;
 /// More are no collision but somebody's drawing, and the hull is taken: ODE tests the triangles at each
 /// step.
-inline constexpr std::size_t kMostTriangles = 1'000'000;
+inline constexpr std::size_t kMaxTriangles = 1'000'000;
 
 struct MeshShape {
-  mesh::TriangleMesh mesh;  ///< the chosen part, centred and scaled, without flat triangles
-  /// Nothing when the mesh is flat, or has more triangles than are looked at.
+  mesh::TriangleMesh mesh;  ///< the chosen part, centered and scaled, without flat triangles
+  /// Nothing when the mesh is flat, or has more triangles than are examined.
   std::optional<mesh::TriangleMesh> hull;
   double hull_share = 0;         ///< of the hull's volume that the mesh encloses; 0 when it is open
   std::optional<mesh::Fit> fit;  ///< of the hull, once it was asked for

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Every number that a simulation takes from a file is looked at where it stands, since what the readers
+// Every number that a simulation takes from a file is examined where it stands, since what the readers
 // cannot read they replace by a default: a pose of "nan 0 0 0 0 0" must not become the origin.
 
 #include <algorithm>
@@ -87,7 +87,7 @@ constexpr std::array kUrdfNumbers{
     NumberRow{"offset", 1},
 };
 
-/// What no body moves by: looks, sensors, other engines' settings. The numbers of surfaces are looked at
+/// What no body moves by: looks, sensors, other engines' settings. The numbers of surfaces are examined
 /// where surfaces are.
 constexpr std::array<std::string_view, 14> kNumbersElsewhere{
     "visual",  "sensor", "light",   "plugin",  "projector", "audio_sink", "audio_source",

@@ -14,13 +14,13 @@ namespace rigor::simulate {
 namespace {
 
 /// ODE takes its work from this number; Gazebo's own worlds have up to 1000.
-constexpr double kMostIterations = 10'000;
+constexpr double kMaxIterations = 10'000;
 
-/// Longer steps have nothing to do with motion: a metre falls in 0.45 s.
+/// Longer steps have nothing to do with motion: a meter falls in 0.45 s.
 constexpr double kLongestStep = 1;  // s
 
 /// The exact solver ends in an assertion with less where contacts are redundant.
-constexpr double kLeastDantzigCfm = 1e-9;
+constexpr double kMinDantzigCfm = 1e-9;
 
 class PhysicsReader {
  public:
@@ -38,11 +38,11 @@ class PhysicsReader {
       out_.solver = exact ? Solver::kDantzig : Solver::kQuick;
     }
     out_.iterations = static_cast<int>(
-        std::min(within(solver, "iters", out_.iterations, 1, 1e9), kMostIterations));
+        std::min(within(solver, "iters", out_.iterations, 1, 1e9), kMaxIterations));
     out_.sor = within(solver, "sor", out_.sor, 0, 2, Least::kExcluded);
     out_.erp = within(constraints, "erp", out_.erp, 0, 1);
     out_.cfm = within(constraints, "cfm", out_.cfm, 0, kFarthest);
-    if (out_.solver == Solver::kDantzig) out_.cfm = std::max(out_.cfm, kLeastDantzigCfm);
+    if (out_.solver == Solver::kDantzig) out_.cfm = std::max(out_.cfm, kMinDantzigCfm);
     // What a world writes is nearly always SDF's default of 100 m/s. Gazebo's engine has a second limit,
     // of a body (`max_vel`, 0.01 m/s), which Debian's has not: the profile's value is the most.
     const double most = out_.max_correcting_velocity;

@@ -53,7 +53,7 @@ struct HalfSpace {
   Vector3 normal{0, 0, 1};  ///< unit vector, in the shape's frame
 };
 
-/// Heights over an even grid, centred at the shape's origin.
+/// Heights over an even grid, centered at the shape's origin.
 struct HeightGrid {
   std::uint32_t columns = 0;    ///< along x
   std::uint32_t rows = 0;       ///< along y
@@ -101,7 +101,7 @@ struct SceneBody {
   mass::MassProperties mass;  ///< in B
   Pose X_WB;                  ///< at the start
   bool gravity = true;
-  bool kinematic = false;     ///< moves as told, not by forces
+  bool kinematic = false;     ///< moves as commanded, not by forces
   bool self_collide = false;  ///< with bodies of the same model that no joint connects it to
   double linear_damping = 0;  ///< SDF's velocity_decay, a share per step
   double angular_damping = 0;
@@ -187,7 +187,7 @@ struct SolverSettings {
   double sor = 1.3;
   double erp = 0.2;
   double cfm = 1e-5;  ///< (m/s)/N
-  /// m/s. SDF's own default of 100 shoots a robot that is a centimetre in the ground into the sky;
+  /// m/s. SDF's own default of 100 shoots a robot that is a centimeter in the ground into the sky;
   /// Gazebo's engine has a limit of 0.01 a body instead.
   double max_correcting_velocity = 0.1;
   double surface_layer = 0.001;  ///< m, that resting contacts may sink in

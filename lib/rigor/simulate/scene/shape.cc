@@ -169,7 +169,7 @@ class ShapeBuilder {
     if (s.z < 0) return sized(map.size.span, "size", s.z);
     if (shape_.body != kWorld) return left_out("a heightmap that moves");
     const LoadedHeights& loaded = draft_.input.load_heights(map);
-    if (!loaded.picture) return left_out("the heightmap's picture " + loaded.why);
+    if (!loaded.picture) return left_out("the heightmap's image " + loaded.why);
     const mesh::HeightPicture& picture = *loaded.picture;
     if (picture.width != picture.height || !std::has_single_bit(picture.width - 1)) {
       return left_out("a heightmap of " + std::to_string(picture.width) + " by " +
@@ -268,7 +268,7 @@ class ShapeBuilder {
       shape_.X_BS = compose(shape_.X_BS, fit->pose);
       return take(fit->shape);
     }
-    const bool too_large = found.mesh.triangles.size() > kMostTriangles;
+    const bool too_large = found.mesh.triangles.size() > kMaxTriangles;
     const bool convex = automatic && found.convex() && shape_.body != kWorld;
     if (as == MeshAs::kHull || too_large || convex) {
       if (found.hull_index == kWorld) {

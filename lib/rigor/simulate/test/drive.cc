@@ -73,7 +73,7 @@ DriveTrain as_told(const DriveTrain& wheels) {
       wheel.sign = 1;
       for (const auto* other_side : {&wheels.left, &wheels.right}) {
         for (const Wheel& other : *other_side) {
-          const double ahead = dot(other.centre_W - wheel.centre_W, wheels.forward_W);
+          const double ahead = dot(other.center_W - wheel.center_W, wheels.forward_W);
           if (std::abs(ahead) > kAxleShare * other.radius) continue;
           wheel.radius = std::max(wheel.radius, other.radius);
         }

@@ -71,7 +71,7 @@ std::vector<std::uint32_t> joints_to_move(const Scene& scene, const DriveTrain& 
   std::vector<std::uint32_t> joints;
   for (std::uint32_t j = 0; j < scene.joints.size(); ++j) {
     const SceneJoint& joint = scene.joints[j];
-    if (!can_be_told(joint) || joint.child >= scene.bodies.size()) continue;
+    if (!can_be_commanded(joint) || joint.child >= scene.bodies.size()) continue;
     if (is_wheel_joint(wheels, j) || rolling[j] || joint.axes[0].spring_stiffness != 0) continue;
     if (joint.axes[0].lower < joint.axes[0].upper) joints.push_back(j);
   }

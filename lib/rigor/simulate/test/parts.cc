@@ -24,7 +24,7 @@ constexpr double kSettleTime = 1;
 constexpr double kSprungSettleTime = 5;
 
 bool can_be_held(const Scene& scene, const SceneJoint& joint) {
-  return can_be_told(joint) && joint.child < scene.bodies.size() &&
+  return can_be_commanded(joint) && joint.child < scene.bodies.size() &&
          !(joint.axes[0].spring_stiffness > 0);
 }
 

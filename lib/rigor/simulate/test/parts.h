@@ -24,7 +24,7 @@ double settling_time(const Scene& scene);
 Phase rest_of(double begin, double end);
 
 /// What stands still in a robot that is switched on is held by its motors: every hinge and slider that
-/// is not a wheel, a caster, a spring or a mimic is told to stand still for the whole scenario.
+/// is not a wheel, a caster, a spring or a mimic is commanded to stand still for the whole scenario.
 void add_brakes(const Scene& scene, const DriveTrain& wheels, Scenario& scenario);
 
 bool is_wheel_joint(const DriveTrain& wheels, std::uint32_t joint);

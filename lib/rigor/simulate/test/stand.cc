@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Tests of a robot that is not told to move: settle, drop, push, tilt-table.
+// Tests of a robot that is not commanded to move: settle, drop, push, tilt-table.
 
 #include <rigor/simulate/test/parts.h>
 
@@ -74,10 +74,10 @@ MadeTest make_push(const Scene& scene, const DriveTrain& wheels) {
   double mass = 0;
   for (const SceneBody& body : scene.bodies) mass += body.model == model ? body.mass.mass : 0;
   const double falling = std::sqrt(2 * length(scene.gravity) * scene.size);
-  const Vector3 centre = centre_of_mass(scene, model);
+  const Vector3 center = center_of_mass(scene, model);
   scenario.pushes.push_back({.body = base,
                              .impulse_W = kPushShare * mass * falling * sideways(wheels),
-                             .p_BP = transform(inverse(scene.bodies[base].X_WB), centre),
+                             .p_BP = transform(inverse(scene.bodies[base].X_WB), center),
                              .at = settled});
   add_brakes(scene, wheels, scenario);
   add_drive(wheels, 0, 0, {"", 0, end}, 0, scenario);
@@ -90,7 +90,7 @@ MadeTest make_tilt_table(const Scene& scene, const DriveTrain& wheels) {
   const std::vector<Vector3> corners = footprint_at_start(scene, model, kFootSlack);
   if (corners.size() < 3) return {{}, "it stands on a line or a point"};
   const TiltOver tip = tip_angle(scene, model, corners);
-  if (!(tip.angle > 0)) return {{}, "its centre of mass is not above what it stands on"};
+  if (!(tip.angle > 0)) return {{}, "its center of mass is not above what it stands on"};
   const double most = std::min(kTiltMost, tip.angle + kTiltBeyond);
   Scenario scenario{.name = "tilt-table", .spawn = Spawn::kOnGround};
   const double settled = settling_time(scene);

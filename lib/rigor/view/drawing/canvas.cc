@@ -55,24 +55,24 @@ void Canvas::refuse(const Body& body, std::string why) {
 }
 
 bool Canvas::may_look_at(std::size_t places) {
-  if (places > kMostPlacedTriangles - places_) return false;
+  if (places > kMaxPlacedTriangles - places_) return false;
   places_ += places;
   return true;
 }
 
 bool Canvas::has_room(const Body& body) {
-  if (drawing_.bodies.size() >= kMostBodies) {
-    refuse(body, "more than " + std::to_string(kMostBodies) + " bodies are not drawn");
+  if (drawing_.bodies.size() >= kMaxBodies) {
+    refuse(body, "more than " + std::to_string(kMaxBodies) + " bodies are not drawn");
     return false;
   }
   const std::size_t count = body.mesh->triangles.size();
   const bool is_new = !meshes_.contains(body.mesh.get());
-  if (is_new && count > kMostDrawnTriangles - triangles_) {
-    refuse(body, "more than " + std::to_string(kMostDrawnTriangles) + " triangles are not drawn");
+  if (is_new && count > kMaxDrawnTriangles - triangles_) {
+    refuse(body, "more than " + std::to_string(kMaxDrawnTriangles) + " triangles are not drawn");
     return false;
   }
   if (!may_look_at(count)) {
-    refuse(body, "more than " + std::to_string(kMostPlacedTriangles) +
+    refuse(body, "more than " + std::to_string(kMaxPlacedTriangles) +
                      " triangles, each time they are seen, are not drawn");
     return false;
   }

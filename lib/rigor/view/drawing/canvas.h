@@ -5,7 +5,7 @@
 //
 //   Canvas canvas(root);
 //   canvas.add(std::move(body));                       // or it says why not
-//   const double metres = canvas.size_around(link);
+//   const double meters = canvas.size_around(link);
 
 #pragma once
 
@@ -31,7 +31,7 @@ class Canvas {
   [[nodiscard]] bool put_off(Body body);
   void refuse(const Body& body, std::string why);
 
-  /// Whether so many more places may be looked at, `kMostPlacedTriangles` in all; if so they count.
+  /// Whether so many more places may be examined, `kMaxPlacedTriangles` in all; if so they count.
   [[nodiscard]] bool may_look_at(std::size_t places);
 
   /// A place that belongs to the model of a link.

@@ -98,7 +98,7 @@ class Draftsman {
       body.name = name_of(root_, link) + '/' + named(to_string(layer), part.name.value, i);
       const auto X_WP = frames_.pose(parts[i]);
       if (!X_WP) {
-        canvas_.refuse(body, "where it is cannot be told");
+        canvas_.refuse(body, "its pose is unknown");
         continue;
       }
       FoundShape found = finder_.find(part.geometry);
@@ -199,7 +199,7 @@ std::optional<Layer> layer_named(std::string_view name) {
 
 std::vector<std::string_view> layer_names() { return {kLayerNames.begin(), kLayerNames.end()}; }
 
-Drawing in_grey(Drawing drawing) {
+Drawing in_gray(Drawing drawing) {
   std::map<const mesh::TriangleMesh*, std::shared_ptr<const mesh::TriangleMesh>> plain;
   for (Body& body : drawing.bodies) {
     if (body.layer != Layer::kVisual) continue;

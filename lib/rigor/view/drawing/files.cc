@@ -26,7 +26,7 @@ using SharedMesh = std::shared_ptr<const TriangleMesh>;
 using SharedPicture = std::shared_ptr<const Picture>;
 
 /// A folder of material scripts has one or two, of some kilobytes.
-constexpr std::size_t kMostScriptFiles = 32;
+constexpr std::size_t kMaxScriptFiles = 32;
 constexpr std::uint64_t kMaxScriptBytes = std::uint64_t{1} << 20U;
 
 /// Behind the name of the file.
@@ -120,7 +120,7 @@ class DiskFiles {
     std::vector<std::string> paths;
     if (disk.kind(*found.path) == PathKind::kFolder) {
       for (const std::string& name : disk.list(*found.path)) {
-        if (name.ends_with(".material") && paths.size() < kMostScriptFiles) {
+        if (name.ends_with(".material") && paths.size() < kMaxScriptFiles) {
           paths.push_back(join_path(*found.path, name));
         }
       }
@@ -142,7 +142,7 @@ class DiskFiles {
     return known->second = read.bytes ? decoded_picture(*read.bytes) : nullptr;
   }
 
-  SharedPicture held_picture(const std::shared_ptr<const std::string>& bytes) {
+  SharedPicture embedded_picture(const std::shared_ptr<const std::string>& bytes) {
     const auto [known, is_new] = held_pictures_.try_emplace(bytes);
     if (!is_new) return known->second;
     return known->second = decoded_picture(*bytes);
@@ -177,7 +177,7 @@ Files files_of(const read::Resolver& resolver, const Sources& sources, mass::Mes
     return disk->texture(shape, written);
   };
   files.picture = [disk](const std::string& path) { return disk->picture(path); };
-  files.held_picture = [disk](const auto& bytes) { return disk->held_picture(bytes); };
+  files.embedded_picture = [disk](const auto& bytes) { return disk->embedded_picture(bytes); };
   files.resolve = [disk](const std::string& uri, Span where) { return disk->path(uri, where); };
   files.scripts = [disk](const std::string& uri, Span where) { return disk->scripts(uri, where); };
   return files;

@@ -45,7 +45,7 @@ void MarkPainter::draw_masses(Layer layer) {
     if (mass.mass == 0 && mass.about_com == mass::Inertia()) continue;  // URDF: none at all
     Body body{.layer = layer, .link = link, .where = root_[link].inertial.site.tag};
     if (body.where.nowhere()) body.where = root_[link].site.tag;
-    body.name = name_of(root_, link) + (layer == Layer::kCom ? "/centre of mass" : "/inertia");
+    body.name = name_of(root_, link) + (layer == Layer::kCom ? "/center of mass" : "/inertia");
     if (layer == Layer::kCom) {
       body.pose = {transform(*X_WL, mass.com), X_WL->rotation};
       add_mark(std::move(body), com, kComRadius);

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Puts marks on a canvas: the inertia, centre of mass and frame of each link, the axes of joints, and where
+// Puts marks on a canvas: the inertia, center of mass and frame of each link, the axes of joints, and where
 // collisions touch. Marks are as large as suits the model around them. Private to the room.
 //
 //   MarkPainter marks(root, frames, finder, canvas);

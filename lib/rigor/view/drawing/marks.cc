@@ -28,7 +28,7 @@ constexpr std::uint32_t kArrowSides = 16;
 
 /// So many cells to each side of the ground's middle at least and at most: 3,280 quadrilaterals.
 constexpr int kFewestCells = 4;
-constexpr int kMostCells = 20;
+constexpr int kMaxCells = 20;
 /// Of a step.
 constexpr double kLineWidth = 0.02;
 
@@ -143,7 +143,7 @@ Grid grid_under(const mesh::Bounds& bounds) {
   if (!(size > 0)) return grid;
   // From 2 to 20 steps to a model's diagonal.
   grid.step = std::pow(10.0, std::floor(std::log10(size / 2)));
-  grid.cells = std::clamp(static_cast<int>(std::ceil(size / grid.step)), kFewestCells, kMostCells);
+  grid.cells = std::clamp(static_cast<int>(std::ceil(size / grid.step)), kFewestCells, kMaxCells);
   return grid;
 }
 

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is drawn of a model besides its shapes, of size one: frames, axes, centres of mass, the ground.
+// What is drawn of a model besides its shapes, of size one: frames, axes, centers of mass, the ground.
 // Private to the room.
 //
 //   Body body{.mesh = arrows().mesh, .scale = {0.1, 0.1, 0.1}, .surfaces = arrows().surfaces};
@@ -41,12 +41,12 @@ struct Grid {
   int cells = 10;
 };
 
-/// A grid that a model within `bounds` stands on: a metre apart, or a power of ten of it that suits the model's
+/// A grid that a model within `bounds` stands on: a meter apart, or a power of ten of it that suits the model's
 /// size. `bounds` may be empty.
 Grid grid_under(const mesh::Bounds& bounds);
 
 /// Every place of the square once: parts "plane" and "lines". In the frame of the grid's lines nearest to
-/// its centre, which `ground_origin` says.
+/// its center, which `ground_origin` says.
 Mark ground_mark(const Grid& grid);
 model::Vector3 ground_origin(const Grid& grid);
 

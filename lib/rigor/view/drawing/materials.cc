@@ -69,7 +69,7 @@ Color lit_by(Color color, const std::optional<Color>& emissive) {
   return color;
 }
 
-/// The picture of a colour, in either of the workflows of `<pbr>`.
+/// The picture of a color, in either of the workflows of `<pbr>`.
 std::optional<read::Text> albedo_map(xml::Element material) {
   const auto pbr = material.child("pbr");
   if (!pbr) return std::nullopt;
@@ -81,8 +81,8 @@ std::optional<read::Text> albedo_map(xml::Element material) {
 
 constexpr Color kUntinted{1, 1, 1, 1};
 
-/// More URIs of one script are not looked at: real ones have two, of scripts and of textures.
-constexpr std::size_t kMostScripts = 8;
+/// More URIs of one script are not examined: real ones have two, of scripts and of textures.
+constexpr std::size_t kMaxScripts = 8;
 
 /// Exporters of Collada write a transparency of zero for what is not transparent, which the format reads as
 /// invisible. Nobody keeps what cannot be seen, and simulators show it.
@@ -117,7 +117,7 @@ std::optional<Surface> Materials::of_own_script(xml::Element script, const std::
   std::vector<read::Text> uris;
   std::string key;
   for (const xml::Element child : script.children()) {
-    if (child.name() != "uri" || uris.size() == kMostScripts) continue;
+    if (child.name() != "uri" || uris.size() == kMaxScripts) continue;
     uris.push_back({read::trimmed(child.text()), child.text_span()});
     key += std::string(uris.back().text) + '\n';
   }
@@ -259,8 +259,8 @@ std::vector<Surface> Materials::of_parts(const model::Mesh& shape, const mesh::T
     Surface surface;
     surface.color = visible_color(material.diffuse);
     surface.texture_opacity = material.picture_opacity;
-    if (material.held_picture && files_.held_picture) {
-      surface.texture = files_.held_picture(material.held_picture);
+    if (material.embedded_picture && files_.embedded_picture) {
+      surface.texture = files_.embedded_picture(material.embedded_picture);
     }
     if (!material.texture.empty() && files_.texture && files_.picture) {
       const std::string path = files_.texture(shape, material.texture);

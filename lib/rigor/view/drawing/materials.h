@@ -5,8 +5,8 @@
 // material of Gazebo's script or of the model's own, else `<ambient>`; the texture of `<pbr>` on top,
 // `<transparency>` over all. Where the model says nothing, each part of a mesh looks as its own file says.
 //
-// In a URDF a mesh keeps the materials of its own file (Collada, OBJ, glTF) as in RViz, and a visual's colour
-// is for all else; a name stands for the first material of that name, those of the robot before those of its
+// In a URDF a mesh keeps the materials of its own file (Collada, OBJ, glTF) as in RViz, and a visual's color
+// is for all else; a name represents the first material of that name, those of the robot before those of its
 // visuals, as urdfdom looks it up. Without one, the material of the link's `<gazebo>` block is taken.
 //
 //   Materials materials(root, elements, files);

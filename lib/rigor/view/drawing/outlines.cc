@@ -102,8 +102,8 @@ std::shared_ptr<const TriangleMesh> terrain_mesh(const Picture& heights, const V
     return nullptr;
   }
   const auto columns =
-      static_cast<std::uint32_t>(std::min<std::size_t>(heights.width, kMostHeights));
-  const auto rows = static_cast<std::uint32_t>(std::min<std::size_t>(heights.height, kMostHeights));
+      static_cast<std::uint32_t>(std::min<std::size_t>(heights.width, kMaxHeights));
+  const auto rows = static_cast<std::uint32_t>(std::min<std::size_t>(heights.height, kMaxHeights));
   const auto brightness = [&](std::uint32_t x, std::uint32_t y) { return heights.at(x, y)[0]; };
   std::uint8_t brightest = 0;
   for (const Pixel& pixel : heights.pixels) brightest = std::max(brightest, pixel[0]);

@@ -71,7 +71,7 @@ FoundShape ShapeFinder::file(const model::Mesh& mesh) const {
   FoundShape found;
   found.scale = mesh.scale.value;
   if (mesh.uri.value.empty()) return no_shape("it names no mesh");
-  if (!files_.mesh) return no_shape("no meshes are looked at");
+  if (!files_.mesh) return no_shape("meshes are skipped");
   found.mesh = files_.mesh(mesh, found.why);
   if (!found.mesh && found.why.empty()) found.why = mesh.uri.value + " is not found";
   return found;
@@ -80,12 +80,12 @@ FoundShape ShapeFinder::file(const model::Mesh& mesh) const {
 FoundShape ShapeFinder::terrain(const model::Geometry& geometry,
                                 const model::Heightmap& heightmap) {
   const std::string& uri = heightmap.uri.value;
-  if (uri.empty()) return no_shape("it names no picture");
+  if (uri.empty()) return no_shape("it names no image");
   const std::string path = files_.resolve ? files_.resolve(uri, heightmap.uri.span) : std::string();
   if (path.empty()) return no_shape(uri + " is not found");
   const Vector3& size = heightmap.size.value;
   const auto picture = files_.picture ? files_.picture(path) : nullptr;
-  if (!picture) return no_shape(uri + " is no picture that can be read");
+  if (!picture) return no_shape(uri + " is not an image that can be read");
   FoundShape found = made(
       {path, {size.x, size.y, size.z}}, [&] { return terrain_mesh(*picture, size); },
       "a size is not positive and finite");
@@ -124,9 +124,8 @@ FoundShape ShapeFinder::made(Key key,
   const auto known = made_.find(key);
   if (known != made_.end()) {
     found.mesh = known->second;
-  } else if (made_triangles_ > kMostDrawnTriangles) {
-    return no_shape("more than " + std::to_string(kMostDrawnTriangles) +
-                    " triangles are not drawn");
+  } else if (made_triangles_ > kMaxDrawnTriangles) {
+    return no_shape("more than " + std::to_string(kMaxDrawnTriangles) + " triangles are not drawn");
   } else {
     found.mesh = make();
     if (found.mesh) made_triangles_ += found.mesh->triangles.size();

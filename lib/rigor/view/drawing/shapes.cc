@@ -98,8 +98,8 @@ std::shared_ptr<const mesh::TriangleMesh> ShapeMeshes::square() { return unit(Un
 ShapeMesh ShapeMeshes::capsule(double radius, double length) {
   const double slenderness = length / radius;
   if (!std::isfinite(slenderness)) return {.why = kBadSize};
-  if (capsules_.size() >= kMostCapsules && !capsules_.contains(slenderness)) {
-    return {.why = "more than " + std::to_string(kMostCapsules) + " capsules are not drawn"};
+  if (capsules_.size() >= kMaxCapsules && !capsules_.contains(slenderness)) {
+    return {.why = "more than " + std::to_string(kMaxCapsules) + " capsules are not drawn"};
   }
   auto& known = capsules_[slenderness];
   if (!known) {

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The elements that a model's structs were read from, for what the structs do not hold: colours, the sizes of
+// The elements that a model's structs were read from, for what the structs do not hold: colors, the sizes of
 // planes. A file is parsed when the first of its elements is asked for. Private to the room.
 //
 //   SourceElements elements(sources);
@@ -22,7 +22,7 @@ class SourceElements {
  public:
   explicit SourceElements(const Sources& sources) : sources_(sources) {}
 
-  /// Nothing for what nobody wrote. Valid as long as this.
+  /// Nothing for what no author wrote. Valid as long as this.
   std::optional<xml::Element> at(const model::Site& site) {
     const SourceId source = site.span.source;
     if (site.span.nowhere()) return std::nullopt;

@@ -22,7 +22,7 @@ constexpr Pixel kInk{60, 60, 64, 255};
 constexpr Pixel kOtherShape{224, 24, 24, 255};
 constexpr Pixel kOtherColor{70, 120, 235, 255};
 /// Of 255: what the eye does not see does not differ.
-constexpr int kSameColour = 4;
+constexpr int kSameColor = 4;
 
 void paste(const Picture& from, Picture& into, std::uint32_t left, std::uint32_t top) {
   for (std::uint32_t y = 0; y < from.height; ++y) {
@@ -86,15 +86,15 @@ void put_caption(std::string text, Picture& into, std::uint32_t left, std::uint3
 
 bool differs(const Pixel& a, const Pixel& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (std::abs(int{a[i]} - int{b[i]}) > kSameColour) return true;
+    if (std::abs(int{a[i]} - int{b[i]}) > kSameColor) return true;
   }
   return false;
 }
 
-/// Grey, and mostly white.
+/// Gray, and mostly white.
 Pixel paled(const Pixel& pixel) {
-  const int grey = (3 * pixel[0] + 6 * pixel[1] + pixel[2]) / 10;
-  const auto pale = static_cast<std::uint8_t>(255 - (255 - grey) / 4);
+  const int gray = (3 * pixel[0] + 6 * pixel[1] + pixel[2]) / 10;
+  const auto pale = static_cast<std::uint8_t>(255 - (255 - gray) / 4);
   return {pale, pale, pale, pixel[3]};
 }
 
@@ -153,7 +153,7 @@ Picture difference(const Compared& pictures) {
   for (std::uint32_t y = 0; y < result.height; ++y) {
     for (std::uint32_t x = 0; x < result.width; ++x) {
       const Pixel* now = pixel_at(after, x, y);
-      if (pixel_differs(pictures.grey_before, pictures.grey_after, x, y)) {
+      if (pixel_differs(pictures.gray_before, pictures.gray_after, x, y)) {
         result.at(x, y) = kOtherShape;
       } else {
         result.at(x, y) = pixel_differs(before, after, x, y) ? kOtherColor : paled(*now);

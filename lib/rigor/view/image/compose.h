@@ -32,15 +32,15 @@ Picture sheet(const std::vector<Tile>& tiles, std::size_t columns);
 /// is high.
 std::size_t columns_for(std::size_t count, std::uint32_t width, std::uint32_t height);
 
-/// Two pictures of each of two drawings: in color, and with all surfaces grey, which shows shapes alone.
+/// Two pictures of each of two drawings: in color, and with all surfaces gray, which shows shapes alone.
 struct Compared {
   const Picture& before;
   const Picture& after;
-  const Picture& grey_before;
-  const Picture& grey_after;
+  const Picture& gray_before;
+  const Picture& gray_after;
 };
 
-/// Where the shapes differ, red; where only the colors do, blue; the rest pale and grey. Of different sizes: what
+/// Where the shapes differ, red; where only the colors do, blue; the rest pale and gray. Of different sizes: what
 /// only one has differs.
 Picture difference(const Compared& pictures);
 

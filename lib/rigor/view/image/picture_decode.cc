@@ -19,7 +19,7 @@ constexpr std::string_view kJpegMagic = "\xff\xd8\xff"sv;
 
 /// Deflate makes at most 1032 bytes of one, and the plainest JPEG some 400
 /// pixels: fewer bytes than this are a claim that would only take memory.
-constexpr std::uint64_t kMostOfOneByte = 1032;
+constexpr std::uint64_t kMaxOfOneByte = 1032;
 
 /// A progressive JPEG goes over all its pixels in each scan, which may be a few
 /// bytes: real ones have ten.
@@ -44,7 +44,7 @@ bool png_may_hold(std::string_view bytes, const Picture& picture) {
   constexpr std::size_t kDepthAt = 24;  // after magic, length, "IHDR", width and height
   const std::uint64_t depth = static_cast<std::uint8_t>(bytes[kDepthAt]);
   const std::uint64_t bits = picture.width * std::max<std::uint64_t>(depth, 1);
-  return picture.height * (1 + bits / 8) <= kMostOfOneByte * bytes.size();
+  return picture.height * (1 + bits / 8) <= kMaxOfOneByte * bytes.size();
 }
 
 std::optional<Picture> decode_png(std::string_view bytes) {
@@ -94,17 +94,17 @@ std::optional<Picture> decode_jpeg(std::string_view bytes) {
   int width = 0;
   int height = 0;
   int subsampling = 0;
-  int colours = 0;
+  int colors = 0;
   if (tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &subsampling,
-                          &colours) != 0 ||
-      width <= 0 || height <= 0 || colours == TJCS_CMYK || colours == TJCS_YCCK) {
+                          &colors) != 0 ||
+      width <= 0 || height <= 0 || colors == TJCS_CMYK || colors == TJCS_YCCK) {
     return std::nullopt;
   }
   std::optional<Picture> picture =
       blank_picture(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height));
   if (!picture) return std::nullopt;
   const std::uint64_t pixels = std::uint64_t{picture->width} * picture->height;
-  if (pixels > kMostOfOneByte * bytes.size() || pixels * jpeg_scans(bytes) > kMaxScannedPixels) {
+  if (pixels > kMaxOfOneByte * bytes.size() || pixels * jpeg_scans(bytes) > kMaxScannedPixels) {
     return std::nullopt;
   }
   picture->pixels.resize(pixels);

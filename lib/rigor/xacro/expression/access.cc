@@ -249,7 +249,7 @@ Value Evaluator::call_function(const Function& function, Value self, Arguments& 
             std::string::npos;
     if (!known) return wrong_type(name + "() takes no argument named '" + std::string(key) + "'");
   }
-  // A named argument may stand for one that is due.
+  // A named argument may represent one that is due.
   if (count + static_cast<int>(arguments.named.size()) < function.least) {
     return wrong_type(name + "() takes at least " + std::to_string(function.least) +
                       " arguments, not " + std::to_string(count));

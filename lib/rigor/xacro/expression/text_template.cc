@@ -95,7 +95,7 @@ TextTemplate TextTemplates::taken_apart(std::string_view text) {
         continue;
       }
     }
-    // A `$` at the end, or before other characters, stands for itself.
+    // A `$` at the end, or before other characters, represents itself.
     const bool last = dollars == text.size() && dollars - at == 1;
     if (!last && (opens || dollars - at > 1)) {
       result.trouble = static_cast<std::uint32_t>(at);

@@ -3,7 +3,7 @@
 //
 // A text with `${…}` and `$(…)` in it, taken apart once and used as often as it occurs.
 //
-// `$${` and `$$(` stand for `${` and `$(`. An expression ends at the first `}`, a command at the first
+// `$${` and `$$(` represent `${` and `$(`. An expression ends at the first `}`, a command at the first
 // `)`, whatever is between; either may hold further `${…}` and `$(…)`, which are replaced first.
 
 #pragma once

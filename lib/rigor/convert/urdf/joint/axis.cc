@@ -24,7 +24,7 @@ using model::Id;
 using model::Vector3;
 
 /// How far from 1 the length of an axis may be and its digits still be kept: it is the error of a
-/// prismatic joint per metre of travel, in readers that do not normalise.
+/// prismatic joint per meter of travel, in readers that do not normalize.
 constexpr double kUnitTolerance = 1e-9;
 
 class UrdfAxisWriter {
@@ -180,7 +180,7 @@ class UrdfAxisWriter {
     target_.limit = limit;
   }
 
-  /// Of a joint that is written as several, that has been told.
+  /// Of a joint that is written as several, that has been reported.
   void tell_continuous() {
     if (joint_.type != model::JointType::kRevolute) return;
     ledger_.take(joint_.type_name, Outcome::kRewritten);

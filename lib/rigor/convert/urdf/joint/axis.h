@@ -4,7 +4,7 @@
 // An SDF axis as URDF says it: direction, limits, damping and friction. Private to the room.
 //
 // SDF says "no limit" in several ways: -1, infinity, 1e16, nothing, and up to 1.3 an effort of zero.
-// URDF has none, and needs an effort and a velocity wherever it needs limits; what stands for infinity
+// URDF has none, and needs an effort and a velocity wherever it needs limits; what represents infinity
 // is then in the account.
 
 #pragma once

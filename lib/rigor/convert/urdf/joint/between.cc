@@ -24,7 +24,7 @@ const Number kLinkMass{2e-6, "2e-6"};
 const Number kLinkMoment{1e-14, "1e-14"};
 
 /// What carries less than this many times a row's mass would be another link without it.
-constexpr double kLeastTimes = 100;
+constexpr double kMinTimes = 100;
 
 mass::Inertia tensor_of(const UrdfInertial& inertial) {
   const auto& [ixx, ixy, ixz, iyy, iyz, izz] = inertial.inertia;
@@ -39,12 +39,12 @@ void set(Number& number, double value) {
 
 /// What is left when balls of `mass` (kg) and `moment` (kg·m²) in all are taken away at the link's
 /// origin: the rest keeps Σ m c and the tensor about the origin, so with c in the axes of the inertial
-/// the centre goes to c m / m' and the tensor there loses `moment` and that of (m / m') `mass` at c.
+/// the center goes to c m / m' and the tensor there loses `moment` and that of (m / m') `mass` at c.
 /// Nothing when no body is left that could be.
 std::optional<UrdfInertial> without_balls(UrdfInertial inertial, double mass, double moment) {
   const double whole = inertial.mass.value;
   const double rest = whole - mass;
-  if (!(whole >= kLeastTimes * mass)) return std::nullopt;
+  if (!(whole >= kMinTimes * mass)) return std::nullopt;
   const model::Pose X = pose_of(inertial.origin);
   const model::Vector3 c = rotate(conjugate(X.rotation), X.translation);
   const mass::Inertia before = tensor_of(inertial);

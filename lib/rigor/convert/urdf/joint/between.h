@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The links between the joints in a row that stand for one. Simulators move nothing without mass: MuJoCo
+// The links between the joints in a row that represent one. Simulators move nothing without mass: MuJoCo
 // refuses the file, and libsdformat drops the link with all that hangs on it. So each gets as much as
 // these want, and the link that the row carries has so much less: together they are the same body at all
 // joint positions, since each of them is a ball at the place where the axes meet. Private to the room.

@@ -44,7 +44,7 @@ class UrdfJointWriter {
       case JointType::kScrew: write_screw(); break;
       default: write_unknown(); break;
     }
-    // Last, since a type that is told otherwise has been taken as that.
+    // Last, since a type that is expressed otherwise has been taken as that.
     ledger_.take(joint_.type_name);
   }
 
@@ -169,18 +169,18 @@ class UrdfJointWriter {
     UrdfJoint slide = in_row(0, "prismatic", names_.joints[1]);
     slide.axis = turn.axis;
     slide.limit = no_limit(draft_.options);
-    const double metres_per_radian = screw_slide();
+    const double meters_per_radian = screw_slide();
     if (turn.limit && turn.limit->lower && turn.limit->upper) {
-      const auto at = [metres_per_radian](double angle) {
-        const double metres = metres_per_radian * angle;
-        return write::settled(metres, 0, std::abs(metres));
+      const auto at = [meters_per_radian](double angle) {
+        const double meters = meters_per_radian * angle;
+        return write::settled(meters, 0, std::abs(meters));
       };
       const double a = at(turn.limit->lower->value);
       const double b = at(turn.limit->upper->value);
       slide.limit->lower = Number{std::min(a, b), {}};
       slide.limit->upper = Number{std::max(a, b), {}};
     }
-    slide.mimic = UrdfMimic{turn.name, {metres_per_radian, {}}, {0, {}}};
+    slide.mimic = UrdfMimic{turn.name, {meters_per_radian, {}}, {0, {}}};
     add(std::move(slide));
     add(std::move(turn));
   }

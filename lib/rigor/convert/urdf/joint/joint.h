@@ -22,7 +22,7 @@
 
 namespace rigor::convert {
 
-/// How many joints stand for one of this type.
+/// How many joints represent one of this type.
 std::size_t urdf_joint_count(model::JointType type);
 
 /// Where a joint goes in the target.

@@ -24,7 +24,7 @@ using model::JointType;
 constexpr double kParallel = 1e-6;
 
 /// Joints that follow each other in a row: no hand has a hundred, and each is walked for each.
-constexpr int kMostLeaders = 100;
+constexpr int kMaxLeaders = 100;
 
 using JointsByName = std::unordered_map<std::string, UrdfJoint*>;
 
@@ -37,7 +37,7 @@ JointsByName joints_by_name(UrdfRobot& robot) {
 /// Whether `joint` is `leader` or follows it, over others or not. What follows has one leader, so no
 /// circle is walked twice.
 bool leads(const JointsByName& joints, const UrdfJoint* leader, const UrdfJoint* joint) {
-  for (int steps = 0; joint != nullptr && steps <= kMostLeaders; ++steps) {
+  for (int steps = 0; joint != nullptr && steps <= kMaxLeaders; ++steps) {
     if (joint == leader) return true;
     const auto found = joint->mimic ? joints.find(joint->mimic->joint) : joints.end();
     joint = found == joints.end() ? nullptr : found->second;
@@ -104,7 +104,7 @@ class MimicAdder {
   std::string ring_of(const UrdfJoint& follower, const UrdfJoint& leader) const {
     std::string text = follower.name;
     const UrdfJoint* joint = &leader;
-    for (int steps = 0; joint != nullptr && joint != &follower && steps < kMostLeaders; ++steps) {
+    for (int steps = 0; joint != nullptr && joint != &follower && steps < kMaxLeaders; ++steps) {
       text += " → " + joint->name;
       const auto found = joint->mimic ? joints_.find(joint->mimic->joint) : joints_.end();
       joint = found == joints_.end() ? nullptr : found->second;
@@ -246,7 +246,7 @@ class MimicFlattener {
   bool follow_last(UrdfJoint& joint) const {
     UrdfMimic& mimic = *joint.mimic;
     bool changed = false;
-    for (int steps = 0; steps < kMostLeaders; ++steps) {
+    for (int steps = 0; steps < kMaxLeaders; ++steps) {
       const auto leader = joints_.find(mimic.joint);
       if (leader == joints_.end() || !leader->second->mimic) break;
       const UrdfMimic& next = *leader->second->mimic;

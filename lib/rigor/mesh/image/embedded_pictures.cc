@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/mesh/image/held_pictures.h>
+#include <rigor/mesh/image/embedded_pictures.h>
 
 #include <map>
 #include <string_view>
@@ -25,7 +25,7 @@ NamedPictures named_pictures(std::vector<Material> materials, const std::string&
   NamedPictures result{std::move(materials), {}};
   std::map<std::shared_ptr<const std::string>, std::string> names;
   for (Material& material : result.materials) {
-    const auto picture = std::exchange(material.held_picture, nullptr);
+    const auto picture = std::exchange(material.embedded_picture, nullptr);
     const PictureKind kind = kind_of(picture);
     if (kind != PictureKind::kPng && kind != PictureKind::kJpeg) continue;
     std::string& name = names[picture];
