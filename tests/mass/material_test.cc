@@ -15,7 +15,7 @@ namespace {
 TEST(Material, ByNameAndByOtherWords) {
   ASSERT_NE(find_material("steel"), nullptr);
   EXPECT_EQ(find_material("steel")->density, 7850);
-  EXPECT_EQ(find_material("aluminum"), find_material("aluminum"));
+  EXPECT_EQ(find_material("aluminium"), find_material("aluminum"));
   EXPECT_EQ(find_material("delrin"), find_material("pom"));
   for (const std::string_view word : {"acrylic", "fr4", "nylon", "pc", "pp", "rubber", "teflon"}) {
     EXPECT_NE(find_material(word), nullptr) << word;

@@ -273,21 +273,21 @@ TEST(Unreported, IsAPathThatFindWrites) {
 /// A cause that comes after a thousand places of another is listed all the same.
 TEST(Listed, AreCausesAndNotPlaces) {
   std::string text = "<sdf version='1.9'><model name='m'><link name='l'>";
-  for (int i = 0; i < 1500; ++i) text += "<color>1</color>";
+  for (int i = 0; i < 1500; ++i) text += "<hue>1</hue>";
   text += "<shade>1</shade></link></model></sdf>";
   const MemoryDisk disk(std::map<std::string, std::string>{{"a.sdf", text}});
   const Environment environment(disk, {});
   Sources sources;
   const ValidateResult result = validate(environment, {.paths = {"a.sdf"}}, sources);
   std::size_t shades = 0;
-  std::size_t colors = 0;
+  std::size_t hues = 0;
   for (const Diagnostic& found : result.diagnostics.list()) {
     if (found.rule != "unknown-element") continue;
     shades += found.message.find("<shade>") != std::string::npos ? 1U : 0U;
-    colors += found.message.find("<color>") != std::string::npos ? 1U : 0U;
+    hues += found.message.find("<hue>") != std::string::npos ? 1U : 0U;
   }
   EXPECT_EQ(shades, 1U);
-  EXPECT_EQ(colors, 1500U);
+  EXPECT_EQ(hues, 1500U);
 }
 
 }  // namespace

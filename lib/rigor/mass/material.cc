@@ -95,7 +95,7 @@ struct Alias {
 constexpr std::array kAliases{
     Alias{"acetal", "pom"},
     Alias{"acrylic", "pmma"},
-    Alias{"aluminum", "aluminum"},
+    Alias{"aluminium", "aluminum"},
     Alias{"carbon-fiber", "carbon-fibre"},
     Alias{"delrin", "pom"},
     Alias{"epp", "expanded-polypropylene"},

@@ -26,7 +26,7 @@ struct Material {
 /// Metals, plastics, rubbers and foams, composites, woods, minerals, components; each by name.
 std::span<const Material> materials();
 
-/// By name or by another word for it ("aluminum", "delrin"); null when there is none.
+/// By name or by another word for it ("aluminium", "delrin"); null when there is none.
 const Material* find_material(std::string_view name);
 
 }  // namespace rigor::mass

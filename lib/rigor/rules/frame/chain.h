@@ -26,7 +26,7 @@ inline std::string chain(const model::FrameProblem& problem) {
 inline void report_cycle(const model::FrameProblem& problem, const std::string& what,
                          Context& context) {
   context.report({.where = problem.where,
-                  .message = what + " form a cycle: " + chain(problem),
+                  .message = what + " in a cycle: " + chain(problem),
                   .subject = problem.subject});
 }
 

@@ -18,9 +18,9 @@ struct Unit {
   double meter;
 };
 constexpr Unit kUnits[] = {
-    {"meter", 1},           {"meter", 1},       {"meters", 1},         {"m", 1},
-    {"decimeter", 0.1},     {"dm", 0.1},        {"centimeter", 0.01},  {"centimeter", 0.01},
-    {"centimeters", 0.01},  {"cm", 0.01},       {"millimeter", 0.001}, {"millimeter", 0.001},
+    {"meter", 1},           {"metre", 1},       {"meters", 1},         {"m", 1},
+    {"decimeter", 0.1},     {"dm", 0.1},        {"centimeter", 0.01},  {"centimetre", 0.01},
+    {"centimeters", 0.01},  {"cm", 0.01},       {"millimeter", 0.001}, {"millimetre", 0.001},
     {"millimeters", 0.001}, {"mm", 0.001},      {"kilometer", 1000},   {"km", 1000},
     {"inch", 0.0254},       {"inches", 0.0254}, {"in", 0.0254},        {"foot", 0.3048},
     {"feet", 0.3048},       {"ft", 0.3048},     {"yard", 0.9144}};
