@@ -125,16 +125,29 @@ class Run {
     return paths;
   }
 
+  /// Expansions of templates other than the one at a path.
+  std::vector<const xacro::Expansion*> others_than(const std::string& path,
+                                                   const std::vector<std::string>& templates) {
+    std::vector<const xacro::Expansion*> others;
+    for (const std::string& other : templates) {
+      const read::File& file = workspace_.open(other);
+      if (other != path && file.expanded) others.push_back(&file.expanded->expansion());
+    }
+    return others;
+  }
+
   /// By numbers that no set has which is checked.
-  std::optional<read::TemplateArguments> stand_ins(const std::string& path) {
+  std::optional<read::TemplateArguments> stand_ins(const std::string& path,
+                                                   const std::vector<std::string>& templates) {
     const read::File& file = workspace_.open(path);
-    if (!file.expanded) return std::nullopt;
-    return read::stand_ins(file.expanded->expansion(), sources_, environment_.disk,
-                           [&](std::size_t number, const read::TemplateArguments& arguments) {
-                             const read::File& robot = workspace_.open(
-                                 path, read::kMaxArgumentSets + 2 + number, with_given(arguments));
-                             return robot.expanded && robot.expanded->ok() && makes_robot(robot);
-                           });
+    if (!file.expanded || !read::lacks_argument(file.expanded->expansion())) return std::nullopt;
+    return read::stand_ins(
+        file.expanded->expansion(), others_than(path, templates), sources_, environment_.disk,
+        [&](std::size_t number, const read::TemplateArguments& arguments) {
+          const read::File& robot =
+              workspace_.open(path, read::kMaxArgumentSets + 2 + number, with_given(arguments));
+          return robot.expanded && robot.expanded->ok() && makes_robot(robot);
+        });
   }
 
   /// Behind those that are given to all templates.
@@ -163,7 +176,7 @@ class Run {
     }
     for (const std::string& path : templates) {
       if (!arguments_[path].empty()) continue;
-      std::optional<read::TemplateArguments> arguments = stand_ins(path);
+      std::optional<read::TemplateArguments> arguments = stand_ins(path, templates);
       if (!arguments) continue;
       stand_ins_.emplace(path, *std::move(arguments));
       named.insert(path);
@@ -243,6 +256,16 @@ class Run {
     result_.diagnostics.take(std::exchange(checked.diagnostics, {}));
     checked.summary.end_finding = result_.diagnostics.list().size();
     result_.files.push_back(checked.summary);
+  }
+
+  /// Paths in it as they are seen from there.
+  std::string without_working_folder(std::string text) const {
+    const std::string& folder = environment_.resolver.paths().templates.working_folder;
+    if (folder.empty()) return text;
+    for (std::size_t at = text.find(":=" + folder + '/'); at != text.npos;
+         at = text.find(":=" + folder + '/', at + 1))
+      text.erase(at + 2, folder.size() + 1);
+    return text;
   }
 
   /// Robots share files of macros: what one showed there, the next need not repeat.
@@ -360,7 +383,7 @@ class Run {
       check_expansion(first, {}, checked, run);
     for (std::size_t i = 0; i < plan.sets.size(); ++i) {
       const read::TemplateArguments arguments = with_given(plan.sets[i]);
-      const std::string shown = read::shown_arguments(plan.sets[i]);
+      const std::string shown = without_working_folder(read::shown_arguments(plan.sets[i]));
       check_expansion(workspace_.open(path, i + 1, arguments), shown, checked, run);
     }
     if (run.is_whole) check_coverage(path, takes_all, checked, run);
