@@ -32,6 +32,16 @@ constexpr const char* kPlainFile =
     "      frame: $(arg prefix)base\n"
     "      octal: 010\n"
     "      flag: yes\n"
+    "      # nothing here\n"
+    "      none:   # nor here\n"
+    "      nothing:\n"
+    "\n"
+    "  finger: &finger  # of both hands\n"
+    "    length: 0.1\n"
+    "  other: *finger\n"
+    "  third: &finger\n"
+    "    length: 0.3\n"
+    "  fourth: *finger   # the last one\n"
     "count: 0x1f\n"
     "empty_text: \"\"\n";
 
@@ -44,7 +54,9 @@ TEST(XacroPlainYaml, ReadsWhatYamlCppReads) {
       "<v all=\"${cfg['arm']}\" mass=\"${cfg.arm.mass}\" reach=\"${cfg.arm.reach}\" "
       "file=\"${cfg.arm.file}\" color=\"${cfg.arm.color}\" max=\"${cfg.arm.max}\" "
       "frame=\"${cfg.arm.link.frame}\" octal=\"${cfg.arm.link.octal}\" count=\"${cfg.count}\" "
-      "empty=\"${cfg.empty_text}\" link=\"${cfg.arm.link}\"/>");
+      "empty=\"${cfg.empty_text}\" link=\"${cfg.arm.link}\" none=\"${cfg.arm.link.none}\" "
+      "nothing=\"${cfg.arm.link.nothing}\" length=\"${cfg.arm.fourth.length}\" "
+      "other=\"${cfg.arm.other}\" fourth=\"${cfg.arm.fourth}\"/>");
   const Expanded own(use, {{"arm.yaml", plain}});
   const Expanded theirs(use, {{"arm.yaml", plain + "last: [1]\n"}});
   ASSERT_TRUE(own.expansion.ok() && theirs.expansion.ok());
@@ -69,6 +81,13 @@ TEST(XacroPlainYaml, LeavesTheRestToYamlCpp) {
                            "a: {b: 1}\n",
                            "a: &x 1\n",
                            "a: *x\n",
+                           "a: &x\nb: 1\n",
+                           "a: &x b\n",
+                           "a: &\n  b: 1\n",
+                           "a: &x!\n  b: 1\n",
+                           "a: &x\n  b: 1\nc: *x d\n",
+                           "a: &x\n  b: 1\nc: *x*\n",
+                           "a: &x\n  b: 1\nc: *\n",
                            "a: |\n  b\n",
                            "a: \"b\\n\"\n",
                            "a: 'it''s'\n",
