@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
 #include <string>
 #include <vector>
 
@@ -68,6 +69,68 @@ TEST(XacroPlainYaml, ReadsWhatYamlCppReads) {
     EXPECT_EQ(mine[i].from.begin, other[i].from.begin) << mine[i].name;
     EXPECT_EQ(mine[i].from.end, other[i].from.end) << mine[i].name;
   }
+}
+
+/// Files of keys, values, comments, anchors and aliases at random; most of them are no YAML.
+class YamlWriter {
+ public:
+  explicit YamlWriter(unsigned seed) : random_(seed) {}
+
+  std::string file() {
+    text_.clear();
+    dictionary(0, 0);
+    return text_;
+  }
+
+ private:
+  std::size_t below(std::size_t bound) { return random_() % bound; }
+
+  void dictionary(std::size_t indentation, int depth) {
+    constexpr const char* kKeys[] = {"a", "b", "c", "mass"};
+    constexpr const char* kValues[] = {" 1",   " x y", " \"q z\"", " 007", " !degrees 90",
+                                       " yes", " 1e3", " 1.5.2",   " ~",   " longer than a word"};
+    constexpr int kDeepest = 3;
+    for (std::size_t keys = 1 + below(4); keys > 0; --keys) {
+      if (below(8) == 0) text_ += "\n      # between\n";
+      text_ += std::string(indentation, ' ') + kKeys[below(4)] + ':';
+      const std::size_t kind = below(8);
+      if (kind < 3) text_ += kValues[below(10)];
+      if (kind == 3) text_ += below(2) == 0 ? " *p" : " *q";
+      if (kind > 5) text_ += below(2) == 0 ? " &p" : " &q";
+      text_ += below(4) == 0 ? "   # *p &q\n" : "\n";
+      if (kind > 4 && depth < kDeepest) dictionary(indentation + 1 + below(3), depth + 1);
+    }
+  }
+
+  std::minstd_rand random_;
+  std::string text_;
+};
+
+TEST(XacroPlainYaml, ReadsGeneratedFilesAsYamlCppDoes) {
+  const std::string use = robot(
+      "<xacro:property name=\"cfg\" value=\"${xacro.load_yaml('y.yaml')}\"/>\n"
+      "<v all=\"${[(k, cfg[k]) for k in cfg if k != 'last']}\"/>"
+      "<v a=\"${cfg.get('a')}\" b=\"${cfg.a.b}\" c=\"${cfg.b.a}\" d=\"${cfg['c']['a']}\"/>");
+  const auto shown = [&use](const std::string& yaml) {
+    const Expanded made(use, {{"y.yaml", yaml}});
+    std::string text = made.text();
+    for (const xacro::Node* node = made.expansion.root->first_element(); node != nullptr;
+         node = node->next_element()) {
+      for (const xacro::NodeAttribute& attribute : node->attributes)
+        text +=
+            ' ' + std::to_string(attribute.from.begin) + '-' + std::to_string(attribute.from.end);
+    }
+    return text;
+  };
+  YamlWriter writer(23);
+  std::size_t plain = 0;
+  for (int i = 0; i < 2'000; ++i) {
+    const std::string yaml = writer.file();
+    if (!xacro::read_plain_yaml(yaml)) continue;
+    ++plain;
+    EXPECT_EQ(shown(yaml), shown(yaml + "last: [1]\n")) << yaml;
+  }
+  EXPECT_GT(plain, 100U);
 }
 
 TEST(XacroPlainYaml, LeavesTheRestToYamlCpp) {
