@@ -210,6 +210,31 @@ TEST_F(XacroProgram, OfAFolderTemplatesThatLackAPackageAreCheckedAsFarAsTheyGo) 
   EXPECT_EQ(report["summary"]["not_looked_at"], 0);
 }
 
+TEST_F(XacroProgram, FixesOfAFolderAreWrittenIntoWhatItsRobotsInclude) {
+  const std::string xmlns = " xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n";
+  const auto wheel = [&xmlns](const std::string& axis) {
+    return "<robot" + xmlns +
+           "  <xacro:macro name=\"wheel\" params=\"side\">\n"
+           "    <link name=\"${side}_wheel\"/>\n"
+           "    <joint name=\"${side}_axle\" type=\"continuous\">\n"
+           "      <parent link=\"base\"/><child link=\"${side}_wheel\"/><axis xyz=\"" +
+           axis + "\"/>\n    </joint>\n  </xacro:macro>\n</robot>\n";
+  };
+  for (const std::string name : {"cart", "truck"}) {
+    folder_.put(name + ".urdf.xacro", "<robot name=\"" + name + '"' + xmlns +
+                                          "  <xacro:include filename=\"parts/wheel.xacro\"/>\n"
+                                          "  <link name=\"base\"/>\n"
+                                          "  <xacro:wheel side=\"left\"/>\n</robot>\n");
+  }
+  folder_.put("parts/wheel.xacro", wheel("0 2 0"));
+  validate("--fix cart.urdf.xacro");
+  EXPECT_EQ(folder_.get("parts/wheel.xacro"), wheel("0 2 0")) << "others may include it";
+  const Ran ran = validate("--fix .");
+  EXPECT_EQ(folder_.get("parts/wheel.xacro"), wheel("0 1 0")) << ran.err;
+  EXPECT_NE(ran.err.find("fixed 1 finding (1 axis-not-unit) in 1 file"), std::string::npos)
+      << ran.err;
+}
+
 TEST_F(XacroProgram, ANamedFileOfMacrosIsNoRobotWithoutLinks) {
   folder_.put("leg.xacro",
               "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n"
