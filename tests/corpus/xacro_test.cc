@@ -207,12 +207,12 @@ TEST(CorpusXacro, FixesChangeNothingElseInAnyExpansion) {
   if (corpus.rows.empty()) GTEST_SKIP() << "there is no corpus-xacro beside the corpus";
   const auto& [root, rows, packages] = corpus;
   const RealDisk real;
-  constexpr std::size_t kMostRobots = 45;
+  constexpr std::size_t kMaxRobots = 45;
   std::size_t fixed = 0;
   std::set<std::string> done;
   for (const XacroJson& row : rows) {
     const std::string path = row["path"];
-    if (fixed == kMostRobots) break;
+    if (fixed == kMaxRobots) break;
     if (row["rc"] != 0 || row["links"] == 0 || !row["args"].empty() || !done.insert(path).second)
       continue;
     const std::string file = root + '/' + path;

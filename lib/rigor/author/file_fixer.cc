@@ -30,7 +30,7 @@ FileFixer::FileFixer(const Environment& environment, const rules::ValidateOption
                      File file, Applicability most)
     : environment_(environment),
       options_(options),
-      most_(most),
+      max_(most),
       robots_(std::move(file.robots)),
       patched_(std::move(file.bytes)) {
   fixed_.path = std::move(file.path);
@@ -38,7 +38,7 @@ FileFixer::FileFixer(const Environment& environment, const rules::ValidateOption
 }
 
 FixedFile FileFixer::run(SourceId source) {
-  for (int pass = 0; pass < kMostFixPasses; ++pass) {
+  for (int pass = 0; pass < kMaxFixPasses; ++pass) {
     const Candidates candidates = find_candidates();
     if (candidates.empty() || !advance(candidates)) return finished(source);
   }
@@ -70,7 +70,7 @@ FileFixer::Candidates FileFixer::find_candidates() const {
 }
 
 bool FileFixer::may_fix(const CheckedText& text, const Diagnostic& finding) const {
-  if (!has_fix(finding, most_)) return false;
+  if (!has_fix(finding, max_)) return false;
   const std::vector<Edit>& edits = finding.fixes.front().edits;
   const auto inside = [&text](const Edit& edit) {
     return text.own(edit.span) && edit.span.begin <= edit.span.end &&
@@ -131,8 +131,8 @@ FileFixer::Trial FileFixer::attempt(const Candidates& candidates, const Indices&
   Trial trial{PatchedText(state_->bytes()), nullptr};
   trial.refused = HeldBack::kDoesNotHelp;
   if (!trial.patched.apply(edits.list())) return trial;
-  for (int step = 0; step < kMostFixPasses; ++step) {
-    if (trials_ == kMostFixTrials) {
+  for (int step = 0; step < kMaxFixPasses; ++step) {
+    if (trials_ == kMaxFixTrials) {
       fixed_.settled = false;
       trial.refused = HeldBack::kNotTried;
       return trial;
@@ -147,7 +147,7 @@ FileFixer::Trial FileFixer::attempt(const Candidates& candidates, const Indices&
 }
 
 /// When all that is found and was not before has fixes, does them: a renamed
-/// element may hold others that have to be renamed, and that nobody looked at.
+/// element may hold others that have to be renamed, and that nobody examined.
 /// False when nothing was done.
 bool FileFixer::fix_uncovered(Trial& trial) const {
   EditSet edits;

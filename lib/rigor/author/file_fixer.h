@@ -82,7 +82,7 @@ class FileFixer {
 
   const Environment& environment_;
   const rules::ValidateOptions& options_;
-  Applicability most_;
+  Applicability max_;
   std::vector<std::string> robots_;
   FixedFile fixed_;
   PatchedText patched_;

@@ -36,12 +36,12 @@ namespace rigor::author {
 
 /// Rounds of fixes in a file. One round uncovers what the next can fix: a
 /// renamed element its children.
-inline constexpr int kMostFixPasses = 10;
+inline constexpr int kMaxFixPasses = 10;
 
 /// Times a file is checked while its fixes are tried. Of a round that makes
 /// something worse, halves are tried, and halves of those: one bad fix among a
 /// thousand takes twenty.
-inline constexpr int kMostFixTrials = 100;
+inline constexpr int kMaxFixTrials = 100;
 
 /// Why a fix was not kept.
 enum class HeldBack : std::uint8_t {

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Checks files: reads each, runs the rules over it, and says what was and what was not looked at.
+// Checks files: reads each, runs the rules over it, and says what was and what was not examined.
 //
 //   ValidateResult result = validate(environment, {.paths = {"my_robot"}}, sources);
 //   std::fputs(report::concise(result.diagnostics, sources).c_str(), stdout);
@@ -36,11 +36,11 @@ struct Selection {
   std::vector<std::string> ignore;
   std::vector<std::pair<std::string, Severity>> severity;  ///< overrides, by rule or category
   Targets targets;                                         ///< consumers whose rules run as well
-  /// Whose judgement decides what is an error; an override in `severity` goes before it.
+  /// Whose judgment decides what is an error; an override in `severity` goes before it.
   Compat compat = Compat::kNone;
   /// Findings of one rule in one file that are listed; one more says how many were counted only.
   /// Nobody reads a thousand, and a hostile file turns each of its elements into one.
-  std::size_t most_listed = 1000;
+  std::size_t max_listed = 1000;
 
   bool operator==(const Selection&) const = default;
 };

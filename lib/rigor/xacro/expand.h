@@ -45,7 +45,7 @@ struct World {
   std::function<std::optional<std::string>(std::string_view name)> variable = {};
   /// Where a file lies that is not where a path says: in a source tree, what installation moves.
   std::function<std::optional<std::string>(const std::string& missing)> locate = {};
-  /// Whether a file is in a place that nobody named: none of the packages, not the robot's own tree. It is
+  /// Whether a file is in a place that no argument names: none of the packages, not the robot's own tree. It is
   /// read all the same, and reported. No function, no such place.
   std::function<bool(const std::string& path)> outside = {};
   /// What `$(cwd)` is; absolute. Files below it are shown by their paths from there.

@@ -143,7 +143,7 @@ void Expander::bind_attributes(const Node& node, const Macro& macro, Names names
       Fact& told = result_.facts.back();
       if (told.kind == FactKind::kUnknownParameter && told.where == attribute.where.span)
         told.near = parameter_near(attribute.name, macro);
-      // The body may use it: that it has no such parameter is told here.
+      // The body may use it: that it has no such parameter is reported here.
       Binding& lost = scope.own()[symbols_.of(attribute.name)];
       lost.value = Value::error();
       lost.place = attribute.where;

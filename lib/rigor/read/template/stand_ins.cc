@@ -103,9 +103,9 @@ std::optional<TemplateArguments> stand_ins(
   ArgumentPlan plan;
   plan.sets.emplace_back();
   plan = all_arguments(expansion, sources, disk, std::move(plan));
-  plan.sets.resize(std::min(plan.sets.size(), kMostStandIns));
+  plan.sets.resize(std::min(plan.sets.size(), kMaxStandIns));
   std::vector<TemplateArguments> siblings = sibling_arguments(expansion, sources, others);
-  siblings.resize(std::min(siblings.size(), kMostStandIns));
+  siblings.resize(std::min(siblings.size(), kMaxStandIns));
   plan.sets.insert(plan.sets.end(), siblings.begin(), siblings.end());
   for (std::size_t i = 0; i < plan.sets.size(); ++i) {
     std::map<std::string, std::string> values = lacking;

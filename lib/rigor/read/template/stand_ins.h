@@ -20,7 +20,7 @@
 namespace rigor::read {
 
 /// Sets of arguments that are tried, of each kind.
-inline constexpr std::size_t kMostStandIns = 12;
+inline constexpr std::size_t kMaxStandIns = 12;
 
 /// Whether an argument was used that has no value.
 bool lacks_argument(const xacro::Expansion& expansion);
