@@ -120,6 +120,41 @@ TEST_F(XacroProgram, ArgumentsUsedBeforeTheirDefaultHaveStandIns) {
   EXPECT_NE(ran.err.find("1 file checked"), std::string::npos) << ran.err;
 }
 
+TEST_F(XacroProgram, AGeneralTemplateTakesWhatARobotBesideItGivesToItsMacro) {
+  const std::string xmlns = " xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n";
+  folder_.put("config/small.yaml", "mass: 1\n");
+  folder_.put(
+      "arm_macro.xacro",
+      "<robot" + xmlns +
+          "  <xacro:macro name=\"arm\" params=\"parameters_file\">\n"
+          "    <xacro:property name=\"cfg\" value=\"${xacro.load_yaml(parameters_file)}\"/>\n"
+          "    <link name=\"arm\"><inertial><mass value=\"${cfg['mass']}\"/></inertial></link>\n"
+          "  </xacro:macro>\n</robot>\n");
+  folder_.put("small.urdf.xacro", "<robot name=\"small\"" + xmlns +
+                                      "  <xacro:include filename=\"arm_macro.xacro\"/>\n"
+                                      "  <xacro:arm parameters_file=\"config/small.yaml\"/>\n"
+                                      "</robot>\n");
+  folder_.put("general.urdf.xacro",
+              "<robot name=\"$(arg model)_robot\"" + xmlns +
+                  "  <xacro:include filename=\"arm_macro.xacro\"/>\n"
+                  "  <xacro:arg name=\"parameters\" default=\"\"/>\n"
+                  "  <xacro:arm parameters_file=\"$(arg parameters)\"/>\n"
+                  "  <link name=\"tool\"><inertial><mass value=\"-1\"/></inertial></link>\n"
+                  "</robot>\n");
+  const Ran ran = validate(".");
+  EXPECT_NE(ran.out.find("general.urdf.xacro:5:"), std::string::npos) << ran.out << ran.err;
+  EXPECT_NE(ran.out.find("found with model:=model parameters:=config/small.yaml"),
+            std::string::npos)
+      << ran.out;
+  EXPECT_NE(ran.err.find("3 files checked"), std::string::npos) << ran.err;
+  // What is part of a path cannot be made up.
+  folder_.put("general.urdf.xacro", "<robot name=\"r\"" + xmlns +
+                                        "  <link name=\"$(arg model)\"><visual><geometry>"
+                                        "<mesh filename=\"meshes/$(arg model).stl\"/>"
+                                        "</geometry></visual></link>\n</robot>\n");
+  EXPECT_NE(validate(".").err.find("argument 'model' has no default"), std::string::npos);
+}
+
 TEST_F(XacroProgram, OfAFolderRobotsAreCheckedAndTheirPartsThroughThem) {
   folder_.put("parts/hand.xacro",
               "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n"
@@ -158,7 +193,8 @@ TEST_F(XacroProgram, OfAFolderTemplatesThatLackAPackageAreCheckedAsFarAsTheyGo) 
                                      "  <link name=\"${a}\"/>\n</robot>\n");
   folder_.put("axle.xacro", "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n" + lacks +
                                 "  <xacro:wheel/>\n</robot>\n");
-  folder_.put("long.urdf.xacro", root + lacks + "  <xacro:wheel/>\n</robot>\n");
+  folder_.put("long.urdf.xacro",
+              root + lacks + "  <xacro:wheel/>\n  <link name=\"$(arg of_wheel)\"/>\n</robot>\n");
   const auto report = findings(".");
   std::map<std::string, std::size_t> times;
   for (const auto& found : report["diagnostics"]) ++times[found["rule"].get<std::string>()];
@@ -172,6 +208,31 @@ TEST_F(XacroProgram, OfAFolderTemplatesThatLackAPackageAreCheckedAsFarAsTheyGo) 
   EXPECT_EQ(found["places"].size(), 1U) << found;
   EXPECT_NE(found["help"].get<std::string>().find("--package no_such=DIR"), std::string::npos);
   EXPECT_EQ(report["summary"]["not_looked_at"], 0);
+}
+
+TEST_F(XacroProgram, FixesOfAFolderAreWrittenIntoWhatItsRobotsInclude) {
+  const std::string xmlns = " xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n";
+  const auto wheel = [&xmlns](const std::string& axis) {
+    return "<robot" + xmlns +
+           "  <xacro:macro name=\"wheel\" params=\"side\">\n"
+           "    <link name=\"${side}_wheel\"/>\n"
+           "    <joint name=\"${side}_axle\" type=\"continuous\">\n"
+           "      <parent link=\"base\"/><child link=\"${side}_wheel\"/><axis xyz=\"" +
+           axis + "\"/>\n    </joint>\n  </xacro:macro>\n</robot>\n";
+  };
+  for (const std::string name : {"cart", "truck"}) {
+    folder_.put(name + ".urdf.xacro", "<robot name=\"" + name + '"' + xmlns +
+                                          "  <xacro:include filename=\"parts/wheel.xacro\"/>\n"
+                                          "  <link name=\"base\"/>\n"
+                                          "  <xacro:wheel side=\"left\"/>\n</robot>\n");
+  }
+  folder_.put("parts/wheel.xacro", wheel("0 2 0"));
+  validate("--fix cart.urdf.xacro");
+  EXPECT_EQ(folder_.get("parts/wheel.xacro"), wheel("0 2 0")) << "others may include it";
+  const Ran ran = validate("--fix .");
+  EXPECT_EQ(folder_.get("parts/wheel.xacro"), wheel("0 1 0")) << ran.err;
+  EXPECT_NE(ran.err.find("fixed 1 finding (1 axis-not-unit) in 1 file"), std::string::npos)
+      << ran.err;
 }
 
 TEST_F(XacroProgram, ANamedFileOfMacrosIsNoRobotWithoutLinks) {

@@ -257,5 +257,75 @@ TEST(CorpusXacro, FixesChangeNothingElseInAnyExpansion) {
   std::printf("%zu templates fixed\n", fixed);
 }
 
+/// An axis that an included file writes as one of the unit vectors: of the first movable joint of a robot
+/// that has such a one.
+std::optional<Span> included_axis(const xacro::Expansion& expansion, const Sources& sources) {
+  const SourceId own = expansion.files.front().source;
+  for (const xacro::Node* joint = expansion.root->first_element(); joint != nullptr;
+       joint = joint->next_element()) {
+    const xacro::NodeAttribute* type = joint->attribute("type");
+    if (joint->name != "joint" || type == nullptr || type->value == "fixed") continue;
+    for (const xacro::Node* child = joint->first_element(); child != nullptr;
+         child = child->next_element()) {
+      const xacro::NodeAttribute* xyz = child->attribute("xyz");
+      if (child->name != "axis" || xyz == nullptr || !xyz->where.verbatim) continue;
+      const Span where = xyz->where.span;
+      const std::string_view written = sources.bytes(where);
+      const bool is_unit = written == "1 0 0" || written == "0 1 0" || written == "0 0 1";
+      if (is_unit && where.source != own) return where;
+    }
+  }
+  return std::nullopt;
+}
+
+/// In files that robots include an axis becomes twice as long. `--fix` of the folder gives the file's former
+/// bytes back, and leaves all others alone.
+TEST(CorpusXacro, FixesOfIncludedFilesGiveTheirBytesBack) {
+  RIGOR_NEEDS_CORPUS();
+  const XacroCorpus corpus;
+  if (corpus.rows.empty()) GTEST_SKIP() << "there is no corpus-xacro beside the corpus";
+  const auto& [root, rows, packages] = corpus;
+  const RealDisk real;
+  std::set<std::string> done;
+  for (const XacroJson& row : rows) {
+    const std::string path = row["path"];
+    const std::string repository = path.substr(0, path.find('/'));
+    if (row["rc"] != 0 || row["links"] == 0 || !row["args"].empty() || done.contains(repository))
+      continue;
+    Sources sources;
+    const xacro::Expansion made =
+        expansion_of(root + '/' + path, repository, packages, real, sources);
+    const auto axis = made.ok() ? included_axis(made, sources) : std::nullopt;
+    if (!axis) continue;
+    // What another repository holds is not among the files that are named.
+    const std::string included = normalize_path(sources.path(axis->source));
+    if (!included.starts_with(root + '/' + repository + '/')) continue;
+    done.insert(repository);
+    const std::string before(sources.bytes(axis->source));
+    std::string planted = before;
+    planted[planted.find('1', axis->begin)] = '2';
+
+    const DiskWithOneFix disk(included, planted);
+    read::SearchPaths paths;
+    if (const auto own = packages.find(repository); own != packages.end())
+      paths.packages = own->second;
+    for (const auto& [other, folders] : packages)
+      paths.packages.insert(folders.begin(), folders.end());
+    const Environment environment(disk, paths);
+    const rules::ValidateOptions options{.paths = {root + '/' + repository},
+                                         .selection = {.select = {"axis-not-unit"}},
+                                         .meshes = rules::MeshPolicy::kDoNotOpen};
+    Sources found_in;
+    const rules::ValidateResult result = rules::validate(environment, options, found_in);
+    const auto fixes =
+        author::fix_files(environment, options, result, found_in, Applicability::kSafe);
+    ASSERT_EQ(fixes.size(), 1U) << included << " of " << path;
+    EXPECT_EQ(normalize_path(fixes.front().path), included);
+    EXPECT_EQ(fixes.front().after, before) << included;
+  }
+  EXPECT_GE(done.size(), 8U);
+  std::printf("%zu included files fixed\n", done.size());
+}
+
 }  // namespace
 }  // namespace rigor

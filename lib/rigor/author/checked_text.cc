@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <rigor/author/patched_text.h>
+#include <rigor/text/path.h>
 #include <rigor/xml/document.h>
 
 namespace rigor::author {
@@ -128,12 +129,18 @@ class Pairing {
 }  // namespace
 
 CheckedText::CheckedText(const Environment& environment, const rules::ValidateOptions& options,
-                         std::string path, std::string bytes)
-    : path_(std::move(path)), bytes_(std::move(bytes)) {
+                         std::string path, std::string bytes, std::vector<std::string> robots)
+    : path_(std::move(path)),
+      working_folder_(environment.resolver.paths().templates.working_folder),
+      bytes_(std::move(bytes)) {
   rules::ValidateOptions check = options;
-  check.paths.clear();
   check.shard = {};
-  check.buffer = {path_, bytes_};
+  if (robots.empty()) {
+    check.buffer = {path_, bytes_};
+  } else {
+    check.included.push_back({path_, bytes_});
+  }
+  check.paths = std::move(robots);
   result_ = rules::validate(environment, check, sources_);
   for (const Diagnostic& finding : findings()) {
     count_ += finding.count;
@@ -152,7 +159,9 @@ CheckedText::CheckedText(const Environment& environment, const rules::ValidateOp
 }
 
 bool CheckedText::own(Span span) const {
-  return !span.nowhere() && sources_.path(span.source) == path_;
+  if (span.nowhere()) return false;
+  const std::string_view path = sources_.path(span.source);
+  return path == path_ || join_path(working_folder_, path) == join_path(working_folder_, path_);
 }
 
 bool CheckedText::all_listed(const Diagnostic& finding) const {

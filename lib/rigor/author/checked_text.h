@@ -31,9 +31,10 @@ namespace rigor::author {
 class CheckedText {
  public:
   /// Checks `bytes` as what the file at `path` holds. Of the options, those
-  /// that say what is looked for.
+  /// that say what is looked for. With robots, these are what is checked:
+  /// templates that read the file.
   CheckedText(const Environment& environment, const rules::ValidateOptions& options,
-              std::string path, std::string bytes);
+              std::string path, std::string bytes, std::vector<std::string> robots = {});
   CheckedText(const CheckedText&) = delete;
   CheckedText& operator=(const CheckedText&) = delete;
 
@@ -53,6 +54,7 @@ class CheckedText {
 
  private:
   std::string path_;
+  std::string working_folder_;  // where relative paths begin, of templates
   std::string bytes_;
   Sources sources_;
   rules::ValidateResult result_;

@@ -27,9 +27,13 @@ HeldBackFix held_back_fix(const Diagnostic& finding, HeldBack why) {
 }  // namespace
 
 FileFixer::FileFixer(const Environment& environment, const rules::ValidateOptions& options,
-                     std::string path, std::string bytes, Applicability most)
-    : environment_(environment), options_(options), max_(most), patched_(std::move(bytes)) {
-  fixed_.path = std::move(path);
+                     File file, Applicability most)
+    : environment_(environment),
+      options_(options),
+      max_(most),
+      robots_(std::move(file.robots)),
+      patched_(std::move(file.bytes)) {
+  fixed_.path = std::move(file.path);
   state_ = checked(patched_.original());
 }
 
@@ -43,7 +47,8 @@ FixedFile FileFixer::run(SourceId source) {
 }
 
 std::unique_ptr<CheckedText> FileFixer::checked(std::string bytes) const {
-  return std::make_unique<CheckedText>(environment_, options_, fixed_.path, std::move(bytes));
+  return std::make_unique<CheckedText>(environment_, options_, fixed_.path, std::move(bytes),
+                                       robots_);
 }
 
 /// In the order of their findings; those that are the same are one.

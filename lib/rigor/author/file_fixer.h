@@ -3,7 +3,7 @@
 //
 // The fixes of one file, tried and kept or undone (fix.h says what is kept).
 //
-//   FixedFile fixed = FileFixer(environment, options, path, bytes,
+//   FixedFile fixed = FileFixer(environment, options, {path, bytes},
 //   Applicability::kSafe).run(source);
 
 #pragma once
@@ -28,9 +28,17 @@ namespace rigor::author {
 
 class FileFixer {
  public:
+  struct File {
+    std::string path;
+    std::string bytes;
+    /// Templates that read it: its fixes are tried over all of them, and not over
+    /// the file by itself.
+    std::vector<std::string> robots = {};
+  };
+
   /// The environment and the options outlive it.
-  FileFixer(const Environment& environment, const rules::ValidateOptions& options, std::string path,
-            std::string bytes, Applicability most);
+  FileFixer(const Environment& environment, const rules::ValidateOptions& options, File file,
+            Applicability most);
 
   /// Once. `source` is what the spans of its edits name.
   FixedFile run(SourceId source);
@@ -75,6 +83,7 @@ class FileFixer {
   const Environment& environment_;
   const rules::ValidateOptions& options_;
   Applicability max_;
+  std::vector<std::string> robots_;
   FixedFile fixed_;
   PatchedText patched_;
   std::unique_ptr<CheckedText> state_;  // of `patched_.text()`

@@ -3,28 +3,66 @@
 
 #include <rigor/author/fix.h>
 
+#include <algorithm>
+#include <map>
 #include <optional>
 
 #include <rigor/author/file_fixer.h>
 #include <rigor/mass/mesh/facts.h>
 #include <rigor/mass/mesh/survey.h>
+#include <rigor/read/template/template_expander.h>
 #include <rigor/read/workspace.h>
+#include <rigor/text/path.h>
 
 namespace rigor::author {
 namespace {
 
-/// The file's own source: that of a fix of it.
-std::optional<SourceId> fixable_source(const rules::FileSummary& file,
-                                       const rules::ValidateResult& result, const Sources& sources,
-                                       Applicability most) {
-  for (std::size_t i = file.first_finding; i < file.end_finding; ++i) {
-    const Diagnostic& finding = result.diagnostics.list()[i];
-    if (!has_fix(finding, most)) continue;
-    const Span where = finding.fixes.front().edits.front().span;
-    if (!where.nowhere() && sources.path(where.source) == file.path) return where.source;
+/// Of each file that has fixes the source that they name, by its path; of a template and what it includes,
+/// by the path from the working folder.
+class FixableSources {
+ public:
+  FixableSources(const Environment& environment, const rules::ValidateResult& result,
+                 const Sources& sources, Applicability most)
+      : working_folder_(environment.resolver.paths().templates.working_folder) {
+    for (const rules::FileSummary& file : result.files) {
+      for (std::size_t i = file.first_finding; i < file.end_finding; ++i) {
+        const Diagnostic& finding = result.diagnostics.list()[i];
+        if (!has_fix(finding, most)) continue;
+        const Span where = finding.fixes.front().edits.front().span;
+        if (where.nowhere()) continue;
+        const std::string_view path = sources.path(where.source);
+        const bool is_own = path == file.path;
+        if (is_own || !file.reads.empty()) known_.try_emplace(seen_from_here(path), where.source);
+      }
+    }
   }
-  return std::nullopt;
-}
+
+  std::optional<SourceId> of(const rules::FileSummary& file) const {
+    const auto found = known_.find(seen_from_here(file.path));
+    return found == known_.end() ? std::nullopt : std::optional(found->second);
+  }
+
+  /// The templates that read a file; none when it is itself the only one.
+  std::vector<std::string> robots_of(const rules::FileSummary& file,
+                                     const rules::ValidateResult& result) const {
+    const std::string path = seen_from_here(file.path);
+    std::vector<std::string> robots;
+    for (const rules::FileSummary& robot : result.files) {
+      if (std::binary_search(robot.reads.begin(), robot.reads.end(), path))
+        robots.push_back(robot.path);
+    }
+    if (robots.size() == 1 && robots.front() == file.path) robots.clear();
+    return robots;
+  }
+
+ private:
+  std::string seen_from_here(std::string_view path) const {
+    return join_path(working_folder_, path);
+  }
+
+  std::string working_folder_;
+  std::map<std::string, SourceId> known_;
+};
 
 /// Whether the bytes that were checked are the file's own: not made of a
 /// template, nor written since.
@@ -47,13 +85,18 @@ std::vector<FixedFile> fix_files(const Environment& environment,
   if (recheck.known.surveys == nullptr) recheck.known.surveys = &surveys;
   if (recheck.known.files == nullptr) recheck.known.files = &mesh_files;
   std::vector<FixedFile> fixed;
+  const FixableSources fixable(environment, result, sources, most);
   for (const rules::FileSummary& file : result.files) {
-    const auto source = fixable_source(file, result, sources, most);
+    const auto source = fixable.of(file);
     if (!source) continue;
     const std::string bytes(sources.bytes(*source));
     if (!stands_on_disk(environment, options, file.path, bytes)) continue;
-    FileFixer fixer(environment, recheck, file.path, bytes, most);
+    FileFixer fixer(environment, recheck, {file.path, bytes, fixable.robots_of(file, result)},
+                    most);
     fixed.push_back(fixer.run(*source));
+    // Robots that share it are fixed with what it holds then.
+    if (fixed.back().changed() && read::is_template(file.path))
+      recheck.included.push_back({file.path, fixed.back().after});
   }
   return fixed;
 }

@@ -6,7 +6,8 @@
 // kept only if what it fixes is gone and nothing as severe is found that was not
 // there before; else it is undone. What is less severe may come, and is reported:
 // of a mesh that was not found, nobody knew that it has a hole. A file that ends to
-// be XML somewhere is left alone, but for fixes of just that.
+// be XML somewhere is left alone, but for fixes of just that. Those of a file that
+// templates include are tried over all of these that were checked.
 //
 //   Sources sources;
 //   ValidateResult result = validate(environment, options, sources);

@@ -44,6 +44,10 @@ const File& Workspace::put(const std::string& path, std::string bytes) {
   return keep(path, parsed(path, {std::move(bytes), {}}));
 }
 
+void Workspace::put_included(const std::string& path, std::string bytes) {
+  if (expander_) expander_->replace(path, std::move(bytes));
+}
+
 const Resolution& Workspace::resolve(const Resolver& resolver, const std::string& uri,
                                      const std::string& from) {
   std::pair key(from, uri);

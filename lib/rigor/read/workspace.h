@@ -61,6 +61,9 @@ class Workspace {
   /// Takes `bytes` as what the file at `path` holds; a template is expanded.
   const File& put(const std::string& path, std::string bytes);
 
+  /// Takes `bytes` as what the file at `path` holds wherever a template reads it. Before any is opened.
+  void put_included(const std::string& path, std::string bytes);
+
   /// Where a URI that stands in the file `from` leads. Looked up once, however often it is included.
   const Resolution& resolve(const Resolver& resolver, const std::string& uri,
                             const std::string& from);

@@ -105,6 +105,8 @@ class Run {
   /// All that the options mean, those of other shards too; what is left out is numbered behind them.
   std::vector<std::string> find_files() {
     std::vector<std::string> paths;
+    for (const auto& included : options_.included)
+      workspace_.put_included(included.path, included.bytes);
     if (options_.buffer) {
       workspace_.put(options_.buffer->path, options_.buffer->bytes);
       paths.push_back(options_.buffer->path);
@@ -125,16 +127,29 @@ class Run {
     return paths;
   }
 
+  /// Expansions of templates other than the one at a path.
+  std::vector<const xacro::Expansion*> others_than(const std::string& path,
+                                                   const std::vector<std::string>& templates) {
+    std::vector<const xacro::Expansion*> others;
+    for (const std::string& other : templates) {
+      const read::File& file = workspace_.open(other);
+      if (other != path && file.expanded) others.push_back(&file.expanded->expansion());
+    }
+    return others;
+  }
+
   /// By numbers that no set has which is checked.
-  std::optional<read::TemplateArguments> stand_ins(const std::string& path) {
+  std::optional<read::TemplateArguments> stand_ins(const std::string& path,
+                                                   const std::vector<std::string>& templates) {
     const read::File& file = workspace_.open(path);
-    if (!file.expanded) return std::nullopt;
-    return read::stand_ins(file.expanded->expansion(), sources_, environment_.disk,
-                           [&](std::size_t number, const read::TemplateArguments& arguments) {
-                             const read::File& robot = workspace_.open(
-                                 path, read::kMaxArgumentSets + 2 + number, with_given(arguments));
-                             return robot.expanded && robot.expanded->ok() && makes_robot(robot);
-                           });
+    if (!file.expanded || !read::lacks_argument(file.expanded->expansion())) return std::nullopt;
+    return read::stand_ins(
+        file.expanded->expansion(), others_than(path, templates), sources_, environment_.disk,
+        [&](std::size_t number, const read::TemplateArguments& arguments) {
+          const read::File& robot =
+              workspace_.open(path, read::kMaxArgumentSets + 2 + number, with_given(arguments));
+          return robot.expanded && robot.expanded->ok() && makes_robot(robot);
+        });
   }
 
   /// Behind those that are given to all templates.
@@ -163,7 +178,7 @@ class Run {
     }
     for (const std::string& path : templates) {
       if (!arguments_[path].empty()) continue;
-      std::optional<read::TemplateArguments> arguments = stand_ins(path);
+      std::optional<read::TemplateArguments> arguments = stand_ins(path, templates);
       if (!arguments) continue;
       stand_ins_.emplace(path, *std::move(arguments));
       named.insert(path);
@@ -207,7 +222,12 @@ class Run {
   /// The files of this shard and whatever they include, a generation of includes at a time. What a file
   /// says of those that it includes is left to `keep`: then all are checked, so it depends on no order.
   void check_all(const std::vector<std::string>& paths) {
-    for (const std::string& path : paths) named_.insert(normalize_path(path));
+    for (const std::string& path : paths) {
+      named_.insert(normalize_path(path));
+      if (read::is_template(path)) templates_.insert(from_working_folder(path));
+    }
+    for (const auto& included : options_.included)
+      templates_.insert(from_working_folder(included.path));
     std::vector<std::pair<std::string, Checked*>> generation;
     const auto add = [&](const std::string& path) {
       const auto [entry, is_new] = checked_.try_emplace(normalize_path(path));
@@ -236,7 +256,7 @@ class Run {
       checked.diagnostics.take(errors_of_includes(path, checked));
       checked.diagnostics.take(errors_of_suppressions(path, checked));
     }
-    if (checked.is_template) drop_reported(checked.diagnostics);
+    if (checked.is_template) drop_reported(checked.diagnostics, from_working_folder(path));
     checked.diagnostics.sort();
     checked.summary.index = index;
     checked.summary.first_finding = result_.diagnostics.list().size();
@@ -245,19 +265,49 @@ class Run {
     result_.files.push_back(checked.summary);
   }
 
+  std::string from_working_folder(std::string_view path) const {
+    return join_path(environment_.resolver.paths().templates.working_folder, path);
+  }
+
+  /// Paths in it as they are seen from there.
+  std::string without_working_folder(std::string text) const {
+    const std::string& folder = environment_.resolver.paths().templates.working_folder;
+    if (folder.empty()) return text;
+    for (std::size_t at = text.find(":=" + folder + '/'); at != text.npos;
+         at = text.find(":=" + folder + '/', at + 1))
+      text.erase(at + 2, folder.size() + 1);
+    return text;
+  }
+
+  /// Only files of this run are fixed: nobody knows which robots use others. Of one shard, those of a file
+  /// that robots include are not known either.
+  void drop_foreign_fixes(Diagnostic& found, const std::string& own) const {
+    const auto is_foreign = [&](const Edit& edit) {
+      const std::string path = from_working_folder(sources_.path(edit.span.source));
+      return path != own && (options_.shard.of > 1 || !templates_.contains(path));
+    };
+    std::erase_if(found.fixes, [&](const Fix& fix) {
+      return std::any_of(fix.edits.begin(), fix.edits.end(), is_foreign);
+    });
+  }
+
   /// Robots share files of macros: what one showed there, the next need not repeat.
-  void drop_reported(Diagnostics& found) {
+  void drop_reported(Diagnostics& found, const std::string& own) {
     const auto is_new = [this](const Diagnostic& each) {
       const std::string path =
-          each.where.nowhere() ? each.path : std::string(sources_.path(each.where.source));
+          each.where.nowhere() ? each.path : from_working_folder(sources_.path(each.where.source));
       return reported_.insert({each.rule, path, each.where.begin, each.where.end, each.message})
           .second;
     };
     Diagnostics fresh;
-    for (const Diagnostic& each : found.list()) {
+    for (Diagnostic each : found.list()) {
       if (!is_new(each)) continue;
-      for (const Diagnostic& other : each.others) is_new(other);
-      fresh.add(each);
+      drop_foreign_fixes(each, own);
+      for (Diagnostic& other : each.others) {
+        is_new(other);
+        drop_foreign_fixes(other, own);
+      }
+      fresh.add(std::move(each));
     }
     found = std::move(fresh);
   }
@@ -332,6 +382,7 @@ class Run {
     TemplateFindings findings;
     TemplateSuppressions suppressions;
     TemplateBranches branches;
+    std::set<std::string> reads;  ///< files of all expansions, from the working folder
     SourceId source = kNoSource;  ///< of the template, as the first expansion read it
     bool is_whole = true;         ///< all expansions are models without errors
   };
@@ -360,10 +411,11 @@ class Run {
       check_expansion(first, {}, checked, run);
     for (std::size_t i = 0; i < plan.sets.size(); ++i) {
       const read::TemplateArguments arguments = with_given(plan.sets[i]);
-      const std::string shown = read::shown_arguments(plan.sets[i]);
+      const std::string shown = without_working_folder(read::shown_arguments(plan.sets[i]));
       check_expansion(workspace_.open(path, i + 1, arguments), shown, checked, run);
     }
     if (run.is_whole) check_coverage(path, takes_all, checked, run);
+    checked.summary.reads.assign(run.reads.begin(), run.reads.end());
     checked.diagnostics = run.findings.take();
     for (const Diagnostic& found : checked.diagnostics.list()) {
       if (found.severity == Severity::kError) ++checked.errors;
@@ -424,6 +476,8 @@ class Run {
     if (file.expanded) {
       const xacro::Expansion& expansion = file.expanded->expansion();
       run.branches.add(expansion);
+      for (const xacro::FileUse& use : expansion.files)
+        run.reads.insert(from_working_folder(use.path));
       if (run.source == kNoSource) run.source = expansion.files.front().source;
       found = run.suppressions.uncovered(std::move(found), expansion);
       run.suppressions.count_copies(all_of_model, of_model);
@@ -531,7 +585,8 @@ class Run {
   mass::MeshFiles mesh_files_;
   Meshes meshes_;
   std::optional<mass::MeshList> mesh_list_;
-  std::set<std::string> named_;  // normal paths, those of other shards too
+  std::set<std::string> named_;      // normal paths, those of other shards too
+  std::set<std::string> templates_;  // of those, from the working folder
   std::map<std::string, Checked> checked_;
   std::map<std::string, std::string> at_fault_;  // what `at_fault` gave
   std::map<std::string, std::string>

@@ -83,6 +83,9 @@ struct ValidateOptions {
     std::string bytes;
   };
   std::optional<Buffer> buffer;
+  /// Bytes that templates read instead of a file's, which is not checked by itself: what a fix would make of a
+  /// file that they include.
+  std::vector<Buffer> included;
 };
 
 /// One file that was checked, and what it holds.
@@ -101,6 +104,9 @@ struct FileSummary {
   std::size_t end_finding = 0;
   /// With `MeshListing::kListed`: the files of its shapes' meshes that are there, sorted by path.
   std::vector<mass::OpenedMesh> meshes = {};
+  /// Of a template: all files that its expansions read, itself among them, sorted; seen from the working
+  /// folder of the resolver's paths.
+  std::vector<std::string> reads = {};
 };
 
 /// Something that was met and not looked at, and why: "include of https://… needs the network".

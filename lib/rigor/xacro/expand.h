@@ -67,6 +67,15 @@ struct Frame {
   std::uint32_t parameter_count = 0;
 };
 
+/// A macro's parameter in a call, with its value: a text, a number as it prints, "…" for anything else.
+struct FrameParameter {
+  std::string_view name;
+  std::string_view value;
+};
+
+/// As a call shows it: 60 bytes at most.
+std::string shown_value(std::string_view value);
+
 /// Where the value is set of an expression in a text of several.
 struct PartOrigin {
   std::uint32_t begin = 0;  ///< of the expression in the text as it is written
@@ -108,10 +117,10 @@ struct Expansion {
   /// Holds the root and the comments around it; null when the file could not be read at all.
   const Node* document = nullptr;
   const Node* root = nullptr;
-  std::vector<Fact> facts;           ///< in the order they were found
-  std::uint32_t facts_left_out = 0;  ///< past the bound
-  std::vector<Frame> frames;         ///< the first is the file itself
-  std::vector<std::pair<std::string_view, std::string_view>> frame_parameters;  ///< with values
+  std::vector<Fact> facts;                       ///< in the order they were found
+  std::uint32_t facts_left_out = 0;              ///< past the bound
+  std::vector<Frame> frames;                     ///< the first is the file itself
+  std::vector<FrameParameter> frame_parameters;  ///< of all calls of macros
   std::vector<FileUse> files;  ///< all that was read, the file itself first, each once
 
   std::vector<Span>

@@ -13,9 +13,6 @@
 namespace rigor::xacro {
 namespace {
 
-/// Of a parameter's value that is shown with a call.
-constexpr std::size_t kShownValueBytes = 60;
-
 std::string parameter_near(std::string_view name, const Macro& macro) {
   std::vector<std::string_view> candidates;
   for (const MacroParameter& parameter : macro.parameters) candidates.push_back(parameter.name);
@@ -228,13 +225,11 @@ std::uint32_t Expander::push_call_frame(const Node& node, const Macro& macro, Sc
     std::string_view text = "…";
     if (v.is_text()) {
       text = v.as_text();
-      if (text.size() > kShownValueBytes)
-        text = heap_.keep(std::string(text.substr(0, kShownValueBytes)) + "…");
     } else if (v.is_number() || v.is(Type::kNone)) {
       if (const auto printed = evaluator_.text_of(v)) text = heap_.keep(*printed);
       evaluator_.take_failure();  // of a number with too many digits to show
     }
-    result_.frame_parameters.emplace_back(parameter.name, text);
+    result_.frame_parameters.push_back({parameter.name, text});
     ++frame.parameter_count;
   }
   return push_frame(std::move(frame));

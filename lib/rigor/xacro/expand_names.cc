@@ -256,6 +256,7 @@ void Expander::include_file(const Node& node, const std::string& path, bool opti
     if (optional) return;
     report(FactKind::kFileNotFound, place, shown_path(path), file.problem);
     incomplete_ = true;
+    lacks_files_ = true;
     return;
   }
   report_faults(file);

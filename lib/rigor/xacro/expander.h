@@ -212,7 +212,8 @@ class Expander final : public Host {
   std::uint32_t depth_ = 0;
   std::uint64_t nodes_made_ = 0;
   bool name_spaces_made_ = false;           // so scopes may be referred to after their calls
-  bool incomplete_ = false;                 // a file is missing, so names may be
+  bool incomplete_ = false;                 // something failed, so names may be missing
+  bool lacks_files_ = false;                // of those, a file or package that is not found
   bool stopped_ = false;                    // a bound was reached
   const Node* element_ = nullptr;           // whose attributes are being evaluated
   const Node* element_at_fault_ = nullptr;  // the one in which a type was wrong last

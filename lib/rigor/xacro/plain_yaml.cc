@@ -58,6 +58,15 @@ class PlainYamlReader {
     events_.push_back({Kind::kScalar, static_cast<std::uint32_t>(key), {}, name});
     if (++at < end && bytes_[at] != ' ') return false;
     at = std::min(bytes_.find_first_not_of(' ', at), end);
+    anchor_ = {};
+    if (at < end && bytes_[at] == '&') {
+      const std::size_t behind = behind_word(at + 1, end);
+      if (behind == at + 1 || (behind < end && bytes_[behind] != ' ')) return false;
+      anchor_ = {static_cast<std::uint32_t>(at), bytes_.substr(at + 1, behind - at - 1)};
+      at = std::min(bytes_.find_first_not_of(' ', behind), end);
+      if (at < end && bytes_[at] != '#') return false;
+    }
+    if (at < end && bytes_[at] == '*') return take_alias(at, end);
     if (at >= end || bytes_[at] == '#') {
       expects_map_ = true;
       return at >= end || take_comment(at, end);
@@ -65,17 +74,46 @@ class PlainYamlReader {
     return take_scalar(at, end);
   }
 
+  std::size_t behind_word(std::size_t at, std::size_t end) const {
+    while (at < end && is_yaml_word(bytes_[at])) ++at;
+    return at;
+  }
+
+  bool take_alias(std::size_t at, std::size_t end) {
+    const std::size_t behind = behind_word(at + 1, end);
+    const std::string_view name = bytes_.substr(at + 1, behind - at - 1);
+    // The last of a name counts.
+    const auto known = std::find(anchors_.rbegin(), anchors_.rend(), name);
+    if (known == anchors_.rend()) return false;
+    events_.push_back({Kind::kAlias,
+                       static_cast<std::uint32_t>(at),
+                       {},
+                       {},
+                       static_cast<std::uint32_t>(anchors_.rend() - known)});
+    const std::size_t rest = std::min(bytes_.find_first_not_of(' ', behind), end);
+    return rest >= end || (bytes_[rest] == '#' && rest > behind && take_comment(rest, end));
+  }
+
   /// Opens and closes dictionaries for a key at that indentation.
   bool take_level(std::size_t indentation, std::size_t at) {
     if (levels_.empty() || (expects_map_ && indentation > levels_.back())) {
       if (levels_.size() >= kMaxLevels) return false;
       levels_.push_back(indentation);
-      events_.push_back({Kind::kMapStart, static_cast<std::uint32_t>(at), {}, {}});
+      PlainYamlEvent event{Kind::kMapStart, static_cast<std::uint32_t>(at), {}, {}};
+      if (!anchor_.name.empty()) {
+        anchors_.push_back(anchor_.name);
+        event.offset = anchor_.offset;
+        event.anchor = static_cast<std::uint32_t>(anchors_.size());
+      }
+      events_.push_back(event);
       expects_map_ = false;
+      anchor_ = {};
       return true;
     }
-    // A key without a value, or the second line of a scalar.
-    if (expects_map_ || indentation > levels_.back()) return false;
+    // The second line of a scalar, or an anchor of nothing.
+    if (indentation > levels_.back() || !anchor_.name.empty()) return false;
+    if (expects_map_) events_.push_back({Kind::kNull, static_cast<std::uint32_t>(at), {}, {}});
+    expects_map_ = false;
     const auto level = std::find(levels_.begin(), levels_.end(), indentation);
     if (level == levels_.end()) return false;
     close_levels(static_cast<std::size_t>(level - levels_.begin()) + 1);
@@ -143,7 +181,13 @@ class PlainYamlReader {
   std::string_view bytes_;
   std::vector<PlainYamlEvent> events_;
   std::vector<std::size_t> levels_;  ///< indentations of the open dictionaries
-  bool expects_map_ = false;         ///< the last key has no value yet
+  struct Anchor {
+    std::uint32_t offset = 0;
+    std::string_view name = {};
+  };
+  Anchor anchor_;                          ///< of the dictionary that is expected
+  std::vector<std::string_view> anchors_;  ///< of those so far
+  bool expects_map_ = false;               ///< the last key has no value yet
   bool is_started_ = false;
 };
 

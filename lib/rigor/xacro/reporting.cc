@@ -36,6 +36,11 @@ std::span<const PartOrigin> PartOrigins::of(std::string_view text) const {
   return std::span(parts_).subspan(row->begin, row->count);
 }
 
+std::string shown_value(std::string_view value) {
+  constexpr std::size_t kShownBytes = 60;
+  return std::string(value.substr(0, kShownBytes)) + (value.size() > kShownBytes ? "…" : "");
+}
+
 bool Expansion::ok() const {
   return root != nullptr &&
          std::none_of(facts.begin(), facts.end(), [](const Fact& f) { return is_error(f.kind); });
@@ -48,7 +53,7 @@ std::vector<FactFrame> Expansion::stack_of(std::uint32_t frame) const {
     FactFrame shown{at.kind, at.where, std::string(at.name)};
     for (std::uint32_t i = 0; i < at.parameter_count; ++i) {
       const auto& [name, value] = frame_parameters[at.parameters + i];
-      shown.parameters.push_back({std::string(name), std::string(value)});
+      shown.parameters.push_back({std::string(name), shown_value(value)});
     }
     stack.push_back(std::move(shown));
   }

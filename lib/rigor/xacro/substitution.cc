@@ -122,6 +122,8 @@ std::optional<std::string> Expander::substitution_of(std::string_view command,
   const std::string name(words[0]);
   if (command == "arg") {
     if (const auto value = argument(name)) return std::string(*value);
+    // A file that is missing, which has been reported, may declare it.
+    if (lacks_files_) return std::nullopt;
     std::vector<std::string_view> candidates;
     for (const auto& [key, value] : arguments_) candidates.push_back(key);
     return refuse(FactKind::kUndefinedArgument, name, nearest_name(name, candidates));
@@ -131,6 +133,7 @@ std::optional<std::string> Expander::substitution_of(std::string_view command,
         world_.find_package ? world_.find_package(name, file_stack_.back()) : std::nullopt;
     if (!folder) {
       incomplete_ = true;
+      lacks_files_ = true;
       return refuse(FactKind::kPackageNotFound, name);
     }
     return folder;

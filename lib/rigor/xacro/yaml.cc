@@ -152,6 +152,9 @@ Value yaml_float(std::string_view text) {
     return Value::real(sign * HUGE_VAL);
   if (plain.size() > 1 && plain[0] == '.' && (plain[1] | 0x20) == 'n')
     return Value::real(std::nan(""));
+  // A stream costs more than the number.
+  if (plain.find(':') == std::string::npos)
+    return Value::real(sign * real_from_text(plain).value_or(0));
   double d = 0;
   std::istringstream parts(plain);
   for (std::string part; std::getline(parts, part, ':');)
@@ -189,13 +192,14 @@ class YamlBuilder final : public YAML::EventHandler {
     YAML::Mark mark;
     mark.pos = static_cast<int>(event.offset);
     switch (event.kind) {
-      case PlainYamlEvent::Kind::kMapStart:
-        return OnMapStart(mark, "?", YAML::NullAnchor, YAML::EmitterStyle::Block);
+      case PlainYamlEvent::Kind::kMapStart: return begin(mark, "?", event.anchor, true);
       case PlainYamlEvent::Kind::kMapEnd: return OnMapEnd();
+      case PlainYamlEvent::Kind::kNull: return OnNull(mark, YAML::NullAnchor);
+      case PlainYamlEvent::Kind::kAlias: return OnAlias(mark, event.anchor);
       case PlainYamlEvent::Kind::kScalar: break;
     }
-    const std::string tag(event.tag.empty() ? std::string_view("?") : event.tag);
-    OnScalar(mark, tag, YAML::NullAnchor, std::string(event.text));
+    take_scalar(mark, event.tag.empty() ? std::string_view("?") : event.tag, YAML::NullAnchor,
+                event.text);
   }
 
   void OnDocumentStart(const YAML::Mark&) override {}
@@ -211,10 +215,7 @@ class YamlBuilder final : public YAML::EventHandler {
   }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
-    const Span where = span_at(mark, value);
-    merge_key_ =
-        tag == "?" && value == "<<" && !open_.empty() && open_.back().map && !open_.back().key;
-    take(scalar(tag, value, where), where, anchor);
+    take_scalar(mark, tag, anchor, value);
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                        YAML::EmitterStyle::value) override {
@@ -251,10 +252,18 @@ class YamlBuilder final : public YAML::EventHandler {
     throw YamlRefusal{kind, where, std::move(detail)};
   }
 
-  void begin(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, bool map) {
+  void take_scalar(const YAML::Mark& mark, std::string_view tag, YAML::anchor_t anchor,
+                   std::string_view value) {
+    const Span where = span_at(mark, value);
+    merge_key_ =
+        tag == "?" && value == "<<" && !open_.empty() && open_.back().map && !open_.back().key;
+    take(scalar(tag, value, where), where, anchor);
+  }
+
+  void begin(const YAML::Mark& mark, std::string_view tag, YAML::anchor_t anchor, bool map) {
     const std::string_view standard = map ? "tag:yaml.org,2002:map" : "tag:yaml.org,2002:seq";
     if (!tag.empty() && tag != "?" && tag != "!" && tag != standard) {
-      refuse(FactKind::kOutsideLanguage, span_at(mark), "the YAML tag " + tag);
+      refuse(FactKind::kOutsideLanguage, span_at(mark), "the YAML tag " + std::string(tag));
     }
     const Value value = map ? heap_.dictionary() : heap_.list({});
     // Known before it is complete: a list may hold itself.
@@ -321,14 +330,14 @@ class YamlBuilder final : public YAML::EventHandler {
     }
   }
 
-  Value scalar(const std::string& tag, const std::string& text, Span where) {
+  Value scalar(std::string_view tag, std::string_view text, Span where) {
     if (tag == "?") return plain(text, where);
     if (tag == "!" || tag.empty()) return heap_.text(text);
     for (const YamlUnit& unit : kYamlUnits) {
       if (tag == unit.tag) return with_unit(unit, text, where);
     }
     if (tag.starts_with(kStandardTag)) {
-      const std::string_view type = std::string_view(tag).substr(kStandardTag.size());
+      const std::string_view type = tag.substr(kStandardTag.size());
       if (type == "str") return heap_.text(text);
       if (type == "null") return Value::none();
       if (type == "int" && is_yaml_integer(text)) return plain(text, where);
@@ -338,10 +347,10 @@ class YamlBuilder final : public YAML::EventHandler {
       }
       if (type == "bool") return plain(text, where);
     }
-    refuse(FactKind::kOutsideLanguage, where, "the YAML tag " + tag);
+    refuse(FactKind::kOutsideLanguage, where, "the YAML tag " + std::string(tag));
   }
 
-  Value with_unit(const YamlUnit& unit, const std::string& text, Span where) {
+  Value with_unit(const YamlUnit& unit, std::string_view text, Span where) {
     const Value v = evaluate_(heap_.keep(text), where);
     if (v.failed()) return v;
     std::optional<double> d;
@@ -353,11 +362,18 @@ class YamlBuilder final : public YAML::EventHandler {
   }
 
   Value plain(std::string_view text, Span where) {
+    // The longest of these words is `false`.
+    constexpr std::size_t kLongestWord = 5;
+    if (text.size() > kLongestWord) return number_or_text(text, where);
     if (text.empty() || one_of(text, {"~", "null", "Null", "NULL"})) return Value::none();
     if (one_of(text, {"yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"}))
       return Value::boolean(true);
     if (one_of(text, {"no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"}))
       return Value::boolean(false);
+    return number_or_text(text, where);
+  }
+
+  Value number_or_text(std::string_view text, Span where) {
     constexpr std::string_view kNumberStarts = "+-.0123456789";
     if (kNumberStarts.find(text[0]) != std::string_view::npos) {
       if (is_yaml_float(text)) return yaml_float(text);

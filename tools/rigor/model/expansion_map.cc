@@ -184,7 +184,7 @@ std::string map_json(const xacro::Expansion& expansion, const Sources& sources) 
     MapJson parameters = MapJson::object();
     for (std::uint32_t i = 0; i < frame.parameter_count; ++i) {
       const auto& [name, value] = expansion.frame_parameters[frame.parameters + i];
-      parameters[std::string(name)] = value;
+      parameters[std::string(name)] = xacro::shown_value(value);
     }
     json["frames"].push_back({{"kind", frame_kind(frame.kind)},
                               {"name", frame.name},

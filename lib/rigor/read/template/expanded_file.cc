@@ -191,9 +191,8 @@ Origin ExpandedFile::origin(const xml::Document& expanded, Span where,
 Span ExpandedFile::literal_span(const xml::Document& expanded, Span where,
                                 const Sources& sources) const {
   const Origin found = origin(expanded, where, sources);
-  const bool same = found.literal && where.size() > 0 &&
-                    found.where.source == expansion_.files.front().source &&
-                    sources.bytes(found.where) == sources.bytes(where);
+  const bool same =
+      found.literal && where.size() > 0 && sources.bytes(found.where) == sources.bytes(where);
   return same ? found.where : Span{};
 }
 
@@ -216,6 +215,12 @@ Diagnostic ExpandedFile::in_source(const xml::Document& expanded, Diagnostic dia
     return std::any_of(fix.edits.begin(), fix.edits.end(),
                        [](const Edit& edit) { return edit.span.nowhere(); });
   };
+  // A fix is tried file by file.
+  const auto edits_several = [](const Fix& fix) {
+    return std::any_of(fix.edits.begin(), fix.edits.end(), [&fix](const Edit& edit) {
+      return edit.span.source != fix.edits.front().span.source;
+    });
+  };
   for (Fix& fix : diagnostic.fixes) {
     const std::vector<Edit> shown = fix.edits;
     for (Edit& edit : fix.edits) {
@@ -226,11 +231,10 @@ Diagnostic ExpandedFile::in_source(const xml::Document& expanded, Diagnostic dia
         }))
       continue;
     std::vector<Edit> written = SourceEdits(elements_, expanded, sources).of(shown);
-    // What is written elsewhere is for another file's fixes.
-    if (!written.empty() && written.front().span.source == expansion_.files.front().source)
-      fix.edits = std::move(written);
+    if (!written.empty()) fix.edits = std::move(written);
   }
-  std::erase_if(diagnostic.fixes, edits_nothing);
+  std::erase_if(diagnostic.fixes,
+                [&](const Fix& fix) { return edits_nothing(fix) || edits_several(fix); });
   return diagnostic;
 }
 

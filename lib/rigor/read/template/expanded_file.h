@@ -45,7 +45,8 @@ class ExpandedFile {
   Origin origin(const xml::Document& expanded, Span where, const Sources& sources) const;
 
   /// A finding in the expanded document as one in what its author wrote, with the calls that lead there.
-  /// A fix stays when all that it changes is written there as it is in the expansion.
+  /// A fix stays when all that it changes is written as it is in the expansion, in one file: the template or
+  /// one that it includes.
   Diagnostic in_source(const xml::Document& expanded, Diagnostic diagnostic,
                        const Sources& sources) const;
 
@@ -57,7 +58,7 @@ class ExpandedFile {
   Origin of_text(const xml::Element& element, const xacro::Node& node, Span where,
                  const Sources& sources) const;
 
-  /// Where the same bytes are written in the template itself; else nowhere.
+  /// Where the same bytes are written, in the template or an included file; else nowhere.
   Span literal_span(const xml::Document& expanded, Span where, const Sources& sources) const;
 
   xacro::Expansion expansion_;

@@ -12,23 +12,27 @@
 namespace rigor::read {
 namespace {
 
-/// A disk on which some files have other bytes.
+/// A disk on which some files have other bytes, by their paths from the working folder.
 class DiskWithBuffers final : public Disk {
  public:
-  DiskWithBuffers(const Disk& disk, const std::map<std::string, std::string>& buffers)
-      : disk_(disk), buffers_(buffers) {}
+  DiskWithBuffers(const Disk& disk, const std::string& working_folder,
+                  const std::map<std::string, std::string>& buffers)
+      : disk_(disk), working_folder_(working_folder), buffers_(buffers) {}
 
   std::unique_ptr<OpenFile> open(const std::string& path) const override {
     return disk_.open(path);
   }
   ReadResult read(const std::string& path, std::uint64_t max_bytes) const override {
-    const auto buffer = buffers_.find(normalize_path(path));
+    if (buffers_.empty()) return disk_.read(path, max_bytes);
+    const auto buffer = buffers_.find(join_path(working_folder_, path));
     if (buffer == buffers_.end()) return disk_.read(path, max_bytes);
     if (buffer->second.size() <= max_bytes) return {buffer->second, {}};
     return {std::nullopt, "is too large", ReadError::kTooLarge};
   }
   PathKind kind(const std::string& path) const override {
-    return buffers_.contains(normalize_path(path)) ? PathKind::kFile : disk_.kind(path);
+    const bool has_buffer =
+        !buffers_.empty() && buffers_.contains(join_path(working_folder_, path));
+    return has_buffer ? PathKind::kFile : disk_.kind(path);
   }
   std::vector<std::string> list(const std::string& folder) const override {
     return disk_.list(folder);
@@ -37,6 +41,7 @@ class DiskWithBuffers final : public Disk {
 
  private:
   const Disk& disk_;
+  const std::string& working_folder_;
   const std::map<std::string, std::string>& buffers_;
 };
 
@@ -77,12 +82,12 @@ std::optional<std::string> TemplateExpander::package_folder(std::string_view pac
 }
 
 void TemplateExpander::replace(const std::string& path, std::string bytes) {
-  buffers_[normalize_path(path)] = std::move(bytes);
+  buffers_[join_path(inputs_.working_folder, path)] = std::move(bytes);
 }
 
 xacro::Expansion TemplateExpander::expansion(const std::string& path,
                                              const TemplateArguments& arguments, Sources& sources) {
-  const DiskWithBuffers disk(resolver_.disk(), buffers_);
+  const DiskWithBuffers disk(resolver_.disk(), inputs_.working_folder, buffers_);
   xacro::World world{disk};
   TemplateRoots roots;
   roots.add(inputs_.working_folder);

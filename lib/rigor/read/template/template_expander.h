@@ -56,7 +56,7 @@ class TemplateExpander {
   const Resolver& resolver_;
   const TemplateInputs& inputs_;
   PackageFinder packages_;
-  std::map<std::string, std::string> buffers_;  // by normal path
+  std::map<std::string, std::string> buffers_;  // by path from the working folder
 };
 
 }  // namespace rigor::read

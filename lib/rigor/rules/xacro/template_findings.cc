@@ -10,15 +10,17 @@
 namespace rigor::rules {
 namespace {
 
-bool is_same_fix(const Diagnostic& a, const Diagnostic& b) {
+bool is_same_fix(const Diagnostic& a, const Diagnostic& b, const Sources& sources) {
   if (a.fixes.empty() || b.fixes.empty()) return a.fixes.empty() && b.fixes.empty();
   const auto& x = a.fixes.front().edits;
   const auto& y = b.fixes.front().edits;
   // Another expansion read the file anew, so the sources differ.
-  return std::equal(x.begin(), x.end(), y.begin(), y.end(), [](const Edit& one, const Edit& other) {
+  const auto is_same = [&sources](const Edit& one, const Edit& other) {
     return one.span.begin == other.span.begin && one.span.end == other.span.end &&
-           one.text == other.text;
-  });
+           one.text == other.text &&
+           sources.path(one.span.source) == sources.path(other.span.source);
+  };
+  return std::equal(x.begin(), x.end(), y.begin(), y.end(), is_same);
 }
 
 /// A path that `$(find …)` writes is right on every machine.
@@ -98,7 +100,7 @@ void TemplateFindings::add(Diagnostics found) {
     first.severity = std::min(first.severity, each.severity);
     Diagnostic& shown = entry->second.other > 0 ? first.others[entry->second.other - 1] : first;
     shown.instances += each.instances;
-    if (!is_same_fix(shown, each)) shown.fixes.clear();
+    if (!is_same_fix(shown, each, sources_)) shown.fixes.clear();
   }
 }
 
