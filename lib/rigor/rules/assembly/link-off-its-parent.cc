@@ -1,0 +1,173 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include <rigor/rules/assembly/attachment.h>
+#include <rigor/rules/assembly/placement_slips.h>
+#include <rigor/rules/rule.h>
+
+namespace rigor::rules::link_off_its_parent {
+
+using model::Vector3;
+
+// Other joints of the same robot, which say how its links are joined.
+constexpr std::size_t kFewest = 2;
+
+// Shares of the longest link: less is a bracket, a bearing or a rounded number.
+constexpr double kApart = 0.03;
+constexpr double kJoined = 0.01;
+
+// Shares of a link's own volume that may be inside of others more than is usual in this robot.
+constexpr double kDeep = 0.3;
+constexpr double kAsUsual = 0.1;
+constexpr double kWithin = 0.75;
+
+/// The most of each number at the other joints of the robot.
+struct Usual {
+  std::size_t joints = 0;
+  Fit most;
+  double longest = 0;  ///< m
+};
+
+bool carries(const PlacedUnit& unit, std::uint32_t link, Context& context) {
+  const auto& ends = context.frames().ends(context.assembled().links[link].carrier);
+  return std::find(unit.moved.begin(), unit.moved.end(), ends.parent.value) != unit.moved.end();
+}
+
+Usual usual_beside(const Attached& one, const std::vector<Attached>& all, Context& context) {
+  const robot::Assembled& robot = context.assembled();
+  Usual usual;
+  for (const Attached& other : all) {
+    if (&other == &one || robot.links[other.unit.link].top != robot.links[one.unit.link].top)
+      continue;
+    // What the link itself carries is where the link is, or is left behind by it.
+    if (!context.is_urdf() && carries(one.unit, other.unit.link, context)) continue;
+    ++usual.joints;
+    usual.most.gap = std::max(usual.most.gap, other.fit.gap);
+    usual.most.reach = std::max(usual.most.reach, other.fit.reach);
+    usual.most.inside = std::max(usual.most.inside, other.fit.inside);
+  }
+  for (std::uint32_t i = 0; i < robot.links.size(); ++i) {
+    if (robot.links[i].top == robot.links[one.unit.link].top)
+      usual.longest = std::max(usual.longest, robot.longest({i}));
+  }
+  return usual;
+}
+
+enum class Oddity { kNone, kGap, kReach, kInside };
+
+bool is_far(double distance, double usual, double longest) {
+  return distance > kApart * longest && distance > 3 * usual + kJoined * longest;
+}
+
+Oddity oddity_of(const Fit& fit, const Usual& usual) {
+  if (is_far(fit.gap, usual.most.gap, usual.longest)) return Oddity::kGap;
+  if (is_far(fit.reach, usual.most.reach, usual.longest)) return Oddity::kReach;
+  if (fit.inside > kWithin && fit.inside > usual.most.inside + kDeep) return Oddity::kInside;
+  return Oddity::kNone;
+}
+
+bool is_usual(const Fit& fit, const Usual& usual) {
+  return fit.gap <= std::max(usual.most.gap, kJoined * usual.longest) &&
+         fit.reach <= std::max(usual.most.reach, kJoined * usual.longest) &&
+         fit.inside <= usual.most.inside + kAsUsual;
+}
+
+/// The change with which the link is joined as all others are, and best.
+std::optional<Undone> change_for(const Attached& one, const Usual& usual) {
+  std::optional<Undone> best;
+  double least = 0;
+  for (Undone& change : placement_slips(one.unit.pose->pose.value.translation)) {
+    const Fit then = fit_of(one, shift_of(one.unit.pose->pose.value, one.unit.X_WL, change.value));
+    if (!is_usual(then, usual)) continue;
+    const double score = (then.gap + then.reach) / usual.longest + then.inside;
+    if (best && score >= least - kAsUsual) continue;
+    least = score;
+    best = std::move(change);
+  }
+  return best;
+}
+
+std::string message_of(const Attached& one, const Usual& usual, Oddity oddity, Context& context) {
+  const model::Root& root = context.root();
+  const std::string& name = root.links[one.unit.link].name.value;
+  const auto parent =
+      context.frames().ends(context.assembled().links[one.unit.link].carrier).parent;
+  switch (oddity) {
+    case Oddity::kGap:
+      return fmt::format("link '{}' is {:.3g} m away from what carries it; the other {} links of "
+                         "the robot are at most {:.2g} m apart",
+                         name, one.fit.gap, usual.joints, usual.most.gap);
+    case Oddity::kReach:
+      return fmt::format("the joint of link '{}' is {:.3g} m outside of its parent '{}'; the other "
+                         "{} joints of the robot are at most {:.2g} m outside",
+                         name, one.fit.reach, root[parent].name.value, usual.joints,
+                         usual.most.reach);
+    default:
+      return fmt::format("{:.0f} % of link '{}' is inside of other links; of the other {} links of "
+                         "the robot at most {:.0f} % are",
+                         100 * one.fit.inside, name, usual.joints, 100 * usual.most.inside);
+  }
+}
+
+bool moves(const model::Joint& joint) { return joint.type != model::JointType::kFixed; }
+
+void look_at(const Attached& one, const std::vector<Attached>& all, Context& context) {
+  const model::Root& root = context.root();
+  const Usual usual = usual_beside(one, all, context);
+  if (usual.joints < kFewest || !(usual.longest > 0)) return;
+  const Oddity oddity = oddity_of(one.fit, usual);
+  if (oddity == Oddity::kNone) return;
+  const model::Joint& joint = root[context.assembled().links[one.unit.link].carrier];
+  const auto change = change_for(one, usual);
+  const bool left_out = oddity == Oddity::kInside && moves(joint) &&
+                        nonzero_coordinates(one.unit.pose->pose.value.translation) == 0;
+  if (!change && !left_out) return;
+  Finding finding{.where = place_of(*one.unit.pose, context),
+                  .message = message_of(one, usual, oddity, context),
+                  .subject = one.unit.joint ? context.subject(*one.unit.joint)
+                                            : context.subject(root.links[one.unit.link])};
+  if (change) {
+    finding.help = fmt::format("with {} it is joined as the others are: {}",
+                               written_as(change->value), change->slip);
+    finding.fix = translation_fix(*one.unit.pose, change->value, context);
+  } else {
+    finding.help = "its origin is that of its parent: write where the joint is";
+    finding.severity = Severity::kInfo;
+  }
+  context.report(std::move(finding));
+}
+
+void check(const model::Root& root, Context& context) {
+  if (root.links.size() <= kFewest + 1 || !context.frames().problems().empty()) return;
+  const std::vector<Attached> all = AttachedLinks(context).find();
+  if (all.size() <= kFewest) return;
+  for (const Attached& one : all) look_at(one, all, context);
+}
+
+Rule rule() {
+  return {
+      .name = "link-off-its-parent",
+      .severity = Severity::kWarning,
+      .fix = FixGrade::kUnsafe,
+      .summary = "one link is not joined to its parent as the robot's other links are",
+      .why = "The link floats beside the robot, turns about a point in the air, or is inside of "
+             "what carries it, while all other links of the robot meet their parents. One change "
+             "of its origin makes it as they are: a unit, a decimal point, a sign, or two "
+             "coordinates exchanged. Shapes are compared as boxes, with all joints at zero; an "
+             "origin that was left out is an info, as nobody knows what it was.",
+      .what_to_do = "Write the origin of the joint in the frame of the parent, in meters. `rigor "
+                    "inspect --assembled` prints the distances.",
+      .checks = {on<model::Root>(check)},
+  };
+}
+
+}  // namespace rigor::rules::link_off_its_parent
