@@ -71,7 +71,8 @@ constexpr Consequences kConsequences[] = {
     {"wheel-size-differs shape-size-slip shape-misplaced shape-origin-slip link-misplaced "
      "links-in-one-place twins-in-one-place visual-collision-origin visual-collision-scale "
      "mesh-scale-differs shape-exceeds-robot limit-equal joint-limit-inverted "
-     "limit-looks-like-degrees velocity-looks-like-degrees axis-zero joint-type-unknown",
+     "limit-looks-like-degrees velocity-looks-like-degrees axis-zero joint-type-unknown "
+     "slider-looks-like-hinge slider-limits-look-like-angles",
      "sibling-value-differs"},
     {"sibling-value-differs", "twin-value-differs"},
     {"density-too-high density-too-low inertia-exceeds-shapes", "twin-value-differs"},

@@ -91,9 +91,34 @@ class AttachedLinks {
     return link;
   }
 
+  /// Whether all that can be seen, or all that can be touched, is known of a link: either is its body.
+  bool has_known_body(std::uint32_t i) const {
+    const robot::AssembledLink& link = robot_.links[i];
+    if (link.complete()) return true;
+    const model::Link& of = context_.root().links[i];
+    const auto known = [&](robot::ShapeRole role) {
+      return static_cast<std::size_t>(
+          std::count_if(link.shapes.begin(), link.shapes.end(),
+                        [&](std::uint32_t s) { return robot_.shapes[s].role == role; }));
+    };
+    const std::size_t touched = known(robot::ShapeRole::kCollision);
+    const std::size_t seen = known(robot::ShapeRole::kVisual);
+    return (touched > 0 && touched == of.collisions.size()) ||
+           (seen > 0 && seen == of.visuals.size());
+  }
+
+  /// Whether a link is fixed to another, which carries it.
+  bool is_fixed_to(std::uint32_t link, std::uint32_t base) const {
+    for (std::size_t steps = 0; link != base && steps < group_.size(); ++steps) {
+      if (group_[link] == link) return false;
+      link = group_[link];
+    }
+    return link == base;
+  }
+
   std::optional<Attached> attached(PlacedUnit unit) {
     const robot::AssembledLink& link = robot_.links[unit.link];
-    if (!link.carrier || link.shapes.empty()) return std::nullopt;
+    if (!link.carrier) return std::nullopt;
     const auto& ends = context_.frames().ends(link.carrier);
     const auto X_WJ = context_.frames().pose(link.carrier);
     if (!ends.parent || !X_WJ) return std::nullopt;
@@ -103,13 +128,15 @@ class AttachedLinks {
     if (moved[ends.parent.value]) return std::nullopt;
     const std::uint32_t parent = leader(ends.parent.value);
     for (const robot::AssembledShape& shape : robot_.shapes) {
-      if (shape.link == one.unit.link) one.child.push_back(shape.box_W);
+      if (moved[shape.link] && is_fixed_to(shape.link, one.unit.link))
+        one.child.push_back(shape.box_W);
       if (moved[shape.link] || robot_.links[shape.link].top != link.top) continue;
       one.others.push_back(shape.box_W);
       if (leader(shape.link) == parent) one.parent.push_back(shape.box_W);
     }
     // What is not known of the parent may be where the joint is.
-    if (one.parent.empty() || !robot_.links[ends.parent.value].complete()) return std::nullopt;
+    if (one.parent.empty() || one.child.empty() || !has_known_body(ends.parent.value))
+      return std::nullopt;
     one.fit = fit_of(one, {});
     return one;
   }

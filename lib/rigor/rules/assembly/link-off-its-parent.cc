@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -28,7 +30,18 @@ constexpr double kJoined = 0.01;
 // Shares of a link's own volume that may be inside of others more than is usual in this robot.
 constexpr double kDeep = 0.3;
 constexpr double kAsUsual = 0.1;
-constexpr double kWithin = 0.75;
+constexpr double kPartly = 0.5;
+constexpr double kLessInside = 0.25;
+constexpr double kWithin = 0.6;
+constexpr double kWholly = 0.9;
+constexpr double kFree = 0.4;
+
+// One joint in so many may be odd without a slip: a sensor on a mast that is not drawn.
+constexpr std::size_t kOddInTen = 10;
+
+// The slip explains the distance when it moves the link by not much more: the share of what it moves.
+constexpr double kByFactor = 0.6;
+constexpr double kBySign = 0.3;
 
 /// The most of each number at the other joints of the robot.
 struct Usual {
@@ -36,6 +49,14 @@ struct Usual {
   Fit most;
   double longest = 0;  ///< m
 };
+
+/// The largest, but for one in ten.
+double most_of(std::vector<double> numbers) {
+  if (numbers.empty()) return 0;
+  const auto at = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / kOddInTen);
+  std::nth_element(numbers.begin(), at, numbers.end(), std::greater<>());
+  return *at;
+}
 
 bool carries(const PlacedUnit& unit, std::uint32_t link, Context& context) {
   const auto& ends = context.frames().ends(context.assembled().links[link].carrier);
@@ -45,16 +66,18 @@ bool carries(const PlacedUnit& unit, std::uint32_t link, Context& context) {
 Usual usual_beside(const Attached& one, const std::vector<Attached>& all, Context& context) {
   const robot::Assembled& robot = context.assembled();
   Usual usual;
+  std::vector<double> gaps, reaches, insides;
   for (const Attached& other : all) {
     if (&other == &one || robot.links[other.unit.link].top != robot.links[one.unit.link].top)
       continue;
     // What the link itself carries is where the link is, or is left behind by it.
     if (!context.is_urdf() && carries(one.unit, other.unit.link, context)) continue;
     ++usual.joints;
-    usual.most.gap = std::max(usual.most.gap, other.fit.gap);
-    usual.most.reach = std::max(usual.most.reach, other.fit.reach);
-    usual.most.inside = std::max(usual.most.inside, other.fit.inside);
+    gaps.push_back(other.fit.gap);
+    reaches.push_back(other.fit.reach);
+    insides.push_back(other.fit.inside);
   }
+  usual.most = {most_of(std::move(gaps)), most_of(std::move(reaches)), most_of(std::move(insides))};
   for (std::uint32_t i = 0; i < robot.links.size(); ++i) {
     if (robot.links[i].top == robot.links[one.unit.link].top)
       usual.longest = std::max(usual.longest, robot.longest({i}));
@@ -75,10 +98,12 @@ Oddity oddity_of(const Fit& fit, const Usual& usual) {
   return Oddity::kNone;
 }
 
-bool is_usual(const Fit& fit, const Usual& usual) {
+/// Whether it is joined as the others are, when as written it is `now`.
+bool is_usual(const Fit& fit, const Fit& now, const Usual& usual) {
+  const bool less_inside = fit.inside <= std::max(usual.most.inside + kAsUsual, kPartly) ||
+                           fit.inside + kLessInside <= now.inside;
   return fit.gap <= std::max(usual.most.gap, kJoined * usual.longest) &&
-         fit.reach <= std::max(usual.most.reach, kJoined * usual.longest) &&
-         fit.inside <= usual.most.inside + kAsUsual;
+         fit.reach <= std::max(usual.most.reach, kJoined * usual.longest) && less_inside;
 }
 
 /// The change with which the link is joined as all others are, and best.
@@ -87,7 +112,7 @@ std::optional<Undone> change_for(const Attached& one, const Usual& usual) {
   double least = 0;
   for (Undone& change : placement_slips(one.unit.pose->pose.value.translation)) {
     const Fit then = fit_of(one, shift_of(one.unit.pose->pose.value, one.unit.X_WL, change.value));
-    if (!is_usual(then, usual)) continue;
+    if (!is_usual(then, one.fit, usual)) continue;
     const double score = (then.gap + then.reach) / usual.longest + then.inside;
     if (best && score >= least - kAsUsual) continue;
     least = score;
@@ -118,9 +143,22 @@ std::string message_of(const Attached& one, const Usual& usual, Oddity oddity, C
   }
 }
 
+/// Whether the slip leaves little doubt: the distance is that by which it moves the link, or the link is
+/// wholly inside of others where no other is.
+bool is_explained(const Attached& one, const Undone& change, const Usual& usual, Oddity oddity) {
+  if (oddity == Oddity::kInside)
+    return one.fit.inside > kWholly && usual.most.inside < kFree && usual.joints > kFewest;
+  const Vector3& written = one.unit.pose->pose.value.translation;
+  const double moved = length(change.value - written);
+  const bool same_length = std::abs(length(change.value) - length(written)) < 1e-9;
+  const double off = std::max(one.fit.gap, one.fit.reach);
+  return off > (same_length ? kBySign : kByFactor) * moved;
+}
+
 bool moves(const model::Joint& joint) { return joint.type != model::JointType::kFixed; }
 
 void look_at(const Attached& one, const std::vector<Attached>& all, Context& context) {
+  if (one.fit.gap == 0 && one.fit.reach == 0 && one.fit.inside <= kWithin) return;
   const model::Root& root = context.root();
   const Usual usual = usual_beside(one, all, context);
   if (usual.joints < kFewest || !(usual.longest > 0)) return;
@@ -139,6 +177,7 @@ void look_at(const Attached& one, const std::vector<Attached>& all, Context& con
     finding.help = fmt::format("with {} it is joined as the others are: {}",
                                written_as(change->value), change->slip);
     finding.fix = translation_fix(*one.unit.pose, change->value, context);
+    if (!is_explained(one, *change, usual, oddity)) finding.severity = Severity::kInfo;
   } else {
     finding.help = "its origin is that of its parent: write where the joint is";
     finding.severity = Severity::kInfo;
@@ -162,8 +201,9 @@ Rule rule() {
       .why = "The link floats beside the robot, turns about a point in the air, or is inside of "
              "what carries it, while all other links of the robot meet their parents. One change "
              "of its origin makes it as they are: a unit, a decimal point, a sign, or two "
-             "coordinates exchanged. Shapes are compared as boxes, with all joints at zero; an "
-             "origin that was left out is an info, as nobody knows what it was.",
+             "coordinates exchanged. Shapes are compared as boxes, with all joints at zero. An "
+             "origin that was left out is an info, as nobody knows what it was, and so is a "
+             "change that moves the link by much more than it is off.",
       .what_to_do = "Write the origin of the joint in the frame of the parent, in meters. `rigor "
                     "inspect --assembled` prints the distances.",
       .checks = {on<model::Root>(check)},

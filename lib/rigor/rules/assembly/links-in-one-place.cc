@@ -98,26 +98,54 @@ void report(const Attached& one, const Attached& other, const std::vector<Attach
        .fix = translation_fix(*wrong.unit.pose, way->change.value, context)});
 }
 
+using LinkPair = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Two that move, as large as each other, in one place. Of a left and a right one twins-in-one-place speaks.
+std::vector<LinkPair> pairs_in_one_place(const model::Root& root, const robot::Assembled& robot) {
+  struct Body {
+    std::uint32_t link;
+    mesh::Bounds box;
+  };
+  std::vector<Body> bodies;
+  for (std::uint32_t i = 0; i < robot.links.size(); ++i) {
+    const robot::AssembledLink& link = robot.links[i];
+    if (!link.carrier || root[link.carrier].type == model::JointType::kFixed) continue;
+    const auto box = robot.bounds_W({i});
+    if (box && mesh::diagonal(*box) >= kBody) bodies.push_back({i, *box});
+  }
+  std::vector<LinkPair> pairs;
+  constexpr std::size_t kMostBodies = 500;
+  if (bodies.size() > kMostBodies) return pairs;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    for (std::size_t j = i + 1; j < bodies.size(); ++j) {
+      const std::uint32_t a = bodies[i].link, b = bodies[j].link;
+      if (!are_same(bodies[i].box, bodies[j].box) || robot.links[a].top != robot.links[b].top)
+        continue;
+      if (!is_twin(root.links[a].name.value, root.links[b].name.value, robot::Side::kAcross))
+        pairs.emplace_back(a, b);
+    }
+  }
+  return pairs;
+}
+
 void check(const model::Root& root, Context& context) {
   if (root.links.size() < 3 || !context.frames().problems().empty()) return;
+  const std::vector<LinkPair> pairs = pairs_in_one_place(root, context.assembled());
+  if (pairs.empty()) return;
   const std::vector<Attached> all = AttachedLinks(context).find();
-  const robot::Assembled& robot = context.assembled();
-  std::vector<mesh::Bounds> boxes;
-  for (const Attached& one : all) boxes.push_back(*robot.bounds_W({one.unit.link}));
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    for (std::size_t j = i + 1; j < all.size(); ++j) {
-      if (!are_same(boxes[i], boxes[j]) || mesh::diagonal(boxes[i]) < kBody) continue;
-      const robot::AssembledLink& a = robot.links[all[i].unit.link];
-      const robot::AssembledLink& b = robot.links[all[j].unit.link];
-      if (a.top != b.top) continue;
-      const bool fixed = root[a.carrier].type == model::JointType::kFixed ||
-                         root[b.carrier].type == model::JointType::kFixed;
-      const std::string& name = root.links[all[i].unit.link].name.value;
-      const std::string& other = root.links[all[j].unit.link].name.value;
-      // Of a left and a right one twins-in-one-place speaks.
-      if (fixed || is_twin(name, other, robot::Side::kAcross)) continue;
-      report(all[i], all[j], all, context);
-    }
+  const auto attached = [&all](std::uint32_t link) {
+    return std::find_if(all.begin(), all.end(),
+                        [link](const Attached& one) { return one.unit.link == link; });
+  };
+  const auto carrier = [&](std::uint32_t link) {
+    return context.frames().ends(context.assembled().links[link].carrier).parent.value;
+  };
+  for (const auto& [a, b] : pairs) {
+    // What two links in one place carry is in one place with them.
+    const LinkPair carriers = std::minmax(carrier(a), carrier(b));
+    if (std::find(pairs.begin(), pairs.end(), carriers) != pairs.end()) continue;
+    const auto one = attached(a), other = attached(b);
+    if (one != all.end() && other != all.end()) report(*one, *other, all, context);
   }
 }
 

@@ -35,7 +35,7 @@ inline std::vector<Undone> placement_slips(const model::Vector3& written) {
   for (const double factor : {10.0, 100.0, 1000.0}) {
     result.push_back(
         {{divided(written.x, factor), divided(written.y, factor), divided(written.z, factor)},
-         nonzero_coordinates(written) > 1 ? "all of it " + slip_name(factor) : slip_name(factor)});
+         factor == 10 ? "its decimal point slipped" : "it is " + slip_name(factor)});
   }
   for (std::size_t k = 0; k < 3; ++k) {
     if (written.*kCoordinates[k] == 0) continue;
@@ -52,7 +52,10 @@ inline std::vector<Undone> placement_slips(const model::Vector3& written) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (written.*kCoordinates[k] == 0) continue;
       for (const double factor : {10.0, 100.0, 1000.0}) {
-        Undone change{written, fmt::format("{} {}", coordinate_name(k), slip_name(factor))};
+        Undone change{written,
+                      factor == 10
+                          ? fmt::format("the decimal point of {} slipped", coordinate_name(k))
+                          : fmt::format("{} is {}", coordinate_name(k), slip_name(factor))};
         change.value.*kCoordinates[k] = divided(written.*kCoordinates[k], factor);
         result.push_back(std::move(change));
       }

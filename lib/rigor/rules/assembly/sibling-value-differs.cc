@@ -152,7 +152,10 @@ std::string slip_between(const SiblingField& wrong, const SiblingField& right) {
 }
 
 std::string numbers_of(const SiblingField& field) {
-  if (field.kind == FieldKind::kType) return {};
+  if (field.kind == FieldKind::kType) {
+    const auto type = static_cast<model::JointType>(static_cast<int>(field.values.front()));
+    return fmt::format(" '{}'", model::to_string(type));
+  }
   return ' ' + write::joined(field.values) + (*field.unit ? ' ' + std::string(field.unit) : "");
 }
 
@@ -221,7 +224,9 @@ void report(const Odd& odd, const std::vector<Entity>& all, const std::vector<Fi
                                        : "all their other values are the same: " + slip,
                   .fix = fix_for(wrong, right, context),
                   .cause = all[odd.wrong].name.value + wrong.name};
-  if (slip.empty() || !many) finding.severity = Severity::kInfo;
+  // One rudder among ailerons.
+  const bool doubtful = slip.empty() || !many || wrong.kind == FieldKind::kAxis;
+  if (doubtful) finding.severity = Severity::kInfo;
   context.report(std::move(finding));
 }
 
