@@ -94,6 +94,9 @@ bool hangs_on_its_child(model::Id<model::Joint> id, Context& context) {
   constexpr std::size_t kFewestLinks = 3;
   if (links.size() < kFewestLinks || links.front() == ends.parent) return false;
   if (context.assembled().links[ends.parent.value].carrier) return false;
+  // A frame that the robot is placed by: world, map.
+  const model::Link& parent = root[ends.parent];
+  if (parent.visuals.empty() && parent.collisions.empty() && !parent.inertial.written) return false;
   if (carries_others(ends.parent, id, context)) return false;
   if (carriers_of(ends.child, context) > 1) return true;
   return links.front() == ends.child && carries_others(ends.child, id, context);

@@ -65,7 +65,8 @@ std::optional<Way> way_out(const Attached& one, const Attached& other,
   for (const Attached* link : {&one, &other}) {
     const Vector3& written = link->unit.pose->pose.value.translation;
     for (Undone& change : placement_slips(written)) {
-      if (std::abs(length(change.value) - length(written)) > 1e-9) continue;  // signs and exchanges
+      // Signs and exchanges.
+      if (length(written) == 0 || std::abs(length(change.value) - length(written)) > 1e-9) continue;
       const Fit then =
           fit_of(*link, shift_of(link->unit.pose->pose.value, link->unit.X_WL, change.value));
       constexpr double kFree = 0.5;  // of the link that is within others
@@ -141,6 +142,8 @@ void check(const model::Root& root, Context& context) {
     return context.frames().ends(context.assembled().links[link].carrier).parent.value;
   };
   for (const auto& [a, b] : pairs) {
+    // A talus within its foot.
+    if (carrier(a) == b || carrier(b) == a) continue;
     // What two links in one place carry is in one place with them.
     const LinkPair carriers = std::minmax(carrier(a), carrier(b));
     if (std::find(pairs.begin(), pairs.end(), carriers) != pairs.end()) continue;

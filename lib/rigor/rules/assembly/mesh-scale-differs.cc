@@ -130,8 +130,8 @@ void check_group(const Group& group, Context& context) {
   if (!found) return;
   const auto& [unit, larger] = *found;
   const robot::Assembled& robot = context.assembled();
-  if (unit.is_unit && is_as_large(*odd, group, larger ? unit.factor : 1 / unit.factor, robot))
-    return;
+  const bool fits = is_as_large(*odd, group, larger ? unit.factor : 1 / unit.factor, robot);
+  if (unit.is_unit && fits) return;
   const model::Root& root = context.root();
   const model::Field<Vector3>& scale = odd->mesh->scale;
   std::optional<Fix> fix;
@@ -152,7 +152,8 @@ void check_group(const Group& group, Context& context) {
        .help = fmt::format("it is {:g} times {} than theirs: {}", unit.factor,
                            larger ? "larger" : "smaller", unit.slip),
        .fix = std::move(fix),
-       .severity = unit.is_unit && !known ? std::optional(Severity::kInfo) : std::nullopt});
+       .severity =
+           fits || (unit.is_unit && !known) ? std::optional(Severity::kInfo) : std::nullopt});
 }
 
 void check(const model::Root& root, Context& context) {
@@ -173,8 +174,8 @@ Rule rule() {
           "One part is ten times as large as it should be, or a thousandth: it covers the robot, "
           "or cannot be seen. All other meshes of the robot in the same format have one scale, "
           "and that of this one is off by 10, 25.4, 39.37, 100 or 1000. A mesh that is drawn in "
-          "another unit and as large as the others once scaled is not reported; where the file "
-          "cannot be read, it is an info.",
+          "another unit and as large as the others once scaled is not reported, and an "
+          "info where the factor is 10; where the file cannot be read, a unit is an info.",
       .what_to_do = "Write the scale of the others, or leave it out as they do.",
       .checks = {on<model::Root>(check)},
   };

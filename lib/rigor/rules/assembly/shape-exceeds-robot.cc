@@ -133,6 +133,11 @@ std::optional<Shrunk> change_for(const model::Shape& shape, double length, doubl
   return std::nullopt;
 }
 
+/// Whether its link has other shapes that are known.
+bool has_company(const robot::AssembledShape& shape, const robot::Assembled& robot) {
+  return robot.links[shape.link].shapes.size() > 1;
+}
+
 void check_model(const std::vector<const robot::AssembledShape*>& shapes, Context& context) {
   const model::Root& root = context.root();
   std::vector<mesh::Bounds> boxes;
@@ -158,7 +163,10 @@ void check_model(const std::vector<const robot::AssembledShape*>& shapes, Contex
          .help = fmt::format("with {} it is {:.3g} m long", change->slip, change->length),
          .fix = change->edits.empty()
                     ? std::nullopt
-                    : fix_of("write it so", Applicability::kUnsafe, change->edits)});
+                    : fix_of("write it so", Applicability::kUnsafe, change->edits),
+         // A hull and its fins, seen by nothing else.
+         .severity = has_company(shape, context.assembled()) ? std::nullopt
+                                                             : std::optional(Severity::kInfo)});
   }
 }
 
@@ -186,7 +194,7 @@ Rule rule() {
       .why = "A collision that is ten times too large throws the robot into the air; a visual "
              "hides it, and cameras inside of it see nothing. The shape is more than twice as long "
              "as the box around all other shapes, and no longer than that once a slip is undone: a "
-             "decimal point, or a unit.",
+             "decimal point, or a unit. Where its link has no other shape, it is an info.",
       .what_to_do = "Write the size in meters, and a mesh's scale from its unit to meters.",
       .checks = {on<model::Root>(check)},
   };

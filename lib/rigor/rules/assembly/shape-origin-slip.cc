@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -11,6 +12,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/rules/assembly/attachment.h>
 #include <rigor/rules/assembly/placement_slips.h>
 #include <rigor/rules/assembly/seen_shapes.h>
 #include <rigor/rules/rule.h>
@@ -21,9 +23,12 @@ using model::Vector3;
 
 // How alike the boxes around what is touched and what is seen are, as written and with the slip undone:
 // bodies are simplified, and a shape that is too short for its visual lies within it at several places.
-constexpr double kUnlike = 0.5;
+constexpr double kUnlike = 0.45;
 constexpr double kAlike = 0.6;
 constexpr double kBetter = 0.25;
+
+// Of the shape's own size: what moves it by less explains little.
+constexpr double kMoved = 0.2;
 
 // Many shapes are a body in pieces, which one origin changes little.
 constexpr std::size_t kMostShapes = 20;
@@ -33,6 +38,7 @@ struct Repose {
   model::Pose X_LS;
   std::string slip;
   bool turned = false;  ///< the rotation, not the translation
+  bool copied = false;  ///< from another shape, in the place of numbers
 };
 
 /// The box around all shapes of a role, with one of them elsewhere.
@@ -56,17 +62,23 @@ std::optional<mesh::Bounds> bounds_of_others(const std::vector<SeenShape>& all,
   return result;
 }
 
+/// Whether its pose is written in the frame of the link.
+bool is_in_link(const SeenShape& one) {
+  return one.pose->pose.written && one.pose->relative_to.value.empty();
+}
+
 std::vector<Repose> reposes(const SeenShape& one, const std::vector<SeenShape>& all) {
   std::vector<Repose> result;
   const model::Pose& now = one.pose->pose.value;
   for (Undone& change : placement_slips(now.translation))
-    result.push_back({{change.value, now.rotation}, std::move(change.slip), false});
+    result.push_back({{change.value, now.rotation}, std::move(change.slip), false, false});
   for (const SeenShape& other : all) {
-    if (other.is_collision() == one.is_collision() || !other.pose->pose.written) continue;
+    if (other.is_collision() == one.is_collision() || !is_in_link(other)) continue;
     const model::Pose& theirs = other.pose->pose.value;
     const std::string of = fmt::format("that of the {}", role_name(other));
-    result.push_back({{theirs.translation, now.rotation}, of, false});
-    result.push_back({{now.translation, theirs.rotation}, of, true});
+    const bool empty = nonzero_coordinates(now.translation) == 0;
+    result.push_back({{theirs.translation, now.rotation}, of, false, !empty});
+    result.push_back({{now.translation, theirs.rotation}, of, true, false});
   }
   return result;
 }
@@ -81,7 +93,10 @@ std::optional<Better> best_for(const SeenShape& one, const std::vector<SeenShape
   const auto others = bounds_of_others(all, one);
   if (!others) return std::nullopt;
   std::optional<Better> best;
+  const double least = kMoved * mesh::diagonal(one.shape->bounds_S);
   for (Repose& repose : reposes(one, all)) {
+    const Vector3 moved = repose.X_LS.translation - one.pose->pose.value.translation;
+    if (!repose.turned && length(moved) < least) continue;
     const auto there = robot::bounds_of(robot::box_around(one.shape->bounds_S, repose.X_LS));
     const double then = robot::likeness(joined_with(all, one, there), *others);
     if (then < kAlike || then < now + kBetter || (best && then <= best->likeness + 0.01)) continue;
@@ -107,7 +122,7 @@ void check_link(std::uint32_t link, Context& context) {
   const SeenShape* wrong = nullptr;
   std::optional<Better> best;
   for (const SeenShape& one : all) {
-    if (!one.pose->pose.written || !root.own(one.geometry->site)) continue;
+    if (!is_in_link(one) || !root.own(one.geometry->site)) continue;
     auto found = best_for(one, all, now);
     if (!found || (best && found->likeness <= best->likeness + 0.01)) continue;
     best = std::move(found);
@@ -126,10 +141,74 @@ void check_link(std::uint32_t link, Context& context) {
                    ? "write the same rotation in both: " + best->repose.slip + " fits"
                    : fmt::format("write {}: {}", written_as(then.translation), best->repose.slip),
        .fix = best->repose.turned ? std::nullopt
-                                  : translation_fix(*wrong->pose, then.translation, context)});
+                                  : translation_fix(*wrong->pose, then.translation, context),
+       .severity = best->repose.copied ? std::optional(Severity::kInfo) : std::nullopt});
+}
+
+// Shares of the longest link: how far the only shape of a link is from all other links, and of its way there.
+constexpr double kFloating = 0.03;
+constexpr double kTouching = 0.01;
+constexpr double kByFactor = 0.6;
+constexpr double kBySign = 0.3;
+
+/// The shape of a link that has no other, when its origin is what places it.
+std::optional<SeenShape> lone_shape(std::uint32_t link, Context& context) {
+  const robot::AssembledLink& assembled = context.assembled().links[link];
+  if (assembled.shapes.size() != 1 || !assembled.complete() || !assembled.carrier)
+    return std::nullopt;
+  const SeenShape one = seen_shapes(link, context).front();
+  if (!is_in_link(one) || !context.root().own(one.geometry->site)) return std::nullopt;
+  if (nonzero_coordinates(one.pose->pose.value.translation) == 0) return std::nullopt;
+  return one;
+}
+
+void look_at_lone(const SeenShape& one, const Attached& attached, double longest,
+                  Context& context) {
+  const model::Pose& now = one.pose->pose.value;
+  for (const Undone& change : placement_slips(now.translation)) {
+    const Vector3 moved = rotate(attached.unit.X_WL.rotation, change.value - now.translation);
+    const Fit then = fit_of(attached, moved);
+    constexpr double kPartly = 0.6;
+    if (then.gap > kTouching * longest || then.inside > kPartly) continue;
+    const bool same_length = std::abs(length(change.value) - length(now.translation)) < 1e-9;
+    const bool explained = attached.fit.gap > (same_length ? kBySign : kByFactor) * length(moved);
+    context.report(
+        {.where = place_of(*one.pose, context),
+         .message = fmt::format("the {} is the only shape of its link, and {:.3g} m away from all "
+                                "other links",
+                                role_name(one), attached.fit.gap),
+         .subject = subject_of_shape(one, context),
+         .help = fmt::format("with {} it touches them: {}", written_as(change.value), change.slip),
+         .fix = translation_fix(*one.pose, change.value, context),
+         .severity = explained ? std::nullopt : std::optional(Severity::kInfo)});
+    return;
+  }
+}
+
+/// Shapes without a counterpart are compared with the links around them.
+void check_lone_shapes(Context& context) {
+  const robot::Assembled& robot = context.assembled();
+  std::vector<std::uint32_t> lone;
+  for (std::uint32_t i = 0; i < robot.links.size(); ++i) {
+    if (lone_shape(i, context)) lone.push_back(i);
+  }
+  constexpr std::size_t kFewestLinks = 4;
+  if (lone.empty() || robot.links.size() < kFewestLinks) return;
+  for (const Attached& one : AttachedLinks(context).find()) {
+    if (one.child.size() != 1 || one.fit.gap == 0) continue;
+    if (std::find(lone.begin(), lone.end(), one.unit.link) == lone.end()) continue;
+    double longest = 0;
+    for (std::uint32_t i = 0; i < robot.links.size(); ++i) {
+      if (robot.links[i].top == robot.links[one.unit.link].top)
+        longest = std::max(longest, robot.longest({i}));
+    }
+    if (one.fit.gap > kFloating * longest)
+      look_at_lone(*lone_shape(one.unit.link, context), one, longest, context);
+  }
 }
 
 void check(const model::Root& root, Context& context) {
+  if (context.frames().problems().empty()) check_lone_shapes(context);
   for (std::uint32_t i = 0; i < root.links.size(); ++i) {
     const model::Link& link = root.links[i];
     if (link.collisions.empty() || link.visuals.empty() || !root.own(link.site)) continue;
@@ -146,7 +225,8 @@ Rule rule() {
       .why = "What is seen is not what is touched. The box around the link's collisions and that "
              "around its visuals share little, and much once a unit, a decimal point, a sign, two "
              "exchanged coordinates or a rotation in one origin is put right, or the other's "
-             "origin is written.",
+             "origin is written (an info where its own says another place). The only shape of a "
+             "link is compared with the links around it.",
       .what_to_do = "Write the origin that makes them fit.",
       .checks = {on<model::Root>(check)},
   };
