@@ -92,7 +92,7 @@ std::vector<std::string> family_names(std::string_view name) {
 }
 
 std::vector<std::vector<std::uint32_t>> siblings(const std::vector<std::string>& names) {
-  constexpr std::size_t kFewest = 3;
+  constexpr std::size_t kFewest = 2;
   std::vector<std::vector<std::uint32_t>> groups;
   if (names.size() < kFewest) return groups;
   std::map<std::string, std::vector<std::uint32_t>> by_family;

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Parts that a robot has three times or more, by their names: wheels, legs, rotors, fingers.
+// Parts that a robot has twice or more, by their names: wheels, legs, rotors, fingers.
 //
 //   for (const std::vector<std::uint32_t>& group : siblings(names)) compare(group);
 //
@@ -20,7 +20,7 @@ namespace rigor::robot {
 /// The name with numbers and such words left out: all of them, and each number alone.
 std::vector<std::string> family_names(std::string_view name);
 
-/// Of names without doubles: groups of at least three, by index, in the order of their first. One name may be
+/// Of names without doubles: groups of at least two, by index, in the order of their first. One name may be
 /// in several.
 std::vector<std::vector<std::uint32_t>> siblings(const std::vector<std::string>& names);
 

@@ -33,8 +33,6 @@ constexpr double kAsUsual = 0.1;
 constexpr double kPartly = 0.5;
 constexpr double kLessInside = 0.25;
 constexpr double kWithin = 0.6;
-constexpr double kWholly = 0.9;
-constexpr double kFree = 0.4;
 
 // One joint in so many may be odd without a slip: a sensor on a mast that is not drawn.
 constexpr std::size_t kOddInTen = 10;
@@ -143,41 +141,53 @@ std::string message_of(const Attached& one, const Usual& usual, Oddity oddity, C
   }
 }
 
-/// Whether the slip leaves little doubt: the distance is that by which it moves the link, or the link is
-/// wholly inside of others where no other is.
-bool is_explained(const Attached& one, const Undone& change, const Usual& usual, Oddity oddity) {
-  if (oddity == Oddity::kInside)
-    return one.fit.inside > kWholly && usual.most.inside < kFree && usual.joints > kFewest;
-  const Vector3& written = one.unit.pose->pose.value.translation;
-  const double moved = length(change.value - written);
-  const bool same_length = std::abs(length(change.value) - length(written)) < 1e-9;
-  const double off = std::max(one.fit.gap, one.fit.reach);
-  return off > (same_length ? kBySign : kByFactor) * moved;
+/// A link that is joined otherwise than most of its robot are.
+struct OddLink {
+  const Attached* link = nullptr;
+  Usual usual;
+  Oddity oddity = Oddity::kNone;
+  std::optional<Undone> change;
+};
+
+/// Whether the slip leaves little doubt: the distance is that by which it moves the link. What is inside of
+/// others may be mounted there, and a joint outside of its parent on a bracket that is not drawn.
+bool is_explained(const OddLink& odd) {
+  if (odd.oddity == Oddity::kInside) return false;
+  const Vector3& written = odd.link->unit.pose->pose.value.translation;
+  const double moved = length(odd.change->value - written);
+  const bool same_length = std::abs(length(odd.change->value) - length(written)) < 1e-9;
+  if (odd.oddity == Oddity::kReach) return same_length && odd.link->fit.reach > kBySign * moved;
+  return odd.link->fit.gap > (same_length ? kBySign : kByFactor) * moved;
 }
 
 bool moves(const model::Joint& joint) { return joint.type != model::JointType::kFixed; }
 
-void look_at(const Attached& one, const std::vector<Attached>& all, Context& context) {
-  if (one.fit.gap == 0 && one.fit.reach == 0 && one.fit.inside <= kWithin) return;
-  const model::Root& root = context.root();
-  const Usual usual = usual_beside(one, all, context);
-  if (usual.joints < kFewest || !(usual.longest > 0)) return;
-  const Oddity oddity = oddity_of(one.fit, usual);
-  if (oddity == Oddity::kNone) return;
-  const model::Joint& joint = root[context.assembled().links[one.unit.link].carrier];
-  const auto change = change_for(one, usual);
-  const bool left_out = oddity == Oddity::kInside && moves(joint) &&
+std::optional<OddLink> odd_link(const Attached& one, const std::vector<Attached>& all,
+                                Context& context) {
+  if (one.fit.gap == 0 && one.fit.reach == 0 && one.fit.inside <= kWithin) return std::nullopt;
+  OddLink odd{&one, usual_beside(one, all, context), Oddity::kNone, {}};
+  if (odd.usual.joints < kFewest || !(odd.usual.longest > 0)) return std::nullopt;
+  odd.oddity = oddity_of(one.fit, odd.usual);
+  if (odd.oddity == Oddity::kNone) return std::nullopt;
+  odd.change = change_for(one, odd.usual);
+  const model::Joint& joint = context.root()[context.assembled().links[one.unit.link].carrier];
+  const bool left_out = odd.oddity == Oddity::kInside && moves(joint) &&
                         nonzero_coordinates(one.unit.pose->pose.value.translation) == 0;
-  if (!change && !left_out) return;
+  if (!odd.change && !left_out) return std::nullopt;
+  return odd;
+}
+
+void report(const OddLink& odd, Context& context) {
+  const Attached& one = *odd.link;
   Finding finding{.where = place_of(*one.unit.pose, context),
-                  .message = message_of(one, usual, oddity, context),
+                  .message = message_of(one, odd.usual, odd.oddity, context),
                   .subject = one.unit.joint ? context.subject(*one.unit.joint)
-                                            : context.subject(root.links[one.unit.link])};
-  if (change) {
+                                            : context.subject(context.root().links[one.unit.link])};
+  if (odd.change) {
     finding.help = fmt::format("with {} it is joined as the others are: {}",
-                               written_as(change->value), change->slip);
-    finding.fix = translation_fix(*one.unit.pose, change->value, context);
-    if (!is_explained(one, *change, usual, oddity)) finding.severity = Severity::kInfo;
+                               written_as(odd.change->value), odd.change->slip);
+    finding.fix = translation_fix(*one.unit.pose, odd.change->value, context);
+    if (!is_explained(odd)) finding.severity = Severity::kInfo;
   } else {
     finding.help = "its origin is that of its parent: write where the joint is";
     finding.severity = Severity::kInfo;
@@ -189,7 +199,20 @@ void check(const model::Root& root, Context& context) {
   if (root.links.size() <= kFewest + 1 || !context.frames().problems().empty()) return;
   const std::vector<Attached> all = AttachedLinks(context).find();
   if (all.size() <= kFewest) return;
-  for (const Attached& one : all) look_at(one, all, context);
+  std::vector<OddLink> found;
+  for (const Attached& one : all) {
+    if (auto odd = odd_link(one, all, context)) found.push_back(*std::move(odd));
+  }
+  const auto top = [&](const OddLink& odd) {
+    return context.assembled().links[odd.link->unit.link].top;
+  };
+  for (const OddLink& odd : found) {
+    // More of them are how the robot is made.
+    constexpr std::ptrdiff_t kMost = 2;
+    const auto beside = std::count_if(found.begin(), found.end(),
+                                      [&](const OddLink& other) { return top(other) == top(odd); });
+    if (beside <= kMost) report(odd, context);
+  }
 }
 
 Rule rule() {
@@ -202,8 +225,8 @@ Rule rule() {
              "what carries it, while all other links of the robot meet their parents. One change "
              "of its origin makes it as they are: a unit, a decimal point, a sign, or two "
              "coordinates exchanged. Shapes are compared as boxes, with all joints at zero. An "
-             "origin that was left out is an info, as nobody knows what it was, and so is a "
-             "change that moves the link by much more than it is off.",
+             "origin that was left out is an info, as nobody knows what it was, and so are a link "
+             "inside of others and a change that moves the link by much more than it is off.",
       .what_to_do = "Write the origin of the joint in the frame of the parent, in meters. `rigor "
                     "inspect --assembled` prints the distances.",
       .checks = {on<model::Root>(check)},

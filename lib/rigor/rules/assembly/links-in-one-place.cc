@@ -96,7 +96,9 @@ void report(const Attached& one, const Attached& other, const std::vector<Attach
        .related = {{place_of(*right.unit.pose, context), "where the other is placed"}},
        .help = fmt::format("with {} it is where nothing else is: {}", written_as(way->change.value),
                            way->change.slip),
-       .fix = translation_fix(*wrong.unit.pose, way->change.value, context)});
+       .fix = translation_fix(*wrong.unit.pose, way->change.value, context),
+       // Fins that cross have one box around them.
+       .severity = way->confirmed ? std::nullopt : std::optional(Severity::kInfo)});
 }
 
 using LinkPair = std::pair<std::uint32_t, std::uint32_t>;
@@ -160,7 +162,9 @@ Rule rule() {
       .summary = "two links of one size are in the same place",
       .why = "Two legs or wheels are in each other, and where one should be there is none: the "
              "robot falls over. The boxes around the two are the same, both links move, and one "
-             "is where nothing else is once a sign is changed, or two coordinates are exchanged.",
+             "is where nothing else is once a sign is changed, or two coordinates are exchanged. "
+             "Where it is not the mirror image of its "
+             "twin then, it is an info.",
       .what_to_do = "Put the sign right. `rigor inspect --assembled` prints where the links are.",
       .checks = {on<model::Root>(check)},
   };

@@ -121,6 +121,9 @@ bool is_as_large(const Scaled& one, const Group& group, double factor,
   return factor > 1 ? *length <= most : *length * 20 >= most;
 }
 
+/// Not scaled at all: then it is the others that have an unusual scale.
+bool is_plain(const Vector3& scale) { return scale == Vector3{1, 1, 1}; }
+
 void check_group(const Group& group, Context& context) {
   if (group.size() <= kFewest) return;
   const Scaled* odd = odd_one(group);
@@ -152,8 +155,9 @@ void check_group(const Group& group, Context& context) {
        .help = fmt::format("it is {:g} times {} than theirs: {}", unit.factor,
                            larger ? "larger" : "smaller", unit.slip),
        .fix = std::move(fix),
-       .severity =
-           fits || (unit.is_unit && !known) ? std::optional(Severity::kInfo) : std::nullopt});
+       .severity = fits || is_plain(scale.value) || (unit.is_unit && !known)
+                       ? std::optional(Severity::kInfo)
+                       : std::nullopt});
 }
 
 void check(const model::Root& root, Context& context) {

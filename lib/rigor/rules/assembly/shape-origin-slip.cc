@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -26,6 +28,9 @@ using model::Vector3;
 constexpr double kUnlike = 0.45;
 constexpr double kAlike = 0.6;
 constexpr double kBetter = 0.25;
+
+// What an origin that was left out has ahead of others.
+constexpr double kLeftOut = 0.05;
 
 // Of the shape's own size: what moves it by less explains little.
 constexpr double kMoved = 0.2;
@@ -72,6 +77,15 @@ std::vector<Repose> reposes(const SeenShape& one, const std::vector<SeenShape>& 
   const model::Pose& now = one.pose->pose.value;
   for (Undone& change : placement_slips(now.translation))
     result.push_back({{change.value, now.rotation}, std::move(change.slip), false, false});
+  constexpr double kQuarter = std::numbers::pi / 2;
+  const std::pair<const char*, Vector3> axes[] = {
+      {"x", {1, 0, 0}}, {"y", {0, 1, 0}}, {"z", {0, 0, 1}}};
+  for (const auto& [name, axis] : axes) {
+    result.push_back({{now.translation, now.rotation * model::from_axis_angle(axis, kQuarter)},
+                      fmt::format("a quarter turn about {}", name),
+                      true,
+                      false});
+  }
   for (const SeenShape& other : all) {
     if (other.is_collision() == one.is_collision() || !is_in_link(other)) continue;
     const model::Pose& theirs = other.pose->pose.value;
@@ -98,7 +112,10 @@ std::optional<Better> best_for(const SeenShape& one, const std::vector<SeenShape
     const Vector3 moved = repose.X_LS.translation - one.pose->pose.value.translation;
     if (!repose.turned && length(moved) < least) continue;
     const auto there = robot::bounds_of(robot::box_around(one.shape->bounds_S, repose.X_LS));
-    const double then = robot::likeness(joined_with(all, one, there), *others);
+    const bool empty = nonzero_coordinates(one.pose->pose.value.translation) == 0;
+    // An origin that was left out explains more than one that is odd.
+    const double then =
+        robot::likeness(joined_with(all, one, there), *others) + (empty ? kLeftOut : 0);
     if (then < kAlike || then < now + kBetter || (best && then <= best->likeness + 0.01)) continue;
     best = Better{std::move(repose), then};
   }
@@ -133,12 +150,13 @@ void check_link(std::uint32_t link, Context& context) {
   const char* what = best->repose.turned ? "rotation" : "origin";
   context.report(
       {.where = place_of(*wrong->pose, context),
-       .message = fmt::format("the link's collisions and visuals share {:.0f} % of the box around "
-                              "them, and {:.0f} % with another {} of the {}",
-                              100 * now, 100 * best->likeness, what, role_name(*wrong)),
+       .message =
+           fmt::format("the link's collisions and visuals share {:.0f} % of the box around "
+                       "them, and {:.0f} % with another {} of the {}",
+                       100 * now, 100 * std::min(1.0, best->likeness), what, role_name(*wrong)),
        .subject = subject_of_shape(*wrong, context),
        .help = best->repose.turned
-                   ? "write the same rotation in both: " + best->repose.slip + " fits"
+                   ? best->repose.slip + " fits: write the rotation"
                    : fmt::format("write {}: {}", written_as(then.translation), best->repose.slip),
        .fix = best->repose.turned ? std::nullopt
                                   : translation_fix(*wrong->pose, then.translation, context),
@@ -185,6 +203,60 @@ void look_at_lone(const SeenShape& one, const Attached& attached, double longest
   }
 }
 
+// Of the shape's own size, in links whose other shapes all touch.
+constexpr double kLoose = 0.05;
+
+double gap_between(const SeenShape& one, const SeenShape& other, const Vector3& d_L) {
+  const auto box = robot::moved(robot::box_around(one.shape->bounds_S, one.shape->X_LS), d_L);
+  return std::max(
+      0.0, robot::separation(box, robot::box_around(other.shape->bounds_S, other.shape->X_LS)));
+}
+
+double gap_to_others(const SeenShape& one, const std::vector<SeenShape>& all, const Vector3& d_L) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const SeenShape& other : all) {
+    if (other.shape != one.shape) least = std::min(least, gap_between(one, other, d_L));
+    if (least == 0) break;
+  }
+  return least;
+}
+
+/// A body of several shapes, of which one hangs in the air and touches the others with a slip undone.
+bool look_for_loose(std::uint32_t link, Context& context) {
+  const std::vector<SeenShape> all = seen_shapes(link, context);
+  constexpr std::size_t kFewestShapes = 3;
+  if (all.size() < kFewestShapes || all.size() > kMostShapes) return false;
+  const SeenShape* loose = nullptr;
+  for (const SeenShape& one : all) {
+    const double gap = gap_to_others(one, all, {});
+    if (gap == 0) continue;
+    if (loose != nullptr || gap < kLoose * mesh::diagonal(one.shape->bounds_S)) return false;
+    loose = &one;
+  }
+  if (loose == nullptr || !is_in_link(*loose) || !context.root().own(loose->geometry->site))
+    return false;
+  const double gap = gap_to_others(*loose, all, {});
+  const Vector3& written = loose->pose->pose.value.translation;
+  for (const Undone& change : placement_slips(written)) {
+    if (gap_to_others(*loose, all, change.value - written) > 0) continue;
+    const bool same_length = std::abs(length(change.value) - length(written)) < 1e-9;
+    const bool explained =
+        gap > (same_length ? kBySign : kByFactor) * length(change.value - written);
+    context.report(
+        {.where = place_of(*loose->pose, context),
+         .message =
+             fmt::format("the {} is {:.3g} m away from the link's {} other shapes, which all "
+                         "touch",
+                         role_name(*loose), gap, all.size() - 1),
+         .subject = subject_of_shape(*loose, context),
+         .help = fmt::format("with {} it touches them: {}", written_as(change.value), change.slip),
+         .fix = translation_fix(*loose->pose, change.value, context),
+         .severity = explained ? std::nullopt : std::optional(Severity::kInfo)});
+    return true;
+  }
+  return false;
+}
+
 /// Shapes without a counterpart are compared with the links around them.
 void check_lone_shapes(Context& context) {
   const robot::Assembled& robot = context.assembled();
@@ -194,7 +266,12 @@ void check_lone_shapes(Context& context) {
   }
   constexpr std::size_t kFewestLinks = 4;
   if (lone.empty() || robot.links.size() < kFewestLinks) return;
-  for (const Attached& one : AttachedLinks(context).find()) {
+  const std::vector<Attached> all = AttachedLinks(context).find();
+  const auto floating =
+      std::count_if(all.begin(), all.end(), [](const Attached& one) { return one.fit.gap > 0; });
+  constexpr std::ptrdiff_t kOddInTen = 10;
+  if (floating > 1 + static_cast<std::ptrdiff_t>(all.size()) / kOddInTen) return;
+  for (const Attached& one : all) {
     if (one.child.size() != 1 || one.fit.gap == 0) continue;
     if (std::find(lone.begin(), lone.end(), one.unit.link) == lone.end()) continue;
     double longest = 0;
@@ -211,7 +288,9 @@ void check(const model::Root& root, Context& context) {
   if (context.frames().problems().empty()) check_lone_shapes(context);
   for (std::uint32_t i = 0; i < root.links.size(); ++i) {
     const model::Link& link = root.links[i];
-    if (link.collisions.empty() || link.visuals.empty() || !root.own(link.site)) continue;
+    const std::size_t count = link.collisions.size() + link.visuals.size();
+    if (count < 2 || !root.own(link.site)) continue;
+    if (look_for_loose(i, context) || link.collisions.empty() || link.visuals.empty()) continue;
     if (context.assembled().links[i].complete()) check_link(i, context);
   }
 }

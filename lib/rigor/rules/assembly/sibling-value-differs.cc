@@ -26,7 +26,7 @@ using Fields = std::vector<SiblingField>;
 // Fields that are not all zero and agree: else the parts are not made alike.
 constexpr std::size_t kAgreeing = 3;
 
-// Parts that agree in all but where they are: two of three may be alike by chance.
+// Parts that agree with each other: one may be alike by chance, and so may two.
 constexpr std::size_t kFewest = 2;
 constexpr std::size_t kMany = 3;
 
@@ -203,6 +203,33 @@ std::optional<Fix> fix_for(const SiblingField& wrong, const SiblingField& right,
   return Fix{"write " + text, Applicability::kUnsafe, {{wrong.span, text}}};
 }
 
+/// Of a pair the one that was left out; else the larger.
+bool is_the_wrong_one(const SiblingField& one, const SiblingField& other) {
+  if (is_empty(one) || is_empty(other)) return is_empty(one);
+  const auto size = [](const SiblingField& field) {
+    double sum = 0;
+    for (const double value : field.values) sum += std::abs(value);
+    return sum;
+  };
+  return size(one) > size(other);
+}
+
+/// Of two alone: where they are, where a shape is or how large, and that by a slip.
+std::vector<Odd> odd_of_pair(std::uint32_t a, std::uint32_t b, const std::vector<Fields>& all) {
+  const auto found = compared_fields(all[a], all[b]);
+  if (!found || found->agreeing < kAgreeing) return {};
+  std::optional<std::size_t> field;
+  if (found->different.size() == 1 && found->same_place) field = found->different.front();
+  if (found->different.empty() && !found->same_place) field = place_field(all[a]);
+  if (!field) return {};
+  const SiblingField& one = all[a][*field];
+  const SiblingField& other = all[b][*field];
+  if (one.kind != FieldKind::kOrigin && one.kind != FieldKind::kSize) return {};
+  if (slip_between(one, other).empty() && slip_between(other, one).empty()) return {};
+  if (is_the_wrong_one(one, other)) return {{a, *field, {b}}};
+  return {{b, *field, {a}}};
+}
+
 template <class Entity>
 void report(const Odd& odd, const std::vector<Entity>& all, const std::vector<Fields>& fields,
             Context& context) {
@@ -212,22 +239,39 @@ void report(const Odd& odd, const std::vector<Entity>& all, const std::vector<Fi
   const bool many = odd.right.size() >= kMany;
   const bool place = is_place(wrong);
   if (slip.empty() && (place || !many)) return;
-  Finding finding{.where = wrong.span.nowhere() ? all[odd.wrong].site.name : wrong.span,
-                  .message = fmt::format(
-                      "{}{} differs from that of {} parts of the same kind, '{}' and others:{}",
-                      wrong.name, numbers_of(wrong), odd.right.size(),
-                      all[odd.right.front()].name.value, numbers_of(right)),
-                  .subject = context.subject(all[odd.wrong]),
-                  .related = {{right.span.nowhere() ? all[odd.right.front()].site.name : right.span,
-                               "as in the others"}},
-                  .help = slip.empty() ? "all their other values are the same"
-                                       : "all their other values are the same: " + slip,
-                  .fix = fix_for(wrong, right, context),
-                  .cause = all[odd.wrong].name.value + wrong.name};
+  Finding finding{
+      .where = wrong.span.nowhere() ? all[odd.wrong].site.name : wrong.span,
+      .message =
+          odd.right.size() == 1
+              ? fmt::format("{}{} differs from that of the part of the same kind, '{}':{}",
+                            wrong.name, numbers_of(wrong), all[odd.right.front()].name.value,
+                            numbers_of(right))
+              : fmt::format(
+                    "{}{} differs from that of {} parts of the same kind, '{}' and others:{}",
+                    wrong.name, numbers_of(wrong), odd.right.size(),
+                    all[odd.right.front()].name.value, numbers_of(right)),
+      .subject = context.subject(all[odd.wrong]),
+      .related = {{right.span.nowhere() ? all[odd.right.front()].site.name : right.span,
+                   "as in the others"}},
+      .help = slip.empty() ? "all their other values are the same"
+                           : "all their other values are the same: " + slip,
+      .fix = fix_for(wrong, right, context),
+      .cause = all[odd.wrong].name.value + wrong.name};
   // One rudder among ailerons.
-  const bool doubtful = slip.empty() || !many || wrong.kind == FieldKind::kAxis;
+  const bool pair = odd.right.size() == 1;
+  const bool doubtful = slip.empty() || (!many && !pair) || wrong.kind == FieldKind::kAxis;
   if (doubtful) finding.severity = Severity::kInfo;
   context.report(std::move(finding));
+}
+
+/// The larger groups first, which say more; then pairs, of which those of two sides are in larger ones, too.
+std::vector<std::vector<std::uint32_t>> family_groups(const std::vector<std::string>& names) {
+  auto groups = robot::siblings(names);
+  for (const robot::Twins& pair : robot::twins(names, robot::Side::kAcross))
+    groups.push_back({pair.a, pair.b});
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  return groups;
 }
 
 template <class Entity, class List>
@@ -239,19 +283,28 @@ void check_family(const std::vector<Entity>& all, const List& list, Context& con
   }
   std::set<std::pair<std::uint32_t, std::size_t>> reported;
   for (const auto& [model, members] : by_model) {
-    if (members.size() <= kFewest) continue;
+    if (members.size() < kFewest) continue;
     std::vector<std::string> names;
     std::vector<Fields> fields;
     for (const std::uint32_t i : members) names.push_back(all[i].name.value);
-    const auto groups = robot::siblings(names);
+    const auto groups = family_groups(names);
     if (groups.empty()) continue;
     std::vector<Fields> of_all(all.size());
     for (const std::uint32_t i : members) of_all[i] = list(all[i]);
     for (std::vector<std::uint32_t> group : groups) {
       if (group.size() > kMostMembers) continue;
       for (std::uint32_t& i : group) i = members[i];
-      for (const Odd& odd : odd_ones(group, of_all)) {
-        if (reported.emplace(odd.wrong, odd.field).second) report(odd, all, of_all, context);
+      const std::vector<Odd> found = group.size() > kFewest
+                                         ? odd_ones(group, of_all)
+                                         : odd_of_pair(group[0], group[1], of_all);
+      for (const Odd& odd : found) {
+        const bool known = std::any_of(group.begin(), group.end(), [&](std::uint32_t one) {
+          return reported.contains({one, odd.field});
+        });
+        if (known && (group.size() == kFewest || reported.contains({odd.wrong, odd.field})))
+          continue;
+        reported.emplace(odd.wrong, odd.field);
+        report(odd, all, of_all, context);
       }
     }
   }
