@@ -124,6 +124,23 @@ bool is_as_large(const Scaled& one, const Group& group, double factor,
 /// Not scaled at all: then it is the others that have an unusual scale.
 bool is_plain(const Vector3& scale) { return scale == Vector3{1, 1, 1}; }
 
+/// Of a file whose unit is below the meter. None is in kilometers.
+bool may_be_unit(const Vector3& scale) {
+  return std::max({std::abs(scale.x), std::abs(scale.y), std::abs(scale.z)}) <= 1;
+}
+
+/// What the others have: their scale, or none at all.
+std::optional<Fix> fix_for(const Scaled& odd, const Scaled& other, const Context& context) {
+  const model::Field<Vector3>& scale = odd.mesh->scale;
+  if (!scale.written || scale.span.nowhere()) return std::nullopt;
+  if (!other.mesh->scale.written && context.is_urdf()) {
+    return fix_of("leave the scale out", Applicability::kUnsafe,
+                  attribute_removed(context, odd.geometry->site, "scale"));
+  }
+  const std::string meant = written_as(other.mesh->scale.value);
+  return Fix{"write " + meant, Applicability::kUnsafe, {{scale.span, meant}}};
+}
+
 void check_group(const Group& group, Context& context) {
   if (group.size() <= kFewest) return;
   const Scaled* odd = odd_one(group);
@@ -137,11 +154,7 @@ void check_group(const Group& group, Context& context) {
   if (unit.is_unit && fits) return;
   const model::Root& root = context.root();
   const model::Field<Vector3>& scale = odd->mesh->scale;
-  std::optional<Fix> fix;
-  if (scale.written && !scale.span.nowhere()) {
-    const std::string meant = written_as(other.mesh->scale.value);
-    fix = Fix{"write " + meant, Applicability::kUnsafe, {{scale.span, meant}}};
-  }
+  std::optional<Fix> fix = fix_for(*odd, other, context);
   const bool collision = odd->role == robot::ShapeRole::kCollision;
   const bool known = length_of(*odd, robot).has_value();
   context.report(
@@ -155,9 +168,10 @@ void check_group(const Group& group, Context& context) {
        .help = fmt::format("it is {:g} times {} than theirs: {}", unit.factor,
                            larger ? "larger" : "smaller", unit.slip),
        .fix = std::move(fix),
-       .severity = fits || is_plain(scale.value) || (unit.is_unit && !known)
-                       ? std::optional(Severity::kInfo)
-                       : std::nullopt});
+       .severity =
+           fits || is_plain(scale.value) || (unit.is_unit && !known && may_be_unit(scale.value))
+               ? std::optional(Severity::kInfo)
+               : std::nullopt});
 }
 
 void check(const model::Root& root, Context& context) {

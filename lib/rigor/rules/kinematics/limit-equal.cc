@@ -63,13 +63,14 @@ std::optional<Fix> symmetric_instead(const model::Axis& axis) {
 void check(const model::Joint& joint, Context& context) {
   if (!is_limited(joint.type) || joint.axes.size() != 1) return;
   const model::Axis& axis = joint.axes.front();
-  // Files of those versions have no other way to say it.
-  if (context.is_sdf() && context.root().version < 6) return;
   if (!axis.lower.written || !axis.upper.written || axis.mimic) return;
   if (is_stuck(context.root(), joint, axis)) return;
   if (axis.lower.value != axis.upper.value || !std::isfinite(axis.upper.value)) return;
-  const bool lost_sign = axis.upper.value != 0 && is_only_one(joint, context);
-  const bool odd = lost_sign || has_motor(context, joint, axis) || is_only_one(joint, context);
+  const bool only_one = is_only_one(joint, context);
+  // Files of those versions have no other way to say that a joint is fixed.
+  if (context.is_sdf() && context.root().version < 6 && !only_one) return;
+  const bool lost_sign = axis.upper.value != 0 && only_one;
+  const bool odd = only_one || has_motor(context, joint, axis);
   context.report(
       {.where = axis.upper.span,
        .message = fmt::format("both limits are {} {}: the {} joint cannot move", axis.upper.value,
