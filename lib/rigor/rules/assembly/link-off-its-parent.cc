@@ -38,7 +38,7 @@ constexpr double kWithin = 0.6;
 constexpr std::size_t kOddInTen = 10;
 
 // The slip explains the distance when it moves the link by not much more: the share of what it moves.
-constexpr double kByFactor = 0.6;
+constexpr double kByFactor = 0.75;
 constexpr double kBySign = 0.3;
 
 /// The most of each number at the other joints of the robot.

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/core.h>
@@ -111,6 +112,9 @@ std::optional<Better> best_for(const SeenShape& one, const std::vector<SeenShape
   for (Repose& repose : reposes(one, all)) {
     const Vector3 moved = repose.X_LS.translation - one.pose->pose.value.translation;
     if (!repose.turned && length(moved) < least) continue;
+    // Meshes are drawn as they come; what is chosen to lie along them is a rod, a disk or a box.
+    const bool mesh = std::holds_alternative<model::Mesh>(one.geometry->shape);
+    if (repose.turned && (mesh || !one.is_collision())) continue;
     const auto there = robot::bounds_of(robot::box_around(one.shape->bounds_S, repose.X_LS));
     const bool empty = nonzero_coordinates(one.pose->pose.value.translation) == 0;
     // An origin that was left out explains more than one that is odd.
@@ -166,7 +170,7 @@ void check_link(std::uint32_t link, Context& context) {
 // Shares of the longest link: how far the only shape of a link is from all other links, and of its way there.
 constexpr double kFloating = 0.03;
 constexpr double kTouching = 0.01;
-constexpr double kByFactor = 0.6;
+constexpr double kByFactor = 0.75;
 constexpr double kBySign = 0.3;
 
 /// The shape of a link that has no other, when its origin is what places it.

@@ -230,6 +230,12 @@ std::vector<Odd> odd_of_pair(std::uint32_t a, std::uint32_t b, const std::vector
   return {{b, *field, {a}}};
 }
 
+/// Whether one of the names says left and the other right. Of two in a row each may be elsewhere.
+bool are_sides(const std::string& a, const std::string& b) {
+  const std::vector<std::string> names = robot::mirrored_names(a, robot::Side::kAcross);
+  return std::find(names.begin(), names.end(), b) != names.end();
+}
+
 template <class Entity>
 void report(const Odd& odd, const std::vector<Entity>& all, const std::vector<Fields>& fields,
             Context& context) {
@@ -258,7 +264,8 @@ void report(const Odd& odd, const std::vector<Entity>& all, const std::vector<Fi
       .fix = fix_for(wrong, right, context),
       .cause = all[odd.wrong].name.value + wrong.name};
   // One rudder among ailerons.
-  const bool pair = odd.right.size() == 1;
+  const bool pair = odd.right.size() == 1 &&
+                    are_sides(all[odd.wrong].name.value, all[odd.right.front()].name.value);
   const bool doubtful = slip.empty() || (!many && !pair) || wrong.kind == FieldKind::kAxis;
   if (doubtful) finding.severity = Severity::kInfo;
   context.report(std::move(finding));
