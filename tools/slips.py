@@ -59,9 +59,9 @@ gazebo_models/follower_vehicle/model.sdf
 gazebo_models/husky/model.sdf
 gazebo_models/pioneer2dx/model.sdf
 gazebo_models/prius_hybrid/model.sdf
-gazebo_models/mpl_right_arm/model.sdf
 gazebo_models/simple_arm/model.sdf
 gazebo_models/simple_gripper/model.sdf
+gazebo_models/utility_cart/model.sdf
 gz-sim/examples/worlds/ackermann_steering.sdf
 gz-sim/examples/worlds/contact_sensor.sdf
 gz-sim/examples/worlds/diff_drive.sdf

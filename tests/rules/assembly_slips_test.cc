@@ -12,7 +12,7 @@
 #include <rigor/rules/environment.h>
 #include <rigor/rules/validate.h>
 
-namespace rigor::rules {
+namespace rigor::rules::assembly_slips {
 namespace {
 
 using Loudness = std::vector<Severity>;
@@ -131,4 +131,4 @@ TEST(AssemblySlips, LimitsAreComparedWithThoseOfTheOtherJoints) {
 }
 
 }  // namespace
-}  // namespace rigor::rules
+}  // namespace rigor::rules::assembly_slips

@@ -180,7 +180,6 @@ std::optional<SeenShape> lone_shape(std::uint32_t link, Context& context) {
     return std::nullopt;
   const SeenShape one = seen_shapes(link, context).front();
   if (!is_in_link(one) || !context.root().own(one.geometry->site)) return std::nullopt;
-  if (nonzero_coordinates(one.pose->pose.value.translation) == 0) return std::nullopt;
   return one;
 }
 
@@ -261,12 +260,48 @@ bool look_for_loose(std::uint32_t link, Context& context) {
   return false;
 }
 
+// Of the shape's own size: how far its middle is from the center of mass, as written and then.
+constexpr double kBesideMass = 0.75;
+constexpr double kAroundMass = 0.25;
+
+/// The only shape of a link that weighs something is about its center of mass.
+bool look_at_mass(const SeenShape& one, std::uint32_t link, Context& context) {
+  const model::Inertial& inertial = context.root().links[link].inertial;
+  if (!inertial.pose.pose.written || !(inertial.mass.value > 0)) return false;
+  const Vector3& com = inertial.pose.pose.value.translation;
+  const Vector3 middle = 0.5 * (one.bounds_L.min + one.bounds_L.max);
+  const double size = mesh::diagonal(one.shape->bounds_S);
+  const double off = length(com - middle);
+  const Vector3& written = one.pose->pose.value.translation;
+  if (off < kBesideMass * size || com == Vector3{}) return false;
+  std::vector<Undone> changes = placement_slips(written);
+  if (nonzero_coordinates(written) == 0) changes.push_back({com, "it was left out"});
+  for (const Undone& change : changes) {
+    if (length(com - middle - (change.value - written)) > kAroundMass * size) continue;
+    context.report(
+        {.where = place_of(*one.pose, context),
+         .message =
+             fmt::format("the middle of the {}, the only shape of its link, is {:.3g} m away "
+                         "from the center of mass",
+                         role_name(one), off),
+         .subject = subject_of_shape(one, context),
+         .related = {{place_of(inertial.pose, context), "the center of mass"}},
+         .help = fmt::format("with {} it is around it: {}", written_as(change.value), change.slip),
+         .fix = translation_fix(*one.pose, change.value, context),
+         .severity = Severity::kInfo});
+    return true;
+  }
+  return false;
+}
+
 /// Shapes without a counterpart are compared with the links around them.
 void check_lone_shapes(Context& context) {
   const robot::Assembled& robot = context.assembled();
   std::vector<std::uint32_t> lone;
   for (std::uint32_t i = 0; i < robot.links.size(); ++i) {
-    if (lone_shape(i, context)) lone.push_back(i);
+    const auto one = lone_shape(i, context);
+    if (!one || look_at_mass(*one, i, context)) continue;
+    if (nonzero_coordinates(one->pose->pose.value.translation) > 0) lone.push_back(i);
   }
   constexpr std::size_t kFewestLinks = 4;
   if (lone.empty() || robot.links.size() < kFewestLinks) return;

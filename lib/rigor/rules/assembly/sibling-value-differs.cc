@@ -25,6 +25,8 @@ using Fields = std::vector<SiblingField>;
 
 // Fields that are not all zero and agree: else the parts are not made alike.
 constexpr std::size_t kAgreeing = 3;
+constexpr std::size_t kAgreeingSides =
+    2;  // of a left and a right part, whose names say that they are
 
 // Parts that agree with each other: one may be alike by chance, and so may two.
 constexpr std::size_t kFewest = 2;
@@ -215,9 +217,10 @@ bool is_the_wrong_one(const SiblingField& one, const SiblingField& other) {
 }
 
 /// Of two alone: where they are, where a shape is or how large, and that by a slip.
-std::vector<Odd> odd_of_pair(std::uint32_t a, std::uint32_t b, const std::vector<Fields>& all) {
+std::vector<Odd> odd_of_pair(std::uint32_t a, std::uint32_t b, const std::vector<Fields>& all,
+                             std::size_t support, std::size_t enough) {
   const auto found = compared_fields(all[a], all[b]);
-  if (!found || found->agreeing < kAgreeing) return {};
+  if (!found || found->agreeing + support < enough) return {};
   std::optional<std::size_t> field;
   if (found->different.size() == 1 && found->same_place) field = found->different.front();
   if (found->different.empty() && !found->same_place) field = place_field(all[a]);
@@ -281,8 +284,10 @@ std::vector<std::vector<std::uint32_t>> family_groups(const std::vector<std::str
   return groups;
 }
 
-template <class Entity, class List>
-void check_family(const std::vector<Entity>& all, const List& list, Context& context) {
+/// `support` counts what else of two parts agrees: of a joint, the link that it carries.
+template <class Entity, class List, class Support>
+void check_family(const std::vector<Entity>& all, const List& list, const Support& support,
+                  Context& context) {
   const model::Root& root = context.root();
   std::map<std::uint32_t, std::vector<std::uint32_t>> by_model;
   for (std::uint32_t i = 0; i < all.size(); ++i) {
@@ -301,9 +306,12 @@ void check_family(const std::vector<Entity>& all, const List& list, Context& con
     for (std::vector<std::uint32_t> group : groups) {
       if (group.size() > kMostMembers) continue;
       for (std::uint32_t& i : group) i = members[i];
-      const std::vector<Odd> found = group.size() > kFewest
-                                         ? odd_ones(group, of_all)
-                                         : odd_of_pair(group[0], group[1], of_all);
+      const std::vector<Odd> found = [&] {
+        if (group.size() > kFewest) return odd_ones(group, of_all);
+        const bool sides = are_sides(all[group[0]].name.value, all[group[1]].name.value);
+        return odd_of_pair(group[0], group[1], of_all, support(group[0], group[1]),
+                           sides ? kAgreeingSides : kAgreeing);
+      }();
       for (const Odd& odd : found) {
         const bool known = std::any_of(group.begin(), group.end(), [&](std::uint32_t one) {
           return reported.contains({one, odd.field});
@@ -320,10 +328,20 @@ void check_family(const std::vector<Entity>& all, const List& list, Context& con
 void check(const model::Root& root, Context& context) {
   if (root.links.size() <= kFewest) return;
   SiblingLister lister(context);
+  const auto links_agree = [&](std::uint32_t a, std::uint32_t b) -> std::size_t {
+    const auto child_a = context.frames().ends({a}).child,
+               child_b = context.frames().ends({b}).child;
+    if (!child_a || !child_b) return 0;
+    const auto found =
+        compared_fields(lister.of_link(root[child_a]), lister.of_link(root[child_b]));
+    return found && found->different.empty() ? found->agreeing : 0;
+  };
   check_family(
-      root.links, [&](const model::Link& link) { return lister.of_link(link); }, context);
+      root.links, [&](const model::Link& link) { return lister.of_link(link); },
+      [](std::uint32_t, std::uint32_t) { return std::size_t{0}; }, context);
   check_family(
-      root.joints, [&](const model::Joint& joint) { return lister.of_joint(joint); }, context);
+      root.joints, [&](const model::Joint& joint) { return lister.of_joint(joint); }, links_agree,
+      context);
 }
 
 Rule rule() {
