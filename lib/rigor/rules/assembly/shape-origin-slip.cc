@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -15,14 +13,12 @@
 
 #include <fmt/core.h>
 
-#include <rigor/rules/assembly/attachment.h>
 #include <rigor/rules/assembly/placement_slips.h>
 #include <rigor/rules/assembly/seen_shapes.h>
+#include <rigor/rules/assembly/shapes_alone.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::shape_origin_slip {
-
-using model::Vector3;
 
 // How alike the boxes around what is touched and what is seen are, as written and with the slip undone:
 // bodies are simplified, and a shape that is too short for its visual lies within it at several places.
@@ -66,11 +62,6 @@ std::optional<mesh::Bounds> bounds_of_others(const std::vector<SeenShape>& all,
     result = result ? robot::joined(*result, other.bounds_L) : other.bounds_L;
   }
   return result;
-}
-
-/// Whether its pose is written in the frame of the link.
-bool is_in_link(const SeenShape& one) {
-  return one.pose->pose.written && one.pose->relative_to.value.empty();
 }
 
 std::vector<Repose> reposes(const SeenShape& one, const std::vector<SeenShape>& all) {
@@ -165,162 +156,6 @@ void check_link(std::uint32_t link, Context& context) {
        .fix = best->repose.turned ? std::nullopt
                                   : translation_fix(*wrong->pose, then.translation, context),
        .severity = best->repose.copied ? std::optional(Severity::kInfo) : std::nullopt});
-}
-
-// Shares of the longest link: how far the only shape of a link is from all other links, and of its way there.
-constexpr double kFloating = 0.03;
-constexpr double kTouching = 0.01;
-constexpr double kByFactor = 0.75;
-constexpr double kBySign = 0.3;
-
-/// The shape of a link that has no other, when its origin is what places it.
-std::optional<SeenShape> lone_shape(std::uint32_t link, Context& context) {
-  const robot::AssembledLink& assembled = context.assembled().links[link];
-  if (assembled.shapes.size() != 1 || !assembled.complete() || !assembled.carrier)
-    return std::nullopt;
-  const SeenShape one = seen_shapes(link, context).front();
-  if (!is_in_link(one) || !context.root().own(one.geometry->site)) return std::nullopt;
-  return one;
-}
-
-void look_at_lone(const SeenShape& one, const Attached& attached, double longest,
-                  Context& context) {
-  const model::Pose& now = one.pose->pose.value;
-  for (const Undone& change : placement_slips(now.translation)) {
-    const Vector3 moved = rotate(attached.unit.X_WL.rotation, change.value - now.translation);
-    const Fit then = fit_of(attached, moved);
-    constexpr double kPartly = 0.6;
-    if (then.gap > kTouching * longest || then.inside > kPartly) continue;
-    const bool same_length = std::abs(length(change.value) - length(now.translation)) < 1e-9;
-    const bool explained = attached.fit.gap > (same_length ? kBySign : kByFactor) * length(moved);
-    context.report(
-        {.where = place_of(*one.pose, context),
-         .message = fmt::format("the {} is the only shape of its link, and {:.3g} m away from all "
-                                "other links",
-                                role_name(one), attached.fit.gap),
-         .subject = subject_of_shape(one, context),
-         .help = fmt::format("with {} it touches them: {}", written_as(change.value), change.slip),
-         .fix = translation_fix(*one.pose, change.value, context),
-         .severity = explained ? std::nullopt : std::optional(Severity::kInfo)});
-    return;
-  }
-}
-
-// Of the shape's own size, in links whose other shapes all touch.
-constexpr double kLoose = 0.05;
-
-double gap_between(const SeenShape& one, const SeenShape& other, const Vector3& d_L) {
-  const auto box = robot::moved(robot::box_around(one.shape->bounds_S, one.shape->X_LS), d_L);
-  return std::max(
-      0.0, robot::separation(box, robot::box_around(other.shape->bounds_S, other.shape->X_LS)));
-}
-
-double gap_to_others(const SeenShape& one, const std::vector<SeenShape>& all, const Vector3& d_L) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const SeenShape& other : all) {
-    if (other.shape != one.shape) least = std::min(least, gap_between(one, other, d_L));
-    if (least == 0) break;
-  }
-  return least;
-}
-
-/// A body of several shapes, of which one hangs in the air and touches the others with a slip undone.
-bool look_for_loose(std::uint32_t link, Context& context) {
-  const std::vector<SeenShape> all = seen_shapes(link, context);
-  constexpr std::size_t kFewestShapes = 3;
-  if (all.size() < kFewestShapes || all.size() > kMostShapes) return false;
-  const SeenShape* loose = nullptr;
-  for (const SeenShape& one : all) {
-    const double gap = gap_to_others(one, all, {});
-    if (gap == 0) continue;
-    if (loose != nullptr || gap < kLoose * mesh::diagonal(one.shape->bounds_S)) return false;
-    loose = &one;
-  }
-  if (loose == nullptr || !is_in_link(*loose) || !context.root().own(loose->geometry->site))
-    return false;
-  const double gap = gap_to_others(*loose, all, {});
-  const Vector3& written = loose->pose->pose.value.translation;
-  for (const Undone& change : placement_slips(written)) {
-    if (gap_to_others(*loose, all, change.value - written) > 0) continue;
-    const bool same_length = std::abs(length(change.value) - length(written)) < 1e-9;
-    const bool explained =
-        gap > (same_length ? kBySign : kByFactor) * length(change.value - written);
-    context.report(
-        {.where = place_of(*loose->pose, context),
-         .message =
-             fmt::format("the {} is {:.3g} m away from the link's {} other shapes, which all "
-                         "touch",
-                         role_name(*loose), gap, all.size() - 1),
-         .subject = subject_of_shape(*loose, context),
-         .help = fmt::format("with {} it touches them: {}", written_as(change.value), change.slip),
-         .fix = translation_fix(*loose->pose, change.value, context),
-         .severity = explained ? std::nullopt : std::optional(Severity::kInfo)});
-    return true;
-  }
-  return false;
-}
-
-// Of the shape's own size: how far its middle is from the center of mass, as written and then.
-constexpr double kBesideMass = 0.75;
-constexpr double kAroundMass = 0.25;
-
-/// The only shape of a link that weighs something is about its center of mass.
-bool look_at_mass(const SeenShape& one, std::uint32_t link, Context& context) {
-  const model::Inertial& inertial = context.root().links[link].inertial;
-  if (!inertial.pose.pose.written || !(inertial.mass.value > 0)) return false;
-  const Vector3& com = inertial.pose.pose.value.translation;
-  const Vector3 middle = 0.5 * (one.bounds_L.min + one.bounds_L.max);
-  const double size = mesh::diagonal(one.shape->bounds_S);
-  const double off = length(com - middle);
-  const Vector3& written = one.pose->pose.value.translation;
-  if (off < kBesideMass * size || com == Vector3{}) return false;
-  std::vector<Undone> changes = placement_slips(written);
-  if (nonzero_coordinates(written) == 0) changes.push_back({com, "it was left out"});
-  for (const Undone& change : changes) {
-    if (length(com - middle - (change.value - written)) > kAroundMass * size) continue;
-    context.report(
-        {.where = place_of(*one.pose, context),
-         .message =
-             fmt::format("the middle of the {}, the only shape of its link, is {:.3g} m away "
-                         "from the center of mass",
-                         role_name(one), off),
-         .subject = subject_of_shape(one, context),
-         .related = {{place_of(inertial.pose, context), "the center of mass"}},
-         .help = fmt::format("with {} it is around it: {}", written_as(change.value), change.slip),
-         .fix = translation_fix(*one.pose, change.value, context),
-         .severity = Severity::kInfo});
-    return true;
-  }
-  return false;
-}
-
-/// Shapes without a counterpart are compared with the links around them.
-void check_lone_shapes(Context& context) {
-  const robot::Assembled& robot = context.assembled();
-  std::vector<std::uint32_t> lone;
-  for (std::uint32_t i = 0; i < robot.links.size(); ++i) {
-    const auto one = lone_shape(i, context);
-    if (!one || look_at_mass(*one, i, context)) continue;
-    if (nonzero_coordinates(one->pose->pose.value.translation) > 0) lone.push_back(i);
-  }
-  constexpr std::size_t kFewestLinks = 4;
-  if (lone.empty() || robot.links.size() < kFewestLinks) return;
-  const std::vector<Attached> all = AttachedLinks(context).find();
-  const auto floating =
-      std::count_if(all.begin(), all.end(), [](const Attached& one) { return one.fit.gap > 0; });
-  constexpr std::ptrdiff_t kOddInTen = 10;
-  if (floating > 1 + static_cast<std::ptrdiff_t>(all.size()) / kOddInTen) return;
-  for (const Attached& one : all) {
-    if (one.child.size() != 1 || one.fit.gap == 0) continue;
-    if (std::find(lone.begin(), lone.end(), one.unit.link) == lone.end()) continue;
-    double longest = 0;
-    for (std::uint32_t i = 0; i < robot.links.size(); ++i) {
-      if (robot.links[i].top == robot.links[one.unit.link].top)
-        longest = std::max(longest, robot.longest({i}));
-    }
-    if (one.fit.gap > kFloating * longest)
-      look_at_lone(*lone_shape(one.unit.link, context), one, longest, context);
-  }
 }
 
 void check(const model::Root& root, Context& context) {
