@@ -33,14 +33,21 @@ constexpr std::size_t kFewest = 2;
 constexpr std::size_t kMany = 3;
 
 // A larger group is a table of parts; each is compared with all others.
-constexpr std::size_t kMostMembers = 60;
+constexpr std::size_t kMostMembers = 30;
 
 bool is_empty(const SiblingField& field) {
   return std::all_of(field.values.begin(), field.values.end(),
                      [](double value) { return value == 0 || std::isinf(value); });
 }
 
-bool is_place(const SiblingField& field) { return field.name == "origin" || field.name == "pose"; }
+bool is_place(const SiblingField& field) {
+  return field.part.empty() && (field.name == "origin" || field.name == "pose");
+}
+
+std::string name_of(const SiblingField& field) {
+  return field.part.empty() ? std::string(field.name)
+                            : fmt::format("{} {}", field.part, field.name);
+}
 
 struct Comparison {
   std::size_t agreeing = 0;
@@ -52,7 +59,7 @@ std::optional<Comparison> compared_fields(const Fields& a, const Fields& b) {
   if (a.size() != b.size()) return std::nullopt;
   Comparison result;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a[i].name != b[i].name) return std::nullopt;
+    if (a[i].name != b[i].name || a[i].part != b[i].part) return std::nullopt;
     if (same_field(a[i], b[i])) {
       result.agreeing += is_empty(a[i]) ? 0 : 1;
     } else if (is_place(a[i])) {
@@ -123,7 +130,7 @@ std::vector<Odd> odd_ones(const std::vector<std::uint32_t>& group, const std::ve
 
 /// What makes the one of the other by a slip: a factor, a number left out, an exchange.
 std::string slip_between(const SiblingField& wrong, const SiblingField& right) {
-  const std::vector<double>&a = wrong.values, &b = right.values;
+  const SmallList &a = wrong.values, &b = right.values;
   if (wrong.kind == FieldKind::kType) return "another type is written";
   if (is_empty(wrong)) return "it was left out";
   std::vector<double> p, q;
@@ -158,7 +165,8 @@ std::string numbers_of(const SiblingField& field) {
     const auto type = static_cast<model::JointType>(static_cast<int>(field.values.front()));
     return fmt::format(" '{}'", model::to_string(type));
   }
-  return ' ' + write::joined(field.values) + (*field.unit ? ' ' + std::string(field.unit) : "");
+  return ' ' + write::joined({field.values.begin(), field.values.end()}) +
+         (*field.unit ? ' ' + std::string(field.unit) : "");
 }
 
 /// The sign that the wrong number had, where it has one.
@@ -170,8 +178,7 @@ double signed_as(double right, const std::array<double, 3>& wrong, std::size_t k
 }
 
 /// The values of the others, with the signs of this one; nothing where a sign is not known.
-std::optional<model::Vector3> with_signs(const model::Vector3& wrong,
-                                         const std::vector<double>& right) {
+std::optional<model::Vector3> with_signs(const model::Vector3& wrong, const SmallList& right) {
   const std::array<double, 3> from{wrong.x, wrong.y, wrong.z};
   std::array<double, 3> to{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -253,11 +260,11 @@ void report(const Odd& odd, const std::vector<Entity>& all, const std::vector<Fi
       .message =
           odd.right.size() == 1
               ? fmt::format("{}{} differs from that of the part of the same kind, '{}':{}",
-                            wrong.name, numbers_of(wrong), all[odd.right.front()].name.value,
+                            name_of(wrong), numbers_of(wrong), all[odd.right.front()].name.value,
                             numbers_of(right))
               : fmt::format(
                     "{}{} differs from that of {} parts of the same kind, '{}' and others:{}",
-                    wrong.name, numbers_of(wrong), odd.right.size(),
+                    name_of(wrong), numbers_of(wrong), odd.right.size(),
                     all[odd.right.front()].name.value, numbers_of(right)),
       .subject = context.subject(all[odd.wrong]),
       .related = {{right.span.nowhere() ? all[odd.right.front()].site.name : right.span,
@@ -265,7 +272,7 @@ void report(const Odd& odd, const std::vector<Entity>& all, const std::vector<Fi
       .help = slip.empty() ? "all their other values are the same"
                            : "all their other values are the same: " + slip,
       .fix = fix_for(wrong, right, context),
-      .cause = all[odd.wrong].name.value + wrong.name};
+      .cause = all[odd.wrong].name.value + name_of(wrong)};
   // One rudder among ailerons.
   const bool pair = odd.right.size() == 1 &&
                     are_sides(all[odd.wrong].name.value, all[odd.right.front()].name.value);

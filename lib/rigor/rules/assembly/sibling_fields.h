@@ -9,9 +9,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <string>
+#include <initializer_list>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -30,11 +33,29 @@ enum class FieldKind : std::uint8_t {
   kType,
 };
 
+/// Three numbers at most.
+class SmallList {
+ public:
+  SmallList(std::initializer_list<double> numbers) : size_(numbers.size()) {
+    std::copy(numbers.begin(), numbers.end(), numbers_.begin());
+  }
+  const double* begin() const { return numbers_.data(); }
+  const double* end() const { return numbers_.data() + size_; }
+  std::size_t size() const { return size_; }
+  double operator[](std::size_t k) const { return numbers_[k]; }
+  double front() const { return numbers_.front(); }
+
+ private:
+  std::array<double, 3> numbers_{};
+  std::size_t size_ = 0;
+};
+
 struct SiblingField {
-  std::string name;
+  std::string_view part;  ///< "collision"; empty for the link or joint itself
+  std::string_view name;  ///< "radius"
   FieldKind kind = FieldKind::kNumber;
   const char* unit = "";
-  std::vector<double> values;                    ///< to be compared
+  SmallList values;                              ///< to be compared
   Span span;                                     ///< of what is written; nowhere when nothing is
   const model::PoseField* pose = nullptr;        ///< of an origin
   const model::Field<double>* number = nullptr;  ///< of a number, or of a size that is one
@@ -80,9 +101,10 @@ class SiblingLister {
   }
 
  private:
-  void add_number(const std::string& name, const char* unit, const model::Field<double>& field,
-                  FieldKind kind = FieldKind::kNumber) {
-    fields_.push_back({.name = name,
+  void add_number(std::string_view name, const char* unit, const model::Field<double>& field,
+                  FieldKind kind = FieldKind::kNumber, std::string_view part = {}) {
+    fields_.push_back({.part = part,
+                       .name = name,
                        .kind = kind,
                        .unit = unit,
                        .values = {field.value},
@@ -90,9 +112,10 @@ class SiblingLister {
                        .number = &field});
   }
 
-  void add_origin(const std::string& name, const model::PoseField& pose) {
+  void add_origin(std::string_view name, const model::PoseField& pose, std::string_view part = {}) {
     const model::Vector3& t = pose.pose.value.translation;
-    fields_.push_back({.name = name,
+    fields_.push_back({.part = part,
+                       .name = name,
                        .kind = FieldKind::kOrigin,
                        .unit = "m",
                        .values = {std::abs(t.x), std::abs(t.y), std::abs(t.z)},
@@ -110,30 +133,31 @@ class SiblingLister {
                        .span = axis.lower.written ? axis.lower.span : axis.upper.span});
   }
 
-  void add_vector(const std::string& name, const model::Field<model::Vector3>& field) {
+  void add_vector(std::string_view part, std::string_view name,
+                  const model::Field<model::Vector3>& field) {
     const model::Vector3& v = field.value;
-    fields_.push_back({.name = name,
+    fields_.push_back({.part = part,
+                       .name = name,
                        .kind = FieldKind::kSize,
                        .values = {std::abs(v.x), std::abs(v.y), std::abs(v.z)},
                        .span = field.span,
                        .vector = &field});
   }
 
-  void add_shape(const std::string& name, const model::PoseField& pose,
+  void add_shape(std::string_view part, const model::PoseField& pose,
                  const model::Geometry& geometry) {
-    add_origin(name + " origin", pose);
+    add_origin("origin", pose, part);
     const auto add_round = [&](const auto& shape) {
-      add_number(name + " radius", "m", shape.radius, FieldKind::kSize);
-      add_number(name + " length", "m", shape.length, FieldKind::kSize);
+      add_number("radius", "m", shape.radius, FieldKind::kSize, part);
+      add_number("length", "m", shape.length, FieldKind::kSize, part);
     };
     if (const auto* s = std::get_if<model::Sphere>(&geometry.shape))
-      add_number(name + " radius", "m", s->radius, FieldKind::kSize);
+      add_number("radius", "m", s->radius, FieldKind::kSize, part);
     if (const auto* s = std::get_if<model::Cylinder>(&geometry.shape)) add_round(*s);
     if (const auto* s = std::get_if<model::Capsule>(&geometry.shape)) add_round(*s);
-    if (const auto* s = std::get_if<model::Box>(&geometry.shape))
-      add_vector(name + " size", s->size);
+    if (const auto* s = std::get_if<model::Box>(&geometry.shape)) add_vector(part, "size", s->size);
     if (const auto* s = std::get_if<model::Mesh>(&geometry.shape))
-      add_vector(name + " scale", s->scale);
+      add_vector(part, "scale", s->scale);
   }
 
   const Context& context_;
