@@ -21,7 +21,7 @@ namespace rigor::rules::origin_looks_like_millimeters {
 // Times as far from its link's origin as anything else of the model is from its own, and than any
 // shape reaches. A unit is a factor of 100 or 1000.
 constexpr double kTimesFarther = 8;
-constexpr double kLeast = 0.3;  // m
+constexpr double kMin = 0.3;  // m
 
 // The same of joints: an arm may be on a column that is not drawn.
 constexpr double kTimesFartherOfJoint = 4;
@@ -98,7 +98,7 @@ void check(const model::Root& root, Context& context) {
   for (const auto& [top, model] : proportions(context)) {
     for (std::size_t i = 0; i < model.parts.size(); ++i) {
       const Part& part = model.parts[i];
-      if (part.offset < kLeast || !root.own(part.pose->site)) continue;
+      if (part.offset < kMin || !root.own(part.pose->site)) continue;
       const double longest = model.without(i);
       const double times = part.is_joint ? kTimesFartherOfJoint : kTimesFarther;
       if (!(longest > 0) || part.offset < times * longest || model.parts.size() < kFewestParts)

@@ -73,7 +73,7 @@ inline void look_at_lone(const SeenShape& one, const Attached& attached, double 
 }
 
 // A body in more pieces is made of what touches nothing as well.
-inline constexpr std::size_t kMostInLink = 20;
+inline constexpr std::size_t kMaxInLink = 20;
 
 // Of the shape's own size, in links whose other shapes all touch.
 inline constexpr double kLoose = 0.05;
@@ -98,7 +98,7 @@ inline double gap_to_others(const SeenShape& one, const std::vector<SeenShape>& 
 inline bool look_for_loose(std::uint32_t link, Context& context) {
   const std::vector<SeenShape> all = seen_shapes(link, context);
   constexpr std::size_t kFewestShapes = 3;
-  if (all.size() < kFewestShapes || all.size() > kMostInLink) return false;
+  if (all.size() < kFewestShapes || all.size() > kMaxInLink) return false;
   const SeenShape* loose = nullptr;
   for (const SeenShape& one : all) {
     const double gap = gap_to_others(one, all, {});

@@ -51,7 +51,7 @@ bool differs(const model::Shape& shape, const model::Pose& X_WC, const model::Po
 }
 
 // Of one shape in a link; each is compared with all others.
-constexpr std::size_t kMostAlike = 30;
+constexpr std::size_t kMaxAlike = 30;
 
 /// Takes out each collision with a visual that is where it is, so that those are left which have none.
 void leave_odd_ones(Pair& pair, const Context& context) {
@@ -84,7 +84,7 @@ void check(const model::Link& link, Context& context) {
     if (const auto key = shape_key(root[id].geometry.shape)) pairs[*key].visuals.push_back(id);
   }
   for (auto& [key, pair] : pairs) {
-    if (pair.collisions.size() != pair.visuals.size() || pair.visuals.size() > kMostAlike) continue;
+    if (pair.collisions.size() != pair.visuals.size() || pair.visuals.size() > kMaxAlike) continue;
     if (pair.visuals.size() > 1) leave_odd_ones(pair, context);
     if (pair.collisions.size() != 1 || pair.visuals.size() != 1) continue;
     const model::Collision& collision = root[pair.collisions.front()];

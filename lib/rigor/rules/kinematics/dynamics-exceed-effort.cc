@@ -26,7 +26,7 @@ constexpr double kLarge = 1e4;
 // Of the velocity limit: motor and gear were not made for it.
 constexpr double kShareOfVelocity = 0.01;
 
-// rad/s or m/s; a larger limit stands for none.
+// rad/s or m/s; a larger limit represents none.
 constexpr double kFast = 20;
 
 double slowest(double velocity) {
@@ -43,7 +43,7 @@ void check(const model::Root& root, Context& context) {
     const bool rubs = axis.friction.written && axis.friction.value > 0;
     if (!damped && !rubs) continue;
     double effort = effort_limit(root, joint, axis);
-    if (effort == 0) continue;  // effort-zero speaks of it
+    if (effort == 0) continue;  // effort-zero reports it
     bool limited = std::isfinite(effort);
     // An effort limit of 1000 at a wheel of a kilogram is a placeholder, and drives nothing.
     if (std::max(axis.damping.value, axis.friction.value) >= kLarge && limited) {
