@@ -6,6 +6,7 @@ A kind is a function from a `Text` to the slips of that kind which the file has 
 `harmless` change nothing that a consumer could notice.
 """
 
+import math
 import re
 
 KINDS = []  # (family, name, function)
@@ -121,21 +122,62 @@ def origins(text, which, least):
 
 WHERE = ("joint", "collision", "visual", "inertial")
 
+# What moves a part by less than both is no fault that anybody sees: meters, and a share of the robot.
+LEAST_MOVE = 0.002
+LEAST_SHARE = 0.01
+
+
+def reach(text):
+    """How long a robot is at least: its longest origin or primitive shape."""
+    lengths = [origin.size() for element in placed(text) + parts(text, "collision") + parts(text, "visual") if (origin := Origin(element))]
+    for part in parts(text, "collision") + parts(text, "visual"):
+        for shape, field, by in (("box", "size", 1), ("cylinder", "length", 1), ("cylinder", "radius", 2), ("sphere", "radius", 2)):
+            found = part.child("geometry", shape)
+            value = found and (found.attribute(field) or found.value(field))
+            lengths += [by * abs(x) for x in value.numbers()] if value else []
+    return max((x for x in lengths if x < 100), default=0.0)
+
+
+def bodies(text):
+    """Names of links that can be seen or touched or weigh something, and of those that carry such."""
+    found = {link.get("name") for link in text.all("link") if any(link.child(name) for name in ("visual", "collision", "inertial"))}
+    ends_of = [[end and (end.get("link") or getattr(end.value(), "text", "")) for end in (joint.child("parent"), joint.child("child"))]
+               for joint in joints(text)]
+    for _ in range(len(ends_of)):
+        more = {parent for parent, child in ends_of if child in found} - found
+        if not more:
+            break
+        found |= more
+    return found
+
+
+def visibly_moved(text, which, slips_of):
+    """Those slips of (element, origin, new xyz) that move something far enough to be seen."""
+    least = max(LEAST_MOVE, LEAST_SHARE * reach(text))
+    solid = bodies(text)
+    for element, origin, xyz in slips_of:
+        moved = sum((a - b) ** 2 for a, b in zip(origin.xyz, xyz)) ** 0.5
+        child = element.child("child")
+        name = (child.get("link") or getattr(child.value(), "text", "")) if child else element.get("name")
+        if moved >= least and (which != "joint" or name in solid):
+            yield Slip(element, origin.set(xyz=xyz))
+
 
 def origin_kinds():
     def by_factor(which, factor, least):
-        return lambda text: (Slip(element, origin.set(xyz=[x * factor for x in origin.xyz]))
-                             for element, origin in origins(text, which, least))
+        return lambda text: visibly_moved(text, which, ((element, origin, [x * factor for x in origin.xyz])
+                                                        for element, origin in origins(text, which, least)))
 
     def left_out(which):
-        return lambda text: (Slip(element, origin.set(xyz=[0.0, 0.0, 0.0])) for element, origin in origins(text, which, 0.03))
+        return lambda text: visibly_moved(text, which, ((element, origin, [0.0, 0.0, 0.0])
+                                                        for element, origin in origins(text, which, 0.03)))
 
     def sign(which):
         def slips(text):
             for element, origin in origins(text, which, 0.03):
                 at = max(range(3), key=lambda i: abs(origin.xyz[i]))
-                yield Slip(element, origin.set(xyz=[-x if i == at else x for i, x in enumerate(origin.xyz)]))
-        return slips
+                yield element, origin, [-x if i == at else x for i, x in enumerate(origin.xyz)]
+        return lambda text: visibly_moved(text, which, slips(text))
 
     for which in WHERE:
         kind("placement", f"{which} origin in mm")(by_factor(which, 1000, 0.01))
@@ -152,12 +194,14 @@ origin_kinds()
 
 @kind("placement", "components of a joint origin exchanged")
 def exchanged(text):
-    for element, origin in origins(text, "joint", 0.03):
-        x, y, z = origin.xyz
-        for new in ([y, x, z], [x, z, y]):
-            if max(abs(a - b) for a, b in zip(new, origin.xyz)) > 0.03:
-                yield Slip(element, origin.set(xyz=new))
-                break
+    def slips():
+        for element, origin in origins(text, "joint", 0.03):
+            x, y, z = origin.xyz
+            for new in ([y, x, z], [x, z, y]):
+                if max(abs(a - b) for a, b in zip(new, origin.xyz)) > 0.03:
+                    yield element, origin, new
+                    break
+    return visibly_moved(text, "joint", slips())
 
 
 def turned(text, which, change):
@@ -179,8 +223,15 @@ def collision_degrees(text):
 
 @kind("placement", "collision rotation left out")
 def collision_rotation(text):
+    """Of shapes that fill another place then: half a turn leaves a box as it was, and any turn about z a cylinder."""
     for slip in turned(text, "collision", lambda r: 0.0):
-        if slip.element.child("geometry", "cylinder") or slip.element.child("geometry", "box"):
+        roll, pitch, yaw = (abs(math.sin(angle)) > 0.2 for angle in Origin(slip.element).rpy)
+        box = slip.element.child("geometry", "box")
+        size = box and (box.attribute("size") or box.value("size"))
+        sides = size.numbers() if size else []
+        if slip.element.child("geometry", "cylinder") and (roll or pitch):
+            yield slip
+        elif len(sides) == 3 and max(sides) > 1.1 * min(sides) and (roll or pitch or yaw):
             yield slip
 
 
@@ -317,6 +368,9 @@ def side_axis(text):
 
 
 def limit_value(joint, name):
+    """Of what is read: a URDF's continuous joint has no position limits."""
+    if joint.get("type") == "continuous" and name in ("lower", "upper"):
+        return None
     limit = joint.child("limit") or joint.child("axis", "limit")
     return limit and (limit.attribute(name) or limit.value(name))
 

@@ -34,16 +34,15 @@ from slip_text import Text  # noqa: E402
 # By many authors, in both formats; relative to the corpus.
 FILES = """
 SO-ARM100/Simulation/SO100/so100.urdf
-SO-ARM100/Simulation/SO101/so101_new_calib.urdf
 anymal_c_simple_description/urdf/anymal.urdf
 aws-small-house-world/worlds/small_house.world
 create3_sim/irobot_create_gz/irobot_create_gz_bringup/worlds/maze.sdf
 dex-urdf/robots/hands/ability_hand/ability_hand_left.urdf
-dex-urdf/robots/hands/allegro_hand/allegro_hand_right.urdf
+dex-urdf/robots/hands/allegro_hand/allegro_hand_right_glb.urdf
 dex-urdf/robots/hands/leap_hand/leap_hand_right.urdf
 dex-urdf/robots/hands/panda_gripper/panda_gripper_glb.urdf
 example-robot-data/robots/baxter_description/urdf/baxter.urdf
-example-robot-data/robots/bolt_description/robots/bolt.urdf
+example-robot-data/robots/double_pendulum_description/urdf/double_pendulum_simple.urdf
 example-robot-data/robots/finger_edu_description/robots/finger_edu.urdf
 example-robot-data/robots/hyq_description/robots/hyq_no_sensors.urdf
 example-robot-data/robots/iris_description/robots/iris.urdf
@@ -52,14 +51,17 @@ example-robot-data/robots/panda_description/urdf/panda_collision.urdf
 example-robot-data/robots/quadruped_description/urdf/quadruped.urdf
 example-robot-data/robots/solo_description/robots/solo12.urdf
 example-robot-data/robots/ur_description/urdf/ur5_robot.urdf
-franka_ros/franka_gazebo/test/launch/panda-gazebo.urdf
 gazebo_classic_2014/worlds/cart_demo.world
+gazebo_models/cart_soft_suspension/model.sdf
+gazebo_models/cessna/model.sdf
 gazebo_models/create/model.sdf
 gazebo_models/follower_vehicle/model.sdf
 gazebo_models/husky/model.sdf
 gazebo_models/pioneer2dx/model.sdf
 gazebo_models/prius_hybrid/model.sdf
+gazebo_models/simple_arm/model.sdf
 gazebo_models/simple_gripper/model.sdf
+gazebo_models/utility_cart/model.sdf
 gz-sim/examples/worlds/ackermann_steering.sdf
 gz-sim/examples/worlds/contact_sensor.sdf
 gz-sim/examples/worlds/diff_drive.sdf
@@ -67,12 +69,12 @@ gz-sim/examples/worlds/joint_controller.sdf
 gz-sim/examples/worlds/mecanum_drive.sdf
 gz-sim/examples/worlds/sensors.sdf
 gz-sim/examples/worlds/visualize_lidar.sdf
-idyntree/src/tests/data/icalibrate.urdf
 moveit_resources/fanuc_description/urdf/fanuc.urdf
+nav2_minimal_turtlebot_simulation/nav2_minimal_tb3_sim/urdf/turtlebot3_waffle.urdf
 rmf_demos/rmf_demos_assets/models/Caddy/model.sdf
 rmf_demos/rmf_demos_assets/models/DeliveryRobot/model.sdf
 ros_gz_project_template/ros_gz_example_description/models/diff_drive/model.sdf
-turtlebot3_simulations/turtlebot3_gazebo/models/turtlebot3_burger/model.sdf
+turtlebot3_simulations/turtlebot3_gazebo/models/turtlebot3_burger/model-1_4.sdf
 turtlebot3_simulations/turtlebot3_gazebo/models/turtlebot3_waffle/model.sdf
 turtlebot3_simulations/turtlebot3_gazebo/worlds/turtlebot3_house.world
 urdf_tutorial/urdf/07-physics.urdf

@@ -85,6 +85,28 @@ TEST(OrientedBox, GapIsNoMoreThanTheDistanceOfAnyPoints) {
   }
 }
 
+/// A cube on its edge, and points that see a face, an edge and a corner of it.
+TEST(OrientedBox, IsAsFarFromAPointAsItsNearestSide) {
+  const double turn = std::numbers::pi / 4;
+  const OrientedBox cube = box_at({0, 0, 0}, {1, 1, 1}, model::from_axis_angle({0, 0, 1}, turn));
+  EXPECT_EQ(robot::distance(cube, {0.9, 0.4, -0.9}), 0);
+  EXPECT_NEAR(robot::distance(cube, {0, 0, 3}), 2, kRounding);
+  EXPECT_NEAR(robot::distance(cube, {3, 0, 0}), 3 - std::numbers::sqrt2, kRounding);
+  EXPECT_NEAR(robot::distance(cube, {3, 0, 2}), std::hypot(3 - std::numbers::sqrt2, 1), kRounding);
+}
+
+TEST(OrientedBox, SharesWhatIsInsideOfOthers) {
+  const OrientedBox a = box_at({0, 0, 0}, {1, 1, 1});
+  EXPECT_EQ(robot::share_inside(a, {}), 0);
+  EXPECT_EQ(robot::share_inside(a, {box_at({5, 0, 0}, {1, 1, 1})}), 0);
+  EXPECT_EQ(robot::share_inside(a, {box_at({1, 0, 0}, {1, 2, 2})}), 0.5);
+  EXPECT_EQ(robot::share_inside(a, {box_at({0, 0, 0}, {2, 2, 2})}), 1);
+  // The halves together are the whole; either one twice is a half.
+  const OrientedBox left = box_at({-1, 0, 0}, {1, 2, 2}), right = box_at({1, 0, 0}, {1, 2, 2});
+  EXPECT_EQ(robot::share_inside(a, {left, right}), 1);
+  EXPECT_EQ(robot::share_inside(a, {left, left}), 0.5);
+}
+
 TEST(Bounds, ShareWhatBothFill) {
   const mesh::Bounds a{{0, 0, 0}, {2, 1, 1}}, b{{1, 0, 0}, {3, 1, 1}};
   EXPECT_NEAR(robot::cover(a, b), 0.5, kRounding);         // 1 m³ of 2

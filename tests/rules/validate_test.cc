@@ -44,13 +44,13 @@ std::string including(const std::string& path) {
 
 const char* const kFault = "<pose>wide</pose>";  // value-malformed, an error
 
-using Found = std::vector<std::string>;
+using FoundInFiles = std::vector<std::string>;
 
 TEST(IncludeHasErrors, DependsOnNoOrderInACircle) {
   const Files files{{"a.sdf", model(including("b.sdf"))},
                     {"b.sdf", model(including("a.sdf") + kFault)}};
-  const Found expected{"a.sdf include-cycle", "a.sdf include-has-errors", "b.sdf include-cycle",
-                       "b.sdf value-malformed"};
+  const FoundInFiles expected{"a.sdf include-cycle", "a.sdf include-has-errors",
+                              "b.sdf include-cycle", "b.sdf value-malformed"};
   EXPECT_EQ(findings(files, {"a.sdf", "b.sdf"}), expected);
   EXPECT_EQ(findings(files, {"b.sdf", "a.sdf"}), expected);
 }
@@ -61,7 +61,7 @@ TEST(IncludeHasErrors, IsToldOnceAlongAChain) {
                     {"c.sdf", model(including("d.sdf"))},
                     {"d.sdf", model(kFault)}};
   EXPECT_EQ(findings(files, {"a.sdf", "b.sdf", "c.sdf", "d.sdf"}),
-            (Found{"c.sdf include-has-errors", "d.sdf value-malformed"}));
+            (FoundInFiles{"c.sdf include-has-errors", "d.sdf value-malformed"}));
 }
 
 TEST(IncludeHasErrors, IsToldByTheNearestFileThatWasNamed) {
@@ -69,8 +69,8 @@ TEST(IncludeHasErrors, IsToldByTheNearestFileThatWasNamed) {
   const Files files{{"a.sdf", model(including("b.sdf"))},
                     {"b.sdf", model(including("c.sdf"))},
                     {"c.sdf", model(kFault)}};
-  EXPECT_EQ(findings(files, {"a.sdf"}), Found{"a.sdf include-has-errors"});
-  EXPECT_EQ(findings(files, {"a.sdf", "b.sdf"}), Found{"b.sdf include-has-errors"});
+  EXPECT_EQ(findings(files, {"a.sdf"}), FoundInFiles{"a.sdf include-has-errors"});
+  EXPECT_EQ(findings(files, {"a.sdf", "b.sdf"}), FoundInFiles{"b.sdf include-has-errors"});
 }
 
 TEST(IncludeHasErrors, IsToldOncePerFileHoweverOftenItIsIncluded) {
@@ -80,7 +80,7 @@ TEST(IncludeHasErrors, IsToldOncePerFileHoweverOftenItIsIncluded) {
   const std::string wheels = part("left", "b.sdf") + part("mast", "c.sdf") + part("right", "b.sdf");
   const Files files{{"a.sdf", model(wheels)}, {"b.sdf", model(kFault)}, {"c.sdf", model(kFault)}};
   EXPECT_EQ(findings(files, {"a.sdf"}),
-            (Found{"a.sdf include-has-errors", "a.sdf include-has-errors"}));
+            (FoundInFiles{"a.sdf include-has-errors", "a.sdf include-has-errors"}));
 }
 
 /// The help of every finding of a rule, in order.
@@ -140,8 +140,8 @@ TEST(ManyFindings, OfABinaryFileAreOneOfAKind) {
       "ELF";
   for (int i = 0; i < 300; ++i) text += "\x01\x02\xff";
   EXPECT_EQ(findings({{"a.sdf", text}}, {"a.sdf"}),
-            (Found{"a.sdf xml-control-character", "a.sdf xml-empty", "a.sdf xml-not-utf8",
-                   "a.sdf xml-text-outside-root"}));
+            (FoundInFiles{"a.sdf xml-control-character", "a.sdf xml-empty", "a.sdf xml-not-utf8",
+                          "a.sdf xml-text-outside-root"}));
   const MemoryDisk disk(Files{{"a.sdf", text}});
   const Environment environment(disk, {});
   Sources sources;

@@ -56,6 +56,25 @@ constexpr Consequences kConsequences[] = {
      "wheel-size-differs twin-value-differs collision-of-another-link"},
     {"wheel-size-differs shape-misplaced", "twin-value-differs"},
     {"link-misplaced twins-in-one-place", "twin-value-differs mirrored-sign-lost"},
+    {"shape-misplaced visual-collision-origin shape-size-slip collision-of-another-link "
+     "collision-file-of-another-link visual-collision-scale mesh-scale-differs size-suspicious "
+     "origin-looks-like-millimeters pose-looks-like-degrees",
+     "shape-origin-slip"},
+    {"collision-file-of-another-link", "collision-of-another-link"},
+    {"mesh-scale-differs visual-collision-scale shape-size-slip size-suspicious "
+     "mesh-size-suspicious",
+     "shape-exceeds-robot"},
+    {"link-misplaced twins-in-one-place links-in-one-place", "link-off-its-parent"},
+    {"slider-limits-look-like-angles", "slider-looks-like-hinge"},
+    {"center-of-mass-outside-shapes origin-looks-like-millimeters", "center-of-mass-mirrored"},
+    // Of several parts that are alike one is odd, and what else is said of it.
+    {"wheel-size-differs shape-size-slip shape-misplaced shape-origin-slip link-misplaced "
+     "links-in-one-place twins-in-one-place visual-collision-origin visual-collision-scale "
+     "mesh-scale-differs shape-exceeds-robot limit-equal joint-limit-inverted "
+     "limit-looks-like-degrees velocity-looks-like-degrees axis-zero joint-type-unknown "
+     "slider-looks-like-hinge slider-limits-look-like-angles",
+     "sibling-value-differs"},
+    {"sibling-value-differs", "twin-value-differs"},
     {"density-too-high density-too-low inertia-exceeds-shapes", "twin-value-differs"},
     {"twin-value-differs", "inertia-geometry-mismatch"},
     {"wheel-axis-mismatch", "twin-axis-differs"},

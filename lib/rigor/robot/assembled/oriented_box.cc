@@ -85,6 +85,39 @@ double separation(const OrientedBox& a, const OrientedBox& b) {
   return most;
 }
 
+double distance(const OrientedBox& box, const Vector3& p_W) {
+  const Vector3 arm = p_W - box.center_W;
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double beyond = std::max(0.0, std::abs(dot(arm, box.axes_W[k])) - box.half[k]);
+    sum += beyond * beyond;
+  }
+  return std::sqrt(sum);
+}
+
+double share_inside(const OrientedBox& box, const std::vector<OrientedBox>& others) {
+  std::vector<const OrientedBox*> near;
+  for (const OrientedBox& other : others) {
+    const double apart = model::length(other.center_W - box.center_W);
+    if (2 * apart < diameter(box) + diameter(other)) near.push_back(&other);
+  }
+  if (near.empty()) return 0;
+  constexpr std::array<double, 4> kMiddles{-0.75, -0.25, 0.25, 0.75};
+  std::size_t inside = 0;
+  for (const double x : kMiddles) {
+    for (const double y : kMiddles) {
+      for (const double z : kMiddles) {
+        const Vector3 p = box.center_W + x * box.half[0] * box.axes_W[0] +
+                          y * box.half[1] * box.axes_W[1] + z * box.half[2] * box.axes_W[2];
+        inside += std::any_of(near.begin(), near.end(),
+                              [&p](const OrientedBox* other) { return distance(*other, p) == 0; });
+      }
+    }
+  }
+  constexpr double kParts = 64;
+  return static_cast<double>(inside) / kParts;
+}
+
 double diameter(const OrientedBox& box) {
   return 2 * std::hypot(box.half[0], box.half[1], box.half[2]);
 }

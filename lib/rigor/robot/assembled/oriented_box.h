@@ -12,6 +12,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include <rigor/mesh/triangle_mesh.h>
 #include <rigor/model/pose.h>
@@ -33,6 +34,12 @@ OrientedBox moved(OrientedBox box, const model::Vector3& d_W);
 /// The widest gap between their shadows on an axis, m: never more than their distance, and at least half
 /// of it. Negative when they overlap: how far one has to be moved until they do not.
 double separation(const OrientedBox& a, const OrientedBox& b);
+
+/// From a point to the box, m; zero inside.
+double distance(const OrientedBox& box, const model::Vector3& p_W);
+
+/// How much of a box is inside any of the others: 0 to 1, by the middles of 64 equal parts of it.
+double share_inside(const OrientedBox& box, const std::vector<OrientedBox>& others);
 
 /// Diameter of the ball around it, m.
 double diameter(const OrientedBox& box);

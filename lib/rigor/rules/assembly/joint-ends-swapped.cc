@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -53,7 +54,7 @@ bool carries_others(model::Id<model::Link> link, model::Id<model::Joint> but, Co
   return false;
 }
 
-void check(const model::Joint& joint, Context& context) {
+void check_wheel(const model::Joint& joint, Context& context) {
   if (joint.axes.empty() || !robot::turns_on_and_on(joint)) return;
   const model::Root& root = context.root();
   const model::Id<model::Joint> id{static_cast<std::uint32_t>(&joint - root.joints.data())};
@@ -74,16 +75,66 @@ void check(const model::Joint& joint, Context& context) {
        .fix = swap("exchange parent and child", joint.parent.span, joint.child.span, context)});
 }
 
+/// How many joints have the link as their child.
+std::size_t carriers_of(model::Id<model::Link> link, Context& context) {
+  std::size_t count = 0;
+  for (std::uint32_t j = 0; j < context.root().joints.size(); ++j)
+    count += context.frames().ends({j}).child == link ? 1 : 0;
+  return count;
+}
+
+/// Whether the parent is a second root, and carries only a link that another one carries, too, or that is
+/// the model's first and carries others.
+bool hangs_on_its_child(model::Id<model::Joint> id, Context& context) {
+  const model::Root& root = context.root();
+  const auto& ends = context.frames().ends(id);
+  const model::Id<model::Model> model = root[ends.parent].model;
+  if (!model || root[ends.child].model != model || !root.own(root[model].site)) return false;
+  const auto& links = root[model].links;
+  constexpr std::size_t kFewestLinks = 3;
+  if (links.size() < kFewestLinks || links.front() == ends.parent) return false;
+  if (context.assembled().links[ends.parent.value].carrier) return false;
+  // A frame that the robot is placed by: world, map.
+  const model::Link& parent = root[ends.parent];
+  if (parent.visuals.empty() && parent.collisions.empty() && !parent.inertial.written) return false;
+  if (carries_others(ends.parent, id, context)) return false;
+  if (carriers_of(ends.child, context) > 1) return true;
+  return links.front() == ends.child && carries_others(ends.child, id, context);
+}
+
+void check(const model::Joint& joint, Context& context) {
+  const model::Root& root = context.root();
+  const model::Id<model::Joint> id{static_cast<std::uint32_t>(&joint - root.joints.data())};
+  const auto& ends = context.frames().ends(id);
+  if (!ends.parent || !ends.child || !hangs_on_its_child(id, context)) {
+    check_wheel(joint, context);
+    return;
+  }
+  context.report(
+      {.where = joint.child.span,
+       .message = fmt::format(
+           "parent '{}' is carried by nothing and carries nothing else, and child "
+           "'{}' {}: they are exchanged",
+           joint.parent.value, joint.child.value,
+           carriers_of(ends.child, context) > 1 ? "has two parents" : "is the robot's first link"),
+       .subject = context.subject(joint),
+       .related = {{joint.parent.span, "the parent"}},
+       .fix = swap("exchange parent and child", joint.parent.span, joint.child.span, context)});
+}
+
 Rule rule() {
   return {
       .name = "joint-ends-swapped",
       .severity = Severity::kWarning,
-      .formats = Formats::kSdf,
       .fix = FixGrade::kUnsafe,
-      .summary = "parent and child of a wheel's joint are exchanged",
-      .why = "The wheel swings about the robot's middle, or the robot about it: an SDF joint is "
-             "where its child is. The parent is round about the joint's axis where it is itself, "
-             "carries nothing else and is carried by nothing, while the child carries other links.",
+      .summary = "parent and child of a joint are exchanged",
+      .why =
+          "The robot hangs on its part: a wheel swings about the robot's middle, or the robot "
+          "about it, as an SDF joint is "
+          "where its child is. The parent is round about the joint's axis where it is itself, "
+          "carries nothing else and is carried by nothing, while the child carries other links; or "
+          "it is a second root of the robot, and the child has another parent or is the "
+          "robot's first link.",
       .what_to_do = "Exchange <parent> and <child>.",
       .checks = {on<model::Joint>(check)},
   };

@@ -12,6 +12,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/robot/assembled/assembled.h>
 #include <rigor/rules/assembly/undone_slips.h>
 #include <rigor/rules/rule.h>
 
@@ -22,21 +23,27 @@ namespace rigor::rules::origin_looks_like_millimeters {
 constexpr double kTimesFarther = 8;
 constexpr double kMin = 0.3;  // m
 
-/// An inertial, a collision or a visual.
+// The same of joints: an arm may be on a column that is not drawn.
+constexpr double kTimesFartherOfJoint = 4;
+
+// Two or three numbers do not say how large a robot is.
+constexpr std::size_t kFewestParts = 3;
+
+/// An inertial, a collision, a visual or a URDF's joint.
 struct Part {
   const model::PoseField* pose = nullptr;
   std::string subject;
   double offset = 0;  ///< m, from the link's origin
+  bool is_joint = false;
 };
 
 /// The parts of a model, and the lengths that they are compared with.
 struct Proportions {
   std::vector<Part> parts;
   double longest_shape = 0;  ///< m
-  double longest_joint = 0;  ///< m, of URDF's joint origins
 
   double without(std::size_t part) const {
-    double longest = std::max(longest_shape, longest_joint);
+    double longest = longest_shape;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       if (i != part) longest = std::max(longest, parts[i].offset);
     }
@@ -46,7 +53,8 @@ struct Proportions {
 
 void add(const model::PoseField& pose, std::string subject, Proportions& model) {
   if (!pose.pose.written) return;
-  model.parts.push_back({&pose, std::move(subject), model::length(pose.pose.value.translation)});
+  model.parts.push_back(
+      {&pose, std::move(subject), model::length(pose.pose.value.translation), false});
 }
 
 /// m, from the shape's own origin to its farthest point: a mesh may be drawn far from it.
@@ -71,8 +79,8 @@ std::map<model::Id<model::Model>, Proportions> proportions(Context& context) {
     }
     if (!context.is_urdf() || !robot.links[i].carrier) continue;
     const model::Joint& joint = root[robot.links[i].carrier];
-    model.longest_joint =
-        std::max(model.longest_joint, model::length(joint.pose.pose.value.translation));
+    add(joint.pose, context.subject(joint), model);
+    if (joint.pose.pose.written) model.parts.back().is_joint = true;
   }
   return models;
 }
@@ -92,17 +100,22 @@ void check(const model::Root& root, Context& context) {
       const Part& part = model.parts[i];
       if (part.offset < kMin || !root.own(part.pose->site)) continue;
       const double longest = model.without(i);
-      if (!(longest > 0) || part.offset < kTimesFarther * longest) continue;
+      const double times = part.is_joint ? kTimesFartherOfJoint : kTimesFarther;
+      if (!(longest > 0) || part.offset < times * longest || model.parts.size() < kFewestParts)
+        continue;
       const auto change = in_meters(*part.pose, longest);
       if (!change) continue;
-      context.report({.where = place_of(*part.pose, context),
-                      .message = fmt::format(
-                          "the origin is {:.3g} m away from the link's, and nothing else in "
-                          "the model is longer than {:.3g} m",
-                          part.offset, longest),
-                      .subject = part.subject,
-                      .help = fmt::format("write {}: {}", written_as(change->value), change->slip),
-                      .fix = translation_fix(*part.pose, change->value, context)});
+      context.report(
+          {.where = place_of(*part.pose, context),
+           .message =
+               fmt::format("the origin is {:.3g} m away from {}, and nothing else in the model is "
+                           "longer than {:.3g} m",
+                           part.offset, part.is_joint ? "the parent's" : "the link's", longest),
+           .subject = part.subject,
+           .help = fmt::format("write {}: {}", written_as(change->value), change->slip),
+           .fix = translation_fix(*part.pose, change->value, context),
+           .severity = part.offset < kTimesFarther * longest ? std::optional(Severity::kInfo)
+                                                             : std::nullopt});
     }
   }
 }

@@ -23,6 +23,10 @@ namespace rigor::rules::shape_size_slip {
 constexpr double kSame = 0.95;
 constexpr double kOther = 0.62;  // twice too long along one side, with some care
 
+// A mesh is not as plain as the shape around it: less alike, and by more otherwise as written.
+constexpr double kLikeMesh = 0.7;
+constexpr double kUnlikeMesh = 0.4;
+
 /// A number of a shape that is written, and what it would be.
 struct Resized {
   model::Shape shape;
@@ -119,22 +123,34 @@ std::vector<Resized> resized(const model::Shape& shape) {
   return result;
 }
 
-/// The change that makes one the size of the other.
+bool is_mesh(const SeenShape& one) {
+  return std::holds_alternative<model::Mesh>(one.geometry->shape);
+}
+
+/// The change that makes one the size of the other, as nearly as any does.
 std::optional<Resized> change_of(const SeenShape& one, const SeenShape& other) {
+  const bool rough = is_mesh(other);
+  if (rough && robot::likeness(one.bounds_L, other.bounds_L) > kUnlikeMesh) return std::nullopt;
+  std::optional<Resized> best;
+  double most = rough ? kLikeMesh : kSame;
   for (Resized& change : resized(one.geometry->shape)) {
     const auto bounds_S = robot::shape_bounds(change.shape, one.shape->role, {});
     if (!bounds_S) continue;
     const auto bounds_L = robot::bounds_of(robot::box_around(*bounds_S, one.shape->X_LS));
-    if (robot::likeness(bounds_L, other.bounds_L) >= kSame) return std::move(change);
+    const double then = robot::likeness(bounds_L, other.bounds_L);
+    if (then < most || (best && then == most)) continue;
+    most = then;
+    best = std::move(change);
   }
-  return std::nullopt;
+  return best;
 }
 
 bool in_one_place(const SeenShape& a, const SeenShape& b) {
-  constexpr double kNear = 0.02;  // of the smaller
+  // Of the smaller.
+  const double near = is_mesh(a) || is_mesh(b) ? 0.15 : 0.02;
   const auto middle = [](const mesh::Bounds& box) { return 0.5 * (box.min + box.max); };
   const double size = std::min(mesh::diagonal(a.bounds_L), mesh::diagonal(b.bounds_L));
-  return length(middle(a.bounds_L) - middle(b.bounds_L)) < kNear * size;
+  return length(middle(a.bounds_L) - middle(b.bounds_L)) < near * size;
 }
 
 /// Whether the sizes are one in three directions but for a factor: that is visual-collision-scale's.

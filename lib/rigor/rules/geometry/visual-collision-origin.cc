@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -18,11 +19,11 @@ namespace rigor::rules::visual_collision_origin {
 using model::Vector3;
 
 // Less is a gap that somebody wanted between a wheel and the ground, or a rounded number.
-constexpr double kShare = 0.1;     // of the shape's longest side
+constexpr double kShare = 0.1;    // of the shape's longest side
 constexpr double kOfMesh = 0.01;  // m, as its size may not be known
-constexpr double kTurned = 0.1;    // rad
+constexpr double kTurned = 0.1;   // rad
 
-/// The one collision and the one visual of a shape.
+/// The collisions and the visuals of a shape, of which one each is to be compared.
 struct Pair {
   std::vector<model::Id<model::Collision>> collisions;
   std::vector<model::Id<model::Visual>> visuals;
@@ -49,6 +50,29 @@ bool differs(const model::Shape& shape, const model::Pose& X_WC, const model::Po
   return model::length(a.min - b.min) > allowed || model::length(a.max - b.max) > allowed;
 }
 
+// Of one shape in a link; each is compared with all others.
+constexpr std::size_t kMaxAlike = 30;
+
+/// Takes out each collision with a visual that is where it is, so that those are left which have none.
+void leave_odd_ones(Pair& pair, const Context& context) {
+  const model::Root& root = context.root();
+  std::vector<model::Id<model::Collision>> left;
+  for (const auto id : pair.collisions) {
+    const auto X_WC = context.frames().pose(id);
+    const auto here =
+        std::find_if(pair.visuals.begin(), pair.visuals.end(), [&](const auto visual) {
+          const auto X_WV = context.frames().pose(visual);
+          return X_WC && X_WV && !differs(root[id].geometry.shape, *X_WC, *X_WV);
+        });
+    if (here == pair.visuals.end()) {
+      left.push_back(id);
+    } else {
+      pair.visuals.erase(here);
+    }
+  }
+  pair.collisions = std::move(left);
+}
+
 void check(const model::Link& link, Context& context) {
   if (link.collisions.empty() || link.visuals.empty()) return;
   const model::Root& root = context.root();
@@ -59,7 +83,9 @@ void check(const model::Link& link, Context& context) {
   for (const auto id : link.visuals) {
     if (const auto key = shape_key(root[id].geometry.shape)) pairs[*key].visuals.push_back(id);
   }
-  for (const auto& [key, pair] : pairs) {
+  for (auto& [key, pair] : pairs) {
+    if (pair.collisions.size() != pair.visuals.size() || pair.visuals.size() > kMaxAlike) continue;
+    if (pair.visuals.size() > 1) leave_odd_ones(pair, context);
     if (pair.collisions.size() != 1 || pair.visuals.size() != 1) continue;
     const model::Collision& collision = root[pair.collisions.front()];
     const model::Visual& visual = root[pair.visuals.front()];

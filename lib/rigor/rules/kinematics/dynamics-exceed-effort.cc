@@ -44,8 +44,16 @@ void check(const model::Root& root, Context& context) {
     if (!damped && !rubs) continue;
     double effort = effort_limit(root, joint, axis);
     if (effort == 0) continue;  // effort-zero reports it
-    const bool limited = std::isfinite(effort);
-    if (!limited) {
+    bool limited = std::isfinite(effort);
+    // An effort limit of 1000 at a wheel of a kilogram is a placeholder, and drives nothing.
+    if (std::max(axis.damping.value, axis.friction.value) >= kLarge && limited) {
+      if (!loads) loads.emplace(context);
+      if (const auto load = loads->most({i})) {
+        const double strong = kStrongMotor * std::max(*load, 0.01);
+        limited = effort <= strong;
+        effort = std::min(effort, strong);
+      }
+    } else if (!limited) {
       if (std::max(axis.damping.value, axis.friction.value) < kLarge) continue;
       if (!loads) loads.emplace(context);
       const auto load = loads->most({i});

@@ -1,6 +1,8 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include <fmt/core.h>
@@ -10,6 +12,19 @@
 #include <rigor/rules/schema/dialects.h>
 
 namespace rigor::rules::joint_limit_inverted {
+
+/// Whether inverted limits are how this model for Bullet says that a joint has none: others are, too, or the
+/// numbers are those of the idiom.
+bool means_no_limits(const model::Joint& joint, const model::Axis& axis, const Context& context) {
+  if (!is_for_bullet(context)) return false;
+  const auto is_token = [](double limit) { return limit == 0 || std::abs(limit) == 1; };
+  if (is_token(axis.lower.value) && is_token(axis.upper.value)) return true;
+  const auto& joints = context.root().joints;
+  return std::any_of(joints.begin(), joints.end(), [&joint](const model::Joint& other) {
+    return &other != &joint && other.type != model::JointType::kFixed && !other.axes.empty() &&
+           other.axes.front().lower.value > other.axes.front().upper.value;
+  });
+}
 
 void check(const model::Joint& joint, Context& context) {
   if (joint.type == model::JointType::kFixed) return;
@@ -29,7 +44,7 @@ void check(const model::Joint& joint, Context& context) {
          .fix = Fix{"swap the limits",
                     Applicability::kUnsafe,
                     {{axis.lower.span, upper}, {axis.upper.span, lower}}},
-         .severity = is_for_bullet(context) ? Severity::kInfo : Severity::kError});
+         .severity = means_no_limits(joint, axis, context) ? Severity::kInfo : Severity::kError});
   }
 }
 
@@ -42,7 +57,8 @@ Rule rule() {
       .why = "No position is within the limits: DART stops at an assertion, Gazebo swaps the "
              "limits of a URDF, and other consumers lock the joint. The checkers (ign sdf -k, gz "
              "sdf -k, check_urdf) do not compare them. Bullet reads inverted limits as none: in a "
-             "model with Bullet's own elements this is an info.",
+             "model with Bullet's own elements that has several such, or 0, 1 and -1 as limits, "
+             "this is an info.",
       .what_to_do = "Swap the limits.",
       .checks = {on<model::Joint>(check)},
   };

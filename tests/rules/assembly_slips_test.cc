@@ -1,0 +1,134 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Rules that compare one part of a robot with all others: how many others it takes, and how loudly they speak.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <rigor/rules/environment.h>
+#include <rigor/rules/validate.h>
+
+namespace rigor::rules::assembly_slips {
+namespace {
+
+using Loudness = std::vector<Severity>;
+
+const Loudness kQuiet;
+const Loudness kWarned{Severity::kWarning};
+const Loudness kInformed{Severity::kInfo};
+
+/// Of one rule in a URDF.
+Loudness said(const std::string& rule, const std::string& inside) {
+  const std::string text = "<robot name='r'>" + inside + "</robot>";
+  const MemoryDisk disk(std::map<std::string, std::string>{{"a.urdf", text}});
+  const Environment environment(disk, {});
+  Sources sources;
+  Loudness severities;
+  const ValidateResult result = validate(environment, {.paths = {"a.urdf"}}, sources);
+  for (const Diagnostic& diagnostic : result.diagnostics.list()) {
+    if (diagnostic.rule == rule) severities.push_back(diagnostic.severity);
+  }
+  return severities;
+}
+
+std::string link(const std::string& name, const std::string& shape,
+                 const std::string& at = "0 0 0") {
+  return "<link name='" + name + "'><collision><origin xyz='" + at + "'/><geometry>" + shape +
+         "</geometry></collision></link>";
+}
+
+std::string joint(const std::string& child, const std::string& parent, const std::string& at,
+                  const std::string& limit = "lower='-1' upper='2'") {
+  return "<joint name='" + child + "_joint' type='revolute'><parent link='" + parent +
+         "'/><child link='" + child + "'/><origin xyz='" + at +
+         "'/><axis xyz='0 1 0'/><limit effort='10' velocity='2' " + limit + "/></joint>";
+}
+
+/// Rods of 0.3 m, one upon the other; the elbow is where it is said to be.
+std::string arm(const std::string& elbow, int links) {
+  std::string text = link("base", "<box size='0.2 0.2 0.1'/>");
+  const std::string rod = "<box size='0.04 0.04 0.3'/>";
+  std::string parent = "base";
+  for (int i = 0; i < links; ++i) {
+    const std::string name = std::string(1, static_cast<char>('p' + i)) + "_rod";
+    text += link(name, rod, "0 0 0.15");
+    text += joint(name, parent, i == 0 ? "0 0 0.05" : i == 1 ? elbow : "0 0 0.3");
+    parent = name;
+  }
+  return text;
+}
+
+TEST(AssemblySlips, ALinkIsComparedWithHowTheOthersAreJoined) {
+  const std::string rule = "link-off-its-parent";
+  EXPECT_EQ(said(rule, arm("0 0 0.3", 4)), kQuiet);
+  EXPECT_EQ(said(rule, arm("0 0 -0.3", 4)), kWarned);
+  EXPECT_EQ(said(rule, arm("0 0 0.03", 4)), kWarned);
+  // Left out, nobody knows what it was; nor what is usual, of two joints.
+  EXPECT_EQ(said(rule, arm("0 0 0", 4)), kInformed);
+  EXPECT_EQ(said(rule, arm("0 0 -0.3", 2)), kQuiet);
+}
+
+/// Rotors of 0.1 m, and one of another radius.
+std::string rotors(int count, const std::string& radius) {
+  std::string text = link("frame", "<box size='0.5 0.5 0.1'/>");
+  for (int i = 0; i < count; ++i) {
+    const std::string name = "rotor_" + std::to_string(i);
+    const std::string at = (i % 2 == 0 ? "0.2 " : "-0.2 ") + std::string(i < 2 ? "0.2" : "-0.2");
+    text += link(name, "<cylinder radius='" + (i == 1 ? radius : "0.1") + "' length='0.02'/>",
+                 "0 0 0.01");
+    text += joint(name, "frame", at + " 0.06");
+  }
+  return text;
+}
+
+TEST(AssemblySlips, AnOddPartIsGradedByHowManyAreAlike) {
+  const std::string rule = "sibling-value-differs";
+  EXPECT_EQ(said(rule, rotors(4, "0.1")), kQuiet);
+  EXPECT_EQ(said(rule, rotors(4, "0.05")), kWarned);
+  EXPECT_EQ(said(rule, rotors(4, "1")), kQuiet);  // shape-exceeds-robot says it
+  EXPECT_EQ(said(rule, rotors(3, "0.05")), kInformed);
+  EXPECT_EQ(said(rule, rotors(4, "0.13")), kInformed);  // no slip that is known
+  EXPECT_EQ(said(rule, rotors(2, "0.05")), kQuiet);
+}
+
+std::string meshes(int count, const std::string& scale) {
+  std::string text;
+  for (int i = 0; i < count; ++i) {
+    const std::string name = "part_" + std::string(1, static_cast<char>('p' + i));
+    text += link(name, "<mesh filename='package://r/" + name + ".stl' scale='" +
+                           (i == 1 ? scale : "0.001 0.001 0.001") + "'/>");
+    if (i > 0) text += joint(name, "part_p", "0 0 0");
+  }
+  return text;
+}
+
+TEST(AssemblySlips, AScaleIsComparedWithThoseOfThreeMeshes) {
+  const std::string rule = "mesh-scale-differs";
+  EXPECT_EQ(said(rule, meshes(4, "0.001 0.001 0.001")), kQuiet);
+  EXPECT_EQ(said(rule, meshes(4, "0.01 0.01 0.01")), kWarned);
+  EXPECT_EQ(said(rule, meshes(4, "-0.001 0.001 0.001")), kQuiet);
+  EXPECT_EQ(said(rule, meshes(4, "0.002 0.002 0.002")), kQuiet);
+  EXPECT_EQ(said(rule, meshes(4, "1 1 1")), kInformed);  // as its file may be in meters
+  EXPECT_EQ(said(rule, meshes(3, "0.01 0.01 0.01")), kQuiet);
+}
+
+std::string limited(const std::string& limit) {
+  return link("base", "<box size='0.2 0.2 0.1'/>") + link("p", "<box size='0.1 0.1 0.1'/>") +
+         link("q", "<box size='0.1 0.2 0.1'/>") + link("s", "<box size='0.2 0.1 0.1'/>") +
+         link("t", "<box size='0.3 0.1 0.1'/>") + joint("p", "base", "0 0 0.1", limit) +
+         joint("q", "p", "0 0 0.1") + joint("s", "q", "0 0 0.1") + joint("t", "s", "0 0 0.1");
+}
+
+TEST(AssemblySlips, LimitsAreComparedWithThoseOfTheOtherJoints) {
+  EXPECT_EQ(said("limit-equal", limited("lower='1' upper='1'")), kWarned);
+  EXPECT_EQ(said("limit-excludes-zero", limited("lower='1' upper='2'")), kWarned);
+  EXPECT_EQ(said("limit-excludes-zero", limited("lower='0.1' upper='2'")), kInformed);
+  EXPECT_EQ(said("limit-excludes-zero", limited("lower='-2' upper='-1'")), kInformed);
+}
+
+}  // namespace
+}  // namespace rigor::rules::assembly_slips
