@@ -141,12 +141,12 @@ TEST_F(XacroProgram, AGeneralTemplateTakesWhatARobotBesideItGivesToItsMacro) {
                   "  <xacro:arm parameters_file=\"$(arg parameters)\"/>\n"
                   "  <link name=\"tool\"><inertial><mass value=\"-1\"/></inertial></link>\n"
                   "</robot>\n");
-  const Ran ran = validate(".");
+  const Ran ran = folder_.rigor("validate .");
   EXPECT_NE(ran.out.find("general.urdf.xacro:5:"), std::string::npos) << ran.out << ran.err;
   EXPECT_NE(ran.out.find("found with model:=model parameters:=config/small.yaml"),
             std::string::npos)
       << ran.out;
-  EXPECT_NE(ran.err.find("3 files checked"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find("4 files checked"), std::string::npos) << ran.err;
   // What is part of a path cannot be made up.
   folder_.put("general.urdf.xacro", "<robot name=\"r\"" + xmlns +
                                         "  <link name=\"$(arg model)\"><visual><geometry>"
