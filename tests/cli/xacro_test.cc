@@ -235,6 +235,25 @@ TEST_F(XacroProgram, FixesOfAFolderAreWrittenIntoWhatItsRobotsInclude) {
       << ran.err;
 }
 
+TEST_F(XacroProgram, WhatOtherArgumentsIncludeIsCheckedWithThem) {
+  const std::string xmlns = " xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n";
+  folder_.put("saw.xacro", "<robot" + xmlns +
+                               "  <xacro:macro name=\"saw\" params=\"name\">\n"
+                               "    <link name=\"${name}\"/>\n  </xacro:macro>\n</robot>\n");
+  folder_.put("tool.urdf.xacro", "<robot name=\"tool\"" + xmlns +
+                                     "  <xacro:arg name=\"tool\" default=\"none\"/>\n"
+                                     "  <link name=\"base\"/>\n"
+                                     "  <xacro:if value=\"${'$(arg tool)' == 'saw'}\">\n"
+                                     "    <xacro:include filename=\"saw.xacro\"/>\n"
+                                     "  </xacro:if>\n</robot>\n");
+  const std::string given = validate(".").err;
+  EXPECT_NE(given.find("skipped: saw.xacro: xacro: no robot by itself"), std::string::npos)
+      << given;
+  const std::string all = validate("--xacro-args all .").err;
+  EXPECT_EQ(all.find("skipped"), std::string::npos) << all;
+  EXPECT_NE(all.find("3 files checked"), std::string::npos) << all;
+}
+
 TEST_F(XacroProgram, ANamedFileOfMacrosIsNoRobotWithoutLinks) {
   folder_.put("leg.xacro",
               "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n"
