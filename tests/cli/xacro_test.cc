@@ -141,12 +141,12 @@ TEST_F(XacroProgram, AGeneralTemplateTakesWhatARobotBesideItGivesToItsMacro) {
                   "  <xacro:arm parameters_file=\"$(arg parameters)\"/>\n"
                   "  <link name=\"tool\"><inertial><mass value=\"-1\"/></inertial></link>\n"
                   "</robot>\n");
-  const Ran ran = validate(".");
+  const Ran ran = folder_.rigor("validate .");
   EXPECT_NE(ran.out.find("general.urdf.xacro:5:"), std::string::npos) << ran.out << ran.err;
   EXPECT_NE(ran.out.find("found with model:=model parameters:=config/small.yaml"),
             std::string::npos)
       << ran.out;
-  EXPECT_NE(ran.err.find("3 files checked"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find("4 files checked"), std::string::npos) << ran.err;
   // What is part of a path cannot be made up.
   folder_.put("general.urdf.xacro", "<robot name=\"r\"" + xmlns +
                                         "  <link name=\"$(arg model)\"><visual><geometry>"
@@ -233,6 +233,25 @@ TEST_F(XacroProgram, FixesOfAFolderAreWrittenIntoWhatItsRobotsInclude) {
   EXPECT_EQ(folder_.get("parts/wheel.xacro"), wheel("0 1 0")) << ran.err;
   EXPECT_NE(ran.err.find("fixed 1 finding (1 axis-not-unit) in 1 file"), std::string::npos)
       << ran.err;
+}
+
+TEST_F(XacroProgram, WhatOtherArgumentsIncludeIsCheckedWithThem) {
+  const std::string xmlns = " xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n";
+  folder_.put("saw.xacro", "<robot" + xmlns +
+                               "  <xacro:macro name=\"saw\" params=\"name\">\n"
+                               "    <link name=\"${name}\"/>\n  </xacro:macro>\n</robot>\n");
+  folder_.put("tool.urdf.xacro", "<robot name=\"tool\"" + xmlns +
+                                     "  <xacro:arg name=\"tool\" default=\"none\"/>\n"
+                                     "  <link name=\"base\"/>\n"
+                                     "  <xacro:if value=\"${'$(arg tool)' == 'saw'}\">\n"
+                                     "    <xacro:include filename=\"saw.xacro\"/>\n"
+                                     "  </xacro:if>\n</robot>\n");
+  const std::string given = validate(".").err;
+  EXPECT_NE(given.find("skipped: saw.xacro: xacro: no robot by itself"), std::string::npos)
+      << given;
+  const std::string all = validate("--xacro-args all .").err;
+  EXPECT_EQ(all.find("skipped"), std::string::npos) << all;
+  EXPECT_NE(all.find("3 files checked"), std::string::npos) << all;
 }
 
 TEST_F(XacroProgram, ANamedFileOfMacrosIsNoRobotWithoutLinks) {

@@ -98,6 +98,7 @@ class Run {
     for (std::size_t i = 0; i < paths.size(); ++i) {
       if (options_.shard.has(paths[i])) keep(paths[i], i);
     }
+    keep_parts();
     return std::move(result_);
   }
 
@@ -194,8 +195,11 @@ class Run {
              std::find(templates.begin(), templates.end(), b);
     });
     std::move(entries.robots.begin(), entries.robots.end(), std::back_inserter(paths));
-    for (EntryPoints::Unreached& one : entries.unreached)
+    for (EntryPoints::Unreached& one : entries.unreached) {
+      unreached_.insert(one.path);
+      templates_.insert(from_working_folder(one.path));
       left_out.push_back({std::move(one.path), std::move(one.why)});
+    }
   }
 
   struct Included {
@@ -263,6 +267,29 @@ class Run {
     result_.diagnostics.take(std::exchange(checked.diagnostics, {}));
     checked.summary.end_finding = result_.diagnostics.list().size();
     result_.files.push_back(checked.summary);
+  }
+
+  /// What robots read with other arguments than their defaults was checked through them. What those of other
+  /// shards read is not known.
+  void keep_parts() {
+    if (options_.shard.of > 1 || unreached_.empty()) return;
+    std::map<std::string, std::string> robots;  // by what they read
+    for (const FileSummary& file : result_.files) {
+      for (const std::string& path : file.reads) robots.try_emplace(path, file.path);
+    }
+    std::erase_if(result_.not_looked_at, [&](const NotLookedAt& left) {
+      if (!left.index || !unreached_.contains(left.path)) return false;
+      const auto robot = robots.find(from_working_folder(left.path));
+      if (robot == robots.end()) return false;
+      FileSummary part;
+      part.path = left.path;
+      part.format = model::Format::kUrdf;
+      part.part_of = robot->second;
+      part.index = *left.index;
+      part.first_finding = part.end_finding = result_.diagnostics.list().size();
+      result_.files.push_back(std::move(part));
+      return true;
+    });
   }
 
   std::string from_working_folder(std::string_view path) const {
@@ -586,7 +613,8 @@ class Run {
   Meshes meshes_;
   std::optional<mass::MeshList> mesh_list_;
   std::set<std::string> named_;      // normal paths, those of other shards too
-  std::set<std::string> templates_;  // of those, from the working folder
+  std::set<std::string> templates_;  // of those, and those left out, from the working folder
+  std::set<std::string> unreached_;  // templates that no robot includes with its defaults
   std::map<std::string, Checked> checked_;
   std::map<std::string, std::string> at_fault_;  // what `at_fault` gave
   std::map<std::string, std::string>

@@ -122,12 +122,12 @@ EntryPoints entry_points(const std::vector<std::string>& paths, const std::set<s
     } else if ((one.is_robot && one.has_name) || one.broken) {
       found.robots.push_back(one.path);
     } else {
-      const std::string why = !one.lacks_package.empty()
-                                  ? "package '" + one.lacks_package +
-                                        "' is not found: name its folder with --package " +
-                                        one.lacks_package + "=DIR"
-                              : one.has_name ? "no robot by itself, and none includes it"
-                                             : "its <robot> has no name, and none includes it";
+      const std::string why =
+          !one.lacks_package.empty()
+              ? "package '" + one.lacks_package +
+                    "' is not found: name its folder with --package " + one.lacks_package + "=DIR"
+          : one.has_name ? "no robot by itself, and none includes it by default"
+                         : "its <robot> has no name, and none includes it by default";
       found.unreached.push_back({one.path, "xacro: " + why});
     }
   }
