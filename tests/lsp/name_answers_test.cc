@@ -186,6 +186,21 @@ TEST(LspNames, ASemanticDescriptionFollowsItsRobot) {
             "file:///ws/r.urdf");
 }
 
+TEST(LspNames, SrdfThatIsNotOpenIsRenamedAsWell) {
+  const std::string robot = "<robot name='r'><link name='a'/></robot>";
+  MemoryDisk disk(test::Files{{"/ws/r.urdf", robot},
+                              {"/ws/config/r.srdf",
+                               "<robot name='r'><passive_joint name='j'/><virtual_joint name='v' "
+                               "type='fixed' parent_frame='world' child_link='a'/></robot>"}});
+  Editor editor(disk);
+  editor.open("/ws/r.urdf", robot);
+  Json params = editor.at("/ws/r.urdf", "link name='a'", 11);
+  params["newName"] = "tip";
+  const std::string after =
+      editor.edited("/ws/config/r.srdf", editor.request("textDocument/rename", params));
+  EXPECT_NE(after.find("child_link='tip'"), std::string::npos) << after;
+}
+
 TEST(LspNames, MacrosHaveAHierarchyOfCalls) {
   MemoryDisk disk;
   Editor editor(disk);

@@ -22,21 +22,6 @@ function linkRules(findings: vscode.Diagnostic[]): vscode.Diagnostic[] {
   return findings;
 }
 
-/** The server tells what a model has; beside it stands what can be done with it. */
-function withCommands(lenses: vscode.CodeLens[], model: vscode.Uri): vscode.CodeLens[] {
-  const has = (command: string) => lenses.some((lens) => lens.command?.command === command);
-  const [first] = lenses;
-  if (!first || model.scheme !== 'file') return lenses;
-  const offered = [
-    { title: 'view', command: 'rigor.view' },
-    { title: 'simulate', command: 'rigor.simulate' },
-  ].filter(({ command }) => !has(command));
-  return [
-    ...lenses,
-    ...offered.map((each) => new vscode.CodeLens(first.range, { ...each, arguments: [model] })),
-  ];
-}
-
 export function makeClient(program: Program): LanguageClient {
   return new LanguageClient(
     'rigor',
@@ -46,16 +31,13 @@ export function makeClient(program: Program): LanguageClient {
     {
       documentSelector: SELECTOR,
       diagnosticCollectionName: 'rigor',
+      initializationOptions: { commands: ['rigor.view', 'rigor.simulate'], pictures: true },
       middleware: {
         handleDiagnostics: (uri, findings, next) => next(uri, linkRules(findings)),
         provideDiagnostics: async (document, previous, token, next) => {
           const report = await next(document, previous, token);
           if (report && 'items' in report) linkRules(report.items);
           return report;
-        },
-        provideCodeLenses: async (document, token, next) => {
-          const lenses = await next(document, token);
-          return lenses && withCommands(lenses, document.uri);
         },
       },
     },
