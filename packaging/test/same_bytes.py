@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # Copyright 2026 The rigor authors
 # SPDX-License-Identifier: Apache-2.0
-"""packaging/test/same_bytes.py PACKAGES: the tarball, the wheel, the npm package and the extension for VS Code in the folder PACKAGES hold the same
-program: in bin, lib, libexec and share the same paths, bytes and executable bits."""
+"""packaging/test/same_bytes.py PACKAGES: the tarball, the wheel, the npm package and the extension for VS Code in the
+folder PACKAGES hold the same program: in bin, lib, libexec and share the same paths, bytes and executable bits."""
 
 import hashlib
 import pathlib

@@ -126,13 +126,11 @@ try {
   await offered.waitFor();
   await workbench.key('Tab');
   await saves('robot.urdf', '<parent link="forearm"/>');
-  await workbench.key('Control+Z');
-  await until('the text as it was', async () => {
-    await workbench.run('File: Save All');
-    if (read('robot.urdf').includes('<parent link="base"/>')) return true;
-    await workbench.key('Control+Z');
-    return false;
-  });
+  await goTo('robot.urdf', 'parent link="forearm"', 13);
+  await workbench.key('Control+Shift+ArrowRight');
+  await workbench.type('base');
+  await workbench.key('Escape');
+  await saves('robot.urdf', '<parent link="base"/>');
   did('a name is completed');
 
   await workbench.run('Format Document');
