@@ -13,25 +13,24 @@ import { followsCursor } from './settings';
 /** ms without a movement of the cursor before the panel follows. */
 const PAUSE = 80;
 
-/** In a file, from 1; columns count code points. */
+/** In a file, from 1; columns count code points. Of a link or joint the line alone is known. */
 interface Place {
   path: string;
   line: number;
-  column: number;
-  endLine: number;
-  endColumn: number;
+  column?: number;
 }
 
-function rangeOf(place: Place, document: vscode.TextDocument): vscode.Range {
-  const position = (line: number, column: number) => {
-    if (line < 1 || line > document.lineCount) return new vscode.Position(0, 0);
-    const points = [...document.lineAt(line - 1).text].slice(0, Math.max(column - 1, 0));
-    return new vscode.Position(line - 1, points.join('').length);
-  };
-  return new vscode.Range(
-    position(place.line, place.column),
-    position(place.endLine || place.line, place.endColumn || place.column),
-  );
+function positionOf({ line, column }: Place, document: vscode.TextDocument): vscode.Position {
+  const text = document.lineAt(Math.min(Math.max(line, 1), document.lineCount) - 1);
+  if (!column) return text.range.start.translate(0, text.firstNonWhitespaceCharacterIndex);
+  return text.range.start.translate(0, [...text.text].slice(0, column - 1).join('').length);
+}
+
+/** The cursor; before the text of a line it stands for what begins there. */
+function placeAtCursor({ document, selection }: vscode.TextEditor): vscode.Position {
+  const { active } = selection;
+  const first = document.lineAt(active.line).firstNonWhitespaceCharacterIndex;
+  return active.with({ character: Math.max(active.character, first) });
 }
 
 /** The links, joints and models around a place, the innermost last. */
@@ -91,7 +90,7 @@ class ViewPanel {
       'vscode.executeDocumentSymbolProvider',
       editor.document.uri,
     );
-    const found = around(symbols ?? [], editor.selection.active).at(-1);
+    const found = around(symbols ?? [], placeAtCursor(editor)).at(-1);
     if (!found) return;
     await this.panel.webview.postMessage({
       type: 'reveal',
@@ -113,14 +112,14 @@ class ViewPanel {
 
   private async showSource(place: Place): Promise<void> {
     const document = await vscode.workspace.openTextDocument(vscode.Uri.file(place.path));
-    const selection = rangeOf(place, document);
+    const position = positionOf(place, document);
     const shown = vscode.window.visibleTextEditors.find((each) => each.document === document);
     const editor = await vscode.window.showTextDocument(document, {
       viewColumn: shown?.viewColumn ?? vscode.ViewColumn.One,
       preserveFocus: true,
     });
-    editor.selection = new vscode.Selection(selection.start, selection.start);
-    editor.revealRange(selection, vscode.TextEditorRevealType.InCenterIfOutsideViewport);
+    editor.selection = new vscode.Selection(position, position);
+    editor.revealRange(editor.selection, vscode.TextEditorRevealType.InCenterIfOutsideViewport);
   }
 }
 

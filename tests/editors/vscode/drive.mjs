@@ -6,7 +6,7 @@
 // disk. RIGOR_IMAGES is the folder for pictures of that.
 
 import assert from 'node:assert/strict';
-import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
 import { until, Workbench } from './workbench.mjs';
@@ -99,6 +99,11 @@ try {
   await picture('vscode_findings');
   did('a finding is shown');
 
+  await page.locator('.markers-panel a', { hasText: 'joint-limit-inverted' }).first().click();
+  await page.locator('.view-line', { hasText: 'a lower joint limit is above' }).first().waitFor();
+  await workbench.run('View: Close Editor');
+  did('the page of its rule is shown');
+
   await workbench.openFile('robot.urdf');
   await goTo('robot.urdf', 'lower="1"', 7);
   await workbench.key('Control+.');
@@ -106,6 +111,7 @@ try {
   await workbench.key('Enter');
   await saves('robot.urdf', 'lower="-1" upper="1"');
   await until('the finding to go', async () => !(await listed('joint-limit-inverted')));
+  await workbench.key('Control+J'); // the list
   did('the fix is applied');
 
   await goTo('robot.urdf', 'name="arm"', 7);
@@ -137,6 +143,15 @@ try {
   await saves('robot.urdf', '\n    <axis xyz="0 0 1"/>');
   did('the file is formatted');
 
+  await workbench.run('rigor: Convert Model');
+  await workbench.acceptPath('Convert to SDF');
+  await until('the converted model', () => existsSync(join(folder, 'robot.sdf')));
+  await page.locator('.tab.active', { hasText: 'robot.sdf' }).waitFor();
+  assert.match(read('robot.sdf'), /<link name="forearm">/);
+  await workbench.run('View: Close Editor');
+  did('the model is converted');
+
+  await workbench.openFile('robot.urdf');
   await workbench.run('rigor: View Model');
   const frame = await workbench.viewFrame();
   await frame.evaluate(() => window.rigor.ready);
@@ -147,10 +162,15 @@ try {
   await page.locator('.tab', { hasText: 'robot.urdf' }).first().click();
   await goTo('robot.urdf', '0.3 0 0.1');
   await selects('forearm');
-  await page.waitForTimeout(300); // for the picture: it is drawn with the screen
+  await workbench.key('Control+B'); // the explorer, for the picture
+  await page.mouse.move(5, 500);
+  await page.waitForTimeout(500); // and for that alone: it is drawn with the screen
   await picture('vscode_view');
+  await workbench.key('Control+B');
   await frame.locator('#tree button', { hasText: 'shoulder' }).click();
-  await page.locator('.statusbar-item', { hasText: 'Ln 15, Col 3' }).waitFor();
+  const line = read('robot.urdf').split('\n').findIndex((text) => text.includes('<joint')) + 1;
+  await page.locator('.active-line-number', { hasText: String(line) }).waitFor();
+  await selects('shoulder');
   did('the view follows the cursor, and the cursor the view');
 
   await workbench.run('View: Close All Editors');

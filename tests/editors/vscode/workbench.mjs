@@ -106,6 +106,15 @@ export class Workbench {
     return this.quick('F1', title, title);
   }
 
+  /** Of the dialog of that title, which asks for a file: the one that it offers. */
+  async acceptPath(title) {
+    await this.page.locator('.quick-input-title', { hasText: title }).waitFor();
+    const box = this.page.locator('.quick-input-widget input').first();
+    await until('a path that is offered', async () => (await box.inputValue()).includes('/'));
+    await this.page.locator('.quick-input-widget').getByRole('button', { name: 'OK' }).click();
+    await this.page.locator('.quick-input-widget').waitFor({ state: 'hidden' });
+  }
+
   /** By the explorer, as the search for files needs a program of its own. */
   async openFile(name) {
     await this.page.locator('.explorer-folders-view .monaco-list-row', { hasText: name }).dblclick();

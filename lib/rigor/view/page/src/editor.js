@@ -3,8 +3,9 @@
 // The page as a panel of VS Code: it selects what is at the cursor, and tells where that is which was selected here.
 //
 //   from the editor   {type: 'reveal', kind, name, path, line}   {type: 'changed', page, changes}
-//   to the editor     {type: 'ready'}   {type: 'selected', path, line, column, endLine, endColumn}
+//   to the editor     {type: 'ready'}   {type: 'selected', path, line, column}
 //
+// A link or joint has no column, a finding has one.
 // `page` and `changes` are JSON texts, as a server sends them to a page in a browser.
 
 import { readText } from './data.js';
@@ -48,10 +49,10 @@ export function followEditor(editor, app) {
   let revealing = false;
   let last = Promise.resolve();
 
-  const tell = ({ file, line, column, endLine, endColumn }) => {
+  const tell = ({ file, line, column }) => {
     const path = state.data.files[file]?.path;
     if (!path || !(line > 0) || revealing) return;
-    editor.postMessage({ type: 'selected', path, line, column, endLine, endColumn });
+    editor.postMessage({ type: 'selected', path, line, column });
   };
   const reveal = (message) => {
     const kind = message.kind === 'robot' ? 'model' : message.kind;
