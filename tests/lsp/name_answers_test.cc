@@ -188,16 +188,16 @@ TEST(LspNames, ASemanticDescriptionFollowsItsRobot) {
 
 TEST(LspNames, SrdfThatIsNotOpenIsRenamedAsWell) {
   const std::string robot = "<robot name='r'><link name='a'/></robot>";
-  MemoryDisk disk(test::Files{{"/ws/r.urdf", robot},
-                              {"/ws/config/r.srdf",
-                               "<robot name='r'><passive_joint name='j'/><virtual_joint name='v' "
-                               "type='fixed' parent_frame='world' child_link='a'/></robot>"}});
+  const std::string srdf =
+      "<robot name='r'><virtual_joint name='v' type='fixed' parent_frame='world' "
+      "child_link='a'/></robot>";
+  MemoryDisk disk(test::Files{{"/ws/r.urdf", robot}, {"/ws/config/r.srdf", srdf}});
   Editor editor(disk);
   editor.open("/ws/r.urdf", robot);
   Json params = editor.at("/ws/r.urdf", "link name='a'", 11);
   params["newName"] = "tip";
-  const std::string after =
-      editor.edited("/ws/config/r.srdf", editor.request("textDocument/rename", params));
+  const Json edit = editor.request("textDocument/rename", params);
+  const std::string after = Editor::applied(srdf, edit["changes"]["file:///ws/config/r.srdf"]);
   EXPECT_NE(after.find("child_link='tip'"), std::string::npos) << after;
 }
 

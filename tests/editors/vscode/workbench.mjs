@@ -17,6 +17,8 @@ const SETTINGS = {
   'chat.commandCenter.enabled': false,
   'editor.minimap.enabled': false,
   'extensions.ignoreRecommendations': true,
+  'files.autoSave': 'afterDelay',
+  'files.autoSaveDelay': 50,
   'git.enabled': false,
   'security.workspace.trust.enabled': false,
   'telemetry.telemetryLevel': 'off',
