@@ -158,7 +158,7 @@ try {
     until(`${name} to be selected`, () =>
       frame.evaluate((wanted) => window.rigor.selection?.name.endsWith(wanted) ?? false, name),
     );
-  await page.locator('.tab', { hasText: 'robot.urdf' }).first().click();
+  await workbench.showTab('robot.urdf');
   await goTo('robot.urdf', '0.3 0 0.1');
   await selects('forearm');
   await workbench.key('Control+B'); // the explorer, for the picture
@@ -172,7 +172,7 @@ try {
   await selects('shoulder');
   did('the view follows the cursor, and the cursor the view');
 
-  await page.locator('.tab', { hasText: 'robot.urdf' }).first().click();
+  await workbench.showTab('robot.urdf');
   await goTo('robot.urdf', 'value="1.2"', 9);
   await workbench.key('Delete');
   await workbench.type('7');

@@ -89,29 +89,34 @@ export class Workbench {
     return this.page.keyboard.type(text);
   }
 
-  /** Types into the box at the top; takes the first that is offered. */
+  /** Fills in the box at the top, and takes the first that is offered. What is loaded meanwhile may close it: then once more. */
   async quick(keys, text, offered) {
-    await this.key(keys);
-    await this.page.locator('.quick-input-widget input').first().waitFor();
-    await this.type(text);
-    if (offered) {
-      await this.page
-        .locator('.quick-input-list .monaco-list-row', { hasText: offered })
-        .first()
-        .waitFor();
-    }
-    await this.key('Enter');
-    await this.page.locator('.quick-input-widget').waitFor({ state: 'hidden' });
+    const widget = this.page.locator('.quick-input-widget');
+    const box = widget.locator('.quick-input-box input.input');
+    const row = widget.locator('.quick-input-list .monaco-list-row', { hasText: offered ?? '' });
+    await until(`the box for ${text}`, async () => {
+      await this.key(keys);
+      try {
+        await box.fill(text, { timeout: 5000 });
+        if (offered) await row.first().waitFor({ timeout: 15_000 });
+        await box.press('Enter', { timeout: 1000 });
+        return true;
+      } catch {
+        await this.key('Escape');
+        return false;
+      }
+    });
+    await widget.waitFor({ state: 'hidden' });
   }
 
   run(title) {
-    return this.quick('F1', title, title);
+    return this.quick('F1', `>${title}`, title);
   }
 
   /** Of the dialog of that title, which asks for a file: the one that it offers. */
   async acceptPath(title) {
     await this.page.locator('.quick-input-title', { hasText: title }).waitFor();
-    const box = this.page.locator('.quick-input-widget input').first();
+    const box = this.page.locator('.quick-input-box input.input');
     await until('a path that is offered', async () => (await box.inputValue()).includes('/'));
     await this.page.locator('.quick-input-widget').getByRole('button', { name: 'OK' }).click();
     await this.page.locator('.quick-input-widget').waitFor({ state: 'hidden' });
@@ -120,15 +125,26 @@ export class Workbench {
   /** By the explorer, as the search for files needs a program of its own. */
   async openFile(name) {
     await this.page.locator('.explorer-folders-view .monaco-list-row', { hasText: name }).dblclick();
-    await this.page.locator('.tab.active', { hasText: name }).waitFor();
-    await this.page.locator('.editor-group-container.active .view-lines').waitFor();
+    await this.isEditing(name);
+  }
+
+  async showTab(name) {
+    await this.page.locator('.tab', { hasText: name }).first().click();
+    await this.isEditing(name);
+  }
+
+  /** Until keys go to the file's text. */
+  async isEditing(name) {
+    const group = this.page.locator('.editor-group-container.active');
+    await group.locator('.tab.active', { hasText: name }).waitFor();
+    await group.locator('.monaco-editor.focused .view-lines').waitFor();
   }
 
   /** Into the first `mark` of what the editor shows as `text`, `moved` characters on. Lines and columns count from 1. */
   async goTo(text, mark, moved = 0) {
     const before = text.slice(0, text.indexOf(mark) + moved).split('\n');
     const [line, column] = [before.length, before.at(-1).length + 1];
-    await this.quick('Control+G', `:${line}:${column}`.slice(1));
+    await this.quick('Control+G', `:${line}:${column}`);
     await this.page.locator('.statusbar-item', { hasText: `Ln ${line}, Col ${column}` }).waitFor();
   }
 
