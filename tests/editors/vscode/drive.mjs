@@ -95,10 +95,13 @@ try {
   await workbench.run('View: Focus Problems');
   const listed = async (rule) => (await workbench.problems()).some((line) => line.includes(rule));
   await until('the finding in the list', () => listed('joint-limit-inverted'));
+  await workbench.showTab('robot.urdf');
+  await goTo('robot.urdf', 'lower="1"', 7);
   await picture('vscode_findings');
   did('a finding is shown');
 
   await page.locator('.markers-panel a', { hasText: 'joint-limit-inverted' }).first().click();
+  await workbench.isEditing('joint-limit-inverted');
   await page.locator('.view-line', { hasText: 'a lower joint limit is above' }).first().waitFor();
   await workbench.run('View: Close Editor');
   did('the page of its rule is shown');
@@ -145,9 +148,9 @@ try {
   await workbench.run('rigor: Convert Model');
   await workbench.acceptPath('Convert to SDF');
   await until('the converted model', () => existsSync(join(folder, 'robot.sdf')));
-  await page.locator('.tab.active', { hasText: 'robot.sdf' }).waitFor();
+  await workbench.isEditing('robot.sdf');
   assert.match(read('robot.sdf'), /<link name="forearm">/);
-  await workbench.run('View: Close Editor');
+  await workbench.run('View: Close All Editors');
   did('the model is converted');
 
   await workbench.openFile('robot.urdf');
@@ -187,6 +190,7 @@ try {
   await workbench.key('Backspace');
   await workbench.type('8');
   await page.locator('.view-line', { hasText: '0.05 0.05 0.4' }).first().waitFor();
+  await workbench.key('Home');
   await workbench.key('Control+B');
   await page.waitForTimeout(500);
   await picture('vscode_expanded');

@@ -22,6 +22,7 @@ browser=${RIGOR_CHROMIUM:-/usr/bin/chromium}
 [ -x "$browser" ] || leave "there is no $browser (apt install chromium)"
 command -v npm >/dev/null || leave 'npm is not installed'
 [ "$(node -p 'process.versions.node.split(".")[0]')" -ge 20 ] || leave 'it needs node 20 or later'
+command -v strip >/dev/null || leave 'binutils are not installed'
 
 # code-server is the workbench and the extension host of VS Code, served to a browser. None of its native modules is built:
 # they are for terminals, for watching files and for passwords; the last is asked for even without one.
@@ -37,12 +38,8 @@ if ! cmp -s "$here/package-lock.json" "$work/fetched"; then
 fi
 
 rm -rf "$work/root" "$work/extensions" "$work/user" "$work"/*.vsix
-if [ -e "$build/cmake_install.cmake" ]; then
-  cmake --install "$build" --prefix "$work/root" --component program --strip >/dev/null
-else
-  mkdir -p "$work/root/bin"
-  cp "$build"/rigor* "$work/root/bin"  # a folder with the programs alone
-fi
+mkdir -p "$work/root/bin"
+for program in rigor rigor-worker rigor-page-server.so; do strip -o "$work/root/bin/$program" "$build/$program"; done
 vsix=$("$source_tree/packaging/vsix.py" "$work/root" "$work" "$work/extension")
 code=(node "$work/node_modules/code-server/out/node/entry.js" --config "$work/config.yaml"
       --user-data-dir "$work/user" --extensions-dir "$work/extensions")

@@ -99,7 +99,7 @@ export class Workbench {
       try {
         await box.fill(text, { timeout: 5000 });
         if (offered) await row.first().waitFor({ timeout: 15_000 });
-        await box.press('Enter', { timeout: 1000 });
+        await box.press('Enter', { timeout: 20_000 });
         return true;
       } catch {
         await this.key('Escape');
