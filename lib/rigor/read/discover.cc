@@ -27,7 +27,7 @@ bool is_model(const std::string& path) {
          file_name(path) == "model.config";
 }
 
-/// Why a file that will become a model is not looked at; empty for any other file.
+/// Why a file that will become a model is not examined; empty for any other file.
 std::string_view template_of(const std::string& path) {
   const std::string ending = extension(path);
   if (ending == ".xacro") return "xacro: expand it first";
@@ -157,7 +157,7 @@ class FolderWalk {
   /// Of a path that no walk led to: what is above it may be left out as well.
   std::string why_not_named(const std::string& path, PathKind kind) {
     if (std::string why = why_not(path, kind); !why.empty()) return why;
-    if (options_.git_ignoring == GitIgnoring::kHonour) {
+    if (options_.git_ignoring == GitIgnoring::kHonor) {
       if (auto why = ignores_.left_out_with_folders(absolute(path), kind)) return *why;
     }
     const std::string top = absolute(".");

@@ -7,7 +7,7 @@
 //
 // What a repository ignores is passed over in a folder, and so are hidden folders (`.git`) and those that
 // hold a file COLCON_IGNORE, as the build, install and log folders of a colcon workspace do. What is named
-// is looked at all the same, unless `named` says that it is to be judged like the rest.
+// is examined all the same, unless `named` says that it is to be judged like the rest.
 
 #pragma once
 
@@ -22,14 +22,14 @@
 namespace rigor::read {
 
 /// Whether `.gitignore` files are read (see repository_ignores.h).
-enum class GitIgnoring : std::uint8_t { kHonour, kPassOver };
+enum class GitIgnoring : std::uint8_t { kHonor, kPassOver };
 
 /// What becomes of a path that is named itself and that is ignored or excluded. A hook of pre-commit names
 /// every file that changed, so it asks for kJudge.
 enum class NamedPaths : std::uint8_t { kAlwaysTake, kJudge };
 
 struct DiscoverOptions {
-  GitIgnoring git_ignoring = GitIgnoring::kHonour;
+  GitIgnoring git_ignoring = GitIgnoring::kHonor;
   NamedPaths named = NamedPaths::kAlwaysTake;
   /// Why a file or folder is excluded, "exclude = \"vendor/\" in rigor.toml line 3"; empty when it is not.
   /// Asked with the path as it would be reported. A folder above it may be why as well.
