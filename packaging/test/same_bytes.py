@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # Copyright 2026 The rigor authors
 # SPDX-License-Identifier: Apache-2.0
-"""packaging/test/same_bytes.py PACKAGES: the tarball, the wheel and the npm package in the folder PACKAGES hold the same
-program: in bin, lib, libexec and share the same paths, bytes and executable bits."""
+"""packaging/test/same_bytes.py PACKAGES: the tarball, the wheel, the npm package and the extension for VS Code in the
+folder PACKAGES hold the same program: in bin, lib, libexec and share the same paths, bytes and executable bits."""
 
 import hashlib
 import pathlib
@@ -24,11 +24,11 @@ def from_tar(path):
     return files
 
 
-def from_wheel(path):
+def from_zip(path, folder):
     files = {}
     with zipfile.ZipFile(path) as archive:
         for entry in archive.infolist():
-            name = entry.filename.removeprefix("rigor/")
+            name = entry.filename.removeprefix(folder)
             if name != entry.filename and name.startswith(FOLDERS):
                 data = archive.read(entry)
                 files[name] = (hashlib.sha256(data).hexdigest(), bool(entry.external_attr >> 16 & 0o100))
@@ -40,7 +40,8 @@ def main():
     (tarball,) = packages.glob("rigor-*-linux-*.tar.gz")
     (wheel,) = packages.glob("rigor-*.whl")
     expected = from_tar(tarball)
-    others = {wheel.name: from_wheel(wheel)}
+    others = {wheel.name: from_zip(wheel, "rigor/")}
+    others |= {vsix.name: from_zip(vsix, "extension/program/") for vsix in packages.glob("rigor-*.vsix")}
     others |= {npm.name: from_tar(npm) for npm in packages.glob("rigor-robot-*.tgz")}
     failed = 0
     for name, files in others.items():

@@ -186,6 +186,21 @@ TEST(LspNames, ASemanticDescriptionFollowsItsRobot) {
             "file:///ws/r.urdf");
 }
 
+TEST(LspNames, SrdfThatIsNotOpenIsRenamedAsWell) {
+  const std::string robot = "<robot name='r'><link name='a'/></robot>";
+  const std::string srdf =
+      "<robot name='r'><virtual_joint name='v' type='fixed' parent_frame='world' "
+      "child_link='a'/></robot>";
+  MemoryDisk disk(test::Files{{"/ws/r.urdf", robot}, {"/ws/config/r.srdf", srdf}});
+  Editor editor(disk);
+  editor.open("/ws/r.urdf", robot);
+  Json params = editor.at("/ws/r.urdf", "link name='a'", 11);
+  params["newName"] = "tip";
+  const Json edit = editor.request("textDocument/rename", params);
+  const std::string after = Editor::applied(srdf, edit["changes"]["file:///ws/config/r.srdf"]);
+  EXPECT_NE(after.find("child_link='tip'"), std::string::npos) << after;
+}
+
 TEST(LspNames, MacrosHaveAHierarchyOfCalls) {
   MemoryDisk disk;
   Editor editor(disk);

@@ -86,8 +86,11 @@ export function browserOf(webgl) {
   return browsers.get(webgl);
 }
 
-/** A page that is ready. `page.requests`: the addresses it asked for; `page.errors`: what went wrong. */
-export async function open(address, { webgl = true, ...context } = {}) {
+/**
+ * A page that is ready. `page.requests`: the addresses it asked for; `page.errors`: what went wrong. `before` is
+ * `[script, argument]`: what runs before the page's own scripts.
+ */
+export async function open(address, { webgl = true, before = null, ...context } = {}) {
   const made = await (
     await browserOf(webgl)
   ).newContext({ viewport: { width: 1280, height: 800 }, ...context });
@@ -97,6 +100,7 @@ export async function open(address, { webgl = true, ...context } = {}) {
   page.on('request', (request) => page.requests.push(request.url()));
   page.on('pageerror', (error) => page.errors.push(error.message));
   page.on('console', (message) => message.type() === 'error' && page.errors.push(message.text()));
+  if (before) await page.addInitScript(...before);
   await page.goto(address);
   await page.evaluate(() => window.rigor.ready);
   return page;

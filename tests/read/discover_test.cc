@@ -199,6 +199,19 @@ TEST(Discover, ATemplateIsNamedAndLeft) {
   EXPECT_EQ(left, (std::vector<std::string>{"w/b.erb", "w/c.sdf.erb", "w/d.sdf.jinja"}));
 }
 
+TEST(Discover, SemanticDescriptionsAreNoModels) {
+  MemoryDisk disk;
+  for (const char* name : {"w/a.urdf", "w/a.srdf", "w/config/b.srdf", "v/only.srdf"}) {
+    disk.put(name, "");
+  }
+  const Discovered found = discover(disk, {"w", "v"});
+  EXPECT_EQ(found.files, std::vector<std::string>{"w/a.urdf"});
+  EXPECT_EQ(found.semantic,
+            (std::vector<std::string>{"w/a.srdf", "w/config/b.srdf", "v/only.srdf"}));
+  EXPECT_TRUE(found.left_out.empty());
+  EXPECT_EQ(found.unusable.size(), 1U);  // v holds no model
+}
+
 TEST(Discover, AFileIsMetOnceHoweverItIsNamed) {
   MemoryDisk disk;
   disk.put("a.sdf", "");

@@ -118,7 +118,12 @@ class FolderWalk {
       const std::string inside = path == "." ? name : join_path(path, name);
       const PathKind kind = disk_.kind(inside);
       const bool is_folder = kind == PathKind::kFolder;
-      if (!is_folder && !is_model(inside) && template_of(inside).empty()) continue;
+      const bool is_semantic = extension(inside) == ".srdf";
+      if (!is_folder && !is_semantic && !is_model(inside) && template_of(inside).empty()) continue;
+      if (is_semantic && !is_folder) {
+        semantic_file(inside, kind);
+        continue;
+      }
       if (!is_folder && kind != PathKind::kFile) {
         const bool gone = kind == PathKind::kMissing;
         unlisted_.push_back({inside, gone ? "is a link to no file" : "is no regular file", true});
@@ -132,6 +137,12 @@ class FolderWalk {
         file(inside);
       }
     }
+  }
+
+  void semantic_file(const std::string& path, PathKind kind) {
+    if (kind == PathKind::kFile && why_not(path, kind).empty() &&
+        seen_.insert(absolute(path)).second)
+      found_.semantic.push_back(path);
   }
 
   std::string why_not(const std::string& path, PathKind kind) {

@@ -53,6 +53,8 @@ struct Discovered {
   /// `.gitignore` files that cannot be read.
   std::vector<LeftOut> left_out;
   std::vector<std::string> unusable;  ///< arguments that do not exist, and folders without a model
+  std::vector<std::string>
+      semantic;  ///< SRDF in folders: no models, but they name links and joints
 };
 
 /// Folders are walked without following links to other folders.

@@ -107,6 +107,7 @@ std::vector<std::string> workspace_files(const State& state, const OpenDocument&
   for (read::LeftOut& left : found.left_out) {
     if (!left.excluded) found.files.push_back(std::move(left.path));
   }
+  for (std::string& path : found.semantic) found.files.push_back(std::move(path));
   for (const auto& [uri, open] : state.documents) found.files.push_back(open->path());
   return std::move(found.files);
 }

@@ -27,7 +27,12 @@ export function readPage() {
   return read(JSON.parse(text('data')), text('bytes'));
 }
 
-export async function readServer() {
-  const { data, bytes } = await (await fetch('/data')).json();
+/** Of what a server answers. */
+export function readText(text) {
+  const { data, bytes } = JSON.parse(text);
   return read(data, bytes);
+}
+
+export async function readServer() {
+  return readText(await (await fetch('/data')).text());
 }

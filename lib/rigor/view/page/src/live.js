@@ -3,7 +3,7 @@
 // A page that is served asks for the model again when the server says that a file changed.
 
 import { readServer } from './data.js';
-import { toast } from './toast.js';
+import { sayChanges, toast } from './toast.js';
 
 /** `swap(page)` puts the new model in place of the old. */
 export function reloadLive(swap) {
@@ -11,14 +11,10 @@ export function reloadLive(swap) {
   let lost = false;
   // One after the other: an answer that overtakes another would bring the older model back.
   let last = Promise.resolve();
-  const reload = async ({ changes, nothing }) => {
+  const reload = async (changes) => {
     try {
       await swap(await readServer());
-      toast(
-        nothing || changes.length === 0
-          ? 'Saved: nothing about the model changed'
-          : changes.join('; '),
-      );
+      sayChanges(changes);
     } catch (error) {
       toast(`The changed model could not be shown: ${error.message}`);
     }

@@ -6,6 +6,7 @@ import { makeBodies } from './bodies.js';
 import { readPage } from './data.js';
 import { linkDeeply } from './deep_links.js';
 import { byId, counted, el } from './dom.js';
+import { editorAround, followEditor } from './editor.js';
 import { showPictures } from './fallback.js';
 import { showFindings } from './findings_panel.js';
 import { listenToKeys } from './keyboard.js';
@@ -127,10 +128,12 @@ async function start(app) {
   app.connect();
   const page = await readPage();
   await app.swap(page);
-  linkDeeply(app.state);
+  const editor = editorAround();
+  if (!editor) linkDeeply(app.state);
   app.stage?.render();
   performance.mark('rigor-ready');
-  if (page.data.live) reloadLive((changed) => app.swap(changed));
+  if (editor) followEditor(editor, app);
+  else if (page.data.live) reloadLive((changed) => app.swap(changed));
 }
 
 const app = new App();

@@ -15,3 +15,9 @@ export function toast(text) {
   box.classList.add('shown');
   timer = setTimeout(() => box.classList.remove('shown'), SHOWN);
 }
+
+/** Of a model that was saved: sentences, and whether there are none. */
+export function sayChanges({ changes, nothing }) {
+  const none = nothing || changes.length === 0;
+  toast(none ? 'Saved: nothing about the model changed' : changes.join('; '));
+}

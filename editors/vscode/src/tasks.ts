@@ -1,0 +1,76 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+// Commands of rigor as tasks, whose findings become problems: `{"type": "rigor", "command": "validate"}`.
+
+import * as vscode from 'vscode';
+
+import { modelAsked, saved } from './documents';
+import type { Program } from './program';
+import { environment } from './settings';
+
+interface RigorTask extends vscode.TaskDefinition {
+  command: string;
+  paths?: string[];
+  options?: string[];
+}
+
+const TESTS = [
+  ['settle', 'stands still on the ground'],
+  ['drop', 'falls from a height'],
+  ['drive', 'drives forward'],
+  ['turn', 'turns on the spot'],
+  ['brake', 'stops from full speed'],
+  ['push', 'is pushed from the side'],
+  ['joint-sweep', 'moves each joint through its range'],
+  ['hold', 'holds its pose'],
+  ['tilt-table', 'stands on a plane that tilts'],
+];
+
+export function offerTasks(program: Program): vscode.Disposable {
+  const make = (definition: RigorTask, scope: vscode.WorkspaceFolder | vscode.TaskScope) => {
+    const { command, paths = [], options = [] } = definition;
+    // Findings on lines of their own are what the problem matcher reads.
+    const format = command === 'validate' ? ['--format', 'concise'] : [];
+    const process = new vscode.ProcessExecution(
+      program.path,
+      [command, ...paths, ...format, ...options],
+      { env: environment() as Record<string, string> },
+    );
+    const name = [command, ...paths.map((path) => path.split('/').at(-1))].join(' ');
+    return new vscode.Task(definition, scope, name, 'rigor', process, '$rigor');
+  };
+  const provider: vscode.TaskProvider = {
+    provideTasks: () =>
+      (vscode.workspace.workspaceFolders ?? []).map((folder) => {
+        const task = make({ type: 'rigor', command: 'validate' }, folder);
+        task.group = vscode.TaskGroup.Test;
+        return task;
+      }),
+    // What is executed has to have the definition that was asked for.
+    resolveTask: (task) =>
+      make(task.definition as RigorTask, task.scope as vscode.TaskScope.Workspace),
+  };
+  const validate = async () => {
+    const tasks = await vscode.tasks.fetchTasks({ type: 'rigor' });
+    for (const task of tasks) await vscode.tasks.executeTask(task);
+  };
+  const simulate = async (asked?: unknown) => {
+    const model = modelAsked(asked);
+    if (!model) return;
+    const chosen = await vscode.window.showQuickPick(
+      TESTS.map(([label, description]) => ({ label, description, picked: label === 'settle' })),
+      { canPickMany: true, title: 'Tests to simulate' },
+    );
+    if (!chosen?.length) return;
+    await saved(model);
+    const options = ['--test', chosen.map(({ label }) => label).join(',')];
+    const scope = vscode.workspace.getWorkspaceFolder(model) ?? vscode.TaskScope.Workspace;
+    const definition = { type: 'rigor', command: 'simulate', paths: [model.fsPath], options };
+    await vscode.tasks.executeTask(make(definition, scope));
+  };
+  return vscode.Disposable.from(
+    vscode.tasks.registerTaskProvider('rigor', provider),
+    vscode.commands.registerCommand('rigor.validateWorkspace', validate),
+    vscode.commands.registerCommand('rigor.simulate', simulate),
+  );
+}
