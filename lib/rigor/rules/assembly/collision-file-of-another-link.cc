@@ -58,6 +58,16 @@ struct FileOf {
   std::string part;
 };
 
+/// Whether both are one part, but for a letter or two at an end: `finger` and `finger_c`.
+bool is_variant(const std::string& a, const std::string& b) {
+  const std::string& longer = a.size() > b.size() ? a : b;
+  const std::string& shorter = a.size() > b.size() ? b : a;
+  constexpr std::size_t kMostLetters = 3;
+  if (longer.size() > shorter.size() + kMostLetters || !longer.starts_with(shorter)) return false;
+  const std::string_view more = std::string_view(longer).substr(shorter.size());
+  return std::none_of(more.begin(), more.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
 /// The mesh files of a link.
 struct LinkFiles {
   std::uint32_t link = 0;
@@ -66,7 +76,7 @@ struct LinkFiles {
 
   bool shows(const std::string& part) const {
     return std::any_of(seen.begin(), seen.end(),
-                       [&part](const FileOf& file) { return file.part == part; });
+                       [&part](const FileOf& file) { return is_variant(part, file.part); });
   }
   bool fits() const {
     return std::all_of(touched.begin(), touched.end(),
