@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,7 +14,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/read/resolver.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::collision_file_of_another_link {
@@ -107,16 +105,6 @@ std::map<std::uint32_t, std::vector<LinkFiles>> files_by_model(const model::Root
   return models;
 }
 
-/// The collision's URI with the name of the part that is seen, when there is such a file.
-std::optional<Fix> fix_for(const FileOf& touched, const FileOf& seen, Context& context) {
-  std::string uri = touched.uri->value;
-  const std::string_view name = file_name(uri);
-  const std::size_t at = uri.size() - name.size();
-  uri.replace(at, stem_of(touched.uri->value).size(), stem_of(seen.uri->value));
-  if (touched.uri->span.nowhere() || !context.resolve(uri).path) return std::nullopt;
-  return Fix{"use " + uri, Applicability::kUnsafe, {{touched.uri->span, uri}}};
-}
-
 void check(const model::Root& root, Context& context) {
   if (root.links.size() <= kFewest) return;
   for (const auto& [model, links] : files_by_model(root)) {
@@ -140,8 +128,7 @@ void check(const model::Root& root, Context& context) {
                         .subject = context.subject(collision),
                         .related = {{files.seen.front().uri->span, "the visual of this link"}},
                         .help = fmt::format(
-                            "the {} other links have collisions named as their visuals", fitting),
-                        .fix = fix_for(touched, files.seen.front(), context)});
+                            "the {} other links have collisions named as their visuals", fitting)});
       }
     }
   }
@@ -151,7 +138,6 @@ Rule rule() {
   return {
       .name = "collision-file-of-another-link",
       .severity = Severity::kWarning,
-      .fix = FixGrade::kUnsafe,
       .summary = "a link's collision is the mesh file of another link",
       .why = "The link touches what it does not reach, and passes through what it hits. The "
              "collision's file has the name of another link's visual, while the robot's other "
