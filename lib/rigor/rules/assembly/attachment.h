@@ -6,7 +6,7 @@
 //
 //   for (const Attached& one : AttachedLinks(context).find()) compare(one.fit, fit_of(one, shift_W));
 //
-// Boxes around shapes stand for them, joints are at zero. Links that are rigidly fixed to each other count as one.
+// Boxes around shapes represent them, joints are at zero. Links that are rigidly fixed to each other count as one.
 
 #pragma once
 
@@ -95,8 +95,8 @@ class AttachedLinks {
 
   std::vector<Attached> find() {
     std::vector<Attached> result;
-    constexpr std::size_t kMostShapes = 600;
-    if (robot_.shapes.size() < 2 || robot_.shapes.size() > kMostShapes) return result;
+    constexpr std::size_t kMaxShapes = 600;
+    if (robot_.shapes.size() < 2 || robot_.shapes.size() > kMaxShapes) return result;
     for (PlacedUnit& unit : placed_units(context_)) {
       if (auto one = attached(std::move(unit))) result.push_back(*std::move(one));
     }

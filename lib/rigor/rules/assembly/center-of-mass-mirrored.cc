@@ -31,7 +31,7 @@ constexpr double kAhead = 0.9;
 constexpr double kStraight = 0.9;  // cosine
 
 // m: less is a rounded number, or a sensor.
-constexpr double kLeast = 0.01;
+constexpr double kMin = 0.01;
 
 struct Mirrored {
   Vector3 value;
@@ -62,7 +62,7 @@ std::optional<Mirrored> beside_shapes(std::uint32_t link, const Vector3& com, Co
   for (std::size_t k = 0; k < 3; ++k) {
     const Vector3 value = flipped(com, k);
     const double then = length(value - middle);
-    if (std::abs(com.*kCoordinates[k]) < kLeast || then > least) continue;
+    if (std::abs(com.*kCoordinates[k]) < kMin || then > least) continue;
     least = then;
     best = Mirrored{value, k,
                     fmt::format("{:.3g} m away from the middle of the link's shapes, and {:.3g} m "
@@ -113,7 +113,7 @@ void check(const model::Root& root, Context& context) {
     const model::PoseField& pose = link.inertial.pose;
     if (!root.own(link.site) || !pose.pose.written || !(link.inertial.mass.value > 0)) continue;
     const Vector3& com = pose.pose.value.translation;
-    if (length(com) < kLeast) continue;
+    if (length(com) < kMin) continue;
     auto found = beside_shapes(i, com, context);
     if (!found) found = behind_joint(i, com, context);
     if (!found) continue;

@@ -60,8 +60,8 @@ struct FileOf {
 bool is_variant(const std::string& a, const std::string& b) {
   const std::string& longer = a.size() > b.size() ? a : b;
   const std::string& shorter = a.size() > b.size() ? b : a;
-  constexpr std::size_t kMostLetters = 3;
-  if (longer.size() > shorter.size() + kMostLetters || !longer.starts_with(shorter)) return false;
+  constexpr std::size_t kMaxLetters = 3;
+  if (longer.size() > shorter.size() + kMaxLetters || !longer.starts_with(shorter)) return false;
   const std::string_view more = std::string_view(longer).substr(shorter.size());
   return std::none_of(more.begin(), more.end(), [](char c) { return c >= '0' && c <= '9'; });
 }

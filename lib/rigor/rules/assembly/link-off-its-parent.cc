@@ -247,10 +247,10 @@ void check(const model::Root& root, Context& context) {
   };
   for (const OddLink& odd : found) {
     // More of them are how the robot is made.
-    constexpr std::ptrdiff_t kMost = 2;
+    constexpr std::ptrdiff_t kMax = 2;
     const auto beside = std::count_if(found.begin(), found.end(),
                                       [&](const OddLink& other) { return top(other) == top(odd); });
-    if (beside <= kMost) report(odd, context);
+    if (beside <= kMax) report(odd, context);
   }
 }
 

@@ -119,8 +119,8 @@ std::vector<LinkPair> pairs_in_one_place(const model::Root& root, const robot::A
     if (box && mesh::diagonal(*box) >= kBody) bodies.push_back({i, *box});
   }
   std::vector<LinkPair> pairs;
-  constexpr std::size_t kMostBodies = 500;
-  if (bodies.size() > kMostBodies) return pairs;
+  constexpr std::size_t kMaxBodies = 500;
+  if (bodies.size() > kMaxBodies) return pairs;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     for (std::size_t j = i + 1; j < bodies.size(); ++j) {
       const std::uint32_t a = bodies[i].link, b = bodies[j].link;

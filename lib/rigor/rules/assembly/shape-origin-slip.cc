@@ -33,7 +33,7 @@ constexpr double kLeftOut = 0.05;
 constexpr double kMoved = 0.2;
 
 // Many shapes are a body in pieces, which one origin changes little.
-constexpr std::size_t kMostShapes = 20;
+constexpr std::size_t kMaxShapes = 20;
 
 /// Another pose of a shape.
 struct Repose {
@@ -128,7 +128,7 @@ double likeness_of(const std::vector<SeenShape>& all) {
 void check_link(std::uint32_t link, Context& context) {
   const model::Root& root = context.root();
   const std::vector<SeenShape> all = seen_shapes(link, context);
-  if (all.size() < 2 || all.size() > kMostShapes) return;
+  if (all.size() < 2 || all.size() > kMaxShapes) return;
   const double now = likeness_of(all);
   if (now > kUnlike) return;
   const SeenShape* wrong = nullptr;
