@@ -64,7 +64,9 @@ constexpr Consequences kConsequences[] = {
     {"mesh-scale-differs visual-collision-scale shape-size-slip size-suspicious "
      "mesh-size-suspicious",
      "shape-exceeds-robot"},
-    {"link-misplaced twins-in-one-place links-in-one-place", "link-off-its-parent"},
+    {"link-misplaced twins-in-one-place links-in-one-place origin-looks-like-millimeters "
+     "sibling-value-differs twin-value-differs size-suspicious",
+     "link-off-its-parent"},
     {"slider-limits-look-like-angles", "slider-looks-like-hinge"},
     {"center-of-mass-outside-shapes origin-looks-like-millimeters", "center-of-mass-mirrored"},
     // Of several parts that are alike one is odd, and what else is said of it.
@@ -72,7 +74,10 @@ constexpr Consequences kConsequences[] = {
      "links-in-one-place twins-in-one-place visual-collision-origin visual-collision-scale "
      "mesh-scale-differs shape-exceeds-robot limit-equal joint-limit-inverted "
      "limit-looks-like-degrees velocity-looks-like-degrees axis-zero joint-type-unknown "
-     "slider-looks-like-hinge slider-limits-look-like-angles",
+     "slider-looks-like-hinge slider-limits-look-like-angles axis-not-unit velocity-zero "
+     "effort-zero "
+     "effort-limit-negative center-of-mass-outside-shapes density-too-high density-too-low "
+     "wheel-axis-mismatch limit-equal",
      "sibling-value-differs"},
     {"sibling-value-differs", "twin-value-differs"},
     {"density-too-high density-too-low inertia-exceeds-shapes", "twin-value-differs"},
@@ -82,11 +87,11 @@ constexpr Consequences kConsequences[] = {
     {"mesh-truncated mesh-malformed mesh-index-out-of-range mesh-not-finite",
      "mesh-not-watertight mesh-unreferenced-vertex mesh-size-suspicious"},
     // A part that is far from what it should touch.
-    {"center-of-mass-outside-shapes shape-misplaced mesh-far-from-origin",
+    {"center-of-mass-outside-shapes shape-misplaced link-misplaced mesh-far-from-origin",
      "origin-looks-like-millimeters"},
     {"shape-misplaced origin-looks-like-millimeters pose-looks-like-degrees mesh-far-from-origin",
      "visual-collision-origin"},
-    {"visual-collision-origin", "collision-beside-visual"},
+    {"visual-collision-origin shape-origin-slip", "collision-beside-visual"},
     // A name that does not exist, and all that refer to it.
     {"joint-parent-missing joint-child-missing",
      "gazebo-reference-missing sensor-frame-missing relative-to-missing attached-to-missing "

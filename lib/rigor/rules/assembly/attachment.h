@@ -24,7 +24,7 @@ namespace rigor::rules {
 struct Fit {
   double gap = 0;     ///< m, between the link and all that does not move with its pose
   double reach = 0;   ///< m, from the joint to the shapes of the parent
-  double inside = 0;  ///< share of the link that is inside of others, 0 to 1
+  double inside = 0;  ///< share of the link that is inside of its parent, 0 to 1
 };
 
 struct Attached {
@@ -36,15 +36,14 @@ struct Attached {
   Fit fit;
 };
 
-/// How much of the link is inside of others, when it is moved by `d_W`, m.
-inline double share_inside(const Attached& one, const model::Vector3& d_W) {
-  std::vector<robot::OrientedBox> still = one.parent;
-  still.insert(still.end(), one.others.begin(), one.others.end());
+/// How much of a link is inside of boxes, when it is moved by `d_W`, m.
+inline double share_inside(const Attached& one, const model::Vector3& d_W,
+                           const std::vector<robot::OrientedBox>& boxes) {
   double volume = 0, shared = 0;
   for (const robot::OrientedBox& box : one.child) {
     const double size = box.half[0] * box.half[1] * box.half[2];
     volume += size;
-    shared += size * robot::share_inside(robot::moved(box, d_W), still);
+    shared += size * robot::share_inside(robot::moved(box, d_W), boxes);
   }
   return volume > 0 ? shared / volume : 0;
 }
@@ -75,7 +74,7 @@ inline double reach_of(const Attached& one, const model::Vector3& d_W) {
 inline Fit fit_of(const Attached& one, const model::Vector3& d_W) {
   double gap = gap_to(one.parent, one, d_W, std::numeric_limits<double>::infinity());
   if (gap > 0) gap = gap_to(one.others, one, d_W, gap);
-  return {gap, reach_of(one, d_W), share_inside(one, d_W)};
+  return {gap, reach_of(one, d_W), share_inside(one, d_W, one.parent)};
 }
 
 /// Makes the list, for the models of the file that are not too large to compare each link with all others.

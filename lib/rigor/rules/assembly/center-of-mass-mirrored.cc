@@ -84,7 +84,8 @@ std::optional<Vector3> next_joint(std::uint32_t link, Context& context) {
 }
 
 std::optional<Mirrored> behind_joint(std::uint32_t link, const Vector3& com, Context& context) {
-  if (!context.assembled().links[link].shapes.empty()) return std::nullopt;  // those say it
+  const robot::AssembledLink& assembled = context.assembled().links[link];
+  if (assembled.complete() && !assembled.shapes.empty()) return std::nullopt;  // those say it
   const auto next = next_joint(link, context);
   if (!next) return std::nullopt;
   const double reach = length(*next);

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,7 +14,6 @@
 
 #include <fmt/core.h>
 
-#include <rigor/read/resolver.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::collision_file_of_another_link {
@@ -58,6 +56,16 @@ struct FileOf {
   std::string part;
 };
 
+/// Whether both are one part, but for a letter or two at an end: `finger` and `finger_c`.
+bool is_variant(const std::string& a, const std::string& b) {
+  const std::string& longer = a.size() > b.size() ? a : b;
+  const std::string& shorter = a.size() > b.size() ? b : a;
+  constexpr std::size_t kMaxLetters = 3;
+  if (longer.size() > shorter.size() + kMaxLetters || !longer.starts_with(shorter)) return false;
+  const std::string_view more = std::string_view(longer).substr(shorter.size());
+  return std::none_of(more.begin(), more.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
 /// The mesh files of a link.
 struct LinkFiles {
   std::uint32_t link = 0;
@@ -66,7 +74,7 @@ struct LinkFiles {
 
   bool shows(const std::string& part) const {
     return std::any_of(seen.begin(), seen.end(),
-                       [&part](const FileOf& file) { return file.part == part; });
+                       [&part](const FileOf& file) { return is_variant(part, file.part); });
   }
   bool fits() const {
     return std::all_of(touched.begin(), touched.end(),
@@ -97,16 +105,6 @@ std::map<std::uint32_t, std::vector<LinkFiles>> files_by_model(const model::Root
   return models;
 }
 
-/// The collision's URI with the name of the part that is seen, when there is such a file.
-std::optional<Fix> fix_for(const FileOf& touched, const FileOf& seen, Context& context) {
-  std::string uri = touched.uri->value;
-  const std::string_view name = file_name(uri);
-  const std::size_t at = uri.size() - name.size();
-  uri.replace(at, stem_of(touched.uri->value).size(), stem_of(seen.uri->value));
-  if (touched.uri->span.nowhere() || !context.resolve(uri).path) return std::nullopt;
-  return Fix{"use " + uri, Applicability::kUnsafe, {{touched.uri->span, uri}}};
-}
-
 void check(const model::Root& root, Context& context) {
   if (root.links.size() <= kFewest) return;
   for (const auto& [model, links] : files_by_model(root)) {
@@ -130,8 +128,7 @@ void check(const model::Root& root, Context& context) {
                         .subject = context.subject(collision),
                         .related = {{files.seen.front().uri->span, "the visual of this link"}},
                         .help = fmt::format(
-                            "the {} other links have collisions named as their visuals", fitting),
-                        .fix = fix_for(touched, files.seen.front(), context)});
+                            "the {} other links have collisions named as their visuals", fitting)});
       }
     }
   }
@@ -141,7 +138,6 @@ Rule rule() {
   return {
       .name = "collision-file-of-another-link",
       .severity = Severity::kWarning,
-      .fix = FixGrade::kUnsafe,
       .summary = "a link's collision is the mesh file of another link",
       .why = "The link touches what it does not reach, and passes through what it hits. The "
              "collision's file has the name of another link's visual, while the robot's other "

@@ -25,9 +25,10 @@ constexpr std::size_t kFewest = 2;
 
 // Shares of the longest link: less is a bracket, a bearing or a rounded number.
 constexpr double kApart = 0.03;
+constexpr double kOutside = 0.15;
 constexpr double kJoined = 0.01;
 
-// Shares of a link's own volume that may be inside of others more than is usual in this robot.
+// Shares of a link's own volume that may be inside of its parent more than is usual in this robot.
 constexpr double kDeep = 0.3;
 constexpr double kAsUsual = 0.1;
 constexpr double kPartly = 0.5;
@@ -85,13 +86,13 @@ Usual usual_beside(const Attached& one, const std::vector<Attached>& all, Contex
 
 enum class Oddity { kNone, kGap, kReach, kInside };
 
-bool is_far(double distance, double usual, double longest) {
-  return distance > kApart * longest && distance > 3 * usual + kJoined * longest;
+bool is_far(double distance, double least, double usual, double longest) {
+  return distance > least * longest && distance > 3 * usual + kJoined * longest;
 }
 
 Oddity oddity_of(const Fit& fit, const Usual& usual) {
-  if (is_far(fit.gap, usual.most.gap, usual.longest)) return Oddity::kGap;
-  if (is_far(fit.reach, usual.most.reach, usual.longest)) return Oddity::kReach;
+  if (is_far(fit.gap, kApart, usual.most.gap, usual.longest)) return Oddity::kGap;
+  if (is_far(fit.reach, kOutside, usual.most.reach, usual.longest)) return Oddity::kReach;
   if (fit.inside > kWithin && fit.inside > usual.most.inside + kDeep) return Oddity::kInside;
   return Oddity::kNone;
 }
@@ -135,7 +136,7 @@ std::string message_of(const Attached& one, const Usual& usual, Oddity oddity, C
                          name, one.fit.reach, root[parent].name.value, usual.joints,
                          usual.most.reach);
     default:
-      return fmt::format("{:.0f} % of link '{}' is inside of other links; of the other {} links of "
+      return fmt::format("{:.0f} % of link '{}' is inside of its parent; of the other {} links of "
                          "the robot at most {:.0f} % are",
                          100 * one.fit.inside, name, usual.joints, 100 * usual.most.inside);
   }
@@ -162,6 +163,28 @@ bool is_explained(const OddLink& odd) {
 
 bool moves(const model::Joint& joint) { return joint.type != model::JointType::kFixed; }
 
+/// The only joint of a URDF that moves and has no offset, when four others have one.
+const model::Joint* only_one_at_zero(const model::Root& root, const Context& context) {
+  constexpr std::size_t kOthers = 4;
+  const auto has_body = [&](model::Id<model::Link> link) {
+    return link && (!root[link].visuals.empty() || !root[link].collisions.empty());
+  };
+  const model::Joint* found = nullptr;
+  std::size_t others = 0;
+  for (std::uint32_t j = 0; j < root.joints.size(); ++j) {
+    const model::Joint& joint = root.joints[j];
+    if (!moves(joint)) continue;
+    if (nonzero_coordinates(joint.pose.pose.value.translation) > 0) {
+      ++others;
+      continue;
+    }
+    const auto& ends = context.frames().ends({j});
+    if (found != nullptr || !has_body(ends.parent) || !has_body(ends.child)) return nullptr;
+    found = &joint;
+  }
+  return others >= kOthers ? found : nullptr;
+}
+
 std::optional<OddLink> odd_link(const Attached& one, const std::vector<Attached>& all,
                                 Context& context) {
   if (one.fit.gap == 0 && one.fit.reach == 0 && one.fit.inside <= kWithin) return std::nullopt;
@@ -172,6 +195,7 @@ std::optional<OddLink> odd_link(const Attached& one, const std::vector<Attached>
   odd.change = change_for(one, odd.usual);
   const model::Joint& joint = context.root()[context.assembled().links[one.unit.link].carrier];
   const bool left_out = odd.oddity == Oddity::kInside && moves(joint) &&
+                        &joint != only_one_at_zero(context.root(), context) &&
                         nonzero_coordinates(one.unit.pose->pose.value.translation) == 0;
   if (!odd.change && !left_out) return std::nullopt;
   return odd;
@@ -195,7 +219,22 @@ void report(const OddLink& odd, Context& context) {
   context.report(std::move(finding));
 }
 
+void report_zero(const model::Joint& joint, Context& context) {
+  context.report(
+      {.where = joint.pose.pose.written ? place_of(joint.pose, context) : joint.site.name,
+       .message = fmt::format("the joint is at the origin of its parent '{}', and no other "
+                              "joint of the robot that moves is",
+                              joint.parent.value),
+       .subject = context.subject(joint),
+       .help = "was its origin left out?",
+       .severity = Severity::kInfo});
+}
+
 void check(const model::Root& root, Context& context) {
+  if (context.is_urdf()) {
+    const model::Joint* zero = only_one_at_zero(root, context);
+    if (zero != nullptr) report_zero(*zero, context);
+  }
   if (root.links.size() <= kFewest + 1 || !context.frames().problems().empty()) return;
   const std::vector<Attached> all = AttachedLinks(context).find();
   if (all.size() <= kFewest) return;

@@ -70,8 +70,10 @@ std::optional<Way> way_out(const Attached& one, const Attached& other,
       const Fit then =
           fit_of(*link, shift_of(link->unit.pose->pose.value, link->unit.X_WL, change.value));
       constexpr double kFree = 0.5;  // of the link that is within others
-      if (then.inside > std::min(kFree, link->fit.inside) || then.gap > link->fit.gap + 1e-9)
-        continue;
+      std::vector<robot::OrientedBox> still = link->parent;
+      still.insert(still.end(), link->others.begin(), link->others.end());
+      const Vector3 moved = shift_of(link->unit.pose->pose.value, link->unit.X_WL, change.value);
+      if (share_inside(*link, moved, still) > kFree || then.gap > link->fit.gap + 1e-9) continue;
       const bool confirmed = mirrors_twin(*link, change.value, all, context);
       if (found && (found->confirmed || !confirmed)) continue;
       found = Way{link, std::move(change), confirmed};

@@ -149,7 +149,7 @@ void check_link(std::uint32_t link, Context& context) {
            fmt::format("the link's collisions and visuals share {:.0f} % of the box around "
                        "them, and {:.0f} % with another {} of the {}",
                        100 * now, 100 * std::min(1.0, best->likeness), what, role_name(*wrong)),
-       .subject = subject_of_shape(*wrong, context),
+       .subject = context.subject(root.links[link]),
        .help = best->repose.turned
                    ? best->repose.slip + " fits: write the rotation"
                    : fmt::format("write {}: {}", written_as(then.translation), best->repose.slip),

@@ -254,7 +254,8 @@ void report(const Odd& odd, const std::vector<Entity>& all, const std::vector<Fi
   const std::string slip = slip_between(wrong, right);
   const bool many = odd.right.size() >= kMany;
   const bool place = is_place(wrong);
-  if (slip.empty() && (place || !many)) return;
+  // What was left out is reported as such; but an origin of zero need not be written.
+  if ((slip.empty() && (place || !many)) || (wrong.span.nowhere() && !place)) return;
   Finding finding{
       .where = wrong.span.nowhere() ? all[odd.wrong].site.name : wrong.span,
       .message =
@@ -276,7 +277,8 @@ void report(const Odd& odd, const std::vector<Entity>& all, const std::vector<Fi
   // One rudder among ailerons.
   const bool pair = odd.right.size() == 1 &&
                     are_sides(all[odd.wrong].name.value, all[odd.right.front()].name.value);
-  const bool doubtful = slip.empty() || (!many && !pair) || wrong.kind == FieldKind::kAxis;
+  const bool doubtful = slip.empty() || (!many && !pair) || wrong.kind == FieldKind::kAxis ||
+                        wrong.kind == FieldKind::kNumber;
   if (doubtful) finding.severity = Severity::kInfo;
   context.report(std::move(finding));
 }
