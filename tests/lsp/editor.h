@@ -57,6 +57,7 @@ class Editor {
 
   void work() {
     while (session_.has_work()) session_.work();
+    while (session_.has_idle_work()) session_.idle_work();
   }
 
   void open(const std::string& path, const std::string& text) {
