@@ -266,6 +266,32 @@ TEST(LspAnswers, BrokenXmlKeepsTheLastModel) {
   EXPECT_EQ(highlights.size(), 2U);
 }
 
+TEST(LspAnswers, HoverDoesNotWaitForTheModelOfTheLastKey) {
+  const std::string text =
+      "<robot name='r'>\n<link name='a'><inertial><mass value='2'/><inertia ixx='1' ixy='0' "
+      "ixz='0' iyy='1' iyz='0' izz='1'/></inertial></link>\n</robot>\n";
+  MemoryDisk disk;
+  Editor editor(disk);
+  editor.open("/ws/r.urdf", text);
+  const auto hover = [&] {
+    return editor.request("textDocument/hover", editor.at("/ws/r.urdf", "name='a'", 7));
+  };
+  std::string longer(text);
+  longer.insert(longer.find("<link"), "<!-- a line -->\n");
+  editor.type("/ws/r.urdf", longer);  // no time to prepare anything
+  EXPECT_NE(text_at(hover(), "contents", "value").find("2 kg"), std::string::npos);
+  EXPECT_EQ(hover()["range"]["start"]["line"], 2);
+  EXPECT_EQ(editor.request("textDocument/definition",
+                           editor.at("/ws/r.urdf", "name='a'", 7))["range"]["start"]["line"],
+            2);
+  std::string heavier(longer);
+  heavier.replace(heavier.find("'2'"), 3, "'3'");
+  editor.type("/ws/r.urdf", heavier);
+  EXPECT_NE(text_at(hover(), "contents", "value").find("2 kg"), std::string::npos);
+  editor.work();
+  EXPECT_NE(text_at(hover(), "contents", "value").find("3 kg"), std::string::npos);
+}
+
 TEST(LspAnswers, TheStructureOfADocument) {
   MemoryDisk disk(test::Files{{"/ws/m.stl", "solid"}});
   Editor editor(disk);

@@ -17,7 +17,7 @@ namespace {
 
 using test::Editor;
 
-/// An STL that says it has a triangle, and has none.
+/// An STL without the triangle that it says it has.
 const std::string kCut = std::string(80, '\0') + std::string("\x01\0\0\0", 4);
 
 constexpr const char* kMeshRobot =
@@ -29,9 +29,10 @@ constexpr const char* kMeshRobot =
     "  <joint name='j' type='fixed'><parent link='a'/><child link='b'/></joint>\n"
     "</robot>\n";
 
+/// What only a look into the file tells.
 Json mesh_finding(Editor& editor) {
   for (const Json& each : editor.diagnostics("/ws/r.urdf")) {
-    if (text_at(each, "code").starts_with("mesh-")) return each;
+    if (text_at(each, "code") == "mesh-empty") return each;
   }
   return nullptr;
 }

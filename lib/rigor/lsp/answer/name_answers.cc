@@ -31,7 +31,7 @@ struct Cursor {
 
 Cursor cursor_of(State& state, const Json& params) {
   OpenDocument& document = state.document(params);
-  Analysis& analysis = document.readable(state.environment());
+  Analysis& analysis = document.up_to_date(state.environment());
   return {document, analysis,
           document.to_readable(offset_in(document, member(params, "position")))};
 }
@@ -138,8 +138,7 @@ Json rename(State& state, const Json& params) {
   std::vector<std::string> templates = files;
   templates.push_back(document.path());
   std::vector<std::string> all = files;
-  for (std::string& path :
-       author::parameter_files(state.disk, workspace_folders(state, document)))
+  for (std::string& path : author::parameter_files(state.disk, workspace_folders(state, document)))
     all.push_back(std::move(path));
   const author::Renaming renaming =
       std::holds_alternative<author::EntityId>(name->name)

@@ -94,6 +94,11 @@ Analysis& OpenDocument::readable(const Environment& environment) {
   return *readable_;
 }
 
+Analysis& OpenDocument::up_to_date(const Environment& environment) {
+  analysis(environment);
+  return readable(environment);
+}
+
 void OpenDocument::prepare(const Environment& environment) {
   Analysis& current = analysis(environment);
   if (!current.written().complete()) return;

@@ -49,6 +49,9 @@ class OpenDocument {
   /// else of the last text that could be read to its end, which `prepare` brings up to date when nobody types.
   Analysis& readable(const Environment& environment);
 
+  /// The same of the text as it is wherever that can be read to its end: for answers that are places.
+  Analysis& up_to_date(const Environment& environment);
+
   /// Makes what `readable` gives the text as it is, if that can be read to its end.
   void prepare(const Environment& environment);
 
