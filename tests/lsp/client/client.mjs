@@ -132,6 +132,7 @@ assert.deepEqual(await ask(lsp.DocumentRangeFormattingRequest, { textDocument: d
 await apply([{ range: { start: positionOf("</robot>"), end: positionOf("</robot>") }, newText: '<link name="é">' }]);
 const typed = await ask(lsp.DocumentOnTypeFormattingRequest, { ...at('name="é">', 9), ch: ">", options: { tabSize: 2, insertSpaces: true } });
 assert.equal(typed[0].newText, "</link>");
+await apply(typed);
 
 // A rename reaches the YAML of controllers, and lists what may be the name for the user to confirm.
 await apply(await ask(lsp.RenameRequest, { ...at('name="turn"', 7), newName: "elbow" }).then((edit) => {
