@@ -268,8 +268,11 @@ TEST(LspAnswers, BrokenXmlKeepsTheLastModel) {
 
 TEST(LspAnswers, HoverDoesNotWaitForTheModelOfTheLastKey) {
   const std::string text =
-      "<robot name='r'>\n<link name='a'><inertial><mass value='2'/><inertia ixx='1' ixy='0' "
-      "ixz='0' iyy='1' iyz='0' izz='1'/></inertial></link>\n</robot>\n";
+      std::string(
+          "<robot name='r'>\n<link name='a'><inertial><mass value='2'/><inertia ixx='1' "
+          "ixy='0' ") +
+      "ixz='0' iyy='1' iyz='0' izz='1'/></inertial></link>\n<!--" + std::string(70'000, ' ') +
+      "--></robot>\n";  // too long to be read at once
   MemoryDisk disk;
   Editor editor(disk);
   editor.open("/ws/r.urdf", text);

@@ -7,9 +7,13 @@
 #include <utility>
 
 #include <rigor/lsp/protocol/uri.h>
+#include <rigor/read/template/template_expander.h>
 
 namespace rigor::lsp {
 namespace {
+
+/// A text of this size is read in 3 ms; what a template expands to may be any number of times as long.
+constexpr std::size_t kReadAtOnceBytes = std::size_t{64} << 10U;
 
 /// Bytes that two texts begin and end with; they do not overlap in either.
 struct Affixes {
@@ -87,7 +91,8 @@ Analysis& OpenDocument::analysis(const Environment& environment) {
 }
 
 Analysis& OpenDocument::readable(const Environment& environment) {
-  if (!analysis_ && readable_) return *readable_;
+  const bool takes_long = text_.size() > kReadAtOnceBytes || read::is_template(path_);
+  if (!analysis_ && readable_ && takes_long) return *readable_;
   Analysis& current = analysis(environment);
   if (current.written().complete() || !readable_text_) return current;
   if (!readable_) readable_ = std::make_unique<Analysis>(environment, path_, *readable_text_);

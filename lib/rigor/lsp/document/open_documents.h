@@ -45,8 +45,8 @@ class OpenDocument {
   /// Of the text as it is, well-formed or not.
   Analysis& analysis(const Environment& environment);
 
-  /// For answers that nobody wants to wait for: of the text as it is, when that is known already or nothing else is;
-  /// else of the last text that could be read to its end, which `prepare` brings up to date when nobody types.
+  /// For answers that nobody wants to wait for: of the text as it is, when that is known already, soon read, or all
+  /// there is; else of the last text that could be read to its end, which `prepare` brings up to date when nobody types.
   Analysis& readable(const Environment& environment);
 
   /// The same of the text as it is wherever that can be read to its end: for answers that are places.
