@@ -8,8 +8,8 @@
 Types into a world of 1 MB, a URDF of 30,000 lines, and the files that are named: single letters, deletions within
 tags, a pasted line, each undone. Then opens a workspace of 3,000 files, and asks for what takes a look at all of them.
 With RIGOR_CORPUS the largest robot of the xacro corpus beside it is typed into as well. Milliseconds of wall clock,
-until the last byte of an answer has come; the limits are those of docs/editors.md, and one that is passed ends with
-exit code 1.
+until the last byte of an answer has come, on a machine that does nothing else. The limits are goals; one that is passed
+ends with exit code 1.
 """
 
 import json

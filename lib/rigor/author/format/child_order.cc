@@ -36,8 +36,8 @@ struct Piece {
 
 class OrderedText {
  public:
-  OrderedText(const xml::Document& document)
-      : document_(document), contents_(contents(document)), bytes_(document.bytes()) {}
+  explicit OrderedText(const xml::Document& document)
+      : contents_(contents(document)), bytes_(document.bytes()) {}
 
   std::string text(xml::Element root, std::optional<schema::Node> node) {
     std::string all(bytes_.substr(0, root.span().begin));
@@ -106,7 +106,6 @@ class OrderedText {
     return std::nullopt;
   }
 
-  const xml::Document& document_;
   const std::vector<Content> contents_;
   std::string_view bytes_;
   bool all_known_ = false;  // the children of which pieces were made last
