@@ -91,6 +91,25 @@ TEST(LspMeshFindings, WhatWasStoppedIsDoneAgain) {
   EXPECT_FALSE(mesh_finding(editor).is_null());
 }
 
+TEST(LspMeshFindings, AClientThatPullsIsAskedToDoSo) {
+  MemoryDisk disk(test::Files{{"/ws/cut.stl", kCut}});
+  Json capabilities = Editor::default_capabilities();
+  capabilities["textDocument"]["diagnostic"] = Json::object();
+  capabilities["workspace"]["diagnostics"]["refreshSupport"] = true;
+  Editor editor(disk, capabilities);
+  editor.open("/ws/r.urdf", kMeshRobot);
+  const auto asked = [&editor] {
+    return std::count_if(editor.log().begin(), editor.log().end(), [](const Json& message) {
+      return text_at(message, "method") == "workspace/diagnostic/refresh";
+    });
+  };
+  const auto before = asked();
+  open_meshes(editor);
+  EXPECT_EQ(asked(), before + 1);
+  const Json report = editor.request("textDocument/diagnostic", editor.document("/ws/r.urdf"));
+  EXPECT_NE(report["items"].dump().find("mesh-empty"), std::string::npos);
+}
+
 TEST(LspMeshFindings, APlaceFollowsChangesOutsideOfWhatItDependsOn) {
   MovingPlace place{10, 12, 8, 20};
   EXPECT_TRUE(place.follow({0, 2, 5}));  // three bytes more before it

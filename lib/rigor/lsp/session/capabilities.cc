@@ -32,6 +32,8 @@ Client client_of(const Json& params) {
        member(capabilities, "workspace", "workspaceEdit", "resourceOperations"))
     client.creates_files = client.creates_files || operation == "create";
   client.pulls_diagnostics = member(capabilities, "textDocument", "diagnostic").is_object();
+  client.refreshes_diagnostics =
+      flag_at(capabilities, "workspace", "diagnostics", "refreshSupport");
   client.registers_watchers =
       flag_at(capabilities, "workspace", "didChangeWatchedFiles", "dynamicRegistration");
   client.shows_pictures = flag_at(params, "initializationOptions", "pictures");

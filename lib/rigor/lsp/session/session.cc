@@ -193,6 +193,7 @@ void Session::did_close(const Json& params) {
 void Session::files_changed() {
   state_.renew_project();
   for (const auto& [uri, document] : state_.documents) check_later(uri);
+  ask_to_pull();
 }
 
 /// Documents that were checked with the file at a path.
@@ -271,6 +272,12 @@ void Session::finish(const MeshCheck& check) {
   if (check.stopped()) return open_meshes_later(*found->second);
   mesh_findings_[check.uri()] = MeshFindings(state_, *found->second, check);
   check_later(check.uri());  // nothing is sent when nothing is new
+  ask_to_pull();
+}
+
+void Session::ask_to_pull() {
+  if (!state_.client.pulls_diagnostics || !state_.client.refreshes_diagnostics) return;
+  peer_.send({{"jsonrpc", "2.0"}, {"id", "refresh"}, {"method", "workspace/diagnostic/refresh"}});
 }
 
 std::map<std::string, std::vector<Json>> Session::findings_of(OpenDocument& document) {

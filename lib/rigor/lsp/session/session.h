@@ -86,6 +86,8 @@ class Session {
   void check_dependents(const std::string& path);
   void check_srdf_of(const std::string& path);
   void check_later(const std::string& uri);
+  /// Of a client that pulls: something other than a key has changed what there is.
+  void ask_to_pull();
   void open_meshes_later(const OpenDocument& document);
   std::map<std::string, std::vector<Json>> findings_of(OpenDocument& document);
   void publish(OpenDocument& document);

@@ -52,11 +52,12 @@ class RequestError : public std::runtime_error {
 
 struct Client {
   PositionEncoding encoding = PositionEncoding::kUtf16;
-  bool snippets = false;            ///< whether completions may have places to fill in
-  bool document_changes = false;    ///< whether edits may name the versions of documents
-  bool change_annotations = false;  ///< whether edits may say why, and be confirmed one by one
-  bool creates_files = false;       ///< whether edits may make a file
-  bool pulls_diagnostics = false;   ///< then none are published
+  bool snippets = false;               ///< whether completions may have places to fill in
+  bool document_changes = false;       ///< whether edits may name the versions of documents
+  bool change_annotations = false;     ///< whether edits may say why, and be confirmed one by one
+  bool creates_files = false;          ///< whether edits may make a file
+  bool refreshes_diagnostics = false;  ///< whether it pulls them again when it is asked to
+  bool pulls_diagnostics = false;      ///< then none are published
   bool registers_watchers = false;  ///< whether it takes the files that are to be watched from here
   bool shows_pictures = false;      ///< in hovers, as data: URIs
   std::vector<std::string> commands;  ///< of its own that lenses may call: "rigor.view"
