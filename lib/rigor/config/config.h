@@ -27,7 +27,7 @@
 //   RuleChoice choice = rules_for(config, "/home/me/robot/worlds/lab.world");
 //
 // Every value knows its place. Names of rules and targets are taken as they are: who knows the rules
-// checks them. Which file counts for a model, and what it extends, is told by `Configs`.
+// checks them. Which file counts for a model, and what it extends, is decided by `Configs`.
 
 #pragma once
 

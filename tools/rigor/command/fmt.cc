@@ -68,8 +68,7 @@ class Fmt final : public Command {
                                 "Change nothing, and exit 1 when a file is laid out otherwise");
     app->add_flag("--diff", diff_, "Show what would change, and exit 1 when anything does")
         ->excludes(check);
-    app->add_option("--lines", lines_, "Only what stands in these lines, of one file")
-        ->type_name("FIRST:LAST");
+    app->add_option("--lines", lines_, "Only these lines, of one file")->type_name("FIRST:LAST");
     app->add_flag("--stdin", stdin_, "Read stdin and write to stdout, as with -");
     app->add_option("--stdin-filename", stdin_filename_, "File name for stdin (-)")
         ->type_name("PATH");

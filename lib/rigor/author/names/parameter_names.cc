@@ -16,10 +16,10 @@ namespace {
 
 /// Words in keys whose values are joints. Controllers of mobile bases call theirs wheels.
 constexpr std::array<std::string_view, 4> kJointKeyWords{"joint", "wheel", "interface", "gains"};
-constexpr std::array<std::string_view, 6> kLinkKeyWords{"link",     "frame",      "body",
+constexpr std::array<std::string_view, 6> kLinkKeyWords{"link",     "frame",       "body",
                                                         "position", "orientation", "footprint"};
 
-/// Files of a workspace that are looked at: a bound for folders that hold a data set.
+/// Files of a workspace that are examined: a bound for folders that hold a data set.
 constexpr std::size_t kMaxParameterFiles = 10'000;
 constexpr int kMaxFolderDepth = 32;
 

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A value of a template as a property, and a property as the values that it stands for.
+// A value of a template as a property, and a property as the values that it represents.
 //
 //   extracted_property(context, files, value, "wheel_radius");  // radius="0.3" → radius="${wheel_radius}"
 //   inlined_property(context, files, name);                     // and back

@@ -203,7 +203,7 @@ std::vector<Edit> inertial_edits(State& state, OpenDocument& document, std::uint
   throw RequestError(ErrorCode::kRequestFailed, "the link is in no model");
 }
 
-/// A half turn or half a metre each way, and the effort and velocity that a URDF needs: to be changed by who
+/// A half turn or half a meter each way, and the effort and velocity that a URDF needs: to be changed by who
 /// knows the motor.
 std::vector<Edit> limit_edits(Analysis& analysis, std::uint32_t index) {
   const xml::Element joint = analysis.written().element(index);

@@ -23,7 +23,7 @@ constexpr int kDeprecated = 2;
 
 /// Places of one cause that are shown: nobody looks at a thousand boxes of which each lacks the same, and to send them
 /// takes longer than to find them. The last one says how many there are.
-constexpr std::size_t kMostPlaces = 100;
+constexpr std::size_t kMaxPlaces = 100;
 
 /// Of one cause.
 struct Shown {
@@ -99,7 +99,7 @@ std::map<std::string, std::vector<Json>> diagnostics_by_uri(State& state, OpenDo
   std::unordered_map<std::string, Shown> shown;
   for (const Diagnostic& finding : checked.result.diagnostics.list()) {
     Shown& cause = shown[cause_of(finding)];
-    if (++cause.places > kMostPlaces) continue;
+    if (++cause.places > kMaxPlaces) continue;
     const bool is_own = stands_in(document, checked, finding);
     std::vector<Json>& list =
         by_uri[is_own ? document.uri()
@@ -109,10 +109,10 @@ std::map<std::string, std::vector<Json>> diagnostics_by_uri(State& state, OpenDo
     cause.last = list.size() - 1;
   }
   for (const auto& [key, cause] : shown) {
-    if (cause.places <= kMostPlaces) continue;
+    if (cause.places <= kMaxPlaces) continue;
     Json& message = (*cause.list)[cause.last]["message"];
     message = message.get<std::string>() +
-              fmt::format("\nand {} more places like this one", cause.places - kMostPlaces);
+              fmt::format("\nand {} more places like this one", cause.places - kMaxPlaces);
   }
   return by_uri;
 }

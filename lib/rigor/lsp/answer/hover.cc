@@ -26,7 +26,7 @@ namespace rigor::lsp {
 namespace {
 
 /// Values of an expression that are shown; a macro may be called a hundred times.
-constexpr std::size_t kMostValues = 5;
+constexpr std::size_t kMaxValues = 5;
 
 std::string vector_text(const model::Vector3& v) { return report::numbers(v, 4); }
 
@@ -82,7 +82,7 @@ std::string joint_text(Analysis& analysis, const model::Joint& joint, model::Id<
   return text;
 }
 
-/// Of a name, what it stands for.
+/// Of a name, what it represents.
 std::string entity_text(Analysis& analysis, const author::EntityId& id) {
   const author::NamedEntity& entity = analysis.names().entity(id);
   const read::File& file = analysis.names().file(id.path);
@@ -125,8 +125,8 @@ std::string expanded_text(Analysis& analysis, Span at) {
   std::string text;
   std::size_t shown = 0;
   for (const std::string& value : values) {
-    if (shown++ == kMostValues) {
-      text += fmt::format("\n\n… and {} more", values.size() - kMostValues);
+    if (shown++ == kMaxValues) {
+      text += fmt::format("\n\n… and {} more", values.size() - kMaxValues);
       break;
     }
     text += fmt::format("{}`{}`", shown == 1 ? "" : "\n\n", value);

@@ -31,7 +31,7 @@ struct RobotNames {
 
 RobotNames robot_names(Analysis& analysis);
 
-/// The `name` of a file's root `<robot>`, told from its first bytes; empty where there is none, or an expression
+/// The `name` of a file's root `<robot>`, derived from its first bytes; empty where there is none, or an expression
 /// makes it.
 std::string robot_name_in(std::string_view bytes);
 

@@ -188,7 +188,7 @@ std::optional<double> Assembled::gap(const Links& of, const Vector3& d_W, double
   std::vector<bool> in(links.size(), false);
   for (const std::uint32_t link : of) in[link] = true;
   double least = std::numeric_limits<double>::infinity();
-  // Those that a joint holds together are the nearest as a rule; then few others have to be looked at.
+  // Those that a joint holds together are the nearest as a rule; then few others have to be examined.
   const auto join = [&](std::uint32_t inside, std::uint32_t outside) {
     if (links[outside].top != links[inside].top) return;
     for (const std::uint32_t s : links[inside].shapes) {
