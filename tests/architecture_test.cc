@@ -54,7 +54,7 @@ const std::map<std::string, Names>& rooms() {
         "convert", "simulate", "rules", "author", "view", "results"}},
       {"lsp",
        {"xacro", "text", "xml", "schema", "model", "config", "process", "read", "mesh", "mass",
-        "write", "robot", "convert", "simulate", "rules", "author", "report"}},
+        "write", "robot", "convert", "simulate", "rules", "author", "report", "view"}},
   };
   return kRooms;
 }

@@ -115,6 +115,65 @@ TEST(LspCodeActions, AnInertialAndALimitAreWritten) {
       std::string::npos);
 }
 
+TEST(LspCodeActions, FindingsAreAddedToTheBaseline) {
+  MemoryDisk disk(test::Files{{"/ws/rigor.toml", "baseline = \"known\"\n"},
+                              {"/ws/known", "2 axis-zero other.urdf\n"}});
+  Editor editor(disk);
+  editor.open("/ws/r.urdf", kInverted);
+  editor.open("/ws/known", "2 axis-zero other.urdf\n");
+  const Json add = action(actions_at(editor, "/ws/r.urdf", "1\" upper"),
+                          "add the finding of joint-limit-inverted in this file to known");
+  ASSERT_FALSE(add.is_null());
+  const std::string baseline = editor.edited("/ws/known", add["edit"]);
+  EXPECT_NE(baseline.find("\n1 joint-limit-inverted r.urdf\n"), std::string::npos) << baseline;
+  EXPECT_NE(baseline.find("\n2 axis-zero other.urdf\n"), std::string::npos) << baseline;
+  editor.change("/ws/known", baseline);
+  for (const std::string& rule : editor.rules("/ws/r.urdf"))
+    EXPECT_NE(rule, "joint-limit-inverted");
+}
+
+TEST(LspCodeActions, ABaselineThatIsNotThereIsMadeWhereTheClientCan) {
+  MemoryDisk disk(test::Files{{"/ws/rigor.toml", "baseline = \"known\"\n"}});
+  Editor simple(disk);
+  simple.open("/ws/r.urdf", kInverted);
+  EXPECT_TRUE(action(actions_at(simple, "/ws/r.urdf", "1\" upper"), "add the finding").is_null());
+  Json capabilities = Editor::default_capabilities();
+  capabilities["workspace"]["workspaceEdit"] = {{"documentChanges", true},
+                                                {"resourceOperations", {"create"}}};
+  Editor editor(disk, capabilities);
+  editor.open("/ws/r.urdf", kInverted);
+  const Json add = action(actions_at(editor, "/ws/r.urdf", "1\" upper"), "add the finding");
+  ASSERT_FALSE(add.is_null());
+  EXPECT_EQ(add["edit"]["documentChanges"][0]["kind"], "create");
+  EXPECT_EQ(add["edit"]["documentChanges"][0]["uri"], "file:///ws/known");
+}
+
+TEST(LspCodeActions, AValueBecomesAPropertyAndAValueAgain) {
+  const std::string head = "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'>\n";
+  const std::string text =
+      head + "  <link name='a'><inertial><mass value='2.5'/></inertial></link>\n</robot>\n";
+  MemoryDisk disk;
+  Editor editor(disk);
+  editor.open("/ws/r.urdf.xacro", text);
+  const Json extract =
+      action(actions_at(editor, "/ws/r.urdf.xacro", "2.5", {"refactor"}), "extract to property");
+  ASSERT_FALSE(extract.is_null());
+  const std::string extracted =
+      editor.edited("/ws/r.urdf.xacro", editor.request("codeAction/resolve", extract)["edit"]);
+  EXPECT_EQ(extracted,
+            head +
+                "  <xacro:property name=\"mass_value\" value=\"2.5\"/>\n"
+                "  <link name='a'><inertial><mass value='${mass_value}'/></inertial></link>\n"
+                "</robot>\n");
+  editor.change("/ws/r.urdf.xacro", extracted);
+  const Json inlined = action(actions_at(editor, "/ws/r.urdf.xacro", "mass_value\"", {"refactor"}),
+                              "inline property 'mass_value'");
+  ASSERT_FALSE(inlined.is_null());
+  EXPECT_EQ(
+      editor.edited("/ws/r.urdf.xacro", editor.request("codeAction/resolve", inlined)["edit"]),
+      text);
+}
+
 TEST(LspFormatting, IsThatOfTheFormatter) {
   MemoryDisk disk(test::Files{{"/ws/rigor.toml", "[format]\nindent = 4\n"}});
   Editor editor(disk);
@@ -160,6 +219,21 @@ TEST(LspHover, SaysWhatALinkWeighsAndHowAJointMoves) {
   EXPECT_NE(text("<limit lower", 2).find("**limit**"), std::string::npos);
 }
 
+TEST(LspHover, ShowsAMesh) {
+  // A tetrahedron: four triangles, of which each edge is in two.
+  const std::string obj =
+      "v 0 0 0\nv 2 0 0\nv 0 3 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  MemoryDisk disk(test::Files{{"/ws/t.obj", obj}});
+  Editor editor(disk);
+  editor.open("/ws/m.sdf",
+              "<sdf version='1.9'><model name='m'><link name='l'><visual name='v'><geometry><mesh>"
+              "<uri>t.obj</uri></mesh></geometry></visual></link></model></sdf>");
+  const Json hover = editor.request("textDocument/hover", editor.at("/ws/m.sdf", "t.obj", 2));
+  const std::string text = text_at(hover, "contents", "value");
+  EXPECT_NE(text.find("4 triangles, closed; extents (2 3 4)"), std::string::npos) << text;
+  EXPECT_EQ(text.find("data:image"), std::string::npos);
+}
+
 TEST(LspHover, ShowsWhatAnExpressionGives) {
   MemoryDisk disk;
   Editor editor(disk);
@@ -190,6 +264,35 @@ TEST(LspAnswers, BrokenXmlKeepsTheLastModel) {
   const Json highlights =
       editor.request("textDocument/documentHighlight", editor.at("/ws/r.urdf", "link='b'", 6));
   EXPECT_EQ(highlights.size(), 2U);
+}
+
+TEST(LspAnswers, HoverDoesNotWaitForTheModelOfTheLastKey) {
+  const std::string text =
+      std::string(
+          "<robot name='r'>\n<link name='a'><inertial><mass value='2'/><inertia ixx='1' "
+          "ixy='0' ") +
+      "ixz='0' iyy='1' iyz='0' izz='1'/></inertial></link>\n<!--" + std::string(70'000, ' ') +
+      "--></robot>\n";  // too long to be read at once
+  MemoryDisk disk;
+  Editor editor(disk);
+  editor.open("/ws/r.urdf", text);
+  const auto hover = [&] {
+    return editor.request("textDocument/hover", editor.at("/ws/r.urdf", "name='a'", 7));
+  };
+  std::string longer(text);
+  longer.insert(longer.find("<link"), "<!-- a line -->\n");
+  editor.type("/ws/r.urdf", longer);  // no time to prepare anything
+  EXPECT_NE(text_at(hover(), "contents", "value").find("2 kg"), std::string::npos);
+  EXPECT_EQ(hover()["range"]["start"]["line"], 2);
+  EXPECT_EQ(editor.request("textDocument/definition",
+                           editor.at("/ws/r.urdf", "name='a'", 7))["range"]["start"]["line"],
+            2);
+  std::string heavier(longer);
+  heavier.replace(heavier.find("'2'"), 3, "'3'");
+  editor.type("/ws/r.urdf", heavier);
+  EXPECT_NE(text_at(hover(), "contents", "value").find("2 kg"), std::string::npos);
+  editor.work();
+  EXPECT_NE(text_at(hover(), "contents", "value").find("3 kg"), std::string::npos);
 }
 
 TEST(LspAnswers, TheStructureOfADocument) {

@@ -57,6 +57,7 @@ class Editor {
 
   void work() {
     while (session_.has_work()) session_.work();
+    while (session_.has_idle_work()) session_.idle_work();
   }
 
   void open(const std::string& path, const std::string& text) {
@@ -69,11 +70,16 @@ class Editor {
   }
 
   void change(const std::string& path, const std::string& text) {
+    type(path, text);
+    work();
+  }
+
+  /// Without time for the server to look at it.
+  void type(const std::string& path, const std::string& text) {
     texts_[path] = text;
     notify("textDocument/didChange",
            {{"textDocument", {{"uri", uri(path)}, {"version", ++version_}}},
             {"contentChanges", {{{"text", text}}}}});
-    work();
   }
 
   static std::string uri(const std::string& path) { return "file://" + path; }

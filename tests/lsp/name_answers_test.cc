@@ -162,6 +162,34 @@ TEST(LspNames, NamesOfTemplatesAreRenamedWhereTheyMeanTheSame) {
   EXPECT_NE(renamed("property name='radius'", 16, "2x").find("-32803"), std::string::npos);
 }
 
+TEST(LspNames, ARenameReachesControllersAndAsksForWhatMayBeTheName) {
+  const std::string robot =
+      "<robot name='r'><link name='a'/><link name='b'/><joint name='elbow' type='fixed'>"
+      "<parent link='a'/><child link='b'/></joint></robot>";
+  MemoryDisk disk(test::Files{{"/ws/config/c.yaml", "joints: [elbow]\nnote: elbow\n"}});
+  Json capabilities = Editor::default_capabilities();
+  capabilities["workspace"]["workspaceEdit"] = {{"documentChanges", true},
+                                                {"changeAnnotationSupport", Json::object()}};
+  for (const bool asks : {true, false}) {
+    Editor editor(disk, asks ? capabilities : Editor::default_capabilities());
+    editor.open("/ws/r.urdf", robot);
+    Json params = editor.at("/ws/r.urdf", "'elbow'", 2);
+    params["newName"] = "knee";
+    const Json edit = editor.request("textDocument/rename", params);
+    ASSERT_FALSE(edit.is_null()) << editor.error().dump();
+    if (!asks) {
+      EXPECT_EQ(edit["changes"]["file:///ws/config/c.yaml"].size(), 1U);
+      continue;
+    }
+    const Json& of_yaml = edit["documentChanges"][0];
+    EXPECT_EQ(of_yaml["textDocument"]["uri"], "file:///ws/config/c.yaml");
+    ASSERT_EQ(of_yaml["edits"].size(), 2U);
+    EXPECT_FALSE(of_yaml["edits"][0].contains("annotationId"));
+    const std::string annotation = of_yaml["edits"][1]["annotationId"];
+    EXPECT_TRUE(edit["changeAnnotations"][annotation]["needsConfirmation"]);
+  }
+}
+
 TEST(LspNames, ASemanticDescriptionFollowsItsRobot) {
   const std::string robot =
       "<robot name='r'><link name='a'/><link name='b'/><joint name='j' type='fixed'><parent "

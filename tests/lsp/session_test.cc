@@ -174,6 +174,31 @@ TEST(LspSession, StaleFindingsAreNotPublished) {
   EXPECT_EQ(sent.size(), 1U);
 }
 
+TEST(LspSession, OfManyPlacesOfOneCauseTheFirstHundredAreShown) {
+  std::string text = "<robot name='r'>";
+  for (int i = 0; i < 250; ++i) text += "<link name='l" + std::to_string(i) + "'/>";
+  MemoryDisk disk;
+  Editor editor(disk);
+  editor.open("/ws/r.urdf", text + "</robot>");
+  std::map<std::string, int> times;
+  for (const std::string& rule : editor.rules("/ws/r.urdf")) ++times[rule];
+  int most = 0;
+  for (const auto& [rule, count] : times) most = std::max(most, count);
+  EXPECT_EQ(most, 100);
+  EXPECT_NE(editor.diagnostics("/ws/r.urdf").dump().find("and 149 more places like this one"),
+            std::string::npos);
+}
+
+TEST(LspSession, WhatIsAsItWasIsNotPublishedAgain) {
+  MemoryDisk disk;
+  Editor editor(disk);
+  editor.open("/ws/r.urdf", kTwoLinks);
+  const std::size_t sent = editor.log().size();
+  editor.notify("workspace/didChangeWatchedFiles", {{"changes", Json::array()}});
+  editor.work();
+  EXPECT_EQ(editor.log().size(), sent);
+}
+
 TEST(LspSession, DiagnosticsCanBePulled) {
   MemoryDisk disk;
   Editor editor(disk);

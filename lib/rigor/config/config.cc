@@ -53,6 +53,7 @@ Config extended(Config config, Config base) {
   default_to(config.layout.indent, std::move(base.layout.indent));
   default_to(config.layout.width, base.layout.width);
   default_to(config.layout.quotes, std::move(base.layout.quotes));
+  default_to(config.layout.order, std::move(base.layout.order));
   append(config.problems, std::move(base.problems));
   return config;
 }

@@ -84,8 +84,10 @@ struct Layout {
   std::optional<Name> indent;              ///< what a level adds: one to eight spaces, or a tab
   std::optional<Setting<unsigned>> width;  ///< columns
   std::optional<Name> quotes;              ///< one of `kQuotes`
+  std::optional<Name> order;               ///< of children, one of `kOrders`
 };
 inline constexpr std::array<std::string_view, 3> kQuotes{"double", "single", "keep"};
+inline constexpr std::array<std::string_view, 2> kOrders{"keep", "canonical"};
 
 struct Config {
   /// The file, then what it extends, the nearest first; none when nothing is configured.

@@ -266,6 +266,13 @@ class ConfigReader {
         from.say(quotes->place.line, "quotes must be one of double, single, keep");
       }
     }
+    if (auto order = text(from, "order")) {
+      if (std::find(kOrders.begin(), kOrders.end(), order->value) != kOrders.end()) {
+        config_.layout.order = std::move(order);
+      } else {
+        from.say(order->place.line, "order must be one of keep, canonical");
+      }
+    }
     from.done();
   }
 

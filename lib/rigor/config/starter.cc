@@ -50,11 +50,12 @@ std::string_view starter_config() {
 #paths = ["models"]
 #packages = {my_robot_description = "../my_robot_description"}
 
-# How `rigor fmt` lays files out: spaces a level or "tab", columns, quotes of attributes.
+# How `rigor fmt` lays files out: spaces a level or "tab", columns, quotes of attributes, order of children.
 #[format]
 #indent = 2
 #width = 120
 #quotes = "double"
+#order  = "keep"      # or "canonical": children as the schema lists them
 
 # Densities in kg/m³, for `rigor inertia --material`.
 #[materials]

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include <rigor/author/format/same_content.h>
+#include <rigor/rules/environment.h>
+#include <rigor/text/disk.h>
 #include <rigor/xml/document.h>
 
 #include "support/corpus.h"
@@ -130,6 +132,53 @@ TEST(Formatted, OnlyTheLinesThatAreAskedForChange) {
   EXPECT_EQ(result.text, "<a>\n<b/>\n  <c/>\n<d/>\n</a>\n");
 }
 
+TEST(Formatted, ChildrenAreInTheOrderOfTheSchemaWhereThatIsAskedFor) {
+  const RealDisk disk;
+  const Environment environment(disk, {});
+  const ChildOrder order(environment.sdf, environment.urdf);
+  FormatStyle style;
+  style.order = FormatOrder::kCanonical;
+  const std::string text =
+      "<robot name=\"r\">\n"
+      "  <joint name=\"j\" type=\"revolute\">\n"
+      "    <!-- of the motor -->\n"
+      "    <limit lower=\"0\" upper=\"1\" effort=\"1\" velocity=\"1\"/> <!-- checked -->\n"
+      "    <child link=\"b\"/>\n"
+      "    <parent link=\"a\"/>\n"
+      "    <!-- last -->\n"
+      "  </joint>\n"
+      "  <link name=\"a\"/>\n"
+      "  <link name=\"b\">\n    <unknown/>\n    <inertial/>\n  </link>\n"
+      "</robot>\n";
+  const Formatted result = formatted(xml::parse(text, SourceId{0}), style, order);
+  EXPECT_EQ(result.text,
+            "<robot name=\"r\">\n"
+            "  <joint name=\"j\" type=\"revolute\">\n"
+            "    <parent link=\"a\"/>\n"
+            "    <child link=\"b\"/>\n"
+            "    <!-- of the motor -->\n"
+            "    <limit lower=\"0\" upper=\"1\" effort=\"1\" velocity=\"1\"/> <!-- checked -->\n"
+            "    <!-- last -->\n"
+            "  </joint>\n"
+            "  <link name=\"a\"/>\n"
+            "  <link name=\"b\">\n    <unknown/>\n    <inertial/>\n  </link>\n"
+            "</robot>\n");
+  EXPECT_EQ(apply_edits(text, result.edits), result.text);
+  EXPECT_TRUE(formatted(xml::parse(result.text, SourceId{0}), style, order).edits.empty());
+  style.order = FormatOrder::kKeep;
+  EXPECT_TRUE(formatted(xml::parse(text, SourceId{0}), style, order).edits.empty());
+}
+
+TEST(Formatted, AnotherOrderIsNoOtherFileButForTheOrder) {
+  const auto same = [](std::string_view a, std::string_view b) {
+    return same_but_for_order(xml::parse(a, SourceId{0}), xml::parse(b, SourceId{1}));
+  };
+  EXPECT_TRUE(same("<a><b x='1'/><c>2</c></a>", "<a><c>2</c><b x='1'/></a>"));
+  EXPECT_FALSE(same("<a><b x='1'/><b x='2'/></a>", "<a><b x='2'/><b x='1'/></a>"));
+  EXPECT_FALSE(same("<a><b><d/></b><c/></a>", "<a><b/><c><d/></c></a>"));
+  EXPECT_FALSE(same("<a><!--1--><b/></a>", "<a><!--2--><b/></a>"));
+}
+
 TEST(SameContent, SeesWhatAReaderSees) {
   const auto same = [](std::string_view a, std::string_view b) {
     return same_content(xml::parse(a, SourceId{0}), xml::parse(b, SourceId{1}));
@@ -169,11 +218,24 @@ std::vector<std::string> files_as_written() {
 
 TEST(FormattedCorpus, EveryFileReadsAsBeforeAndIsLaidOutOnce) {
   RIGOR_NEEDS_CORPUS();
+  const RealDisk disk;
+  const Environment environment(disk, {});
+  const ChildOrder order(environment.sdf, environment.urdf);
+  FormatStyle canonical;
+  canonical.order = FormatOrder::kCanonical;
   std::size_t files = 0;
   std::size_t changed = 0;
+  std::size_t reordered = 0;
   for (const std::string& path : files_as_written()) {
     const std::string bytes = test::read_file(path);
     const Formatted once = formatted_of(bytes);
+    const Formatted in_order = formatted(xml::parse(bytes, SourceId{0}), canonical, order);
+    EXPECT_EQ(in_order.outcome, once.outcome) << path;
+    if (in_order.text != once.text) {
+      ++reordered;
+      EXPECT_TRUE(formatted(xml::parse(in_order.text, SourceId{0}), canonical, order).edits.empty())
+          << path;
+    }
     EXPECT_NE(once.outcome, FormatOutcome::kWouldDiffer) << path;
     if (once.outcome != FormatOutcome::kDone) continue;
     ++files;
@@ -182,6 +244,7 @@ TEST(FormattedCorpus, EveryFileReadsAsBeforeAndIsLaidOutOnce) {
     EXPECT_TRUE(formatted_of(once.text).edits.empty()) << path;
   }
   EXPECT_GT(changed, files / 2);
+  EXPECT_GT(reordered, files / 10);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { mkdtempSync, writeFileSync } from "node:fs";
+import { connect, createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -35,14 +36,16 @@ let text = `<robot name="r">
 </robot>
 `;
 writeFileSync(path, text);
+writeFileSync(join(folder, "controllers.yaml"), "arm:\n  ros__parameters:\n    joints: [turn, other]\n");
 
+let version = 1;
 const server = spawn(process.argv[2], ["lsp"], { stdio: ["pipe", "pipe", "inherit"] });
 const exited = new Promise((resolve) => server.on("exit", resolve));
 const connection = rpc.createMessageConnection(
   new rpc.StreamMessageReader(server.stdout), new rpc.StreamMessageWriter(server.stdin));
 const waiting = [];
 connection.onNotification(lsp.PublishDiagnosticsNotification.method, (params) => {
-  if (params.uri === uri) waiting.splice(0).forEach((take) => take(params));
+  if (params.uri === uri && params.version === version) waiting.splice(0).forEach((take) => take(params));
 });
 connection.listen();
 const published = () => new Promise((resolve) => waiting.push(resolve));
@@ -56,7 +59,6 @@ const positionOf = (mark, moved = 0) => {
   return { line: lines.length - 1, character: lines[lines.length - 1].length };
 };
 const at = (mark, moved) => ({ textDocument: document, position: positionOf(mark, moved) });
-let version = 1;
 const apply = async (edits) => {
   const sorted = [...edits].sort((a, b) => offsetOf(b.range.start) - offsetOf(a.range.start));
   const contentChanges = sorted.map((edit) => ({ range: edit.range, text: edit.newText }));
@@ -130,9 +132,78 @@ assert.deepEqual(await ask(lsp.DocumentRangeFormattingRequest, { textDocument: d
 await apply([{ range: { start: positionOf("</robot>"), end: positionOf("</robot>") }, newText: '<link name="é">' }]);
 const typed = await ask(lsp.DocumentOnTypeFormattingRequest, { ...at('name="é">', 9), ch: ">", options: { tabSize: 2, insertSpaces: true } });
 assert.equal(typed[0].newText, "</link>");
+await apply(typed);
+
+// A rename reaches the YAML of controllers, and lists what may be the name for the user to confirm.
+await apply(await ask(lsp.RenameRequest, { ...at('name="turn"', 7), newName: "elbow" }).then((edit) => {
+  const controllers = edit.changes[pathToFileURL(join(folder, "controllers.yaml")).toString()];
+  assert.equal(controllers.length, 1);
+  assert.equal(controllers[0].newText, "elbow");
+  return edit.changes[uri];
+}));
+
+// Templates: the call hierarchy of macros, colors of their names, and a value that becomes a property and one again.
+const templatePath = join(folder, "robot.urdf.xacro");
+const template = { uri: pathToFileURL(templatePath).toString() };
+const templateText = `<robot name="t" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="wheel" params="side"><link name="\${side}_wheel"/></xacro:macro>
+  <xacro:macro name="axle" params=""><xacro:wheel side="left"/><xacro:wheel side="right"/></xacro:macro>
+  <link name="body"><inertial><mass value="2.5"/></inertial></link>
+  <xacro:axle/>
+</robot>
+`;
+const placeIn = (mark, moved = 0) => {
+  const lines = templateText.slice(0, templateText.indexOf(mark) + moved).split("\n");
+  return { line: lines.length - 1, character: lines[lines.length - 1].length };
+};
+await connection.sendNotification(lsp.DidOpenTextDocumentNotification.method,
+  { textDocument: { ...template, languageId: "xml", version: 1, text: templateText } });
+const [wheel] = await ask(lsp.CallHierarchyPrepareRequest, { textDocument: template, position: placeIn('name="wheel"', 7) });
+assert.equal(wheel.name, "wheel");
+const incoming = await ask(lsp.CallHierarchyIncomingCallsRequest, { item: wheel });
+assert.deepEqual(incoming.map((call) => [call.from.name, call.fromRanges.length]), [["axle", 2]]);
+const outgoing = await ask(lsp.CallHierarchyOutgoingCallsRequest, { item: incoming[0].from });
+assert.deepEqual(outgoing.map((call) => call.to.name), ["wheel"]);
+assert.ok((await ask(lsp.SemanticTokensRequest, { textDocument: template })).data.length >= 5 * 6);
+const value = placeIn('"2.5"', 2);
+const [extract] = await ask(lsp.CodeActionRequest, { textDocument: template, range: { start: value, end: value },
+  context: { diagnostics: [], only: ["refactor.extract"] } });
+assert.equal(extract.title, "extract to property 'mass_value'");
+const extracted = (await ask(lsp.CodeActionResolveRequest, extract)).edit.changes[template.uri];
+assert.ok(extracted.some((edit) => edit.newText === "${mass_value}"), JSON.stringify(extracted));
+assert.match((await ask("rigor/expanded", { textDocument: template })).text, /left_wheel/);
 
 await assert.rejects(ask("no/such", {}), { code: -32601 });
 assert.equal(await ask(lsp.ShutdownRequest), null);
 await connection.sendNotification(lsp.ExitNotification.method);
 assert.equal(await exited, 0);
+
+// The same on a port of this machine.
+const port = await new Promise((resolve) => {
+  const probe = createServer().listen(0, "127.0.0.1", () => {
+    const { port } = probe.address();
+    probe.close(() => resolve(port));
+  });
+});
+const listening = spawn(process.argv[2], ["lsp", "--socket", String(port)], { stdio: ["ignore", "ignore", "inherit"] });
+const ended = new Promise((resolve) => listening.on("exit", resolve));
+const connected = async () => {
+  for (;;) {
+    const socket = connect(port, "127.0.0.1");
+    const result = await new Promise((resolve) => {
+      socket.once("connect", () => resolve(socket));
+      socket.once("error", () => resolve(null));
+    });
+    if (result) return result;
+    if (listening.exitCode !== null) throw new Error("the server has ended");
+  }
+};
+const socket = await connected();
+const byPort = rpc.createMessageConnection(new rpc.SocketMessageReader(socket), new rpc.SocketMessageWriter(socket));
+byPort.listen();
+const answer = await byPort.sendRequest("initialize", { processId: null, rootUri: null, capabilities: {} });
+assert.equal(answer.serverInfo.name, "rigor");
+await byPort.sendRequest("shutdown");
+await byPort.sendNotification("exit");
+assert.equal(await ended, 0);
 console.log("all features answered");

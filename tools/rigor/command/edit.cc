@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <rigor/author/names/name_graph.h>
+#include <rigor/author/names/parameter_names.h>
 #include <rigor/author/names/rename.h>
 #include <rigor/read/workspace.h>
 #include <rigor/report/terminal/printable.h>
@@ -34,7 +35,7 @@ class EditCommand final : public Command {
   CLI::App* declare(CLI::App& program) override {
     CLI::App* app =
         add_command(program, "edit", "Change a model: another name for a link, joint or frame",
-                    {"rigor edit rename wheel left_wheel robot.urdf robot.srdf",
+                    {"rigor edit rename wheel left_wheel robot.urdf robot.srdf controllers.yaml",
                      "rigor edit rename arm::hand palm worlds/*.sdf --write"});
     app->add_option("verb", verb_, "rename")->type_name("VERB")->required();
     app->add_option(
@@ -58,6 +59,7 @@ class EditCommand final : public Command {
     read::Workspace workspace(environment.resolver, sources);
     author::NameGraph graph(workspace, environment.resolver);
     for (const std::string& file : files) {
+      if (author::parameter_format(file)) continue;
       if (!workspace.open(file).document)
         throw UsageError(file + ": " + workspace.open(file).problem);
       graph.add_robot(file);
@@ -77,6 +79,12 @@ class EditCommand final : public Command {
       } else if (const auto text = apply_edits(sources.bytes(source), edits)) {
         replace_found(files, path, *text);
       }
+    }
+    for (const Span where : renaming.suspected) {
+      const std::string path(sources.path(where.source));
+      say("rigor: " + report::printable(path) + ':' +
+          std::to_string(sources.position(where.source, where.begin).line) +
+          ": may be the name; not renamed");
     }
     say("rigor: " + report::counted(renaming.edits.size(), "place") + " in " +
         report::counted(by_source.size(), "file") + (write_ ? " renamed" : " would be renamed"));

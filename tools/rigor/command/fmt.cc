@@ -21,6 +21,7 @@
 #include <rigor/read/workspace.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
+#include <rigor/rules/environment.h>
 #include <rigor/text/diff.h>
 #include <rigor/text/for_each_index.h>
 #include <rigor/text/path.h>
@@ -78,6 +79,8 @@ class Fmt final : public Command {
 
   int run() override {
     config_.open();
+    environment_.emplace(disk_, read::SearchPaths{});
+    order_.emplace(environment_->sdf, environment_->urdf);
     if (!lines_.empty()) range_ = lines_in(lines_);
     const bool dash = paths_.size() == 1 && paths_.front() == "-";
     if (stdin_ && !paths_.empty() && !dash) throw UsageError("--stdin takes no paths");
@@ -153,7 +156,7 @@ class Fmt final : public Command {
 
   author::Formatted formatted(const std::string& path, const xml::Document& document) const {
     const author::FormatStyle style = author::configured_style(config_.of(path).layout);
-    return lines_.empty() ? author::formatted(document, style)
+    return lines_.empty() ? author::formatted(document, style, *order_)
                           : author::formatted_in_lines(document, style, range_.first, range_.last);
   }
 
@@ -174,6 +177,8 @@ class Fmt final : public Command {
   FileOptions files_;
   ConfigOptions config_;
   RealDisk disk_;
+  std::optional<Environment> environment_;  // while it runs
+  std::optional<author::ChildOrder> order_;
   Lines range_;
   std::size_t changed_ = 0;
   std::size_t refused_ = 0;

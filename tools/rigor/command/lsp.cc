@@ -3,8 +3,12 @@
 //
 // `rigor lsp`: the language server, on stdio or on a port of this machine.
 
+#include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <cstdint>
+#include <exception>
+#include <memory>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -12,6 +16,7 @@
 #include <utility>
 
 #include <arpa/inet.h>
+#include <malloc.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -57,6 +62,79 @@ void read_messages(int descriptor, lsp::MessageQueue& queue) {
   queue.close();
 }
 
+/// A check takes some twenty times the size of a text, and gives it back: with the allocator's own thresholds each key
+/// would fetch that from the kernel anew, which costs more than the check.
+void keep_memory_between_checks() {
+#ifdef __GLIBC__
+  constexpr int kKeptBytes = 96 << 20;
+  mallopt(M_MMAP_THRESHOLD, kKeptBytes);
+  mallopt(M_TRIM_THRESHOLD, kKeptBytes);
+#endif
+}
+
+/// Between two keys of somebody who types fast there is less; who stops to look waits longer.
+constexpr std::chrono::milliseconds kKeyPause{60};
+/// Nobody types when no message has come for so long.
+constexpr std::chrono::milliseconds kTypingPause{400};
+
+/// Wakes the loop when meshes were opened. A client that sends it wakes the loop, too.
+constexpr std::string_view kMeshesOpened = "$/rigor/meshesOpened";
+
+/// One check of meshes at a time, on a thread of its own.
+class MeshThread {
+ public:
+  explicit MeshThread(lsp::MessageQueue& queue) : queue_(queue) {}
+  MeshThread(const MeshThread&) = delete;
+  MeshThread& operator=(const MeshThread&) = delete;
+  ~MeshThread() {
+    stop();
+    if (thread_.joinable()) thread_.join();
+  }
+
+  bool idle() const { return !check_; }
+
+  void start(std::unique_ptr<lsp::MeshCheck> check) {
+    check_ = std::move(check);
+    if (!check_) return;
+    done_ = false;
+    failed_ = false;
+    thread_ = std::thread([this] {
+      try {
+        check_->run();
+      } catch (const std::exception&) {
+        failed_ = true;  // out of memory: the findings without meshes stand
+      }
+      done_ = true;
+      queue_.put({{"method", kMeshesOpened}});
+    });
+  }
+
+  void stop() {
+    if (check_) check_->stop();
+  }
+
+  /// What has come to its end; else null.
+  std::unique_ptr<lsp::MeshCheck> taken() {
+    if (!check_ || !done_) return nullptr;
+    thread_.join();
+    std::unique_ptr<lsp::MeshCheck> check = std::move(check_);
+    return failed_ ? nullptr : std::move(check);
+  }
+
+ private:
+  lsp::MessageQueue& queue_;
+  std::unique_ptr<lsp::MeshCheck> check_;
+  std::atomic<bool> done_ = false;
+  bool failed_ = false;
+  std::thread thread_;
+};
+
+/// Whether a message makes what meshes show out of date.
+bool ends_mesh_check(const lsp::Json& message) {
+  const std::string method = lsp::text_at(message, "method");
+  return method.starts_with("textDocument/did") || method.starts_with("workspace/did");
+}
+
 /// One connection, to its end: the exit code.
 int serve(int in, int out, read::SearchPaths paths) {
   const RealDisk disk;
@@ -68,14 +146,25 @@ int serve(int in, int out, read::SearchPaths paths) {
        .is_cancelled = [&queue](const lsp::Json& id) { return queue.is_cancelled(id); },
        .is_superseded = [&queue](const std::string& uri) { return queue.is_superseded(uri); }});
   std::thread reader([in, &queue] { read_messages(in, queue); });
+  MeshThread meshes(queue);
   while (!session.exit_code()) {
-    std::optional<lsp::Json> message = session.has_work() ? queue.take() : queue.wait();
+    const bool opens_meshes = meshes.idle() && session.wants_mesh_check();
+    std::optional<lsp::Json> message = session.has_work()        ? queue.take()
+                                       : session.has_idle_work() ? queue.wait_for(kKeyPause)
+                                       : opens_meshes            ? queue.wait_for(kTypingPause)
+                                                                 : queue.wait();
     if (message) {
-      session.receive(*message);
+      if (ends_mesh_check(*message)) meshes.stop();
+      if (const auto done = meshes.taken()) session.finish(*done);
+      if (lsp::text_at(*message, "method") != kMeshesOpened) session.receive(*message);
     } else if (session.has_work()) {
       session.work();
-    } else {
+    } else if (queue.ended()) {
       break;  // the stream has ended
+    } else if (session.has_idle_work()) {
+      session.idle_work();
+    } else if (meshes.idle()) {
+      meshes.start(session.take_mesh_check());
     }
   }
   reader.join();
@@ -119,6 +208,7 @@ class Lsp final : public Command {
   }
 
   int run() override {
+    keep_memory_between_checks();
     if (port_ == 0) return serve(STDIN_FILENO, STDOUT_FILENO, search_.paths());
     const int connection = accepted(static_cast<std::uint16_t>(port_));
     const int code = serve(connection, connection, search_.paths());

@@ -11,6 +11,7 @@ FormatStyle configured_style(const config::Layout& layout) {
   if (layout.width) style.width = layout.width->value;
   if (layout.quotes && layout.quotes->value == "single") style.quotes = FormatQuotes::kSingle;
   if (layout.quotes && layout.quotes->value == "keep") style.quotes = FormatQuotes::kKeep;
+  if (layout.order && layout.order->value == "canonical") style.order = FormatOrder::kCanonical;
   return style;
 }
 

@@ -14,10 +14,14 @@ namespace rigor::author {
 /// What attribute values stand in. A value that holds the wanted quote keeps its own.
 enum class FormatQuotes : std::uint8_t { kDouble, kSingle, kKeep };
 
+/// Of children: as they are written, or as the schema lists them (child_order.h).
+enum class FormatOrder : std::uint8_t { kKeep, kCanonical };
+
 struct FormatStyle {
   std::string indent = "  ";  ///< what a level adds: spaces or a tab
   std::size_t width = 120;  ///< columns; a start tag that is longer gets a line for each attribute
   FormatQuotes quotes = FormatQuotes::kDouble;
+  FormatOrder order = FormatOrder::kKeep;
 
   bool operator==(const FormatStyle&) const = default;
 };

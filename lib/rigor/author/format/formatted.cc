@@ -26,6 +26,25 @@ std::string why_refused(const xml::Document& document) {
   return {};
 }
 
+Formatted differing() {
+  return {.outcome = FormatOutcome::kWouldDiffer,
+          .refused = "formatted, it would read otherwise: this is a fault of rigor"};
+}
+
+/// What differs, as one edit.
+Edit changed_range(const xml::Document& document, std::string_view text) {
+  const std::string_view before = document.bytes();
+  const std::size_t shorter = std::min(before.size(), text.size());
+  std::size_t begin = 0;
+  while (begin < shorter && before[begin] == text[begin]) ++begin;
+  std::size_t end = 0;
+  while (end < shorter - begin && before[before.size() - 1 - end] == text[text.size() - 1 - end])
+    ++end;
+  return {{document.source(), static_cast<std::uint32_t>(begin),
+           static_cast<std::uint32_t>(before.size() - end)},
+          std::string(text.substr(begin, text.size() - end - begin))};
+}
+
 Formatted proven(const xml::Document& document, std::vector<Edit> edits) {
   Formatted result{.edits = std::move(edits)};
   if (result.edits.empty()) {
@@ -33,10 +52,8 @@ Formatted proven(const xml::Document& document, std::vector<Edit> edits) {
     return result;
   }
   std::optional<std::string> text = apply_edits(document.bytes(), result.edits);
-  if (!text || !same_content(document, xml::parse_own(*text, document.source()))) {
-    return {.outcome = FormatOutcome::kWouldDiffer,
-            .refused = "formatted, it would read otherwise: this is a fault of rigor"};
-  }
+  if (!text || !same_content(document, xml::parse_own(*text, document.source())))
+    return differing();
   result.text = *std::move(text);
   return result;
 }
@@ -47,6 +64,20 @@ Formatted formatted(const xml::Document& document, const FormatStyle& style) {
   if (std::string why = why_refused(document); !why.empty())
     return {.outcome = FormatOutcome::kUnreadable, .refused = std::move(why)};
   return proven(document, layout_edits(document, style));
+}
+
+Formatted formatted(const xml::Document& document, const FormatStyle& style,
+                    const ChildOrder& order) {
+  if (style.order == FormatOrder::kKeep || !why_refused(document).empty())
+    return formatted(document, style);
+  const std::string text = order.ordered(document);
+  if (text == document.bytes()) return formatted(document, style);
+  const xml::Document in_order = xml::parse_own(text, document.source());
+  if (!same_but_for_order(document, in_order)) return differing();
+  Formatted result = formatted(in_order, style);
+  if (result.outcome != FormatOutcome::kDone) return result;
+  result.edits = {changed_range(document, result.text)};
+  return result;
 }
 
 Formatted formatted_in_lines(const xml::Document& document, const FormatStyle& style,

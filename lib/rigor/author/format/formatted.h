@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include <rigor/author/format/child_order.h>
 #include <rigor/author/format/format_style.h>
 #include <rigor/text/edit.h>
 #include <rigor/xml/document.h>
@@ -36,9 +37,14 @@ struct Formatted {
   std::string refused;      ///< why the file stays as it is; empty where it does not
 };
 
+/// The order of children is kept, whatever the style asks for.
 Formatted formatted(const xml::Document& document, const FormatStyle& style);
 
-/// The same of the lines `first` to `last` only (1-based, both included).
+/// The same, with children in the order that the style asks for.
+Formatted formatted(const xml::Document& document, const FormatStyle& style,
+                    const ChildOrder& order);
+
+/// As the first, of the lines `first` to `last` only (1-based, both included).
 Formatted formatted_in_lines(const xml::Document& document, const FormatStyle& style,
                              std::uint32_t first, std::uint32_t last);
 

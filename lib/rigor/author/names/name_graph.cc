@@ -19,7 +19,12 @@ constexpr NameKinds kAnyKind{NameKind::kLink, NameKind::kJoint, NameKind::kFrame
 
 }  // namespace
 
-void NameGraph::add_robot(const std::string& path) { robots_.push_back(normalize_path(path)); }
+void NameGraph::add_robot(const std::string& path) {
+  std::string normal = normalize_path(path);
+  if (std::find(robots_.begin(), robots_.end(), normal) != robots_.end()) return;
+  robots_.push_back(std::move(normal));
+  uses_.clear();  // names that meant nothing may mean something now
+}
 
 void NameGraph::index(Indexed& file) {
   const std::vector<NamedEntity>& entities = file.names.entities;

@@ -12,6 +12,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/author/names/parameter_names.h>
 #include <rigor/read/template/expanded_file.h>
 #include <rigor/read/template/template_expander.h>
 #include <rigor/text/path.h>
@@ -28,6 +29,9 @@ bool before(const Edit& a, const Edit& b) {
   return std::tie(a.span.source, a.span.begin) < std::tie(b.span.source, b.span.begin);
 }
 
+/// Files of parameters are written by people; what is larger is data.
+constexpr std::uint64_t kMaxParameterBytes = std::uint64_t{1} << 20U;
+
 /// Renames in one file after another; `refused` ends it.
 class Renamer {
  public:
@@ -40,16 +44,23 @@ class Renamer {
     for (std::string& file : files) file = normalize_path(file);
     std::sort(files.begin(), files.end());
     files.erase(std::unique(files.begin(), files.end()), files.end());
+    const auto models = std::stable_partition(
+        files.begin(), files.end(), [](const std::string& file) { return !parameter_format(file); });
+    const std::vector<std::string> parameters(models, files.end());
+    files.erase(models, files.end());
     for (std::size_t known = 0; known != targets_.size() && refused_.empty();) {
       known = targets_.size();
       for (const std::string& file : files) rename_in(file);
     }
     for (const auto& [path, edits] : expanded_edits_) prove(path, edits);
     if (!refused_.empty()) return {{}, refused_};
+    const bool is_only = !parameters.empty() && is_only_one(context_.graph.entity(target), files);
+    for (const std::string& file : parameters)
+      rename_parameters(context_.graph.entity(target).kind, file, is_only);
     std::vector<Edit> edits;
     for (const auto& [key, edit] : edits_) edits.push_back(edit);
     std::sort(edits.begin(), edits.end(), before);
-    return {std::move(edits), {}};
+    return {std::move(edits), {}, std::move(suspected_)};
   }
 
  private:
@@ -100,6 +111,34 @@ class Renamer {
 
   void add(Span where) { edits_.try_emplace(key_of(where), Edit{where, name_}); }
 
+  /// Whether no model of the files has something else of that kind and name.
+  bool is_only_one(const NamedEntity& target, const std::vector<std::string>& files) {
+    for (const std::string& file : files) {
+      const std::vector<NamedEntity>& entities = context_.graph.names(file).entities;
+      for (std::uint32_t i = 0; i < entities.size(); ++i) {
+        if (entities[i].kind == target.kind && entities[i].name == target.name &&
+            !targets_.contains({file, i}))
+          return false;
+      }
+    }
+    return true;
+  }
+
+  void rename_parameters(NameKind kind, const std::string& path, bool is_only) {
+    const auto format = parameter_format(path);
+    const ReadResult read = context_.resolver.disk().read(path, kMaxParameterBytes);
+    if (!format || !read.bytes || read.bytes->find(old_) == std::string::npos) return;
+    const SourceId source = context_.sources.add(path, *read.bytes);
+    for (const ParameterName& use :
+         parameter_names(context_.sources.bytes(source), *format, source, old_)) {
+      if (is_only && use.is_of({kind})) {
+        add(use.where);
+      } else if (!edits_.contains(key_of(use.where))) {
+        suspected_.push_back(use.where);
+      }
+    }
+  }
+
   /// That the edits of what was written change those names of the expansion, and nothing else.
   void prove(const std::string& path, const std::vector<Edit>& edits) {
     if (!refused_.empty()) return;
@@ -127,6 +166,7 @@ class Renamer {
   std::set<EntityId> targets_;
   std::map<SpanKey, Edit> edits_;
   std::map<std::string, std::vector<Edit>> expanded_edits_;  // of expanded documents, by path
+  std::vector<Span> suspected_;
   std::string refused_;
 };
 

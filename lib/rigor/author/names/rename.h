@@ -8,6 +8,9 @@
 //   const Renaming renaming = renamed({graph, resolver, sources}, *wheel, "left_wheel", files);
 //   if (renaming.refused.empty()) apply(renaming.edits);
 //
+// Controllers' YAML and scenarios' TOML do not say of which robot they are: a name is changed in them where a key says
+// that it is one, and no other model has it; whatever else reads like it is listed as suspected.
+//
 // In templates the edits are of what their authors wrote. A name that an expression composes is refused; so is
 // one whose renaming would change anything else of an expansion, which is expanded again and compared.
 
@@ -33,9 +36,12 @@ struct RenameContext {
 struct Renaming {
   std::vector<Edit> edits;  ///< of any number of files, sorted, none of them twice
   std::string refused;      ///< why there are none, as the end of a sentence; empty when there are
+  /// Texts in files of parameters that may be the name; none of them is among the edits.
+  std::vector<Span> suspected = {};
 };
 
-/// Of the file that defines the name, and of `files`: those of the workspace, or none for that file alone.
+/// Of the file that defines the name, and of `files`: models, templates and files of parameters of the workspace, or
+/// none for that file alone.
 Renaming renamed(const RenameContext& context, const EntityId& target, std::string_view name,
                  const std::vector<std::string>& files);
 

@@ -11,8 +11,8 @@
 
 #include <fmt/core.h>
 
+#include <rigor/author/names/expansion_proof.h>
 #include <rigor/read/template/expanded_file.h>
-#include <rigor/read/template/template_expander.h>
 #include <rigor/text/path.h>
 
 namespace rigor::author {
@@ -39,11 +39,10 @@ class TemplateRenamer {
     if (edits_.empty()) return {{}, "nothing has the name"};
     if (taken_)
       return {{}, fmt::format("a {} is named '{}' already", to_string(name_.kind), new_name_)};
-    for (const std::string& path : users_) {
-      if (std::string refused = prove(path); !refused.empty()) return {{}, std::move(refused)};
-    }
     std::vector<Edit> edits;
     for (const auto& [key, edit] : edits_) edits.push_back(edit);
+    if (std::string refused = expansion_fault(context_, users_, edits); !refused.empty())
+      return {{}, std::move(refused)};
     std::sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) {
       return std::tie(a.span.source, a.span.begin) < std::tie(b.span.source, b.span.begin);
     });
@@ -65,21 +64,6 @@ class TemplateRenamer {
     other.name = new_name_;
     const auto others = template_uses(file, context_.sources, other);
     taken_ = taken_ || !others.empty();
-  }
-
-  std::string prove(const std::string& path) {
-    std::map<std::string, std::vector<Edit>> by_file;
-    for (const auto& [key, edit] : edits_) by_file[key.first].push_back(edit);
-    read::TemplateExpander expander(context_.resolver);
-    for (const auto& [written, edits] : by_file) {
-      if (const auto text = apply_edits(context_.sources.bytes(edits.front().span.source), edits))
-        expander.replace(written, *text);
-    }
-    const read::File& before = context_.graph.file(path);
-    const auto after = expander.expand(path, context_.sources);
-    if (before.document && after->document && before.document->bytes() == after->document->bytes())
-      return {};
-    return fmt::format("the template {} would expand to something else", path);
   }
 
   RenameContext context_;

@@ -57,6 +57,14 @@ Span color_span(xml::Element element) {
 enum class TokenType : std::uint8_t { kMacro, kParameter, kProperty, kArgument };
 constexpr std::array<std::string_view, 4> kTokenTypes{"macro", "parameter", "property", "variable"};
 
+/// Commands of the client that a lens may call on the document, with their titles.
+struct LensCommand {
+  std::string_view command;
+  std::string_view title;
+};
+constexpr std::array<LensCommand, 2> kLensCommands{
+    {{"rigor.simulate", "simulate"}, {"rigor.view", "view"}}};
+
 struct HintList {
   const OpenDocument& document;
   std::uint32_t begin;
@@ -177,7 +185,7 @@ Json semantic_tokens(State& state, const Json& params) {
   return {{"data", std::move(data)}};
 }
 
-/// At each model of the file: what it has, and what it weighs.
+/// At each model of the file: what it has, what it weighs, and what the client can do with it.
 Json code_lenses(State& state, const Json& params) {
   OpenDocument& document = state.document(params);
   Analysis& analysis = document.analysis(state.environment());
@@ -194,6 +202,15 @@ Json code_lenses(State& state, const Json& params) {
                                           model.joints.size(), report::number(mass, 4));
     list.push_back({{"range", range_json(document.lines(), where)},
                     {"command", {{"title", title}, {"command", ""}}}});
+    for (const auto& [command, text] : kLensCommands) {
+      const auto& known = state.client.commands;
+      if (std::find(known.begin(), known.end(), command) == known.end()) continue;
+      list.push_back({{"range", range_json(document.lines(), where)},
+                      {"command",
+                       {{"title", text},
+                        {"command", command},
+                        {"arguments", Json::array({document.uri()})}}}});
+    }
   }
   return list;
 }

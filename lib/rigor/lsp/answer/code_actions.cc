@@ -14,8 +14,10 @@
 #include <rigor/author/fix.h>
 #include <rigor/author/model_inertia.h>
 #include <rigor/lsp/answer/answers.h>
+#include <rigor/lsp/answer/baseline_action.h>
 #include <rigor/lsp/answer/diagnostics.h>
 #include <rigor/lsp/answer/edits_json.h>
+#include <rigor/lsp/answer/property_actions.h>
 #include <rigor/lsp/answer/suppress.h>
 #include <rigor/mass/mesh/survey.h>
 #include <rigor/xml/edit.h>
@@ -108,6 +110,10 @@ void add_suppressions(const CodeActionRequest& request, const Diagnostic& findin
   const std::string rule(finding.rule);
   add("suppress " + rule + " here", suppressed_here(analysis.written(), finding.where, rule));
   add("suppress " + rule + " in this file", suppressed_in_file(analysis.written(), rule));
+  Json baseline = baseline_action(request.state, request.document, request.checked, finding);
+  if (baseline.is_null()) return;
+  baseline["diagnostics"] = Json::array({diagnostic});
+  actions.push_back(std::move(baseline));
 }
 
 void add_finding_actions(const CodeActionRequest& request, Json& actions) {
@@ -232,6 +238,9 @@ Json code_actions(State& state, const Json& params) {
   Json actions = Json::array();
   if (request.kinds.has(kQuickFix)) add_finding_actions(request, actions);
   if (request.kinds.has(kRewrite)) add_rewrites(request, actions);
+  for (Json& action : property_actions(state, document, request.begin, request.end)) {
+    if (request.kinds.has(text_at(action, "kind"))) actions.push_back(std::move(action));
+  }
   if (request.kinds.named(kFixAll)) add_fix_all(request, actions);
   return actions;
 }
@@ -243,6 +252,10 @@ Json resolved_code_action(State& state, const Json& params) {
   if (found == state.documents.end() || found->second->version() != number_at(data, "version"))
     throw RequestError(ErrorCode::kContentModified, "the document has changed");
   OpenDocument& document = *found->second;
+  if (std::optional<Json> edit = property_edit(state, document, data)) {
+    action["edit"] = *std::move(edit);
+    return action;
+  }
   Analysis& analysis = document.analysis(state.environment());
   const auto element = static_cast<std::uint32_t>(number_at(data, "element"));
   if (element >= analysis.written().element_count())

@@ -3,8 +3,13 @@
 
 #include <rigor/lsp/answer/diagnostics.h>
 
-#include <rigor/config/config.h>
-#include <rigor/config/configs.h>
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include <rigor/lsp/answer/companions.h>
 #include <rigor/lsp/answer/edits_json.h>
 #include <rigor/text/grouping.h>
 #include <rigor/text/path.h>
@@ -15,6 +20,17 @@ namespace {
 /// Of the protocol's DiagnosticTag.
 constexpr int kUnnecessary = 1;
 constexpr int kDeprecated = 2;
+
+/// Places of one cause that are shown: nobody looks at a thousand boxes of which each lacks the same, and to send them
+/// takes longer than to find them. The last one says how many there are.
+constexpr std::size_t kMaxPlaces = 100;
+
+/// Of one cause.
+struct Shown {
+  std::size_t places = 0;
+  std::vector<Json>* list = nullptr;  // that the last one is in
+  std::size_t last = 0;
+};
 
 /// Of the protocol's DiagnosticSeverity.
 int severity_number(Severity severity) { return static_cast<int>(severity) + 1; }
@@ -49,22 +65,6 @@ Json related_of(const Diagnostic& finding, PlacesJson& places) {
   return list;
 }
 
-/// The lines of a configuration that cannot stand in it.
-std::vector<Json> of_configuration(const OpenDocument& document) {
-  std::vector<Json> list;
-  for (const config::Problem& problem :
-       config::read_config(document.path(), document.text()).problems) {
-    const std::uint32_t line =
-        std::min(problem.line > 0 ? problem.line - 1 : 0U, document.lines().line_count() - 1);
-    const LineIndex& lines = document.lines();
-    list.push_back({{"range", range_json(lines, lines.line_begin(line), lines.line_end(line))},
-                    {"severity", severity_number(Severity::kError)},
-                    {"source", "rigor"},
-                    {"message", problem.message}});
-  }
-  return list;
-}
-
 }  // namespace
 
 Json diagnostic_json(const State& state, const Diagnostic& finding, PlacesJson& places) {
@@ -91,18 +91,28 @@ bool stands_in(const OpenDocument& document, const CheckedDocument& checked,
          normalize_path(document.path());
 }
 
-std::map<std::string, std::vector<Json>> diagnostics_by_uri(const State& state,
-                                                            const OpenDocument& document,
+std::map<std::string, std::vector<Json>> diagnostics_by_uri(State& state, OpenDocument& document,
                                                             const CheckedDocument& checked) {
   std::map<std::string, std::vector<Json>> by_uri;
-  std::vector<Json>& own = by_uri[document.uri()];
-  if (file_name(document.path()) == config::kConfigName) own = of_configuration(document);
+  by_uri[document.uri()] = companion_diagnostics(state, document);
   PlacesJson places(*checked.sources, state.client.encoding);
+  std::unordered_map<std::string, Shown> shown;
   for (const Diagnostic& finding : checked.result.diagnostics.list()) {
+    Shown& cause = shown[cause_of(finding)];
+    if (++cause.places > kMaxPlaces) continue;
     const bool is_own = stands_in(document, checked, finding);
-    by_uri[is_own ? document.uri()
-                  : uri_of_file(state, checked.sources->path(finding.where.source))]
-        .push_back(diagnostic_json(state, finding, places));
+    std::vector<Json>& list =
+        by_uri[is_own ? document.uri()
+                      : uri_of_file(state, checked.sources->path(finding.where.source))];
+    list.push_back(diagnostic_json(state, finding, places));
+    cause.list = &list;
+    cause.last = list.size() - 1;
+  }
+  for (const auto& [key, cause] : shown) {
+    if (cause.places <= kMaxPlaces) continue;
+    Json& message = (*cause.list)[cause.last]["message"];
+    message = message.get<std::string>() +
+              fmt::format("\nand {} more places like this one", cause.places - kMaxPlaces);
   }
   return by_uri;
 }

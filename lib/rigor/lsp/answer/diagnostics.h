@@ -15,8 +15,7 @@ namespace rigor::lsp {
 
 /// Of a document, by the URI of the file that each stands in: those of a template stand where its author wrote
 /// what is wrong. The document's own URI is among the keys, if only with an empty list.
-std::map<std::string, std::vector<Json>> diagnostics_by_uri(const State& state,
-                                                            const OpenDocument& document,
+std::map<std::string, std::vector<Json>> diagnostics_by_uri(State& state, OpenDocument& document,
                                                             const CheckedDocument& checked);
 
 /// Where a finding of the document is shown, as a range in it; nothing when that is in another file.

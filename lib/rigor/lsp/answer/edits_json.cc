@@ -13,6 +13,8 @@
 namespace rigor::lsp {
 namespace {
 
+constexpr std::string_view kDoubtful = "doubtful";
+
 Json edit_of_documents(const State& state, std::map<std::string, Json> by_uri) {
   if (!state.client.document_changes) {
     Json changes = Json::object();
@@ -47,15 +49,31 @@ Json text_edits(const LineIndex& lines, const std::vector<Edit>& edits) {
   return list;
 }
 
-Json workspace_edit(const State& state, const Sources& sources, const std::vector<Edit>& edits) {
-  std::map<SourceId, std::vector<Edit>> by_source;
-  for (const Edit& edit : edits) by_source[edit.span.source].push_back(edit);
+Json workspace_edit(const State& state, const Sources& sources, const std::vector<Edit>& edits,
+                    const DoubtfulEdits& doubtful) {
   std::map<std::string, Json> by_uri;
-  for (const auto& [source, of_source] : by_source) {
-    const LineIndex lines(sources.bytes(source), state.client.encoding);
-    by_uri[uri_of_file(state, sources.path(source))] = text_edits(lines, of_source);
+  const bool can_ask = state.client.document_changes && state.client.change_annotations;
+  const auto add = [&](const std::vector<Edit>& list, std::string_view annotation) {
+    std::map<SourceId, std::vector<Edit>> by_source;
+    for (const Edit& edit : list) by_source[edit.span.source].push_back(edit);
+    for (const auto& [source, of_source] : by_source) {
+      const LineIndex lines(sources.bytes(source), state.client.encoding);
+      Json& all = by_uri.try_emplace(uri_of_file(state, sources.path(source)), Json::array())
+                      .first->second;
+      for (Json& edit : text_edits(lines, of_source)) {
+        if (!annotation.empty()) edit["annotationId"] = annotation;
+        all.push_back(std::move(edit));
+      }
+    }
+  };
+  add(edits, {});
+  if (can_ask) add(doubtful.edits, kDoubtful);
+  Json edit = edit_of_documents(state, std::move(by_uri));
+  if (can_ask && !doubtful.edits.empty()) {
+    edit["changeAnnotations"][std::string(kDoubtful)] = {{"label", doubtful.reason},
+                                                         {"needsConfirmation", true}};
   }
-  return edit_of_documents(state, std::move(by_uri));
+  return edit;
 }
 
 Json workspace_edit(const State& state, const OpenDocument& document,

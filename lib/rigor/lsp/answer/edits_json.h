@@ -5,6 +5,8 @@
 
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <rigor/lsp/session/state.h>
@@ -15,9 +17,16 @@ namespace rigor::lsp {
 /// Edits of one text.
 Json text_edits(const LineIndex& lines, const std::vector<Edit>& edits);
 
+/// Edits that a person has to confirm one by one, and why.
+struct DoubtfulEdits {
+  std::string reason;
+  std::vector<Edit> edits;
+};
+
 /// Edits of any number of files, as a WorkspaceEdit: with the versions of open documents where the client takes
-/// them.
-Json workspace_edit(const State& state, const Sources& sources, const std::vector<Edit>& edits);
+/// them. Doubtful ones are left out where the client cannot ask.
+Json workspace_edit(const State& state, const Sources& sources, const std::vector<Edit>& edits,
+                    const DoubtfulEdits& doubtful = {});
 
 /// Edits of one document, whose offsets count in its text.
 Json workspace_edit(const State& state, const OpenDocument& document,

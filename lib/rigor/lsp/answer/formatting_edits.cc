@@ -27,7 +27,8 @@ xml::Document judged(const OpenDocument& document) {
 Json formatted_document(State& state, const Json& params) {
   const OpenDocument& document = state.document(params);
   const author::FormatStyle style = state.project->settings().layout(document.path());
-  return edits_of(document, author::formatted(judged(document), style));
+  const author::ChildOrder order(state.environment().sdf, state.environment().urdf);
+  return edits_of(document, author::formatted(judged(document), style, order));
 }
 
 Json formatted_range(State& state, const Json& params) {

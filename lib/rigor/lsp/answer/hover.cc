@@ -13,7 +13,9 @@
 #include <fmt/core.h>
 
 #include <rigor/lsp/answer/answers.h>
+#include <rigor/lsp/answer/mesh_hover.h>
 #include <rigor/lsp/answer/name_lookup.h>
+#include <rigor/lsp/answer/uri_at.h>
 #include <rigor/lsp/document/schema_place.h>
 #include <rigor/mass/link_body.h>
 #include <rigor/mass/proposal.h>
@@ -191,7 +193,14 @@ std::optional<HoverText> value_hover(Analysis& analysis, xml::Element element,
   return std::nullopt;
 }
 
-std::optional<HoverText> hover_at(Analysis& analysis, std::uint32_t offset) {
+std::optional<HoverText> mesh_hover(const State& state, Analysis& analysis, std::uint32_t offset) {
+  const auto reference = reference_at(state, analysis, offset);
+  if (!reference || !is_mesh_path(reference->path)) return std::nullopt;
+  return HoverText{mesh_text(state, reference->path), reference->where};
+}
+
+std::optional<HoverText> hover_at(const State& state, Analysis& analysis, std::uint32_t offset) {
+  if (auto mesh = mesh_hover(state, analysis, offset)) return mesh;
   const auto element = analysis.written().element_at(offset);
   if (element) {
     if (auto text = schema_hover(analysis, *element, offset)) {
@@ -221,8 +230,8 @@ std::optional<HoverText> hover_at(Analysis& analysis, std::uint32_t offset) {
 Json hover(State& state, const Json& params) {
   OpenDocument& document = state.document(params);
   Analysis& analysis = document.readable(state.environment());
-  const auto found =
-      hover_at(analysis, document.to_readable(offset_in(document, member(params, "position"))));
+  const auto found = hover_at(
+      state, analysis, document.to_readable(offset_in(document, member(params, "position"))));
   if (!found) return nullptr;
   const std::uint32_t begin = document.from_readable(found->where.begin);
   return {{"contents", {{"kind", "markdown"}, {"value", found->text}}},

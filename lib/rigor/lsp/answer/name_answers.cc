@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <rigor/author/names/parameter_names.h>
 #include <rigor/author/names/template_rename.h>
 #include <rigor/lsp/answer/answers.h>
 #include <rigor/lsp/answer/edits_json.h>
@@ -30,7 +31,7 @@ struct Cursor {
 
 Cursor cursor_of(State& state, const Json& params) {
   OpenDocument& document = state.document(params);
-  Analysis& analysis = document.readable(state.environment());
+  Analysis& analysis = document.up_to_date(state.environment());
   return {document, analysis,
           document.to_readable(offset_in(document, member(params, "position")))};
 }
@@ -136,15 +137,21 @@ Json rename(State& state, const Json& params) {
   const std::string new_name = text_at(params, "newName");
   std::vector<std::string> templates = files;
   templates.push_back(document.path());
+  std::vector<std::string> all = files;
+  for (std::string& path : author::parameter_files(state.disk, workspace_folders(state, document)))
+    all.push_back(std::move(path));
   const author::Renaming renaming =
       std::holds_alternative<author::EntityId>(name->name)
-          ? author::renamed(context, std::get<author::EntityId>(name->name), new_name, files)
+          ? author::renamed(context, std::get<author::EntityId>(name->name), new_name, all)
           : author::renamed_in_templates(context, templates,
                                          std::get<author::TemplateName>(name->name), new_name);
   if (!renaming.refused.empty())
     throw RequestError(ErrorCode::kRequestFailed,
                        "'" + name->text + "' is not renamed: " + renaming.refused);
-  return workspace_edit(state, fresh.sources(), renaming.edits);
+  std::vector<Edit> suspected;
+  for (const Span where : renaming.suspected) suspected.push_back({where, new_name});
+  return workspace_edit(state, fresh.sources(), renaming.edits,
+                        {"may be the same name", std::move(suspected)});
 }
 
 }  // namespace rigor::lsp

@@ -100,10 +100,13 @@ std::vector<NamePlace> places_of(Analysis& analysis, const NameAt& name,
   return places;
 }
 
+std::vector<std::string> workspace_folders(const State& state, const OpenDocument& document) {
+  if (!state.client.folders.empty()) return state.client.folders;
+  return {std::string(parent_path(document.path()))};
+}
+
 std::vector<std::string> workspace_files(const State& state, const OpenDocument& document) {
-  std::vector<std::string> folders = state.client.folders;
-  if (folders.empty()) folders.emplace_back(parent_path(document.path()));
-  read::Discovered found = read::discover(state.disk, folders);
+  read::Discovered found = read::discover(state.disk, workspace_folders(state, document));
   for (read::LeftOut& left : found.left_out) {
     if (!left.excluded) found.files.push_back(std::move(left.path));
   }

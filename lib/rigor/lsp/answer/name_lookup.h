@@ -36,7 +36,10 @@ std::optional<NameAt> name_at(Analysis& analysis, std::uint32_t offset);
 std::vector<NamePlace> places_of(Analysis& analysis, const NameAt& name,
                                  const std::vector<std::string>& files);
 
-/// Models and templates of the workspace: its folders, or that of the document when there are none.
+/// The workspace's, or that of the document when it has none.
+std::vector<std::string> workspace_folders(const State& state, const OpenDocument& document);
+
+/// Models and templates of the workspace.
 std::vector<std::string> workspace_files(const State& state, const OpenDocument& document);
 
 /// Where a use is written: itself, or the place in a template that it was made of; nowhere when an expression

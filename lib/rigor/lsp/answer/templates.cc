@@ -82,7 +82,7 @@ MacroCalls macro_calls_of(State& state, Analysis& analysis) {
 /// The calls of whichever open document reads the macro's file.
 MacroCalls calls_about(State& state, const Json& item) {
   for (const auto& [uri, document] : state.documents) {
-    Analysis& analysis = document->readable(state.environment());
+    Analysis& analysis = document->up_to_date(state.environment());
     if (!analysis.is_template()) continue;
     MacroCalls calls = macro_calls_of(state, analysis);
     const auto macro = calls.macros.find(text_at(item, "name"));
@@ -95,7 +95,7 @@ MacroCalls calls_about(State& state, const Json& item) {
 
 Json prepared_call_hierarchy(State& state, const Json& params) {
   OpenDocument& document = state.document(params);
-  Analysis& analysis = document.readable(state.environment());
+  Analysis& analysis = document.up_to_date(state.environment());
   const std::uint32_t offset =
       document.to_readable(offset_in(document, member(params, "position")));
   const auto name = name_at(analysis, offset);
@@ -138,7 +138,7 @@ Json outgoing_calls(State& state, const Json& params) {
 /// `{"textDocument": …}` → `{"text": …}`: what `rigor expand` prints.
 Json expanded_template(State& state, const Json& params) {
   OpenDocument& document = state.document(params);
-  const read::File& file = document.readable(state.environment()).file();
+  const read::File& file = document.up_to_date(state.environment()).file();
   if (!file.expanded || !file.document)
     throw RequestError(ErrorCode::kRequestFailed, "the document is no template");
   return {{"text", file.document->bytes()}};

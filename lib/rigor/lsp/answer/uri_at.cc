@@ -61,12 +61,19 @@ std::vector<FileReference> file_references(const State& state, Analysis& analysi
   return references;
 }
 
-std::optional<std::string> path_at(const State& state, Analysis& analysis, std::uint32_t offset) {
+std::optional<FileReference> reference_at(const State& state, Analysis& analysis,
+                                          std::uint32_t offset) {
   const auto element = analysis.written().element_at(offset);
   if (!element) return std::nullopt;
-  const auto reference = reference_of(state, analysis, *element);
+  auto reference = reference_of(state, analysis, *element);
   if (!reference || offset < reference->where.begin || offset > reference->where.end)
     return std::nullopt;
+  return reference;
+}
+
+std::optional<std::string> path_at(const State& state, Analysis& analysis, std::uint32_t offset) {
+  const auto reference = reference_at(state, analysis, offset);
+  if (!reference) return std::nullopt;
   if (state.disk.kind(reference->path) != PathKind::kFolder) return reference->path;
   const std::string config = join_path(reference->path, "model.config");
   const ReadResult bytes = state.disk.read(config, read::kMaxModelBytes);

@@ -22,6 +22,10 @@ struct FileReference {
 /// Those that lead to something.
 std::vector<FileReference> file_references(const State& state, Analysis& analysis);
 
+/// The one at an offset of the written document.
+std::optional<FileReference> reference_at(const State& state, Analysis& analysis,
+                                          std::uint32_t offset);
+
 /// The file that the reference at an offset leads to: of a folder with a model, the model's file.
 std::optional<std::string> path_at(const State& state, Analysis& analysis, std::uint32_t offset);
 

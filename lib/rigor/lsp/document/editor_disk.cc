@@ -39,6 +39,11 @@ void EditorDisk::close_in_editor(const std::string& path) {
   open_.erase(normalize_path(path));
 }
 
+OpenTexts EditorDisk::open_texts() const {
+  const std::lock_guard lock(mutex_);
+  return open_;
+}
+
 std::set<std::string> EditorDisk::take_asked() const {
   const std::lock_guard lock(mutex_);
   return std::exchange(asked_, {});

@@ -16,16 +16,25 @@
 #include <mutex>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rigor/text/disk.h>
 
 namespace rigor::lsp {
 
+/// By normalized path.
+using OpenTexts = std::map<std::string, std::shared_ptr<const std::string>>;
+
 class EditorDisk final : public Disk {
  public:
   /// `below` outlives it.
-  explicit EditorDisk(const Disk& below) : below_(below) {}
+  explicit EditorDisk(const Disk& below, OpenTexts texts = {})
+      : below_(below), open_(std::move(texts)) {}
+
+  const Disk& below() const { return below_; }
+  /// As they are now: for another disk, on another thread.
+  OpenTexts open_texts() const;
 
   /// By normalized path; the text takes the place of what an earlier call gave.
   void open_in_editor(const std::string& path, std::string text);
@@ -45,7 +54,7 @@ class EditorDisk final : public Disk {
 
   const Disk& below_;
   mutable std::mutex mutex_;
-  std::map<std::string, std::shared_ptr<const std::string>> open_;
+  OpenTexts open_;
   mutable std::set<std::string> asked_;
 };
 

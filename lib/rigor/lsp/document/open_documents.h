@@ -18,6 +18,7 @@
 
 #include <rigor/lsp/document/analysis.h>
 #include <rigor/lsp/document/line_index.h>
+#include <rigor/lsp/document/moving_place.h>
 #include <rigor/rules/environment.h>
 
 namespace rigor::lsp {
@@ -38,14 +39,21 @@ class OpenDocument {
   const std::string& text() const { return text_; }
   const LineIndex& lines() const { return lines_; }
 
-  /// Puts a text in the place of a range, or of everything.
-  void change(std::optional<TextRange> range, const std::string& text);
+  /// Puts a text in the place of a range, or of everything; what differs.
+  TextChange change(std::optional<TextRange> range, const std::string& text);
 
   /// Of the text as it is, well-formed or not.
   Analysis& analysis(const Environment& environment);
 
-  /// Of the last text that could be read to its end; of the text as it is, when none could.
+  /// For answers that nobody wants to wait for: of the text as it is, when that is known already, soon read, or all
+  /// there is; else of the last text that could be read to its end, which `prepare` brings up to date when nobody types.
   Analysis& readable(const Environment& environment);
+
+  /// The same of the text as it is wherever that can be read to its end: for answers that are places.
+  Analysis& up_to_date(const Environment& environment);
+
+  /// Makes what `readable` gives the text as it is, if that can be read to its end.
+  void prepare(const Environment& environment);
 
   /// The place in the readable text of an offset in the text, and the other way: what both begin and end with
   /// is in the same place, and what is between is its begin.
@@ -56,7 +64,11 @@ class OpenDocument {
   void forget();
 
  private:
-  void note_readable();
+  void keep_readable();
+  /// Whether `readable` gives that of an earlier text.
+  bool reads_earlier() const {
+    return readable_ && !(analysis_ && analysis_->written().complete());
+  }
 
   std::string uri_;
   std::string path_;
@@ -64,10 +76,9 @@ class OpenDocument {
   PositionEncoding encoding_;
   std::string text_;
   LineIndex lines_;
-  std::string readable_text_;  // empty where it is the text, or nothing could be read yet
-  bool has_readable_ = false;
-  std::unique_ptr<Analysis> analysis_;
-  std::unique_ptr<Analysis> readable_;  // of `readable_text_`
+  std::optional<std::string> readable_text_;  // the last that could be read to its end
+  std::unique_ptr<Analysis> analysis_;        // of the text as it is
+  std::unique_ptr<Analysis> readable_;        // of `readable_text_`
 };
 
 }  // namespace rigor::lsp

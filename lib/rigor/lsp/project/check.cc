@@ -4,11 +4,29 @@
 #include <rigor/lsp/project/check.h>
 
 #include <array>
+#include <utility>
 
 #include <rigor/text/path.h>
 #include <rigor/xml/document.h>
 
 namespace rigor::lsp {
+namespace {
+
+/// A baseline that is not there or is none hides nothing; the command line says so.
+void hide_known(const Disk& disk, const Project& project, const std::string& path,
+                const rules::ValidateOptions& options, rules::ValidateResult& result) {
+  const ReadResult read = disk.read(path, rules::kMaxBaselineBytes);
+  if (!read.bytes) return;
+  rules::BaselineFile file = rules::read_baseline(*read.bytes);
+  if (!file.problems.empty()) return;
+  const rules::BaselineRun run(project.environment(), options, result, baseline_place(path));
+  // Whether other files are still there does not matter to this one.
+  std::erase_if(file.baseline,
+                [&](const auto& entry) { return !run.found().contains(entry.first); });
+  result = rules::apply_baseline(file.baseline, run, std::move(result)).left;
+}
+
+}  // namespace
 
 rules::ValidateOptions check_options(const Project& project, const std::string& path,
                                      rules::MeshPolicy meshes) {
@@ -25,13 +43,19 @@ rules::ValidateOptions check_options(const Project& project, const std::string& 
   return options;
 }
 
+rules::BaselinePlace baseline_place(const std::string& path) {
+  return {std::string(parent_path(path)), "/"};
+}
+
 CheckedDocument check(const EditorDisk& disk, const Project& project, const std::string& path,
                       rules::MeshPolicy meshes) {
   CheckedDocument checked;
   checked.sources = std::make_unique<Sources>();
   disk.take_asked();
-  checked.result = rules::validate(project.environment(), check_options(project, path, meshes),
-                                   *checked.sources);
+  const rules::ValidateOptions options = check_options(project, path, meshes);
+  checked.result = rules::validate(project.environment(), options, *checked.sources);
+  if (const auto baseline = project.settings().baseline(path))
+    hide_known(disk, project, *baseline, options, checked.result);
   checked.asked_files = disk.take_asked();
   return checked;
 }

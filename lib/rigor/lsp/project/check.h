@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The findings of a document: those of `rigor validate FILE` with the same settings.
+// The findings of a document: those of `rigor validate FILE` with the same settings and baseline.
 
 #pragma once
 
@@ -10,6 +10,7 @@
 #include <string>
 
 #include <rigor/lsp/project/project.h>
+#include <rigor/rules/baseline.h>
 #include <rigor/rules/validate.h>
 #include <rigor/text/sources.h>
 
@@ -24,6 +25,9 @@ struct CheckedDocument {
 /// What `validate` is asked about the file at a path. The project outlives it.
 rules::ValidateOptions check_options(const Project& project, const std::string& path,
                                      rules::MeshPolicy meshes);
+
+/// Of the baseline at a path, whose project's files are named by their whole paths here.
+rules::BaselinePlace baseline_place(const std::string& path);
 
 /// With kDoNotOpen no mesh file is read, as while somebody types.
 CheckedDocument check(const EditorDisk& disk, const Project& project, const std::string& path,

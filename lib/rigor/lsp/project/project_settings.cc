@@ -47,6 +47,12 @@ rules::Selection ProjectSettings::selection(const std::string& path) const {
   return selection;
 }
 
+std::optional<std::string> ProjectSettings::baseline(const std::string& path) const {
+  const config::Config& config = configs_.of(path);
+  if (!config.baseline) return std::nullopt;
+  return config.baseline->value;
+}
+
 author::FormatStyle ProjectSettings::layout(const std::string& path) const {
   return author::configured_style(configs_.of(path).layout);
 }

@@ -11,6 +11,7 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,8 @@ class ProjectSettings {
   explicit ProjectSettings(const Disk& disk);
 
   rules::Selection selection(const std::string& path) const;
+  /// The path of the file that counts known findings.
+  std::optional<std::string> baseline(const std::string& path) const;
   author::FormatStyle layout(const std::string& path) const;
   /// Sets of arguments of the template at a path.
   std::vector<read::TemplateArguments> arguments(const std::string& path) const;

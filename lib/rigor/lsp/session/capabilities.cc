@@ -26,9 +26,20 @@ Client client_of(const Json& params) {
   client.snippets =
       flag_at(capabilities, "textDocument", "completion", "completionItem", "snippetSupport");
   client.document_changes = flag_at(capabilities, "workspace", "workspaceEdit", "documentChanges");
+  client.change_annotations =
+      member(capabilities, "workspace", "workspaceEdit", "changeAnnotationSupport").is_object();
+  for (const Json& operation :
+       member(capabilities, "workspace", "workspaceEdit", "resourceOperations"))
+    client.creates_files = client.creates_files || operation == "create";
   client.pulls_diagnostics = member(capabilities, "textDocument", "diagnostic").is_object();
+  client.refreshes_diagnostics =
+      flag_at(capabilities, "workspace", "diagnostics", "refreshSupport");
   client.registers_watchers =
       flag_at(capabilities, "workspace", "didChangeWatchedFiles", "dynamicRegistration");
+  client.shows_pictures = flag_at(params, "initializationOptions", "pictures");
+  for (const Json& command : member(params, "initializationOptions", "commands")) {
+    if (command.is_string()) client.commands.push_back(command.get<std::string>());
+  }
   client.rule_pages = text_at(params, "initializationOptions", "rulePages");
   for (const Json& folder : member(params, "workspaceFolders"))
     client.folders.push_back(normalize_path(path_of_uri(text_at(folder, "uri"))));
@@ -43,7 +54,9 @@ Json server_capabilities(const Client& client) {
       {"positionEncoding", client.encoding == PositionEncoding::kUtf8 ? "utf-8" : "utf-16"},
       {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", true}}},
       {"codeActionProvider",
-       {{"codeActionKinds", {"quickfix", "refactor.rewrite", "source.fixAll.rigor"}},
+       {{"codeActionKinds",
+         {"quickfix", "refactor.rewrite", "refactor.extract", "refactor.inline",
+          "source.fixAll.rigor"}},
         {"resolveProvider", true}}},
       {"documentFormattingProvider", true},
       {"documentRangeFormattingProvider", true},

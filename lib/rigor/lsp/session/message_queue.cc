@@ -44,6 +44,17 @@ std::optional<Json> MessageQueue::wait() {
   return front();
 }
 
+std::optional<Json> MessageQueue::wait_for(std::chrono::milliseconds time) {
+  std::unique_lock lock(mutex_);
+  came_.wait_for(lock, time, [this] { return closed_ || !messages_.empty(); });
+  return front();
+}
+
+bool MessageQueue::ended() {
+  const std::lock_guard lock(mutex_);
+  return closed_ && messages_.empty();
+}
+
 std::optional<Json> MessageQueue::take() {
   const std::lock_guard lock(mutex_);
   return front();

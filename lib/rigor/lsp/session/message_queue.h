@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -29,8 +30,12 @@ class MessageQueue {
 
   /// The next message, waited for; nothing when the queue is closed and empty.
   std::optional<Json> wait();
+  /// The same, but nothing when none comes in that time either.
+  std::optional<Json> wait_for(std::chrono::milliseconds time);
   /// The next message if there is one.
   std::optional<Json> take();
+  /// Whether it is closed and empty.
+  bool ended();
 
   bool is_cancelled(const Json& id);
   /// Whether a message that changes or closes the document waits.

@@ -99,8 +99,8 @@ void Session::notification(const std::string& method, const Json& params) {
   if (method == "textDocument/didOpen") return did_open(params);
   if (method == "textDocument/didChange") return did_change(params);
   if (method == "textDocument/didClose") return did_close(params);
-  if (method == "textDocument/didSave" || method == "workspace/didChangeWatchedFiles")
-    return files_changed();
+  if (method == "textDocument/didSave") return did_save(params);
+  if (method == "workspace/didChangeWatchedFiles") return files_changed();
   if (method == "workspace/didChangeWorkspaceFolders") {
     std::vector<std::string>& folders = state_.client.folders;
     for (const Json& folder : member(params, "event", "removed"))
@@ -113,8 +113,9 @@ void Session::notification(const std::string& method, const Json& params) {
 /// Whoever else writes files that models are made of: a build, a version control.
 void Session::watch_files() {
   if (!state_.client.registers_watchers) return;
-  Json watchers = Json::array({{{"globPattern", "**/*.{sdf,world,urdf,xacro,srdf,config,yaml}"}},
-                               {{"globPattern", "**/{rigor.toml,package.xml}"}}});
+  Json watchers =
+      Json::array({{{"globPattern", "**/*.{sdf,world,urdf,xacro,srdf,config,yaml,baseline}"}},
+                   {{"globPattern", "**/{rigor.toml,package.xml}"}}});
   peer_.send({{"jsonrpc", "2.0"},
               {"id", "watch"},
               {"method", "client/registerCapability"},
@@ -139,7 +140,14 @@ void Session::did_open(const Json& params) {
   // Whoever looked for the file in vain is not known.
   if (is_new) files_changed();
   check_later(uri);
+  open_meshes_later(*state_.documents[uri]);
   check_dependents(path);
+}
+
+void Session::did_save(const Json& params) {
+  files_changed();
+  const auto found = state_.documents.find(text_at(params, "textDocument", "uri"));
+  if (found != state_.documents.end()) open_meshes_later(*found->second);
 }
 
 void Session::did_change(const Json& params) {
@@ -154,8 +162,11 @@ void Session::did_change(const Json& params) {
       };
       range = TextRange{position("start"), position("end")};
     }
-    document.change(range, text_at(change, "text"));
+    const TextChange changed = document.change(range, text_at(change, "text"));
+    const auto kept = mesh_findings_.find(document.uri());
+    if (kept != mesh_findings_.end()) kept->second.follow(changed);
   }
+  for (auto& [uri, kept] : mesh_findings_) kept.forget(document.uri());
   document.set_version(number_at(params, "textDocument", "version"));
   state_.checks[document.uri()].version = -1;
   state_.disk.open_in_editor(document.path(), document.text());
@@ -172,6 +183,9 @@ void Session::did_close(const Json& params) {
   state_.documents.erase(found);
   state_.checks.erase(uri);
   drop(to_check_, uri);
+  drop(to_prepare_, uri);
+  drop(to_open_meshes_, uri);
+  mesh_findings_.erase(uri);
   publish_of_root(uri, {});
   check_dependents(path);
 }
@@ -179,12 +193,15 @@ void Session::did_close(const Json& params) {
 void Session::files_changed() {
   state_.renew_project();
   for (const auto& [uri, document] : state_.documents) check_later(uri);
+  ask_to_pull();
 }
 
 /// Documents that were checked with the file at a path.
 void Session::check_dependents(const std::string& path) {
   const std::string normal = normalize_path(path);
   if (file_name(normal) == config::kConfigName) return files_changed();
+  const std::string ending = extension(normal);
+  if (ending == ".urdf" || ending == ".xacro") check_srdf_of(normal);
   for (const auto& [uri, check] : state_.checks) {
     const auto document = state_.documents.find(uri);
     if (document == state_.documents.end() || normalize_path(document->second->path()) == normal)
@@ -196,10 +213,20 @@ void Session::check_dependents(const std::string& path) {
   }
 }
 
+/// SRDFs that are open, when a robot or a part of one is changed.
+void Session::check_srdf_of(const std::string& path) {
+  state_.forget_robots(extension(path) == ".urdf" ? path : std::string());
+  for (const auto& [uri, document] : state_.documents) {
+    if (extension(document->path()) == ".srdf") check_later(uri);
+  }
+}
+
 /// What changed last is checked first.
 void Session::check_later(const std::string& uri) {
-  drop(to_check_, uri);
-  to_check_.push_back(uri);
+  for (std::vector<std::string>* list : {&to_prepare_, &to_check_}) {
+    drop(*list, uri);
+    list->push_back(uri);
+  }
 }
 
 void Session::work() {
@@ -209,13 +236,59 @@ void Session::work() {
   const auto found = state_.documents.find(uri);
   if (found == state_.documents.end()) return;
   OpenDocument& document = *found->second;
-  const CheckedDocument& checked = state_.checked(document);
+  state_.checked(document);
   if (peer_.is_superseded && peer_.is_superseded(uri)) return;
-  publish(document, checked);
+  publish(document);
 }
 
-void Session::publish(OpenDocument& document, const CheckedDocument& checked) {
-  publish_of_root(document.uri(), diagnostics_by_uri(state_, document, checked));
+void Session::idle_work() {
+  if (to_prepare_.empty()) return;
+  const auto found = state_.documents.find(to_prepare_.back());
+  to_prepare_.pop_back();
+  if (found != state_.documents.end()) found->second->prepare(state_.environment());
+}
+
+void Session::open_meshes_later(const OpenDocument& document) {
+  if (!is_checked(document.path(), document.text())) return;
+  drop(to_open_meshes_, document.uri());
+  to_open_meshes_.push_back(document.uri());
+}
+
+std::unique_ptr<MeshCheck> Session::take_mesh_check() {
+  while (!to_open_meshes_.empty()) {
+    const std::string uri = std::move(to_open_meshes_.back());
+    to_open_meshes_.pop_back();
+    const auto found = state_.documents.find(uri);
+    if (found == state_.documents.end()) continue;
+    return std::make_unique<MeshCheck>(state_.disk.below(), state_.disk.open_texts(), state_.paths,
+                                       state_.worker, uri, found->second->path());
+  }
+  return nullptr;
+}
+
+void Session::finish(const MeshCheck& check) {
+  const auto found = state_.documents.find(check.uri());
+  if (found == state_.documents.end()) return;
+  if (check.stopped()) return open_meshes_later(*found->second);
+  mesh_findings_[check.uri()] = MeshFindings(state_, *found->second, check);
+  check_later(check.uri());  // nothing is sent when nothing is new
+  ask_to_pull();
+}
+
+void Session::ask_to_pull() {
+  if (!state_.client.pulls_diagnostics || !state_.client.refreshes_diagnostics) return;
+  peer_.send({{"jsonrpc", "2.0"}, {"id", "refresh"}, {"method", "workspace/diagnostic/refresh"}});
+}
+
+std::map<std::string, std::vector<Json>> Session::findings_of(OpenDocument& document) {
+  auto by_uri = diagnostics_by_uri(state_, document, state_.checked(document));
+  const auto meshes = mesh_findings_.find(document.uri());
+  if (meshes != mesh_findings_.end()) meshes->second.add_to(by_uri, document);
+  return by_uri;
+}
+
+void Session::publish(OpenDocument& document) {
+  publish_of_root(document.uri(), findings_of(document));
 }
 
 void Session::publish_of_root(const std::string& root,
@@ -246,6 +319,11 @@ void Session::publish_uri(const std::string& uri) {
   Json params{{"uri", uri}, {"diagnostics", std::move(all)}};
   const auto document = state_.documents.find(uri);
   if (document != state_.documents.end()) params["version"] = document->second->version();
+  if (Json& last = sent_[uri]; last != params) {
+    last = params;
+  } else {
+    return;
+  }
   peer_.send({{"jsonrpc", "2.0"},
               {"method", "textDocument/publishDiagnostics"},
               {"params", std::move(params)}});
@@ -253,7 +331,7 @@ void Session::publish_uri(const std::string& uri) {
 
 Json Session::pulled_diagnostics(const Json& params) {
   OpenDocument& document = state_.document(params);
-  auto by_uri = diagnostics_by_uri(state_, document, state_.checked(document));
+  auto by_uri = findings_of(document);
   Json related = Json::object();
   for (const auto& [uri, list] : by_uri) {
     if (uri != document.uri()) related[uri] = {{"kind", "full"}, {"items", list}};

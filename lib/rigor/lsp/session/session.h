@@ -7,9 +7,12 @@
 //   Session session(disk, read::search_paths_from(variable), {.send = [](const Json& message) { … }});
 //   session.receive(message);
 //   while (session.has_work()) session.work();
+//   while (session.has_idle_work()) session.idle_work();
+//   if (auto check = session.take_mesh_check()) { check->run(); session.finish(*check); }
 //   return session.exit_code();
 //
-// What a document says is published by `work`, when no message waits.
+// What a document says is published by `work`, when no message waits. What its meshes show is found by a check that
+// the owner runs on a thread of its own, when nobody types.
 
 #pragma once
 
@@ -21,7 +24,9 @@
 #include <string>
 #include <vector>
 
+#include <rigor/lsp/project/mesh_check.h>
 #include <rigor/lsp/protocol/json.h>
+#include <rigor/lsp/session/mesh_findings.h>
 #include <rigor/lsp/session/state.h>
 #include <rigor/read/resolver.h>
 #include <rigor/text/disk.h>
@@ -50,6 +55,17 @@ class Session {
   /// Checks one of them and publishes what is found.
   void work();
 
+  /// Whether something can be done ahead of requests, when no key has come for a moment; and does it.
+  bool has_idle_work() const { return !to_prepare_.empty(); }
+  void idle_work();
+
+  /// Whether meshes of documents that were opened or saved wait to be opened.
+  bool wants_mesh_check() const { return !to_open_meshes_.empty(); }
+  /// That of one of them; null when none waits. To be stopped when a document is changed.
+  std::unique_ptr<MeshCheck> take_mesh_check();
+  /// Publishes what it found; what was stopped is to be done again.
+  void finish(const MeshCheck& check);
+
   /// After `exit`: 0 when `shutdown` came before, else 1. Nothing before.
   std::optional<int> exit_code() const { return exit_code_; }
 
@@ -65,10 +81,16 @@ class Session {
   void did_open(const Json& params);
   void did_change(const Json& params);
   void did_close(const Json& params);
+  void did_save(const Json& params);
   void files_changed();
   void check_dependents(const std::string& path);
+  void check_srdf_of(const std::string& path);
   void check_later(const std::string& uri);
-  void publish(OpenDocument& document, const CheckedDocument& checked);
+  /// Of a client that pulls: something other than a key has changed what there is.
+  void ask_to_pull();
+  void open_meshes_later(const OpenDocument& document);
+  std::map<std::string, std::vector<Json>> findings_of(OpenDocument& document);
+  void publish(OpenDocument& document);
   void publish_of_root(const std::string& root, std::map<std::string, std::vector<Json>> by_uri);
   void publish_uri(const std::string& uri);
 
@@ -76,9 +98,14 @@ class Session {
   Peer peer_;
   enum class Phase { kNew, kInitialized, kShutDown } phase_ = Phase::kNew;
   std::optional<int> exit_code_;
-  std::vector<std::string> to_check_;  // URIs
+  // URIs, what comes last first.
+  std::vector<std::string> to_check_;
+  std::vector<std::string> to_prepare_;
+  std::vector<std::string> to_open_meshes_;
+  std::map<std::string, MeshFindings> mesh_findings_;  // by URI
   /// What each checked document shows, by the URI that it is shown at.
   std::map<std::string, std::map<std::string, std::vector<Json>>> published_;
+  std::map<std::string, Json> sent_;  // parameters of the last publication, by URI
 };
 
 }  // namespace rigor::lsp

@@ -18,7 +18,41 @@ State::State(const Disk& below, read::SearchPaths search_paths, std::string work
 void State::renew_project() {
   for (auto& [uri, document] : documents) document->forget();
   for (auto& [uri, check] : checks) check.version = -1;
+  forget_robots();
   project = std::make_unique<Project>(disk, paths, worker);
+}
+
+void State::forget_robots(const std::string& path) {
+  if (!path.empty()) {
+    robots_.erase(normalize_path(path));
+    return;
+  }
+  robot_paths_.reset();
+  robots_.clear();
+}
+
+std::vector<const RobotNames*> State::robots_named(
+    const std::string& name, const std::function<std::vector<std::string>()>& files) {
+  if (!robot_paths_) {
+    robot_paths_.emplace();
+    for (const std::string& path : files()) {
+      if (extension(path) != ".urdf" && extension(path) != ".xacro") continue;
+      const ReadResult read = disk.read(path, read::kMaxModelBytes);
+      if (read.bytes) robot_paths_->emplace(robot_name_in(*read.bytes), normalize_path(path));
+    }
+  }
+  std::vector<const RobotNames*> robots;
+  const auto [begin, end] = robot_paths_->equal_range(name);
+  for (auto each = begin; each != end; ++each) {
+    auto known = robots_.find(each->second);
+    if (known == robots_.end()) {
+      const ReadResult read = disk.read(each->second, read::kMaxModelBytes);
+      Analysis analysis(environment(), each->second, read.bytes.value_or(std::string()));
+      known = robots_.emplace(each->second, robot_names(analysis)).first;
+    }
+    if (!known->second.links.empty()) robots.push_back(&known->second);
+  }
+  return robots;
 }
 
 OpenDocument& State::document(const Json& params) {

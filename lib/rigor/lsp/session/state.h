@@ -8,8 +8,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -19,6 +21,7 @@
 #include <rigor/lsp/document/open_documents.h>
 #include <rigor/lsp/project/check.h>
 #include <rigor/lsp/project/project.h>
+#include <rigor/lsp/project/robot_names.h>
 #include <rigor/lsp/protocol/json.h>
 
 namespace rigor::lsp {
@@ -49,12 +52,17 @@ class RequestError : public std::runtime_error {
 
 struct Client {
   PositionEncoding encoding = PositionEncoding::kUtf16;
-  bool snippets = false;            ///< whether completions may have places to fill in
-  bool document_changes = false;    ///< whether edits may name the versions of documents
-  bool pulls_diagnostics = false;   ///< then none are published
+  bool snippets = false;               ///< whether completions may have places to fill in
+  bool document_changes = false;       ///< whether edits may name the versions of documents
+  bool change_annotations = false;     ///< whether edits may say why, and be confirmed one by one
+  bool creates_files = false;          ///< whether edits may make a file
+  bool refreshes_diagnostics = false;  ///< whether it pulls them again when it is asked to
+  bool pulls_diagnostics = false;      ///< then none are published
   bool registers_watchers = false;  ///< whether it takes the files that are to be watched from here
-  std::string rule_pages;           ///< base of the addresses of rules' pages; empty for no links
-  std::vector<std::string> folders;  ///< of the workspace; normalized paths
+  bool shows_pictures = false;      ///< in hovers, as data: URIs
+  std::vector<std::string> commands;  ///< of its own that lenses may call: "rigor.view"
+  std::string rule_pages;             ///< base of the addresses of rules' pages; empty for no links
+  std::vector<std::string> folders;   ///< of the workspace; normalized paths
 };
 
 struct State {
@@ -74,6 +82,13 @@ struct State {
   /// Of the document's text as it is now: checked anew unless the last check was of it.
   const CheckedDocument& checked(OpenDocument& document);
 
+  /// Robots that have the name, as the disk and the editor have them. `files` gives those of the workspace, and is
+  /// asked once until files change.
+  std::vector<const RobotNames*> robots_named(
+      const std::string& name, const std::function<std::vector<std::string>()>& files);
+  /// Forgets what is known of the robot in a file; of all, and where they are, when the path is empty.
+  void forget_robots(const std::string& path = {});
+
   EditorDisk disk;
   read::SearchPaths paths;
   std::string worker;
@@ -87,6 +102,10 @@ struct State {
     CheckedDocument checked;
   };
   std::map<std::string, LastCheck, std::less<>> checks;
+
+ private:
+  std::optional<std::multimap<std::string, std::string>> robot_paths_;  // by robot's name
+  std::map<std::string, RobotNames> robots_;                            // by path
 };
 
 /// `position` of a request as a byte offset in the document.

@@ -188,6 +188,21 @@ std::optional<double> Assembled::gap(const Links& of, const Vector3& d_W, double
   std::vector<bool> in(links.size(), false);
   for (const std::uint32_t link : of) in[link] = true;
   double least = std::numeric_limits<double>::infinity();
+  // Those that a joint holds together are the nearest as a rule; then few others have to be examined.
+  const auto join = [&](std::uint32_t inside, std::uint32_t outside) {
+    if (links[outside].top != links[inside].top) return;
+    for (const std::uint32_t s : links[inside].shapes) {
+      const OrientedBox box = moved(shapes[s].box_W, d_W);
+      for (const std::uint32_t other : links[outside].shapes)
+        least = std::min(least, std::max(0.0, separation(box, shapes[other].box_W)));
+    }
+  };
+  for (std::uint32_t link = 0; link < links.size(); ++link) {
+    for (const std::uint32_t carried : links[link].links_carried) {
+      if (in[link] != in[carried]) join(in[link] ? link : carried, in[link] ? carried : link);
+    }
+  }
+  if (least <= enough) return least;
   for (const std::uint32_t link : of) {
     for (const std::uint32_t s : links[link].shapes) {
       const OrientedBox box = moved(shapes[s].box_W, d_W);

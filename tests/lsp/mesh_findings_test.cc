@@ -1,0 +1,140 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <rigor/lsp/document/moving_place.h>
+#include <rigor/lsp/document/stoppable_disk.h>
+
+#include "lsp/editor.h"
+
+namespace rigor::lsp {
+namespace {
+
+using test::Editor;
+
+/// An STL without the triangle that it says it has.
+const std::string kCut = std::string(80, '\0') + std::string("\x01\0\0\0", 4);
+
+constexpr const char* kMeshRobot =
+    "<robot name='r'>\n"
+    "  <link name='a'>\n"
+    "    <visual><geometry><mesh filename='cut.stl'/></geometry></visual>\n"
+    "  </link>\n"
+    "  <link name='b'/>\n"
+    "  <joint name='j' type='fixed'><parent link='a'/><child link='b'/></joint>\n"
+    "</robot>\n";
+
+/// What only a look into the file tells.
+Json mesh_finding(Editor& editor) {
+  for (const Json& each : editor.diagnostics("/ws/r.urdf")) {
+    if (text_at(each, "code") == "mesh-empty") return each;
+  }
+  return nullptr;
+}
+
+void open_meshes(Editor& editor) {
+  while (const auto check = editor.session().take_mesh_check()) {
+    check->run();
+    editor.session().finish(*check);
+  }
+  editor.work();
+}
+
+TEST(LspMeshFindings, MeshesAreOpenedBehindTheTypingAndTheirFindingsKept) {
+  MemoryDisk disk(test::Files{{"/ws/cut.stl", kCut}});
+  Editor editor(disk);
+  editor.open("/ws/r.urdf", kMeshRobot);
+  EXPECT_TRUE(mesh_finding(editor).is_null());
+  EXPECT_TRUE(editor.session().wants_mesh_check());
+  open_meshes(editor);
+  EXPECT_FALSE(editor.session().wants_mesh_check());
+  ASSERT_FALSE(mesh_finding(editor).is_null());
+  EXPECT_EQ(mesh_finding(editor)["range"]["start"]["line"], 2);
+  EXPECT_EQ(editor.request("textDocument/diagnostic", editor.document("/ws/r.urdf"))["items"],
+            editor.diagnostics("/ws/r.urdf"));
+
+  // A line before the link moves it; a change of the link takes it away until the file is saved.
+  std::string text(kMeshRobot);
+  text.insert(text.find("  <link name='a'"), "  <!-- new -->\n");
+  editor.change("/ws/r.urdf", text);
+  ASSERT_FALSE(mesh_finding(editor).is_null());
+  EXPECT_EQ(mesh_finding(editor)["range"]["start"]["line"], 3);
+  text.replace(text.find("cut.stl"), 7, "cut.STL");
+  editor.change("/ws/r.urdf", text);
+  EXPECT_TRUE(mesh_finding(editor).is_null());
+  text.replace(text.find("cut.STL"), 7, "cut.stl");
+  editor.change("/ws/r.urdf", text);
+  EXPECT_TRUE(mesh_finding(editor).is_null());
+  editor.notify("textDocument/didSave", editor.document("/ws/r.urdf"));
+  open_meshes(editor);
+  EXPECT_FALSE(mesh_finding(editor).is_null());
+}
+
+TEST(LspMeshFindings, WhatWasStoppedIsDoneAgain) {
+  MemoryDisk disk(test::Files{{"/ws/cut.stl", kCut}});
+  Editor editor(disk);
+  editor.open("/ws/r.urdf", kMeshRobot);
+  const auto check = editor.session().take_mesh_check();
+  ASSERT_NE(check, nullptr);
+  check->stop();
+  check->run();
+  editor.session().finish(*check);
+  editor.work();
+  EXPECT_TRUE(mesh_finding(editor).is_null());
+  EXPECT_TRUE(editor.session().wants_mesh_check());
+  open_meshes(editor);
+  EXPECT_FALSE(mesh_finding(editor).is_null());
+}
+
+TEST(LspMeshFindings, AClientThatPullsIsAskedToDoSo) {
+  MemoryDisk disk(test::Files{{"/ws/cut.stl", kCut}});
+  Json capabilities = Editor::default_capabilities();
+  capabilities["textDocument"]["diagnostic"] = Json::object();
+  capabilities["workspace"]["diagnostics"]["refreshSupport"] = true;
+  Editor editor(disk, capabilities);
+  editor.open("/ws/r.urdf", kMeshRobot);
+  const auto asked = [&editor] {
+    return std::count_if(editor.log().begin(), editor.log().end(), [](const Json& message) {
+      return text_at(message, "method") == "workspace/diagnostic/refresh";
+    });
+  };
+  const auto before = asked();
+  open_meshes(editor);
+  EXPECT_EQ(asked(), before + 1);
+  const Json report = editor.request("textDocument/diagnostic", editor.document("/ws/r.urdf"));
+  EXPECT_NE(report["items"].dump().find("mesh-empty"), std::string::npos);
+}
+
+TEST(LspMeshFindings, APlaceFollowsChangesOutsideOfWhatItDependsOn) {
+  MovingPlace place{10, 12, 8, 20};
+  EXPECT_TRUE(place.follow({0, 2, 5}));  // three bytes more before it
+  EXPECT_EQ(place.begin, 13U);
+  EXPECT_EQ(place.guard_end, 23U);
+  EXPECT_TRUE(place.follow({23, 23, 7}));  // right behind
+  EXPECT_TRUE(place.follow({9, 11, 0}));   // up to its first byte
+  EXPECT_EQ(place.guard_begin, 9U);
+  EXPECT_FALSE(place.follow({20, 20, 1}));
+  EXPECT_FALSE(place.follow({0, 30, 0}));
+}
+
+TEST(LspMeshFindings, AStoppedDiskGivesNothing) {
+  const MemoryDisk below(test::Files{{"/a", "text"}});
+  StoppableDisk disk(below);
+  const auto open = disk.open("/a");
+  ASSERT_NE(open, nullptr);
+  char first = '\0';
+  EXPECT_EQ(open->read(0, &first, 1), 1U);
+  disk.stop();
+  EXPECT_EQ(open->read(0, &first, 1), 0U);
+  EXPECT_EQ(disk.open("/a"), nullptr);
+  EXPECT_FALSE(disk.read("/a", 10).bytes.has_value());
+  EXPECT_EQ(disk.kind("/a"), PathKind::kMissing);
+}
+
+}  // namespace
+}  // namespace rigor::lsp
