@@ -29,6 +29,9 @@ constexpr Consequences kConsequences[] = {
      "inertia-about-link-origin",
      "inertia-singular inertia-exceeds-shapes inertia-geometry-mismatch"},
     {"inertia-exceeds-shapes", "inertia-geometry-mismatch inertia-singular"},
+    {"inertia-exceeds-shapes inertia-geometry-mismatch inertia-identity density-too-low "
+     "density-too-high inertia-about-link-origin",
+     "inertia-density-impossible"},
     {"inertia-geometry-mismatch", "inertia-singular"},
     // The size that an invalid number gives.
     {"value-malformed value-trailing-text value-decimal-comma value-missing-components "
@@ -57,7 +60,8 @@ constexpr Consequences kConsequences[] = {
     {"wheel-size-differs shape-misplaced", "twin-value-differs"},
     {"link-misplaced twins-in-one-place", "twin-value-differs mirrored-sign-lost"},
     {"density-too-high density-too-low inertia-exceeds-shapes", "twin-value-differs"},
-    {"twin-value-differs", "inertia-geometry-mismatch"},
+    {"inertia-triangle-inequality inertia-moment-missing", "twin-value-differs"},
+    {"twin-value-differs", "inertia-geometry-mismatch inertia-density-impossible"},
     {"wheel-axis-mismatch", "twin-axis-differs"},
     // A mesh that cannot be read to its end is never closed.
     {"mesh-truncated mesh-malformed mesh-index-out-of-range mesh-not-finite",

@@ -5,11 +5,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include <fmt/core.h>
 
 #include <rigor/rules/inertia/inertial_fix.h>
+#include <rigor/rules/inertia/moment_slips.h>
 #include <rigor/rules/inertia/outline.h>
 #include <rigor/rules/inertia/slip.h>
 #include <rigor/rules/inertia/solid_body.h>
@@ -105,6 +107,13 @@ bool reported_elsewhere(const model::Link& link, const Box& box, Context& contex
   return mistaken_tensor(link, context).mistake != TensorMistake::kNone;
 }
 
+/// Of moments that are `share` times those of the box as a solid.
+std::optional<Fix> fix_of_share(const model::Link& link, double share, double density,
+                                Context& context) {
+  const MomentSlip* slip = slip_of_share(share, density);
+  return slip ? undo(*slip, link.inertial) : fix_from_shapes(link, context);
+}
+
 void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
   const model::Inertial& inertial = link.inertial;
   if (!inertial.mass.written || !(inertial.mass.value > kLeast)) return;
@@ -121,6 +130,7 @@ void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
   if (reported_elsewhere(link, box, context)) return;
   const Spread& worst = *impossible(all, *outline, most);
   const double extent = outline->extent(worst.axis_L);
+  const double share = mass::trace(mass::tensor(inertial)) / (inertial.mass.value * box.trace);
   context.report(
       {.where = inertial.tensor_site.name,
        .message = fmt::format(
@@ -128,8 +138,8 @@ void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
            "square), but the link's shapes are only {2:.3g} m long there, which allows {3:.3g} m",
            axis_name(worst.axis_L), worst.spread, extent, extent / 2),
        .subject = context.subject(link),
-       .help = guess_slip(mass::trace(mass::tensor(inertial)) / (inertial.mass.value * box.trace)),
-       .fix = fix_from_shapes(link, context)});
+       .help = guess_slip(share),
+       .fix = fix_of_share(link, share, inertial.mass.value / box.volume, context)});
 }
 
 Rule rule() {
