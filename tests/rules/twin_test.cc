@@ -100,5 +100,45 @@ TEST(Twin, NumberedPartsWithoutAMajorityAreNoTwins) {
                   .empty());
 }
 
+struct Leg {
+  std::string name;
+  std::string origin;
+  std::string axis = "0 1 0";
+};
+
+/// Legs of one joint each, with a range that is not symmetric.
+std::string legs(const std::vector<Leg>& all) {
+  std::string text = "<robot name='legs'><link name='body'/>";
+  for (const Leg& leg : all) {
+    text += "<link name='" + leg.name + "'/><joint name='" + leg.name +
+            "_joint' type='revolute'><parent link='body'/><child link='" + leg.name +
+            "'/><origin xyz='" + leg.origin + "'/><axis xyz='" + leg.axis +
+            "'/><limit lower='-0.5' upper='1.5' effort='9' velocity='9'/></joint>";
+  }
+  return text + "</robot>";
+}
+
+TEST(Twin, AxesOfBothSidesMayBeTheSameOrMirrored) {
+  const std::string rule = "twin-axis-opposed";
+  EXPECT_TRUE(
+      reported(rule, legs({{"FL", "1 1 0"}, {"FR", "1 -1 0"}, {"RL", "-1 1 0"}, {"RR", "-1 -1 0"}}))
+          .empty());
+  EXPECT_TRUE(reported(rule, legs({{"FL", "1 1 0"},
+                                   {"FR", "1 -1 0", "0 -1 0"},
+                                   {"RL", "-1 1 0"},
+                                   {"RR", "-1 -1 0", "0 -1 0"}}))
+                  .empty());
+}
+
+TEST(Twin, AnAxisThatThreeLegsDoNotHaveIsMended) {
+  const auto found = reported(
+      "twin-axis-opposed",
+      legs({{"FL", "1 1 0"}, {"FR", "1 -1 0"}, {"RL", "-1 1 0", "0 -1 0"}, {"RR", "-1 -1 0"}}));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NE(found.front().subject.find("RL"), std::string::npos);
+  ASSERT_TRUE(found.front().fix);
+  EXPECT_EQ(found.front().fix->edits.front().text, "0 1 0");
+}
+
 }  // namespace
 }  // namespace rigor::rules

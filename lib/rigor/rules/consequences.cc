@@ -31,7 +31,8 @@ constexpr Consequences kConsequences[] = {
     {"inertia-exceeds-shapes", "inertia-geometry-mismatch inertia-singular"},
     {"inertia-exceeds-shapes inertia-geometry-mismatch inertia-identity density-too-low "
      "density-too-high inertia-about-link-origin",
-     "inertia-density-impossible"},
+     "inertia-density-impossible inertia-placeholder"},
+    {"inertia-density-impossible twin-value-differs", "inertia-placeholder"},
     {"inertia-geometry-mismatch", "inertia-singular"},
     // The size that an invalid number gives.
     {"value-malformed value-trailing-text value-decimal-comma value-missing-components "
@@ -59,7 +60,11 @@ constexpr Consequences kConsequences[] = {
      "wheel-size-differs twin-value-differs collision-of-another-link"},
     {"wheel-size-differs shape-misplaced", "twin-value-differs"},
     {"link-misplaced twins-in-one-place", "twin-value-differs mirrored-sign-lost"},
-    {"density-too-high density-too-low inertia-exceeds-shapes", "twin-value-differs"},
+    {"density-too-high density-too-low collision-of-another-link size-suspicious mass-zero "
+     "effort-zero velocity-zero center-of-mass-outside-shapes inertia-identity inertia-singular "
+     "inertia-axes-swapped inertia-rotated-by-pose inertia-about-link-origin "
+     "inertia-not-positive-definite",
+     "twin-value-differs"},
     {"inertia-triangle-inequality inertia-moment-missing", "twin-value-differs"},
     {"twin-value-differs", "inertia-geometry-mismatch inertia-density-impossible"},
     {"wheel-axis-mismatch", "twin-axis-differs"},

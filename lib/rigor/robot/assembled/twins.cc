@@ -147,29 +147,30 @@ std::vector<std::string> mirrored_names(std::string_view name, Side side) {
   return names;
 }
 
-std::string family_name(std::string_view name) {
-  std::string family;
+std::string role_name(std::string_view name) {
+  std::string role;
   std::size_t copied = 0;
-  const auto copy_to = [&](std::size_t end) {
-    for (; copied < end; ++copied) {
-      const bool digit = name[copied] >= '0' && name[copied] <= '9';
-      if (!digit) family += name[copied];
-      if (digit && (family.empty() || family.back() != '#')) family += '#';
-    }
-  };
   for (Word word = next_word(name, 0); word.size > 0; word = next_word(name, word.end())) {
     const std::string_view written = name.substr(word.at, word.size);
     if (exchanged(written, Side::kAcross).empty() && exchanged(written, Side::kAlong).empty())
       continue;
-    copy_to(word.at);
-    family += '*';
+    role.append(name.substr(copied, word.at - copied)).append("*");
     copied = word.end();
   }
-  copy_to(name.size());
+  return role.append(name.substr(copied));
+}
+
+std::string family_name(std::string_view name) {
+  std::string family;
+  for (const char c : role_name(name)) {
+    const bool digit = c >= '0' && c <= '9';
+    if (!digit) family += c;
+    if (digit && (family.empty() || family.back() != '#')) family += '#';
+  }
   return family;
 }
 
-std::vector<Twins> twins(const std::vector<std::string>& names, Side side) {
+std::vector<Twins> twins(const std::vector<std::string_view>& names, Side side) {
   if (names.size() < 2) return {};
   std::unordered_map<std::string_view, std::uint32_t> places;  // filled when a name says a side
   std::vector<bool> taken(names.size(), false);

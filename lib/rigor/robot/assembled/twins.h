@@ -33,9 +33,12 @@ struct Twins {
 };
 
 /// Of names without doubles, each in one pair at most, in their order.
-std::vector<Twins> twins(const std::vector<std::string>& names, Side side);
+std::vector<Twins> twins(const std::vector<std::string_view>& names, Side side);
 
-/// The name with its sides and numbers left open, the same for all parts that are made alike: "*_wheel" of
+/// The name with its sides left open: "*_finger_2" of left_finger_2.
+std::string role_name(std::string_view name);
+
+/// The role with its numbers left open, the same for all parts that are made alike: "*_wheel" of
 /// FL_wheel and RR_wheel, "finger_#" of finger_2.
 std::string family_name(std::string_view name);
 

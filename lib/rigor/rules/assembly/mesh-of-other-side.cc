@@ -48,9 +48,7 @@ std::string mirrored_mesh(const std::string& uri, const std::set<std::string>& u
 
 /// Whether this mesh says left, of the two.
 bool says_left(const std::string& uri, const std::string& mirrored) {
-  const std::vector<std::string> names{std::string(file_name(uri)),
-                                       std::string(file_name(mirrored))};
-  const auto pairs = robot::twins(names, robot::Side::kAcross);
+  const auto pairs = robot::twins({file_name(uri), file_name(mirrored)}, robot::Side::kAcross);
   return !pairs.empty() && pairs.front().a == 0;
 }
 

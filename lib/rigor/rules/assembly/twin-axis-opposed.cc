@@ -30,11 +30,15 @@ constexpr std::size_t kConventions = 3;
 struct Relation {
   robot::Twins joints;
   std::array<bool, kConventions> follows{};
-  std::string family;
+  std::string role;
   /// Whether the ranges of motion are mirror images, where they tell; nothing for symmetric limits.
   std::optional<bool> ranges_mirrored;
 
   bool follows_any() const { return follows[0] || follows[1] || follows[2]; }
+  bool agrees_with(const Relation& other) const {
+    return (follows[0] && other.follows[0]) || (follows[1] && other.follows[1]) ||
+           (follows[2] && other.follows[2]);
+  }
 };
 
 std::optional<bool> mirrored_ranges(const model::Joint& joint, const model::Joint& twin,
@@ -67,12 +71,16 @@ std::optional<Relation> relation_of(const robot::Twins& pair, Context& context) 
   const auto X_WA = frames.pose(model::Id<model::Joint>{pair.a});
   const auto X_WB = frames.pose(model::Id<model::Joint>{pair.b});
   if (!axis_a || !axis_b || !X_WA || !X_WB) return std::nullopt;
+  // A finger of the left hand is like that of the right hand on the same side, or on the other.
+  constexpr std::size_t kOneSide = 2;
+  if (robot::mirrored_names(a.name.value, robot::Side::kAcross).size() > kOneSide)
+    return std::nullopt;
   const Vector3 between = X_WA->translation - X_WB->translation;
   constexpr double kApart = 1e-3;  // m
   if (length(between) < kApart) return std::nullopt;
   const Vector3 n = (1 / length(between)) * between;
   const Vector3 image = *axis_a - 2 * dot(*axis_a, n) * n;
-  Relation result{.joints = pair, .family = robot::family_name(a.name.value)};
+  Relation result{.joints = pair, .role = robot::role_name(a.name.value)};
   result.follows = {dot(*axis_a, *axis_b) > kAlong, dot(image, *axis_b) > kAlong,
                     dot(image, *axis_b) < -kAlong};
   if (!result.follows_any() && dot(*axis_a, *axis_b) > -kAlong) return std::nullopt;
@@ -131,24 +139,31 @@ std::size_t followers(const std::vector<Relation>& all, std::size_t convention) 
                     [convention](const Relation& one) { return one.follows[convention]; }));
 }
 
+/// The convention that most pairs follow; of two, that with which ranges of motion are mirror images.
+std::size_t convention_of(const std::vector<Relation>& all) {
+  std::array<double, kConventions> score{};
+  for (const Relation& one : all) {
+    const double ranges = one.ranges_mirrored ? (*one.ranges_mirrored ? 0.4 : -0.4) : 0;
+    for (std::size_t i = 0; i < kConventions; ++i) score[i] += one.follows[i] ? 1 + ranges : 0;
+  }
+  return static_cast<std::size_t>(std::max_element(score.begin(), score.end()) - score.begin());
+}
+
 /// Whether the other pair of the family, in front or behind, is related in another way.
 bool family_disagrees(const Relation& one, const std::vector<Relation>& all) {
   return std::any_of(all.begin(), all.end(), [&one](const Relation& other) {
-    return other.family == one.family && other.follows != one.follows;
+    return other.role == one.role && !one.agrees_with(other);
   });
 }
 
 void check(const model::Root& root, Context& context) {
   constexpr std::size_t kFewestJoints = 4;  // two pairs, of which one says what the other should be
-  if (root.joints.size() < kFewestJoints) return;
+  if (root.joints.size() < kFewestJoints || !context.frames().problems().empty()) return;
   std::vector<Relation> all;
   for (const robot::Twins& pair : twins_of(root.joints, robot::Side::kAcross, root)) {
     if (auto one = relation_of(pair, context)) all.push_back(std::move(*one));
   }
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < kConventions; ++i) {
-    if (followers(all, i) > followers(all, best)) best = i;
-  }
+  const std::size_t best = convention_of(all);
   const std::size_t good = followers(all, best);
   const auto mirrored =
       static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [](const Relation& one) {
@@ -159,17 +174,19 @@ void check(const model::Root& root, Context& context) {
         return !one.ranges_mirrored.value_or(true);
       }));
   constexpr std::size_t kShare = 3;
+  constexpr std::size_t kFewShare = 2;
   for (const Relation& one : all) {
     const bool odd_range = !one.ranges_mirrored.value_or(true) && mirrored >= kShare * not_mirrored;
     const bool odd_axis = !one.follows[best];
-    const bool few = good >= kShare * (all.size() - good);
+    const bool few = good >= kFewShare * (all.size() - good);
     const bool odd_family = family_disagrees(one, all) && (odd_axis || good == all.size());
     if (!odd_range && !(odd_axis && few) && !odd_family) continue;
     const std::string help =
         odd_range
             ? fmt::format("the limits of {} other pairs are mirror images, these are not", mirrored)
             : fmt::format("{} of {} pairs are related alike, and not this one", good, all.size());
-    const bool sure = odd_range ? odd_axis || odd_family : odd_axis && few && odd_family;
+    const bool contradicted = !one.ranges_mirrored.value_or(true) && mirrored > 0;
+    const bool sure = odd_range || contradicted ? odd_axis || odd_family : odd_axis && odd_family;
     report(one, help, sure ? Severity::kWarning : Severity::kInfo, context);
   }
 }

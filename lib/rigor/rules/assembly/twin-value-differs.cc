@@ -11,12 +11,15 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <fmt/core.h>
 
 #include <rigor/rules/assembly/twin_numbers.h>
+#include <rigor/rules/inertia/solid_body.h>
+#include <rigor/rules/inertia/tensor_mistake.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::twin_value_differs {
@@ -75,6 +78,7 @@ struct Odd {
   bool first = false;         ///< whether the first of the pair is wrong
   double factor = 0;          ///< of the slip, where it is one
   bool left_out = false;      ///< whether a coordinate is 0 only in the wrong one
+  bool by_shapes = false;     ///< whether the shapes, as solids, tell which is wrong
 
   /// The numbers that differ.
   std::vector<std::size_t> places() const {
@@ -88,9 +92,8 @@ struct Odd {
 
 bool has_same_value(const TwinNumbers& a, const TwinNumbers& b, const Odd& odd) {
   if (a.size() != b.size() || !a[odd.begin].is_of_same_kind(b[odd.begin])) return false;
-  constexpr double kSame = 0.01;
   const ValueDifference found = value_difference(a, b, odd.begin);
-  return found.end == odd.end && found.apart <= kSame * found.size;
+  return found.end == odd.end && found.apart <= kSameValue * found.size;
 }
 
 /// Whether one of the two is zero and places a shape or link elsewhere than the other by more than any
@@ -107,6 +110,32 @@ double largest(const TwinNumbers& numbers, const Odd& odd) {
   for (std::size_t i = odd.begin; i < odd.end; ++i)
     most = std::max(most, std::abs(numbers[i].value));
   return most;
+}
+
+bool is_moment(const TwinNumber& number) {
+  return number.value_name.size() == 3 && number.value_name[1] == number.value_name[2];
+}
+
+/// A half turn, or none, about an axis of the body: its moments look the same.
+bool is_half_turn(const TwinNumbers& numbers, const Odd& odd) {
+  constexpr double kWhole = 0.999;
+  return std::any_of(numbers.begin() + static_cast<std::ptrdiff_t>(odd.begin),
+                     numbers.begin() + static_cast<std::ptrdiff_t>(odd.end),
+                     [](const TwinNumber& part) { return std::abs(part.value) > kWhole; });
+}
+
+/// Whether a value tells by itself. Products of inertia are what bolts make of them, only one of two fingers is
+/// driven, and what is zero is reported as such.
+bool tells(const Odd& odd, const TwinNumbers& a, const TwinNumbers& b) {
+  if (is_inertial(a[odd.begin])) return !is_half_turn(a, odd) || !is_half_turn(b, odd);
+  const bool place = a[odd.begin].pose != nullptr;
+  if (!place && (largest(a, odd) == 0 || largest(b, odd) == 0)) return false;
+  if (a[odd.begin].value_name != "ixx") return true;
+  for (std::size_t i = odd.begin; i < odd.end; ++i) {
+    const double apart = std::abs(a[i].value - b[i].value);
+    if (is_moment(a[i]) && apart > kOtherValue * largest(a, odd)) return true;
+  }
+  return false;
 }
 
 /// Which of the two is wrong: the one that others of the family (front and rear, the other fingers) do not
@@ -135,11 +164,35 @@ void decide(Odd& odd, const TwinNumbers& a, const TwinNumbers& b,
   if (!odd.first) std::swap(odd.wrong, odd.right);
 }
 
+/// How far the tensor is from that of the shapes as solids of the mass: a share of its trace.
+std::optional<double> off_shapes(const model::Link& link, Context& context) {
+  for (const mass::From from : {mass::From::kCollisions, mass::From::kVisuals}) {
+    const auto solid = solid_of_all(link, from, context);
+    if (!solid || !(solid->mass > 0) || !(link.inertial.mass.value > 0)) continue;
+    const mass::Inertia tensor =
+        mass::rotated(link.inertial.pose.pose.value.rotation, mass::tensor(link.inertial));
+    return tensor_mistake::difference(tensor,
+                                      mass::with_mass(*solid, link.inertial.mass.value).about_com);
+  }
+  return std::nullopt;
+}
+
+/// Lets the shapes decide about a mass or a tensor that no other part confirms.
+void decide_by_shapes(Odd& odd, const model::Link& a, const model::Link& b, Context& context) {
+  const std::string_view name = (*odd.wrong)[odd.begin].value_name;
+  if (odd.confirmed > 0 || (name != "mass" && name != "ixx")) return;
+  const auto of_a = off_shapes(a, context), of_b = off_shapes(b, context);
+  if (!of_a || !of_b || *of_a == *of_b) return;
+  odd.by_shapes = true;
+  if (odd.first != (*of_a > *of_b)) std::swap(odd.wrong, odd.right);
+  odd.first = *of_a > *of_b;
+}
+
 bool is_slip(const Odd& odd) { return odd.factor != 0 || odd.left_out; }
 
 /// The numbers of the right one with the signs of the wrong one; nothing where a sign is not known.
 std::optional<Fix> fix_for(const Odd& odd, const Context& context) {
-  if (odd.factor == 0 && odd.confirmed == 0) return std::nullopt;
+  if (odd.factor == 0 && odd.confirmed == 0 && !odd.by_shapes) return std::nullopt;
   const std::vector<std::size_t> places = odd.places();
   const TwinNumber& number = (*odd.wrong)[odd.begin];
   model::Vector3 translation;
@@ -227,6 +280,7 @@ class TwinCheck {
  private:
   using Families = std::map<std::pair<std::uint32_t, std::string>, std::vector<std::uint32_t>>;
 
+  static constexpr std::size_t kSmallestFamily = 3;
   // A larger one is a chain, or scenery.
   static constexpr std::size_t kLargestFamily = 32;
 
@@ -235,12 +289,17 @@ class TwinCheck {
   }
 
   const Families& families() {
-    if (!families_.empty()) return families_;
-    for (std::uint32_t i = 0; i < all_.size(); ++i) {
-      if (context_.root().own(all_[i].site) && all_[i].model) families_[family_of(i)].push_back(i);
+    if (std::exchange(families_known_, true)) return families_;
+    const model::Root& root = context_.root();
+    for (const model::Model& model : root.models) {
+      const auto& members = members_of<Entity>(model);
+      if (members.size() < kSmallestFamily) continue;
+      for (const auto id : members) {
+        if (root.own(all_[id.value].site)) families_[family_of(id.value)].push_back(id.value);
+      }
     }
     std::erase_if(families_, [](const auto& one) {
-      return one.second.size() < 3 || one.second.size() > kLargestFamily;
+      return one.second.size() < kSmallestFamily || one.second.size() > kLargestFamily;
     });
     return families_;
   }
@@ -256,9 +315,11 @@ class TwinCheck {
   }
 
   bool any_number() const {
-    return std::count_if(all_.begin(), all_.end(), [](const Entity& one) {
-             return one.name.value.find_first_of("0123456789") != std::string::npos;
-           }) > 2;
+    const auto has_digit = [](const Entity& one) {
+      return one.name.value.find_first_of("0123456789") != std::string::npos;
+    };
+    return std::count_if(all_.begin(), all_.end(), has_digit) >=
+           static_cast<std::ptrdiff_t>(kSmallestFamily);
   }
 
   const TwinList& numbers_of(std::uint32_t i) {
@@ -276,6 +337,7 @@ class TwinCheck {
     odd.begin = found->begins.front();
     if (odd.begin >= a.own) return;
     odd.end = value_difference(a.numbers, b.numbers, odd.begin).end;
+    if (!tells(odd, a.numbers, b.numbers)) return;
     odd.same = found->same;
     std::vector<const TwinNumbers*> others;
     const auto family = families().find(family_of(pair.a));
@@ -285,11 +347,17 @@ class TwinCheck {
       }
     }
     decide(odd, a.numbers, b.numbers, others);
+    if constexpr (std::is_same_v<Entity, model::Link>)
+      decide_by_shapes(odd, all_[pair.a], all_[pair.b], context_);
     if (odd.confirmed < least_confirmed || odd.places().empty()) return;
-    report(odd, odd.first ? pair.a : pair.b, odd.first ? pair.b : pair.a);
+    // A thumb is no finger: what only numbers tell apart may differ by intent.
+    const bool meant = least_confirmed > 0 && !is_slip(odd);
+    report(odd, odd.first ? pair.a : pair.b, odd.first ? pair.b : pair.a,
+           meant ? Severity::kInfo : Severity::kWarning);
   }
 
-  void report(const Odd& odd, std::uint32_t wrong_index, std::uint32_t right_index) {
+  void report(const Odd& odd, std::uint32_t wrong_index, std::uint32_t right_index,
+              Severity severity) {
     if (!reported_.insert(wrong_index).second) return;
     const std::size_t i = odd.places().front();
     const Span at = place_of_number((*odd.wrong)[i], context_);
@@ -303,19 +371,21 @@ class TwinCheck {
                      .subject = context_.subject(entity),
                      .related = {{at_twin.nowhere() ? twin.site.name : at_twin, "its twin's"}},
                      .help = std::move(help),
-                     .fix = fix_for(odd, context_)});
+                     .fix = fix_for(odd, context_),
+                     .severity = severity});
   }
 
   const std::vector<Entity>& all_;
   ListOf list_;
   Context& context_;
   Families families_;
+  bool families_known_ = false;
   std::map<std::uint32_t, TwinList> lists_;
   std::set<std::uint32_t> reported_;
 };
 
 void check(const model::Root& root, Context& context) {
-  if (root.links.size() < 3) return;
+  if (root.links.size() < 3 || !context.frames().problems().empty()) return;
   TwinCheck(root.links, numbers_of_link, context).run();
   TwinCheck(root.joints, numbers_of_joint, context).run();
   if (context.is_sdf()) TwinCheck(root.links, numbers_of_placement, context).run();
@@ -331,7 +401,8 @@ Rule rule() {
              "other. Left and right, or the fingers of a hand by their numbers, have the same "
              "mass, moments, origins, sizes and limits but for signs, except this value. Of two "
              "parts the finding is at the one that others of that name do not confirm, else at "
-             "the larger number.",
+             "the larger number. Of parts that only have other numbers it is an info, unless a "
+             "decimal point slipped.",
       .what_to_do = "Write the same numbers in both.",
       .checks = {on<model::Root>(check)},
   };

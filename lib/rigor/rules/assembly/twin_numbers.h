@@ -11,10 +11,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -58,8 +58,9 @@ class NumberLister {
  public:
   explicit NumberLister(const Context& context) : context_(context) {}
 
+  // Without what is left to its default, so that only parts with the same elements are compared.
   TwinNumbers of_link(const model::Link& link) {
-    numbers_.clear();
+    begin();
     const model::Inertial& inertial = link.inertial;
     add("mass", "kg", inertial.mass);
     add_pose("center of mass", inertial.pose);
@@ -80,7 +81,7 @@ class NumberLister {
   }
 
   TwinNumbers of_joint(const model::Joint& joint) {
-    numbers_.clear();
+    begin();
     add_pose("origin", joint.pose);
     add_rotation("origin rotation", joint.pose);
     for (const model::Axis& axis : joint.axes) {
@@ -94,20 +95,26 @@ class NumberLister {
   }
 
   TwinNumbers of_placement(const model::Link& link) {
-    numbers_.clear();
+    begin();
     add_pose("pose", link.pose);
     return std::move(numbers_);
   }
 
  private:
-  void push(TwinNumber number) {
-    number.group = group_;
+  void begin() {
+    constexpr std::size_t kUsual = 64;
+    numbers_.clear();
+    numbers_.reserve(kUsual);
+  }
+
+  void push(const TwinNumber& number) {
     numbers_.push_back(number);
+    numbers_.back().group = group_;
   }
 
   void add(std::string_view name, const char* unit, const model::Field<double>& field) {
     ++group_;
-    push({name, unit, field.value, field.span});
+    if (field.written) push({name, unit, field.value, field.span});
   }
 
   /// The smaller first: sides may exchange them, with their signs.
@@ -137,7 +144,7 @@ class NumberLister {
   void add_vector(std::string_view name, const char* unit,
                   const model::Field<model::Vector3>& field) {
     ++group_;
-    for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < 3 && field.written; ++k)
       push({name, unit, field.value.*kCoordinates[k], field.span, nullptr, k});
   }
 
@@ -194,12 +201,20 @@ inline std::optional<double> slip_factor(double a, double b) {
   return std::nullopt;
 }
 
+/// Shares of a value's largest number.
+inline constexpr double kSameValue = 0.01;   // rounded, or calibrated
+inline constexpr double kOtherValue = 0.05;  // no calibration is off by so much
+
 /// What the numbers of two parts have in common; nothing when they are not of the same kinds, or when a value is
 /// neither the same nor clearly another: the parts are calibrated, or drawn anew.
 struct TwinDifference {
   std::size_t same = 0;  ///< numbers that are not zero, and of values that are equal but for signs
   std::vector<std::size_t> begins;  ///< of the values that differ: places of their first numbers
 };
+
+inline bool is_inertial(const TwinNumber& number) {
+  return number.value_name == "inertial rotation";
+}
 
 /// How far two values are apart that begin at these numbers, and where they end.
 struct ValueDifference {
@@ -221,8 +236,6 @@ inline ValueDifference value_difference(const TwinNumbers& a, const TwinNumbers&
 }
 
 inline std::optional<TwinDifference> difference_of(const TwinNumbers& a, const TwinNumbers& b) {
-  constexpr double kSame = 0.01;        // rounded, or calibrated
-  constexpr double kDifferent = 0.05;   // no calibration is off by so much
   constexpr double kSamePlace = 1e-3;   // m
   constexpr double kOtherPlace = 3e-3;  // m
   if (a.size() != b.size()) return std::nullopt;
@@ -233,9 +246,15 @@ inline std::optional<TwinDifference> difference_of(const TwinNumbers& a, const T
   for (std::size_t i = 0; i < a.size();) {
     const ValueDifference value = value_difference(a, b, i);
     const bool place = a[i].pose != nullptr;
-    if (value.apart <= kSame * value.size || (place && value.apart <= kSamePlace)) {
+    // A part that is mirrored by rotating it, as most are drawn, is no other part.
+    const bool shown = a[i].value_name.ends_with("rotation") && !is_inertial(a[i]);
+    if (shown && value.apart > kSameValue * value.size) {
+      i = value.end;
+      continue;
+    }
+    if (value.apart <= kSameValue * value.size || (place && value.apart <= kSamePlace)) {
       for (std::size_t k = i; k < value.end; ++k) result.same += a[k].value != 0;
-    } else if (value.apart > kDifferent * value.size && (!place || value.apart > kOtherPlace)) {
+    } else if (value.apart > kOtherValue * value.size && (!place || value.apart > kOtherPlace)) {
       result.begins.push_back(i);
     } else {
       return std::nullopt;
@@ -245,21 +264,35 @@ inline std::optional<TwinDifference> difference_of(const TwinNumbers& a, const T
   return result;
 }
 
+/// The links, or the joints, of a model.
+template <class Entity>
+const std::vector<model::Id<Entity>>& members_of(const model::Model& model) {
+  if constexpr (std::is_same_v<Entity, model::Link>) {
+    return model.links;
+  } else {
+    return model.joints;
+  }
+}
+
 /// Pairs of entities of one list that are twins by name, of the same model and of the file itself.
 template <class Entity>
 std::vector<robot::Twins> twins_of(const std::vector<Entity>& all, robot::Side side,
                                    const model::Root& root) {
-  std::map<std::uint32_t, std::vector<std::uint32_t>> by_model;
-  for (std::uint32_t i = 0; i < all.size(); ++i) {
-    if (root.own(all[i].site) && all[i].model) by_model[all[i].model.value].push_back(i);
-  }
   std::vector<robot::Twins> result;
-  for (const auto& [model, members] : by_model) {
+  std::vector<std::string_view> names;
+  std::vector<std::uint32_t> own;
+  for (const model::Model& model : root.models) {
+    const auto& members = members_of<Entity>(model);
     if (members.size() < 2) continue;
-    std::vector<std::string> names;
-    for (const std::uint32_t i : members) names.push_back(all[i].name.value);
+    names.clear();
+    own.clear();
+    for (const auto id : members) {
+      if (!root.own(all[id.value].site)) continue;
+      names.push_back(all[id.value].name.value);
+      own.push_back(id.value);
+    }
     for (const robot::Twins& pair : robot::twins(names, side))
-      result.push_back({members[pair.a], members[pair.b]});
+      result.push_back({own[pair.a], own[pair.b]});
   }
   return result;
 }

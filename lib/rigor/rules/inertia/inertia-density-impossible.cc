@@ -12,7 +12,6 @@
 #include <fmt/core.h>
 
 #include <rigor/mass/proposal.h>
-#include <rigor/rules/inertia/bases.h>
 #include <rigor/rules/inertia/moment_slips.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
@@ -21,11 +20,11 @@ namespace rigor::rules::inertia_density_impossible {
 
 constexpr double kPi = 3.14159265358979323846;
 
-// Less is a token for a frame that had to have some mass.
-constexpr double kLeast = 1e-3;  // kg
-// A twelfth of air, and less than any frame of tubes; ten times as much is odd.
+// Tokens for frames that had to have some mass, and what may be one.
+constexpr double kToken = 1e-5;       // kg
+constexpr double kMaybeToken = 1e-2;  // kg
+// A twelfth of air, and less than any frame of tubes.
 constexpr double kVoid = 0.1;  // kg/m³
-constexpr double kAlmostVoid = 0.5;
 
 // Links of robots, hollow and with motors in them, judged by their moments.
 constexpr double kLightLink = 100;   // kg/m³
@@ -82,27 +81,25 @@ std::optional<Judgement> judged(double mass, const mass::Verdict& verdict) {
                                  mass, moments[0], moments[1], moments[2], least)};
   }
   const Box box = box_of(mass, moments);
-  if (box.density > kAlmostVoid) return std::nullopt;
+  if (box.density > kVoid) return std::nullopt;
   return Judgement{fmt::format("{} kg with these moments are a solid of {:.3g} × {:.3g} × {:.3g} "
                                "m and {:.2g} kg/m³; air has 1.2",
                                mass, box.sides[0], box.sides[1], box.sides[2], box.density),
-                   box.density > kVoid ? Severity::kInfo : Severity::kWarning};
+                   mass <= kMaybeToken ? Severity::kInfo : Severity::kWarning};
 }
 
 void check(const model::Root& root, Context& context) {
   constexpr mass::Inertia kIdentity{1, 0, 0, 1, 0, 1};  // inertia-identity is about that
-  LazyBases bases(context);
   for (const model::Link& link : root.links) {
     const model::Inertial& inertial = link.inertial;
     const double mass = inertial.mass.value;
-    if (!root.own(link.site) || !inertial.mass.written || !(mass > kLeast)) continue;
+    if (!root.own(link.site) || !inertial.mass.written || !(mass > kToken)) continue;
     if (!has_tensor(link, context) || !is_dynamic(link, context)) continue;
     const mass::Verdict& verdict = context.verdict(link);
     if (!verdict.possible() || !(verdict.principal[2] > 0)) continue;
     if (is_rounding_of_zero(verdict) || mass::tensor(inertial) == kIdentity) continue;
     auto found = judged(mass, verdict);
     if (!found) continue;
-    if (bases.has(link)) found->severity = Severity::kInfo;
     const MomentSlip* slip = slip_of(mass, mass::trace(mass::tensor(inertial)));
     context.report({.where = inertial.tensor_site.name,
                     .message = std::move(found->message),
@@ -123,8 +120,8 @@ Rule rule() {
              "bodies of one density a ball has the smallest moments, so mass and moments alone "
              "say how dense a body is at least; and a solid box with these moments says how dense "
              "it is about. A thousandth in the moments is a factor of 30,000 in the density. "
-             "Shapes are not needed. Between 0.1 and 0.5 kg/m³ it is an info. It is one, too, of a "
-             "base, which nothing moves.",
+             "Shapes are not needed. Up to a mass of 10 g, "
+             "which may be a token, what is lighter than air is an info.",
       .what_to_do = "Write the mass in kilograms and the moments in kg·m². `rigor inertia MODEL` "
                     "shows what the link's shapes have.",
       .checks = {on<model::Root>(check)},

@@ -68,12 +68,26 @@ bool a_shape_is_rotated_alike(const model::Link& link, Context& context) {
   return any(link.collisions) || any(link.visuals);
 }
 
+/// Whether the tensor is more like that of the shapes, as solids, with its rotation than without.
+bool fits_shapes(const model::Link& link, Context& context) {
+  const mass::Inertia tensor = mass::tensor(link.inertial);
+  for (const mass::From from : {mass::From::kCollisions, mass::From::kVisuals}) {
+    const auto solid = solid_of_all(link, from, context);
+    if (!solid || !(solid->mass > 0)) continue;
+    const mass::Inertia expected = mass::with_mass(*solid, link.inertial.mass.value).about_com;
+    const mass::Inertia turned = mass::rotated(link.inertial.pose.pose.value.rotation, tensor);
+    return tensor_mistake::difference(turned, expected) <
+           tensor_mistake::difference(tensor, expected);
+  }
+  return false;
+}
+
 /// Whether the rotation is one that neither the link's shapes nor other links have.
 bool is_unexplained(const model::Link& link, Context& context) {
   if (!has_tensor(link, context) || !is_rotated(link.inertial)) return false;
   const Quaternion& own = link.inertial.pose.pose.value.rotation;
   if (turn_alike(mass::tensor(link.inertial), own, {})) return false;
-  return !a_shape_is_rotated_alike(link, context);
+  return !a_shape_is_rotated_alike(link, context) && !fits_shapes(link, context);
 }
 
 struct Inertials {
@@ -91,7 +105,7 @@ void check_model(const model::Model& model, Context& context) {
     if (is_unexplained(link, context)) found.odd.push_back(&link);
   }
   // A program that rotates one inertial into its principal axes does so with all.
-  constexpr std::size_t kPlain = 3;
+  constexpr std::size_t kPlain = 2;
   if (found.plain < kPlain || found.odd.size() != 1) return;
   const model::Link& link = *found.odd.front();
   const model::Inertial& inertial = link.inertial;
@@ -102,8 +116,7 @@ void check_model(const model::Model& model, Context& context) {
                              "and all other inertials of the model",
                   .subject = context.subject(link),
                   .related = {{inertial.tensor_site.name, "the tensor"}},
-                  .fix = without_rotation(inertial, context),
-                  .severity = Severity::kInfo});
+                  .fix = without_rotation(inertial, context)});
 }
 
 void check(const model::Link& link, Context& context) {
@@ -127,7 +140,7 @@ Rule rule() {
       .why = "A rotation that was copied there from the visual or collision rotates a tensor that "
              "was right along the link's axes. The tensor is taken along the axes that the "
              "inertial's pose or origin gives. Where the shapes do not tell, the one inertial of a "
-             "model that is rotated by a right angle, as no shape of its link is, is an info.",
+             "model that is rotated by a right angle, as no shape of its link is, is reported.",
       .what_to_do = "Take the rotation out of the inertial, and leave the position.",
       .checks = {on<model::Link>(check), on<model::Model>(check_model)},
   };

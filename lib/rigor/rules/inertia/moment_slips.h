@@ -28,7 +28,7 @@ struct MomentSlip {
   const char* help = "";
 };
 
-inline constexpr std::array<MomentSlip, 7> kMomentSlips{{
+inline constexpr std::array<MomentSlip, 9> kMomentSlips{{
     {1, 1e-3, "the moments look as if they were in g·m²: divide them by 1e3"},
     {1, 1e-6, "the moments look as if they were in kg·mm²: divide them by 1e6"},
     {1, 1e-9, "the moments look as if they were in g·mm²: divide them by 1e9"},
@@ -36,6 +36,8 @@ inline constexpr std::array<MomentSlip, 7> kMomentSlips{{
     {1, 1e6, "the moments look as if they had been divided by 1e6 once too often"},
     {1e-3, 1, "the mass looks as if it were in grams: divide it by 1e3"},
     {1e3, 1, "the mass looks as if it had been divided by 1e3 once too often"},
+    {1e-2, 1, "the decimal point of the mass looks as if it had slipped: divide it by 100"},
+    {1e2, 1, "the decimal point of the mass looks as if it had slipped: multiply it by 100"},
 }};
 
 /// The one slip that, undone, makes moments of a `share` of what the shapes have as solids fit them, and leaves

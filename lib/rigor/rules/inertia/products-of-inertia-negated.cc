@@ -134,7 +134,11 @@ void check_twins(const model::Root& root, Context& context) {
   if (root.links.size() < kFewestLinks || !context.frames().problems().empty()) return;
   std::map<model::Id<model::Model>, std::vector<robot::Twins>> by_model;
   for (const robot::Twins& pair : twins_of(root.links, robot::Side::kAcross, root)) {
+    // A finger of the left hand is like that of the right hand on the same side, or on the other.
+    constexpr std::size_t kOneSide = 2;
     const auto has = [&](std::uint32_t i) {
+      const std::string& name = root.links[i].name.value;
+      if (robot::mirrored_names(name, robot::Side::kAcross).size() > kOneSide) return false;
       return is_dynamic(root.links[i], context) && has_tensor(root.links[i], context);
     };
     if (has(pair.a) && has(pair.b)) by_model[root.links[pair.a].model].push_back(pair);
