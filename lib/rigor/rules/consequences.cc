@@ -61,7 +61,7 @@ constexpr Consequences kConsequences[] = {
     {"wheel-size-differs shape-misplaced", "twin-value-differs"},
     {"link-misplaced twins-in-one-place", "twin-value-differs mirrored-sign-lost"},
     {"density-too-high density-too-low collision-of-another-link size-suspicious mass-zero "
-     "effort-zero velocity-zero center-of-mass-outside-shapes inertia-identity inertia-singular "
+     "effort-zero velocity-zero center-of-mass-outside-shapes inertia-identity "
      "inertia-axes-swapped inertia-rotated-by-pose inertia-about-link-origin "
      "inertia-not-positive-definite",
      "twin-value-differs"},

@@ -52,7 +52,7 @@ struct BoxOrder {
 };
 
 // What is more uneven is a warning: other bodies than slips have, too, half as much.
-constexpr double kClearly = 6;
+constexpr double kClearly = 8;
 
 /// By the box around shapes that are no solids, such as open meshes: the moments fit it badly, and well at other
 /// axes.

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <string>
 
@@ -71,8 +72,9 @@ inline Fix undo(const MomentSlip& slip, const model::Inertial& inertial) {
     return {
         "write a mass of " + mass + " kg", Applicability::kUnsafe, {{inertial.mass.span, mass}}};
   }
-  Fix fix{slip.moments < 1 ? fmt::format("divide the moments of inertia by {:g}", 1 / slip.moments)
-                           : fmt::format("multiply the moments of inertia by {:g}", slip.moments),
+  const auto power = static_cast<int>(std::lround(std::log10(slip.moments)));
+  Fix fix{fmt::format("{} the moments of inertia by 1e{}", power < 0 ? "divide" : "multiply",
+                      std::abs(power)),
           Applicability::kUnsafe,
           {}};
   for (const auto* entry :
