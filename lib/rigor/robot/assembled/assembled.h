@@ -8,7 +8,7 @@
 //   const double gap = robot.gap(robot.subtree(child));   // between the arm and the rest of the robot
 //
 // All poses are those of `frames`, in its frame W; lengths in meters. A mesh is the box around it; one
-// whose bounds nobody knows has no box, is counted, and makes its link incomplete.
+// whose bounds are unknown has no box, is counted, and makes its link incomplete.
 
 #pragma once
 

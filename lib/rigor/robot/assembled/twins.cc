@@ -47,7 +47,7 @@ char lowered(char c) { return is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c
 char raised(char c) { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c; }
 
 /// Whether a new word begins at `i`: behind what is no letter, at the hump of a camel's back, and behind a
-/// capital that stands for a word, as in LHipYaw.
+/// capital that represents a word, as in LHipYaw.
 bool begins_word(std::string_view name, std::size_t i) {
   const char before = name[i - 1];
   const char here = name[i];
@@ -89,7 +89,7 @@ std::string in_case_of(std::string_view written, std::string_view word) {
   return result;
 }
 
-/// Whether it may be a word of the tables: most words of names are told from them by their length and first letter.
+/// Whether it may be a word of the tables: most words of names are derived from them by their length and first letter.
 bool may_say_side(std::string_view written) {
   constexpr std::size_t kLongest = 5;  // right, front
   constexpr std::string_view kFirst = "lrfbhm";

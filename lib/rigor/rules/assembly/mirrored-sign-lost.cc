@@ -23,7 +23,7 @@ using model::Vector3;
 using robot::MirrorPlane;
 using robot::Twins;
 
-// Pairs that are mirrored in what is looked at, for each that is not: else the author did not mean them to be.
+// Pairs that are mirrored in what is examined, for each that is not: else the author did not mean them to be.
 constexpr std::size_t kFewest = 2;
 constexpr std::size_t kShare = 2;
 
@@ -44,8 +44,8 @@ bool same_numbers(const Vector3& a, const Vector3& b) {
 }
 
 bool is_trivial(const Vector3& p) {
-  constexpr double kLeast = 2e-3;  // m: less may be mirrored or not
-  return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) < kLeast;
+  constexpr double kMin = 2e-3;  // m: less may be mirrored or not
+  return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) < kMin;
 }
 
 /// The sign that, changed in one of the two, makes them mirrored.

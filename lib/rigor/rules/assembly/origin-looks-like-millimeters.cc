@@ -20,7 +20,7 @@ namespace rigor::rules::origin_looks_like_millimeters {
 // Times as far from its link's origin as anything else of the model is from its own, and than any
 // shape reaches. A unit is a factor of 100 or 1000.
 constexpr double kTimesFarther = 8;
-constexpr double kLeast = 0.3;  // m
+constexpr double kMin = 0.3;  // m
 
 /// An inertial, a collision or a visual.
 struct Part {
@@ -53,7 +53,7 @@ void add(const model::PoseField& pose, std::string subject, Proportions& model) 
 template <class Entity>
 std::string subject_if_far(const model::PoseField& pose, const Entity& entity,
                            const Context& context) {
-  const bool far = model::length(pose.pose.value.translation) >= kLeast;
+  const bool far = model::length(pose.pose.value.translation) >= kMin;
   return far ? context.subject(entity) : std::string();
 }
 
@@ -100,7 +100,7 @@ void check(const model::Root& root, Context& context) {
   for (const auto& [top, model] : proportions(context)) {
     for (std::size_t i = 0; i < model.parts.size(); ++i) {
       const Part& part = model.parts[i];
-      if (part.offset < kLeast || !root.own(part.pose->site)) continue;
+      if (part.offset < kMin || !root.own(part.pose->site)) continue;
       const double longest = model.without(i);
       if (!(longest > 0) || part.offset < kTimesFarther * longest) continue;
       const auto change = in_meters(*part.pose, longest);

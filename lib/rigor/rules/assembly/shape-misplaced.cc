@@ -74,7 +74,7 @@ bool is_apart(const SeenShape& one, const std::vector<SeenShape>& all) {
   constexpr double kToken = 0.03;  // m: a mark, not a body
   if (size < kToken) return false;
   const double limit = std::max(kApart * size, kApartOfOthers * longest_beside(one, all));
-  // Most are told by the balls inside of the boxes.
+  // Most are decided by the balls inside of the boxes.
   for (const SeenShape& other : all) {
     if (other.shape == one.shape) continue;
     const double centers = length(middle_of(*other.shape) - middle_of(*one.shape));
@@ -167,8 +167,8 @@ void check(const model::Root& root, Context& context) {
     if (count < 2 || !root.own(root.links[i].site)) continue;
     if (!context.assembled().links[i].complete()) continue;
     const std::vector<SeenShape> all = seen_shapes(i, context);
-    constexpr std::size_t kMost = 100;  // each is compared with all others
-    if (all.size() < 2 || all.size() > kMost) continue;
+    constexpr std::size_t kMax = 100;  // each is compared with all others
+    if (all.size() < 2 || all.size() > kMax) continue;
     const auto found = find(i, all, root);
     if (!found) continue;
     const model::PoseField& pose = *found->shape->pose;

@@ -99,10 +99,10 @@ bool has_same_value(const TwinNumbers& a, const TwinNumbers& b, const Odd& odd) 
 /// Whether one of the two is zero and places a shape or link elsewhere than the other by more than any
 /// calibration does.
 bool is_left_out(const TwinNumber& a, const TwinNumber& b) {
-  constexpr double kLeast = 0.005;  // m
+  constexpr double kMin = 0.005;  // m
   const bool places = a.pose != nullptr && a.value_name != "center of mass";
   return places && (a.value == 0 || b.value == 0) &&
-         std::max(std::abs(a.value), std::abs(b.value)) > kLeast;
+         std::max(std::abs(a.value), std::abs(b.value)) > kMin;
 }
 
 double largest(const TwinNumbers& numbers, const Odd& odd) {

@@ -20,7 +20,7 @@ namespace rigor::rules::center_of_mass_outside_shapes {
 constexpr double kShare = 0.05;     // of the size
 constexpr double kThin = 1e-3;      // m
 constexpr double kMirrored = 0.25;  // of the size; nearer, either side may be meant
-constexpr double kLeast = 1e-3;     // kg; less is a token for a frame that had to have some mass
+constexpr double kMin = 1e-3;       // kg; less is a token for a frame that had to have some mass
 
 // Along the link's axes, and across the corners between them.
 constexpr std::array<model::Vector3, 13> kDirections{{{1, 0, 0},
@@ -89,7 +89,7 @@ void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
   const model::Vector3& com = inertial.pose.pose.value.translation;
   if (!inertial.pose.pose.written || com == model::Vector3{} || mass::is_automatic(link)) return;
   if (!inertial.mass.written || !inertial.tensor_written) return;  // reported elsewhere
-  if (!(inertial.mass.value > kLeast) || !is_dynamic(link, context)) return;
+  if (!(inertial.mass.value > kMin) || !is_dynamic(link, context)) return;
   const auto breaks = [&com](const Outline& outline) {
     const Outside out = outside(com, outline);
     return out.distance > kShare * out.size + kThin;

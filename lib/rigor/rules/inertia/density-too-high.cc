@@ -15,10 +15,10 @@
 namespace rigor::rules::density_too_high {
 
 // Less is a token for a frame that had to have some mass, and a shape to be seen by.
-constexpr double kLeast = 0.01;  // kg
+constexpr double kMin = 0.01;  // kg
 
 /// Of the box around the shapes, in which there is room for more than the body, m³. A sheet is taken to be
-/// a millimetre thick.
+/// a millimeter thick.
 double volume_around(const Outline& outline) {
   constexpr double kThin = 1e-3;  // m
   double volume = 1;
@@ -38,7 +38,7 @@ bool is_marker(const Outline& outline) {
 void check_link(const model::Link& link, LazyGroups& groups, LazyBases& bases, Context& context) {
   const model::Inertial& inertial = link.inertial;
   const double mass = inertial.mass.value;
-  if (!inertial.mass.written || !(mass > kLeast) || !std::isfinite(mass)) return;
+  if (!inertial.mass.written || !(mass > kMin) || !std::isfinite(mass)) return;
   if (mass::is_automatic(link) || !is_dynamic(link, context)) return;
   const auto breaks = [mass](const Outline& outline) {
     return mass > mass::kDensest * volume_around(outline);

@@ -22,10 +22,10 @@ model::Vector3 products(const mass::Inertia& tensor) {
 /// The tensor about the center of mass, if the written one is about the link's origin by itself: its products are
 /// those of the mass at its center. A rod from the origin has a third of them about its center, not all.
 std::optional<mass::Inertia> about_center(const model::Inertial& inertial) {
-  constexpr double kParallel = 0.95;    // cosine
-  constexpr double kAtLeast = 0.8;      // of the products of the mass at its center
-  constexpr double kAtMost = 1.7;       // with the body's own
-  constexpr double kLeastShare = 0.05;  // of the moments' sum: less may be chance
+  constexpr double kParallel = 0.95;  // cosine
+  constexpr double kAtLeast = 0.8;    // of the products of the mass at its center
+  constexpr double kAtMost = 1.7;     // with the body's own
+  constexpr double kMinShare = 0.05;  // of the moments' sum: less may be chance
   const double mass = inertial.mass.value;
   const model::Pose& X_LC = inertial.pose.pose.value;
   if (X_LC.rotation != model::Quaternion{}) return std::nullopt;
@@ -33,7 +33,7 @@ std::optional<mass::Inertia> about_center(const model::Inertial& inertial) {
   const mass::Inertia moved = mass::point_inertia(mass, X_LC.translation);
   const model::Vector3 own = products(written), expected = products(moved);
   const double size = length(expected);
-  if (size < kLeastShare * mass::trace(written)) return std::nullopt;
+  if (size < kMinShare * mass::trace(written)) return std::nullopt;
   if (dot(own, expected) < kParallel * length(own) * size) return std::nullopt;
   const double share = length(own) / size;
   if (share < kAtLeast || share > kAtMost) return std::nullopt;

@@ -25,13 +25,13 @@ namespace rigor::rules::inertia_exceeds_shapes {
 // What is drawn may be a little smaller than what was weighed: no bolts, no cables.
 constexpr double kDrawnSmaller = 1.1;
 constexpr double kThin = 1e-3;    // m: stickers, sheets
-constexpr double kLeast = 1e-3;   // kg; less is a token for a frame that had to have some mass
+constexpr double kMin = 1e-3;     // kg; less is a token for a frame that had to have some mass
 constexpr double kAlong = 0.999;  // cosine: what is called an axis by its name
 
-/// How far the mass is from its centre along a principal axis, root mean square.
+/// How far the mass is from its center along a principal axis, root mean square.
 struct Spread {
   model::Vector3 axis_L;  ///< unit vector
-  double least = 0;       ///< m, with the written digits rounded in the file's favour
+  double least = 0;       ///< m, with the written digits rounded in the file's favor
   double spread = 0;      ///< m
 };
 
@@ -118,7 +118,7 @@ std::optional<Fix> fix_of_share(const model::Link& link, double share, double de
 
 void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
   const model::Inertial& inertial = link.inertial;
-  if (!inertial.mass.written || !(inertial.mass.value > kLeast)) return;
+  if (!inertial.mass.written || !(inertial.mass.value > kMin)) return;
   if (!has_tensor(link, context) || !is_dynamic(link, context)) return;
   if (!context.verdict(link).possible()) return;
   const double most = leniency(link, context);

@@ -19,7 +19,7 @@
 namespace rigor::rules::inertia_geometry_mismatch {
 
 // Less is a token for a frame that had to have some mass.
-constexpr double kLeast = 1e-3;  // kg
+constexpr double kMin = 1e-3;  // kg
 
 /// Whether the moments are what a template holds: zeros and one power of ten.
 bool is_placeholder(const mass::Inertia& tensor) {
@@ -52,10 +52,10 @@ const char* help_for(const mass::Inertia& tensor, double share) {
 }
 
 void check(const model::Link& link, Context& context) {
-  constexpr mass::Inertia kIdentity{1, 0, 0, 1, 0, 1};  // inertia-identity speaks of that
+  constexpr mass::Inertia kIdentity{1, 0, 0, 1, 0, 1};  // inertia-identity reports that
   const double mass = link.inertial.mass.value;
   if (!has_tensor(link, context) || !is_dynamic(link, context)) return;
-  if (!link.inertial.mass.written || mass <= kLeast) return;
+  if (!link.inertial.mass.written || mass <= kMin) return;
   const mass::Inertia tensor = mass::tensor(link.inertial);
   if (!context.verdict(link).possible() || mass::trace(tensor) == 0 || tensor == kIdentity) return;
   const auto share = share_of_solid(link, mass, tensor, context);

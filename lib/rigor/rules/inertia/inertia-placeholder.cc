@@ -39,7 +39,7 @@ bool fits_shapes(const model::Link& link, Context& context) {
 }
 
 void check(const model::Model& model, Context& context) {
-  constexpr double kLeast = 0.05;    // kg; less is a token for a frame that had to have some mass
+  constexpr double kMin = 0.05;      // kg; less is a token for a frame that had to have some mass
   constexpr std::size_t kShare = 3;  // of computed tensors, for each placeholder
   const model::Root& root = context.root();
   std::size_t computed = 0;
@@ -47,7 +47,7 @@ void check(const model::Model& model, Context& context) {
   for (const auto id : model.links) {
     const Origin origin = origin_of(root[id], context);
     computed += origin == Origin::kComputed;
-    if (origin == Origin::kPlaceholder && root[id].inertial.mass.value > kLeast)
+    if (origin == Origin::kPlaceholder && root[id].inertial.mass.value > kMin)
       found.push_back(&root[id]);
   }
   if (computed < kShare * found.size()) return;

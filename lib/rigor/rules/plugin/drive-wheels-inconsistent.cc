@@ -47,11 +47,11 @@ bool check_pair(const DrivenWheel& left, const DrivenWheel& right, const model::
     return true;
   }
   if (cosine < 0) {
-    report(
-        right,
-        fmt::format("the axes of {} and {} are opposed: told to drive straight, the robot rotates",
-                    name_of(left, context), name_of(right, context)),
-        plugin, context);
+    report(right,
+           fmt::format(
+               "the axes of {} and {} are opposed: commanded straight ahead, the robot rotates",
+               name_of(left, context), name_of(right, context)),
+           plugin, context);
     return true;
   }
   if (dot(left.center - right.center, left.axis) < -kApart) {

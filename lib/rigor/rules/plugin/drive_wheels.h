@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The wheels that a drive plugin turns, and what it is told of them: a plugin of any library that names
+// The wheels that a drive plugin turns, and what it is informed of them: a plugin of any library that names
 // joints of its model under left and right.
 //
 //   const auto drive = drive_of(plugin, context);
