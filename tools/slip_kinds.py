@@ -432,7 +432,9 @@ def inertias(text):
                   for name in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")}
         mass = mass_value(link)
         if all(values.values()) and mass and finite(mass) and all(len(v.numbers()) == 1 for v in values.values()):
-            if all(values[name].numbers()[0] > 0 for name in ("ixx", "iyy", "izz")):
+            moments = [values[name].numbers()[0] for name in ("ixx", "iyy", "izz")]
+            # A tensor that is no body's already is an error, and stays the same one.
+            if min(moments) > 0 and 2 * max(moments) <= sum(moments) * 1.000001:
                 yield link, values, mass
 
 
@@ -479,7 +481,9 @@ def products(text):
 @kind("inertia", "template's tensor")
 def template(text):
     for link, values, mass in inertias(text):
-        if mass.numbers()[0] > 0.5:
+        # One template in place of another changes little.
+        is_template = len({values[k].numbers()[0] for k in ("ixx", "iyy", "izz")}) == 1
+        if mass.numbers()[0] > 0.5 and not is_template:
             yield Slip(link, *(put(v, "0.001" if k[1] == k[2] else "0") for k, v in values.items()))
 
 

@@ -132,6 +132,16 @@ TEST(Twins, AreNamedByAWordOfTheSide) {
   EXPECT_TRUE(across("real_frame").empty());
 }
 
+TEST(Twins, AreOfAFamilyWhateverTheirSidesAndNumbers) {
+  EXPECT_EQ(robot::role_name("left_finger_2"), "*_finger_2");
+  EXPECT_EQ(robot::family_name("FL_wheel"), robot::family_name("RR_wheel"));
+  EXPECT_EQ(robot::family_name("finger_2"), robot::family_name("finger_10"));
+  EXPECT_EQ(robot::family_name("LHipYaw"), "*HipYaw");
+  EXPECT_NE(robot::family_name("LHipYaw"), robot::family_name("LHipRoll"));
+  // A word that begins like a side is none.
+  EXPECT_EQ(robot::family_name("lidar_front_mount"), "lidar_*_mount");
+}
+
 TEST(Twins, PairEachNameOnceAndTheLeftFirst) {
   const auto pairs = robot::twins({"body", "r_leg", "l_leg", "r_arm"}, robot::Side::kAcross);
   ASSERT_EQ(pairs.size(), 1U);

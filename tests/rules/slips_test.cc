@@ -16,17 +16,17 @@
 namespace rigor::rules {
 namespace {
 
-using Found = std::vector<Severity>;
+using SlipSeverities = std::vector<Severity>;
 
-const Found kSlipWarning{Severity::kWarning};
-const Found kSlipInfo{Severity::kInfo};
+const SlipSeverities kSlipWarning{Severity::kWarning};
+const SlipSeverities kSlipInfo{Severity::kInfo};
 
 /// Of one rule in one file.
-Found found(const std::string& rule, const std::string& path, const std::string& text) {
+SlipSeverities found(const std::string& rule, const std::string& path, const std::string& text) {
   const MemoryDisk disk(std::map<std::string, std::string>{{path, text}});
   const Environment environment(disk, {});
   Sources sources;
-  Found severities;
+  SlipSeverities severities;
   const ValidateResult result = validate(environment, {.paths = {path}}, sources);
   for (const Diagnostic& diagnostic : result.diagnostics.list()) {
     if (diagnostic.rule == rule) severities.push_back(diagnostic.severity);
@@ -48,14 +48,14 @@ std::string pendulum(const std::string& type, const std::string& axis, const std
 
 TEST(Slips, EffortIsComparedWithTheTorqueOfTheWeight) {
   const std::string rule = "effort-below-gravity-load";
-  EXPECT_EQ(found(rule, "a.urdf", pendulum("revolute", "0 1 0", "9.9")), Found{});
+  EXPECT_EQ(found(rule, "a.urdf", pendulum("revolute", "0 1 0", "9.9")), SlipSeverities{});
   EXPECT_EQ(found(rule, "a.urdf", pendulum("revolute", "0 1 0", "9.7")), kSlipInfo);
   EXPECT_EQ(found(rule, "a.urdf", pendulum("revolute", "0 1 0", "2.9")), kSlipWarning);
   // About the vertical nothing pulls, and at 30° from it half as much.
-  EXPECT_EQ(found(rule, "a.urdf", pendulum("revolute", "0 0 1", "0.1")), Found{});
-  EXPECT_EQ(found(rule, "a.urdf", pendulum("revolute", "0 0.5 0.8660254", "5")), Found{});
+  EXPECT_EQ(found(rule, "a.urdf", pendulum("revolute", "0 0 1", "0.1")), SlipSeverities{});
+  EXPECT_EQ(found(rule, "a.urdf", pendulum("revolute", "0 0.5 0.8660254", "5")), SlipSeverities{});
   EXPECT_EQ(found(rule, "a.urdf", pendulum("revolute", "0 0.5 0.8660254", "4.8")), kSlipInfo);
-  EXPECT_EQ(found(rule, "a.urdf", pendulum("prismatic", "0 0 1", "19.7")), Found{});
+  EXPECT_EQ(found(rule, "a.urdf", pendulum("prismatic", "0 0 1", "19.7")), SlipSeverities{});
   EXPECT_EQ(found(rule, "a.urdf", pendulum("prismatic", "0 0 1", "5.8")), kSlipWarning);
 }
 
@@ -65,9 +65,9 @@ TEST(Slips, DampingIsComparedWithWhatTheEffortReaches) {
     return pendulum("revolute", "0 1 0", "50", "<dynamics " + dynamics + "/>");
   };
   EXPECT_EQ(found(rule, "a.urdf", damped("damping='1600'")),
-            Found{});  // 50 / 1600 > 1 % of 3 rad/s
+            SlipSeverities{});  // 50 / 1600 > 1 % of 3 rad/s
   EXPECT_EQ(found(rule, "a.urdf", damped("damping='1700'")), kSlipWarning);
-  EXPECT_EQ(found(rule, "a.urdf", damped("friction='49'")), Found{});
+  EXPECT_EQ(found(rule, "a.urdf", damped("friction='49'")), SlipSeverities{});
   EXPECT_EQ(found(rule, "a.urdf", damped("friction='51'")), kSlipWarning);
 }
 
@@ -91,13 +91,13 @@ std::string rover(const std::string& separation, const std::string& radius,
 }
 
 TEST(Slips, DrivesAreComparedWithTheirWheels) {
-  EXPECT_EQ(found("wheel-separation-mismatch", "a.sdf", rover("0.5", "0.1")), Found{});
-  EXPECT_EQ(found("wheel-separation-mismatch", "a.sdf", rover("0.55", "0.1")), Found{});
+  EXPECT_EQ(found("wheel-separation-mismatch", "a.sdf", rover("0.5", "0.1")), SlipSeverities{});
+  EXPECT_EQ(found("wheel-separation-mismatch", "a.sdf", rover("0.55", "0.1")), SlipSeverities{});
   EXPECT_EQ(found("wheel-separation-mismatch", "a.sdf", rover("0.25", "0.1")), kSlipWarning);
   EXPECT_EQ(found("wheel-separation-mismatch", "a.sdf", rover("1", "0.1")), kSlipWarning);
-  EXPECT_EQ(found("wheel-radius-mismatch", "a.sdf", rover("0.5", "0.095")), Found{});
+  EXPECT_EQ(found("wheel-radius-mismatch", "a.sdf", rover("0.5", "0.095")), SlipSeverities{});
   EXPECT_EQ(found("wheel-radius-mismatch", "a.sdf", rover("0.5", "0.2")), kSlipWarning);
-  EXPECT_EQ(found("drive-wheels-inconsistent", "a.sdf", rover("0.5", "0.1")), Found{});
+  EXPECT_EQ(found("drive-wheels-inconsistent", "a.sdf", rover("0.5", "0.1")), SlipSeverities{});
   EXPECT_EQ(found("drive-wheels-inconsistent", "a.sdf", rover("0.5", "0.1", "0 -1 0")),
             kSlipWarning);
 }
@@ -143,7 +143,7 @@ TEST(Slips, FramesAreGradedByHowNearTheyAre) {
   };
   EXPECT_EQ(found("sensor-frame-missing", "a.urdf", robot("laser_lnik")), kSlipWarning);
   EXPECT_EQ(found("sensor-frame-missing", "a.urdf", robot("scan_frame")), kSlipInfo);
-  EXPECT_EQ(found("sensor-frame-missing", "a.urdf", robot("laser_link")), Found{});
+  EXPECT_EQ(found("sensor-frame-missing", "a.urdf", robot("laser_link")), SlipSeverities{});
 }
 
 }  // namespace

@@ -29,6 +29,10 @@ constexpr Consequences kConsequences[] = {
      "inertia-about-link-origin",
      "inertia-singular inertia-exceeds-shapes inertia-geometry-mismatch"},
     {"inertia-exceeds-shapes", "inertia-geometry-mismatch inertia-singular"},
+    {"inertia-exceeds-shapes inertia-geometry-mismatch inertia-identity density-too-low "
+     "density-too-high inertia-about-link-origin",
+     "inertia-density-impossible inertia-placeholder"},
+    {"inertia-density-impossible twin-value-differs", "inertia-placeholder"},
     {"inertia-geometry-mismatch", "inertia-singular"},
     // The size that an invalid number gives.
     {"value-malformed value-trailing-text value-decimal-comma value-missing-components "
@@ -81,7 +85,13 @@ constexpr Consequences kConsequences[] = {
      "sibling-value-differs"},
     {"sibling-value-differs", "twin-value-differs"},
     {"density-too-high density-too-low inertia-exceeds-shapes", "twin-value-differs"},
-    {"twin-value-differs", "inertia-geometry-mismatch"},
+    {"density-too-high density-too-low collision-of-another-link size-suspicious mass-zero "
+     "effort-zero velocity-zero center-of-mass-outside-shapes inertia-identity "
+     "inertia-axes-swapped inertia-rotated-by-pose inertia-about-link-origin "
+     "inertia-not-positive-definite",
+     "twin-value-differs"},
+    {"inertia-triangle-inequality inertia-moment-missing", "twin-value-differs"},
+    {"twin-value-differs", "inertia-geometry-mismatch inertia-density-impossible"},
     {"wheel-axis-mismatch", "twin-axis-differs"},
     // A mesh that cannot be read to its end is never closed.
     {"mesh-truncated mesh-malformed mesh-index-out-of-range mesh-not-finite",

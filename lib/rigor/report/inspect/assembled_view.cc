@@ -105,7 +105,8 @@ class Viewer {
       seen.unknown += robot_.links[i].unknown;
     }
     seen.bounds = robot_.bounds_W(links);
-    std::vector<robot::Twins> pairs = robot::twins(names, robot::Side::kAcross);
+    std::vector<robot::Twins> pairs =
+        robot::twins({names.begin(), names.end()}, robot::Side::kAcross);
     for (robot::Twins& pair : pairs) pair = {links[pair.a], links[pair.b]};
     seen.plane = robot::symmetry_plane(robot_, pairs);
     for (const robot::Twins& pair : pairs)

@@ -119,7 +119,7 @@ class Assembler {
     to.shapes.push_back(static_cast<std::uint32_t>(result_.shapes.size()));
     result_.shapes.push_back({role, id.value, link, *bounds_S,
                               model::compose(model::inverse(*to.X_WL), *X_WS),
-                              box_around(*bounds_S, *X_WS)});
+                              box_around(*bounds_S, *X_WS), mesh::diagonal(*bounds_S) / 2});
   }
 
   const model::Root& root_;
@@ -206,11 +206,10 @@ std::optional<double> Assembled::gap(const Links& of, const Vector3& d_W, double
   for (const std::uint32_t link : of) {
     for (const std::uint32_t s : links[link].shapes) {
       const OrientedBox box = moved(shapes[s].box_W, d_W);
-      const double radius = diameter(box) / 2;
       for (const AssembledShape& other : shapes) {
         if (in[other.link] || links[other.link].top != links[link].top) continue;
         const double apart = model::length(other.box_W.center_W - box.center_W);
-        if (apart - radius - diameter(other.box_W) / 2 >= least) continue;
+        if (apart - shapes[s].radius - other.radius >= least) continue;
         least = std::min(least, std::max(0.0, separation(box, other.box_W)));
         if (least <= enough) return least;
       }

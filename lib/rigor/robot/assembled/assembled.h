@@ -38,6 +38,7 @@ struct AssembledShape {
   mesh::Bounds bounds_S;    ///< in the shape's own frame, scaled
   model::Pose X_LS;         ///< in the frame of the link
   OrientedBox box_W;
+  double radius = 0;  ///< m, of the ball around the box
 };
 
 struct AssembledLink {

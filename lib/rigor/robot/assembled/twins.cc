@@ -59,19 +59,18 @@ bool begins_word(std::string_view name, std::size_t i) {
 struct Word {
   std::size_t at = 0;
   std::size_t size = 0;
+
+  std::size_t end() const { return at + size; }
 };
 
-std::vector<Word> words_of(std::string_view name) {
-  std::vector<Word> words;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    if (!is_lower(name[i]) && !is_upper(name[i])) continue;
-    if (i == 0 || words.empty() || begins_word(name, i)) {
-      words.push_back({i, 1});
-    } else {
-      ++words.back().size;
-    }
-  }
-  return words;
+/// The next word at `from` or behind it; of size 0 at the end.
+Word next_word(std::string_view name, std::size_t from) {
+  const auto is_letter = [](char c) { return is_lower(c) || is_upper(c); };
+  while (from < name.size() && !is_letter(name[from])) ++from;
+  std::size_t end = from;
+  while (end < name.size() && is_letter(name[end]) && (end == from || !begins_word(name, end)))
+    ++end;
+  return {from, end - from};
 }
 
 bool is_word(std::string_view written, std::string_view word) {
@@ -90,9 +89,18 @@ std::string in_case_of(std::string_view written, std::string_view word) {
   return result;
 }
 
+/// Whether it may be a word of the tables: most words of names are derived from them by their length and first letter.
+bool may_say_side(std::string_view written) {
+  constexpr std::size_t kLongest = 5;  // right, front
+  constexpr std::string_view kFirst = "lrfbhm";
+  return written.size() <= kLongest && written.size() != 3 &&
+         kFirst.find(lowered(written.front())) != kFirst.npos;
+}
+
 /// What the word is on the other side; empty when it says none.
 std::vector<std::string> exchanged(std::string_view written, Side side) {
   std::vector<std::string> result;
+  if (!may_say_side(written)) return result;
   for (const auto& [first, second] : side == Side::kAcross ? kAcross : kAlong) {
     if (is_word(written, first)) result.push_back(in_case_of(written, second));
     if (is_word(written, second)) result.push_back(in_case_of(written, first));
@@ -101,7 +109,7 @@ std::vector<std::string> exchanged(std::string_view written, Side side) {
 }
 
 bool says_first(std::string_view name, Side side) {
-  for (const Word& word : words_of(name)) {
+  for (Word word = next_word(name, 0); word.size > 0; word = next_word(name, word.end())) {
     for (const auto& [first, second] : side == Side::kAcross ? kAcross : kAlong) {
       if (is_word(name.substr(word.at, word.size), first)) return true;
       if (is_word(name.substr(word.at, word.size), second)) return false;
@@ -118,7 +126,7 @@ std::vector<std::string> mirrored_names(std::string_view name, Side side) {
     std::vector<std::string> to;
   };
   std::vector<Change> changes;
-  for (const Word& word : words_of(name)) {
+  for (Word word = next_word(name, 0); word.size > 0; word = next_word(name, word.end())) {
     auto to = exchanged(name.substr(word.at, word.size), side);
     if (!to.empty()) changes.push_back({word, std::move(to)});
   }
@@ -139,7 +147,30 @@ std::vector<std::string> mirrored_names(std::string_view name, Side side) {
   return names;
 }
 
-std::vector<Twins> twins(const std::vector<std::string>& names, Side side) {
+std::string role_name(std::string_view name) {
+  std::string role;
+  std::size_t copied = 0;
+  for (Word word = next_word(name, 0); word.size > 0; word = next_word(name, word.end())) {
+    const std::string_view written = name.substr(word.at, word.size);
+    if (exchanged(written, Side::kAcross).empty() && exchanged(written, Side::kAlong).empty())
+      continue;
+    role.append(name.substr(copied, word.at - copied)).append("*");
+    copied = word.end();
+  }
+  return role.append(name.substr(copied));
+}
+
+std::string family_name(std::string_view name) {
+  std::string family;
+  for (const char c : role_name(name)) {
+    const bool digit = c >= '0' && c <= '9';
+    if (!digit) family += c;
+    if (digit && (family.empty() || family.back() != '#')) family += '#';
+  }
+  return family;
+}
+
+std::vector<Twins> twins(const std::vector<std::string_view>& names, Side side) {
   if (names.size() < 2) return {};
   std::unordered_map<std::string_view, std::uint32_t> places;  // filled when a name says a side
   std::vector<bool> taken(names.size(), false);

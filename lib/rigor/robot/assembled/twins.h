@@ -7,7 +7,7 @@
 //   for (const Twins& pair : twins(names, Side::kAcross)) compare(pair.a, pair.b);
 //
 // A side is a word of the name: `left_wheel`, `wheel_l`, `LHipYaw`, `RF_KFE`, `wheelLeft`. What stands in a
-// row (`wheel_1`, `wheel_2`) is no pair: it need not be mirrored.
+// row (`wheel_1`, `wheel_2`) is no pair: it need not be mirrored, and is a family.
 
 #pragma once
 
@@ -33,6 +33,13 @@ struct Twins {
 };
 
 /// Of names without doubles, each in one pair at most, in their order.
-std::vector<Twins> twins(const std::vector<std::string>& names, Side side);
+std::vector<Twins> twins(const std::vector<std::string_view>& names, Side side);
+
+/// The name with its sides left open: "*_finger_2" of left_finger_2.
+std::string role_name(std::string_view name);
+
+/// The role with its numbers left open, the same for all parts that are made alike: "*_wheel" of
+/// FL_wheel and RR_wheel, "finger_#" of finger_2.
+std::string family_name(std::string_view name);
 
 }  // namespace rigor::robot

@@ -63,9 +63,6 @@ bool can_be_zero(const model::Joint& joint) {
 std::optional<Misplaced> look_at(const PlacedUnit& unit, const Company& company,
                                  const robot::Assembled& robot) {
   if (company.links < 2 || (unit.joint && !can_be_zero(*unit.joint))) return std::nullopt;
-  // What no joint holds may lie anywhere.
-  const robot::AssembledLink& link = robot.links[unit.link];
-  if (!link.carrier && link.links_carried.empty()) return std::nullopt;
   const double apart = (company.complete ? kApart : kFarApart) * company.longest;
   const auto gap = robot.gap(unit.moved, {}, apart);
   if (!gap || !(*gap > apart)) return std::nullopt;
@@ -94,6 +91,9 @@ void check(const model::Root& root, Context& context) {
   std::vector<Misplaced> found;
   std::map<model::Id<model::Model>, Company> companies;
   for (const PlacedUnit& unit : placed_units(context)) {
+    // What no joint holds may lie anywhere.
+    const robot::AssembledLink& link = robot.links[unit.link];
+    if (!link.carrier && link.links_carried.empty()) continue;
     const auto top = robot.links[unit.link].top;
     auto known = companies.find(top);
     if (known == companies.end())

@@ -50,7 +50,7 @@ bool is_trivial(const Vector3& p) {
 
 /// The sign that, changed in one of the two, makes them mirrored.
 struct Flip {
-  bool confirmed = false;  // another part of that side has it
+  bool confirmed = false;  // another part of that side has it, or only then it is on its side
   bool of_first = false;
   std::size_t coordinate = 0;
   Vector3 value;
@@ -153,7 +153,10 @@ Flip likely(const std::vector<Flip>& flips, const Compared& one, const MirrorPla
   const bool above = first_above > first_below;
   for (const Flip& flip : flips) {
     const Vector3& now = flip.of_first ? one.point.p_WA : one.point.p_WB;
-    if (side(now) != (flip.of_first ? above : !above)) return flip;
+    if (side(now) == (flip.of_first ? above : !above)) continue;
+    // On the side of the others' twins, and all of these are on theirs.
+    const bool clear = std::min(first_above, first_below) == 0;
+    return {clear, flip.of_first, flip.coordinate, flip.value};
   }
   // The center of mass that is farther from the middle of its shapes.
   const auto off = [&](std::uint32_t link, const Vector3& p) {
@@ -237,7 +240,8 @@ Rule rule() {
       .why = "The robot is lopsided: two legs are on one side, or the mass of one side is in the "
              "wrong place. Other pairs of the robot, left and right, are mirror images; this one "
              "has the same numbers, and is one once a sign is changed. Joints are at zero. It is "
-             "a warning when another part of that side, in front or behind, has the sign; sensors "
+             "a warning when another part of that side, in front or behind, has the sign, or when "
+             "it is on the side where all others have the other name; sensors "
              "and hands that are the same on both sides are no mirror images.",
       .what_to_do = "Change the sign of the coordinate in the one that is wrong. `rigor inspect "
                     "--assembled` prints the plane and the pairs.",

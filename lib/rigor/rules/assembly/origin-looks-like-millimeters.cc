@@ -57,6 +57,14 @@ void add(const model::PoseField& pose, std::string subject, Proportions& model) 
       {&pose, std::move(subject), model::length(pose.pose.value.translation), false});
 }
 
+/// Empty for what is too near to be reported.
+template <class Entity>
+std::string subject_if_far(const model::PoseField& pose, const Entity& entity,
+                           const Context& context) {
+  const bool far = model::length(pose.pose.value.translation) >= kMin;
+  return far ? context.subject(entity) : std::string();
+}
+
 /// m, from the shape's own origin to its farthest point: a mesh may be drawn far from it.
 double reach(const mesh::Bounds& bounds_S) {
   return model::length({std::max(std::abs(bounds_S.min.x), std::abs(bounds_S.max.x)),
@@ -71,9 +79,11 @@ std::map<model::Id<model::Model>, Proportions> proportions(Context& context) {
   for (std::uint32_t i = 0; i < root.links.size(); ++i) {
     const model::Link& link = root.links[i];
     Proportions& model = models[robot.links[i].top];
-    add(link.inertial.pose, context.subject(link), model);
-    for (const auto id : link.collisions) add(root[id].pose, context.subject(root[id]), model);
-    for (const auto id : link.visuals) add(root[id].pose, context.subject(root[id]), model);
+    add(link.inertial.pose, subject_if_far(link.inertial.pose, link, context), model);
+    for (const auto id : link.collisions)
+      add(root[id].pose, subject_if_far(root[id].pose, root[id], context), model);
+    for (const auto id : link.visuals)
+      add(root[id].pose, subject_if_far(root[id].pose, root[id], context), model);
     for (const std::uint32_t shape : robot.links[i].shapes) {
       model.longest_shape = std::max(model.longest_shape, reach(robot.shapes[shape].bounds_S));
     }

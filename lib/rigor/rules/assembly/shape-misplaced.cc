@@ -29,13 +29,16 @@ constexpr double kTouching = 0.01;
 constexpr double kSameSize = 0.9;
 constexpr double kElsewhere = 0.5;
 
-double gap_to(const SeenShape& one, const Vector3& d_L, const std::vector<SeenShape>& all) {
+/// To the nearest other shape, m; stops at one that is nearer than `enough`.
+double gap_to(const SeenShape& one, const Vector3& d_L, const std::vector<SeenShape>& all,
+              double enough) {
   const auto box = robot::moved(robot::box_around(one.shape->bounds_S, one.shape->X_LS), d_L);
   double least = std::numeric_limits<double>::infinity();
   for (const SeenShape& other : all) {
     if (other.shape == one.shape) continue;
     const auto beside = robot::box_around(other.shape->bounds_S, other.shape->X_LS);
     least = std::min(least, std::max(0.0, robot::separation(box, beside)));
+    if (least <= enough) return least;
   }
   return least;
 }
@@ -77,7 +80,7 @@ bool is_apart(const SeenShape& one, const std::vector<SeenShape>& all) {
     const double centers = length(middle_of(*other.shape) - middle_of(*one.shape));
     if (centers - inradius(*other.shape) - inradius(*one.shape) <= limit) return false;
   }
-  return gap_to(one, {}, all) > limit;
+  return gap_to(one, {}, all, limit) > limit;
 }
 
 /// Of two shapes alone, a collision and a visual, one covers the other when it is there.
@@ -89,15 +92,17 @@ bool covers_alone(const SeenShape& one, const Vector3& d_L, const std::vector<Se
   return robot::cover(there, other.bounds_L) > kElsewhere;
 }
 
-/// Away from all other shapes of the link, and with them when a slip is undone.
+/// Of a shape away from all others of the link: that it is with them when a slip is undone.
 std::optional<Elsewhere> apart(const SeenShape& one, const std::vector<SeenShape>& all) {
-  if (!one.pose->pose.written || !is_apart(one, all)) return std::nullopt;
+  if (!one.pose->pose.written) return std::nullopt;
   const double size = mesh::diagonal(one.shape->bounds_S);
-  const double gap = gap_to(one, {}, all);
+  const double gap = gap_to(one, {}, all, 0);
   const Vector3& written = one.pose->pose.value.translation;
   for (const Undone& change : undone_slips(written)) {
     const Vector3 shift = change.value - written;
-    if (gap_to(one, shift, all) > kTouching * size || !covers_alone(one, shift, all)) continue;
+    if (gap_to(one, shift, all, kTouching * size) > kTouching * size ||
+        !covers_alone(one, shift, all))
+      continue;
     return Elsewhere{
         &one,
         fmt::format("the {} is {:.3g} m away from all other shapes of its link", role_name(one),
@@ -139,14 +144,16 @@ std::optional<Elsewhere> beside_its_like(const std::vector<SeenShape>& all,
 std::optional<Elsewhere> find(std::uint32_t link, const std::vector<SeenShape>& all,
                               const model::Root& root) {
   // Where several are scattered, that is how the link was made.
-  const auto scattered = std::count_if(all.begin(), all.end(),
-                                       [&](const SeenShape& one) { return is_apart(one, all); });
+  std::vector<const SeenShape*> scattered;
+  for (const SeenShape& one : all) {
+    if (is_apart(one, all)) scattered.push_back(&one);
+  }
   std::optional<Elsewhere> farthest;
   double most = -1;
-  if (scattered > 1 && all.size() > 2) return std::nullopt;
-  for (const SeenShape& one : all) {
-    auto found = apart(one, all);
-    const double away = length(one.pose->pose.value.translation);
+  if (scattered.size() > 1 && all.size() > 2) return std::nullopt;
+  for (const SeenShape* one : scattered) {
+    auto found = apart(*one, all);
+    const double away = length(one->pose->pose.value.translation);
     if (!found || away <= most) continue;
     most = away;
     farthest = std::move(found);

@@ -286,7 +286,7 @@ void report(const Odd& odd, const std::vector<Entity>& all, const std::vector<Fi
 /// The larger groups first, which say more; then pairs, of which those of two sides are in larger ones, too.
 std::vector<std::vector<std::uint32_t>> family_groups(const std::vector<std::string>& names) {
   auto groups = robot::siblings(names);
-  for (const robot::Twins& pair : robot::twins(names, robot::Side::kAcross))
+  for (const robot::Twins& pair : robot::twins({names.begin(), names.end()}, robot::Side::kAcross))
     groups.push_back({pair.a, pair.b});
   std::stable_sort(groups.begin(), groups.end(),
                    [](const auto& a, const auto& b) { return a.size() > b.size(); });

@@ -6,13 +6,15 @@
 
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -23,15 +25,32 @@
 
 namespace rigor::rules {
 
-/// A number of the file: as one of its own, or as one of three of a pose or size.
+/// A number of the file: as one of its own, or as one of a pose, a size or a tensor.
 struct TwinNumber {
-  std::string name;  ///< "mass", "origin x"
+  std::string_view value_name;  ///< "mass", "origin"; static
   const char* unit = "";
   double value = 0;
-  Span span;
+  Span written_at;                         ///< not of a pose: see `place_of_number`
   const model::PoseField* pose = nullptr;  ///< in whose translation it is
-  std::size_t coordinate = 0;
+  std::size_t coordinate = kNone;          ///< of a vector
+  std::size_t group = 0;                   ///< of the numbers that are one value: a pose, a tensor
+
+  static constexpr std::size_t kNone = 3;
+
+  std::string name() const {
+    std::string result(value_name);
+    if (coordinate != kNone) result.append(" ").append(coordinate_name(coordinate));
+    return result;
+  }
+  bool is_of_same_kind(const TwinNumber& other) const {
+    return value_name == other.value_name && coordinate == other.coordinate;
+  }
 };
+
+/// Of the number in the file, or of the pose it is in.
+inline Span place_of_number(const TwinNumber& number, const Context& context) {
+  return number.pose ? place_of(*number.pose, context) : number.written_at;
+}
 
 using TwinNumbers = std::vector<TwinNumber>;
 
@@ -39,11 +58,13 @@ class NumberLister {
  public:
   explicit NumberLister(const Context& context) : context_(context) {}
 
+  // Without what is left to its default, so that only parts with the same elements are compared.
   TwinNumbers of_link(const model::Link& link) {
-    numbers_.clear();
+    begin();
     const model::Inertial& inertial = link.inertial;
     add("mass", "kg", inertial.mass);
     add_pose("center of mass", inertial.pose);
+    add_rotation("inertial rotation", inertial.pose);
     const std::array<std::pair<const char*, const model::Field<double>*>, 6> tensor{
         {{"ixx", &inertial.ixx},
          {"ixy", &inertial.ixy},
@@ -51,67 +72,113 @@ class NumberLister {
          {"iyy", &inertial.iyy},
          {"iyz", &inertial.iyz},
          {"izz", &inertial.izz}}};
-    for (const auto& [name, field] : tensor) add(name, "kg·m²", *field);
+    ++group_;
+    for (const auto& [name, field] : tensor) push({name, "kg·m²", field->value, field->span});
     const model::Root& root = context_.root();
-    for (const auto id : link.collisions) add_shape("collision", root[id].pose, root[id].geometry);
-    for (const auto id : link.visuals) add_shape("visual", root[id].pose, root[id].geometry);
+    for (const auto id : link.collisions) add_shape(kCollision, root[id].pose, root[id].geometry);
+    for (const auto id : link.visuals) add_shape(kVisual, root[id].pose, root[id].geometry);
     return std::move(numbers_);
   }
 
-  /// Without its limits, which sides may exchange.
   TwinNumbers of_joint(const model::Joint& joint) {
-    numbers_.clear();
+    begin();
     add_pose("origin", joint.pose);
+    add_rotation("origin rotation", joint.pose);
     for (const model::Axis& axis : joint.axes) {
       add("effort", "N·m", axis.effort);
       add("velocity", "rad/s", axis.velocity);
       add("damping", "N·m·s/rad", axis.damping);
       add("friction", "N·m", axis.friction);
+      add_limits(axis, joint.type == model::JointType::kPrismatic ? "m" : "rad");
     }
     return std::move(numbers_);
   }
 
   TwinNumbers of_placement(const model::Link& link) {
-    numbers_.clear();
+    begin();
     add_pose("pose", link.pose);
     return std::move(numbers_);
   }
 
  private:
-  void add(const std::string& name, const char* unit, const model::Field<double>& field) {
-    numbers_.push_back({name, unit, field.value, field.span, nullptr, 0});
+  void begin() {
+    constexpr std::size_t kUsual = 64;
+    numbers_.clear();
+    numbers_.reserve(kUsual);
   }
 
-  void add_pose(const std::string& name, const model::PoseField& pose) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      numbers_.push_back({name + ' ' + std::string(coordinate_name(k)), "m",
-                          pose.pose.value.translation.*kCoordinates[k], place_of(pose, context_),
-                          &pose, k});
-    }
+  void push(const TwinNumber& number) {
+    numbers_.push_back(number);
+    numbers_.back().group = group_;
   }
 
-  void add_shape(const std::string& name, const model::PoseField& pose,
+  void add(std::string_view name, const char* unit, const model::Field<double>& field) {
+    ++group_;
+    if (field.written) push({name, unit, field.value, field.span});
+  }
+
+  /// The smaller first: sides may exchange them, with their signs.
+  void add_limits(const model::Axis& axis, const char* unit) {
+    if (!axis.lower.written || !axis.upper.written) return;
+    const model::Field<double>* low = &axis.lower;
+    const model::Field<double>* high = &axis.upper;
+    if (std::abs(low->value) > std::abs(high->value)) std::swap(low, high);
+    ++group_;
+    push({"smaller limit", unit, low->value, low->span});
+    push({"larger limit", unit, high->value, high->span});
+  }
+
+  void add_pose(std::string_view name, const model::PoseField& pose) {
+    ++group_;
+    for (std::size_t k = 0; k < 3; ++k)
+      push({name, "m", pose.pose.value.translation.*kCoordinates[k], {}, &pose, k});
+  }
+
+  /// A mirrored rotation has the same quaternion but for signs.
+  void add_rotation(std::string_view name, const model::PoseField& pose) {
+    const model::Quaternion& q = pose.pose.value.rotation;
+    ++group_;
+    for (const double part : {q.w, q.x, q.y, q.z}) push({name, "", part, pose.pose.span});
+  }
+
+  void add_vector(std::string_view name, const char* unit,
+                  const model::Field<model::Vector3>& field) {
+    ++group_;
+    for (std::size_t k = 0; k < 3 && field.written; ++k)
+      push({name, unit, field.value.*kCoordinates[k], field.span, nullptr, k});
+  }
+
+  /// What the numbers of a collision, or of a visual, are called.
+  struct ShapeNames {
+    std::string_view origin, rotation, radius, length, size, scale;
+  };
+  static constexpr ShapeNames kCollision{"collision",        "collision rotation",
+                                         "collision radius", "collision length",
+                                         "collision size",   "collision scale"};
+  static constexpr ShapeNames kVisual{"visual",        "visual rotation", "visual radius",
+                                      "visual length", "visual size",     "visual scale"};
+
+  void add_shape(const ShapeNames& names, const model::PoseField& pose,
                  const model::Geometry& geometry) {
-    add_pose(name, pose);
+    add_pose(names.origin, pose);
+    add_rotation(names.rotation, pose);
     const auto add_round = [&](const auto& shape) {
-      add(name + " radius", "m", shape.radius);
-      add(name + " length", "m", shape.length);
-    };
-    const auto add_vector = [&](const char* what, const model::Field<model::Vector3>& field) {
-      for (std::size_t k = 0; k < 3; ++k)
-        numbers_.push_back({name + what + std::string(coordinate_name(k)), "",
-                            field.value.*kCoordinates[k], field.span, nullptr, k});
+      add(names.radius, "m", shape.radius);
+      add(names.length, "m", shape.length);
     };
     if (const auto* s = std::get_if<model::Sphere>(&geometry.shape))
-      add(name + " radius", "m", s->radius);
+      add(names.radius, "m", s->radius);
     if (const auto* s = std::get_if<model::Cylinder>(&geometry.shape)) add_round(*s);
     if (const auto* s = std::get_if<model::Capsule>(&geometry.shape)) add_round(*s);
-    if (const auto* s = std::get_if<model::Box>(&geometry.shape)) add_vector(" size ", s->size);
-    if (const auto* s = std::get_if<model::Mesh>(&geometry.shape)) add_vector(" scale ", s->scale);
+    if (const auto* s = std::get_if<model::Box>(&geometry.shape))
+      add_vector(names.size, "m", s->size);
+    if (const auto* s = std::get_if<model::Mesh>(&geometry.shape))
+      add_vector(names.scale, "", s->scale);
   }
 
   const Context& context_;
   TwinNumbers numbers_;
+  std::size_t group_ = 0;
 };
 
 /// Whether two numbers are the same but for their sign: to the digits that people write.
@@ -134,43 +201,98 @@ inline std::optional<double> slip_factor(double a, double b) {
   return std::nullopt;
 }
 
-/// What the numbers of two parts have in common; nothing when they are not of the same kinds.
+/// Shares of a value's largest number.
+inline constexpr double kSameValue = 0.01;   // rounded, or calibrated
+inline constexpr double kOtherValue = 0.05;  // no calibration is off by so much
+
+/// What the numbers of two parts have in common; nothing when they are not of the same kinds, or when a value is
+/// neither the same nor clearly another: the parts are calibrated, or drawn anew.
 struct TwinDifference {
-  std::size_t same = 0;                ///< numbers that are not zero, and equal but for their sign
-  std::vector<std::size_t> different;  ///< places in the lists
+  std::size_t same = 0;  ///< numbers that are not zero, and of values that are equal but for signs
+  std::vector<std::size_t> begins;  ///< of the values that differ: places of their first numbers
 };
 
+inline bool is_inertial(const TwinNumber& number) {
+  return number.value_name == "inertial rotation";
+}
+
+/// How far two values are apart that begin at these numbers, and where they end.
+struct ValueDifference {
+  std::size_t end = 0;
+  double apart = 0;  ///< of the numbers that differ most, signs aside
+  double size = 0;   ///< of the largest number
+};
+
+inline ValueDifference value_difference(const TwinNumbers& a, const TwinNumbers& b,
+                                        std::size_t begin) {
+  ValueDifference result{begin, 0, 0};
+  for (std::size_t& i = result.end; i < a.size() && a[i].group == a[begin].group; ++i) {
+    const double p = std::abs(a[i].value), q = std::abs(b[i].value);
+    if (std::isinf(p) && std::isinf(q)) continue;
+    result.apart = std::max(result.apart, std::abs(p - q));
+    result.size = std::max({result.size, p, q});
+  }
+  return result;
+}
+
 inline std::optional<TwinDifference> difference_of(const TwinNumbers& a, const TwinNumbers& b) {
+  constexpr double kSamePlace = 1e-3;   // m
+  constexpr double kOtherPlace = 3e-3;  // m
   if (a.size() != b.size()) return std::nullopt;
   TwinDifference result;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a[i].name != b[i].name) return std::nullopt;
-    const bool both_unlimited = std::isinf(a[i].value) && std::isinf(b[i].value);
-    if (both_unlimited || (a[i].value == 0 && b[i].value == 0)) continue;
-    if (same_size(a[i].value, b[i].value)) {
-      ++result.same;
-    } else {
-      result.different.push_back(i);
+    if (!a[i].is_of_same_kind(b[i])) return std::nullopt;
+  }
+  for (std::size_t i = 0; i < a.size();) {
+    const ValueDifference value = value_difference(a, b, i);
+    const bool place = a[i].pose != nullptr;
+    // A part that is mirrored by rotating it, as most are drawn, is no other part.
+    const bool shown = a[i].value_name.ends_with("rotation") && !is_inertial(a[i]);
+    if (shown && value.apart > kSameValue * value.size) {
+      i = value.end;
+      continue;
     }
+    if (value.apart <= kSameValue * value.size || (place && value.apart <= kSamePlace)) {
+      for (std::size_t k = i; k < value.end; ++k) result.same += a[k].value != 0;
+    } else if (value.apart > kOtherValue * value.size && (!place || value.apart > kOtherPlace)) {
+      result.begins.push_back(i);
+    } else {
+      return std::nullopt;
+    }
+    i = value.end;
   }
   return result;
+}
+
+/// The links, or the joints, of a model.
+template <class Entity>
+const std::vector<model::Id<Entity>>& members_of(const model::Model& model) {
+  if constexpr (std::is_same_v<Entity, model::Link>) {
+    return model.links;
+  } else {
+    return model.joints;
+  }
 }
 
 /// Pairs of entities of one list that are twins by name, of the same model and of the file itself.
 template <class Entity>
 std::vector<robot::Twins> twins_of(const std::vector<Entity>& all, robot::Side side,
                                    const model::Root& root) {
-  std::map<std::uint32_t, std::vector<std::uint32_t>> by_model;
-  for (std::uint32_t i = 0; i < all.size(); ++i) {
-    if (root.own(all[i].site) && all[i].model) by_model[all[i].model.value].push_back(i);
-  }
   std::vector<robot::Twins> result;
-  for (const auto& [model, members] : by_model) {
+  std::vector<std::string_view> names;
+  std::vector<std::uint32_t> own;
+  for (const model::Model& model : root.models) {
+    const auto& members = members_of<Entity>(model);
     if (members.size() < 2) continue;
-    std::vector<std::string> names;
-    for (const std::uint32_t i : members) names.push_back(all[i].name.value);
+    names.clear();
+    own.clear();
+    for (const auto id : members) {
+      if (!root.own(all[id.value].site)) continue;
+      names.push_back(all[id.value].name.value);
+      own.push_back(id.value);
+    }
     for (const robot::Twins& pair : robot::twins(names, side))
-      result.push_back({members[pair.a], members[pair.b]});
+      result.push_back({own[pair.a], own[pair.b]});
   }
   return result;
 }

@@ -39,7 +39,7 @@ void check(const model::Root& root, Context& context) {
 Rule rule() {
   return {
       .name = "color-invisible",
-      .severity = Severity::kInfo,
+      .severity = Severity::kWarning,
       .formats = Formats::kUrdf,
       .fix = FixGrade::kUnsafe,
       .summary = "a material's color is transparent altogether",

@@ -71,6 +71,19 @@ std::optional<Undone> slip_of(const model::Vector3& com, const Outside& out,
   return std::nullopt;
 }
 
+/// The collisions alone, where a visual is unknown: only for what lies beside them farther than they are long,
+/// and in them with one slip undone.
+std::optional<Outline> collisions_with_slip(const model::Link& link, Context& context) {
+  const model::Vector3& com = link.inertial.pose.pose.value.translation;
+  Outline collisions(link, context);
+  if (!collisions.add_collisions(link) || collisions.empty()) return std::nullopt;
+  const Outside out = outside(com, collisions);
+  if (out.distance <= out.size || !slip_of(com, out, collisions)) return std::nullopt;
+  const bool visuals_known = Outline(link, context).add_visuals(link);
+  if (visuals_known) return std::nullopt;
+  return collisions;
+}
+
 void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
   const model::Inertial& inertial = link.inertial;
   const model::Vector3& com = inertial.pose.pose.value.translation;
@@ -81,11 +94,13 @@ void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
     const Outside out = outside(com, outline);
     return out.distance > kShare * out.size + kThin;
   };
-  const auto outline = outline_that_breaks(link, groups, context, breaks);
-  if (!outline) return;
-  const Outside out = outside(com, *outline);
+  const auto whole = outline_that_breaks(link, groups, context, breaks);
+  const auto part = whole ? std::nullopt : collisions_with_slip(link, context);
+  if (!whole && !part) return;
+  const Outline& outline = whole ? *whole : *part;
+  const Outside out = outside(com, outline);
   const auto slip =
-      out.distance > kMirrored * out.size ? slip_of(com, out, *outline) : std::optional<Undone>();
+      out.distance > kMirrored * out.size ? slip_of(com, out, outline) : std::optional<Undone>();
   const bool grave = slip || out.distance > std::max(kGrave, out.size);
   context.report(
       {.where = inertial.pose.site.name,

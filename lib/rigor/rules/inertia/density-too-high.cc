@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
 
 #include <fmt/core.h>
 
 #include <rigor/mass/proposal.h>
+#include <rigor/rules/inertia/bases.h>
 #include <rigor/rules/inertia/outline.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
@@ -29,41 +27,6 @@ double volume_around(const Outline& outline) {
   }
   return volume;
 }
-
-/// A base that holds what moves on it is made heavy on purpose.
-class LazyBases {
- public:
-  explicit LazyBases(const Context& context) : context_(context) {}
-
-  bool has(const model::Link& link) {
-    const model::Root& root = context_.root();
-    if (roles_.empty()) fill();
-    const Roles& roles = roles_[static_cast<std::size_t>(&link - root.links.data())];
-    return roles.fixed_to_world || (roles.parent && !roles.child);
-  }
-
- private:
-  struct Roles {
-    bool parent = false;
-    bool child = false;
-    bool fixed_to_world = false;
-  };
-
-  void fill() {
-    const model::Root& root = context_.root();
-    roles_.resize(root.links.size());
-    for (std::uint32_t i = 0; i < root.joints.size(); ++i) {
-      const auto& ends = context_.frames().ends({i});
-      if (ends.parent) roles_[ends.parent.value].parent = true;
-      if (!ends.child) continue;
-      roles_[ends.child.value].child = true;
-      if (ends.parent_is_world) roles_[ends.child.value].fixed_to_world = true;
-    }
-  }
-
-  const Context& context_;
-  std::vector<Roles> roles_;
-};
 
 /// A small cube or ball that only marks where the link is, with the mass of what is not drawn.
 bool is_marker(const Outline& outline) {

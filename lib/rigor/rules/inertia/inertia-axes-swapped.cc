@@ -1,12 +1,18 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
 #include <string>
 
 #include <fmt/core.h>
 
 #include <rigor/rules/edits.h>
+#include <rigor/rules/inertia/outline.h>
 #include <rigor/rules/inertia/tensor_mistake.h>
 #include <rigor/rules/rule.h>
 
@@ -24,22 +30,93 @@ Fix put_where_they_belong(const Moments& moments, const std::array<std::size_t, 
   return fix;
 }
 
+using Order = std::array<std::size_t, 3>;
+
+/// How unevenly the mass is spread in the box around the shapes: along each axis root mean square, as a share of
+/// the side, and of these the largest by the smallest. A solid box has 1.
+double unevenness(const std::array<double, 3>& moments, const std::array<double, 3>& sides) {
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double along = (moments[(k + 1) % 3] + moments[(k + 2) % 3] - moments[k]) / 2;
+    const double share = std::sqrt(std::max(0.0, along)) / sides[k];
+    least = std::min(least, share);
+    most = std::max(most, share);
+  }
+  return most / least;
+}
+
+struct BoxOrder {
+  Order order{};
+  double before = 0;  ///< unevenness
+  double after = 0;
+};
+
+// What is more uneven is a warning: other bodies than slips have, too, half as much.
+constexpr double kClearly = 8;
+
+/// By the box around shapes that are no solids, such as open meshes: the moments fit it badly, and well at other
+/// axes.
+std::optional<BoxOrder> order_by_box(const model::Link& link, Context& context) {
+  constexpr double kBad = 3.5;
+  constexpr double kGood = 1.6;
+  const model::Inertial& inertial = link.inertial;
+  if (!has_tensor(link, context) || !is_dynamic(link, context)) return std::nullopt;
+  if (!(inertial.mass.value > 0) || !context.verdict(link).possible()) return std::nullopt;
+  if (tensor_mistake::has_products(mass::tensor(inertial))) return std::nullopt;
+  const std::array<double, 3> moments{inertial.ixx.value, inertial.iyy.value, inertial.izz.value};
+  const auto [low, high] = std::minmax_element(moments.begin(), moments.end());
+  constexpr double kAlike = 1.3;  // then it matters little where they are
+  if (*high < kAlike * *low) return std::nullopt;
+  Outline outline(link, context);
+  if (!outline.add_collisions(link) || (outline.empty() && !outline.add_visuals(link)) ||
+      outline.empty())
+    return std::nullopt;
+  const auto along = [&](const model::Vector3& axis_C) {
+    return outline.extent(model::rotate(inertial.pose.pose.value.rotation, axis_C));
+  };
+  const std::array<double, 3> sides{along({1, 0, 0}), along({0, 1, 0}), along({0, 0, 1})};
+  if (!(std::min({sides[0], sides[1], sides[2]}) > 0)) return std::nullopt;
+  const double before = unevenness(moments, sides);
+  if (before < kBad) return std::nullopt;
+  // Two exchanged; three in a ring are nobody's slip.
+  constexpr std::array<Order, 3> kOrders{{{1, 0, 2}, {0, 2, 1}, {2, 1, 0}}};
+  for (const Order& order : kOrders) {
+    const std::array<double, 3> exchanged{moments[order[0]], moments[order[1]], moments[order[2]]};
+    const double after = unevenness(exchanged, sides);
+    if (after < kGood) return BoxOrder{order, before, after};
+  }
+  return std::nullopt;
+}
+
 void check(const model::Link& link, Context& context) {
   const model::Inertial& inertial = link.inertial;
   if (inertial.ixx.value == inertial.iyy.value && inertial.iyy.value == inertial.izz.value) return;
-  const MistakenTensor found = mistaken_tensor(link, context);
+  MistakenTensor found = mistaken_tensor(link, context);
+  std::optional<BoxOrder> by_box;
+  if (found.mistake == TensorMistake::kNone) {
+    by_box = order_by_box(link, context);
+    if (by_box) found = {TensorMistake::kAxesSwapped, by_box->order};
+  }
   if (found.mistake != TensorMistake::kAxesSwapped) return;
   const Moments moments{&inertial.ixx, &inertial.iyy, &inertial.izz};
   std::array<double, 3> right{};
   for (std::size_t k = 0; k < 3; ++k) right[found.belongs[k]] = moments[k]->value;
   context.report(
       {.where = inertial.tensor_site.name,
-       .message = fmt::format(
-           "ixx, iyy and izz are {:.4g}, {:.4g} and {:.4g} kg·m², but fit the link's shapes only "
-           "as {:.4g}, {:.4g} and {:.4g}: they are at the wrong axes",
-           moments[0]->value, moments[1]->value, moments[2]->value, right[0], right[1], right[2]),
+       .message =
+           fmt::format("ixx, iyy and izz are {:.4g}, {:.4g} and {:.4g} kg·m², but fit {} only "
+                       "as {:.4g}, {:.4g} and {:.4g}: they are at the wrong axes",
+                       moments[0]->value, moments[1]->value, moments[2]->value,
+                       by_box ? "the box around the link's shapes" : "the link's shapes", right[0],
+                       right[1], right[2]),
        .subject = context.subject(link),
-       .fix = put_where_they_belong(moments, found.belongs, context)});
+       .help = by_box ? fmt::format("as they are, the mass is spread {:.1f} times as unevenly as "
+                                    "in a solid box, and {:.1f} times at the other axes",
+                                    by_box->before, by_box->after)
+                      : "",
+       .fix = put_where_they_belong(moments, found.belongs, context),
+       .severity =
+           by_box && by_box->before < kClearly ? std::optional(Severity::kInfo) : std::nullopt});
 }
 
 Rule rule() {
@@ -48,9 +125,11 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "moments of inertia are swapped between axes",
-      .why = "The link rotates about each axis with the moment of another one. Formulas for a "
-             "cylinder or a box assume its length along one axis; when the shape is rotated, or "
-             "the formula has other axes, the moments must be permuted.",
+      .why =
+          "The link rotates about each axis with the moment of another one. Formulas for a "
+          "cylinder or a box assume its length along one axis; when the shape is rotated, or "
+          "the formula has other axes, the moments must be permuted. Of shapes that are no solids "
+          "the box around them is compared.",
       .what_to_do = "Exchange the moments.",
       .checks = {on<model::Link>(check)},
   };

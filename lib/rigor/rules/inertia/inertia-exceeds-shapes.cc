@@ -5,11 +5,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include <fmt/core.h>
 
 #include <rigor/rules/inertia/inertial_fix.h>
+#include <rigor/rules/inertia/moment_slips.h>
 #include <rigor/rules/inertia/outline.h>
 #include <rigor/rules/inertia/slip.h>
 #include <rigor/rules/inertia/solid_body.h>
@@ -61,14 +63,16 @@ double leniency(const model::Link& link, const Context& context) {
   return context.root()[link.model].joints.empty() ? kFree : 1;
 }
 
-/// A body between two planes has its mass farthest from the center when half of it is on each.
+/// A body between two planes has its mass farthest from the center when half of it is on each, m.
+double allowed(double width) { return kDrawnSmaller * width / 2 + kThin; }
+
 const Spread* impossible(const Spreads& spreads, const Outline& outline, double leniency) {
   const Spread* worst = nullptr;
   double most = leniency;
   for (const Spread& spread : spreads) {
-    const double allowed = kDrawnSmaller * outline.extent(spread.axis_L) / 2 + kThin;
-    if (spread.least <= most * allowed) continue;
-    most = spread.least / allowed;
+    const double limit = allowed(outline.extent(spread.axis_L));
+    if (spread.least <= most * limit) continue;
+    most = spread.least / limit;
     worst = &spread;
   }
   return worst;
@@ -105,22 +109,34 @@ bool reported_elsewhere(const model::Link& link, const Box& box, Context& contex
   return mistaken_tensor(link, context).mistake != TensorMistake::kNone;
 }
 
+/// Of moments that are `share` times those of the box as a solid.
+std::optional<Fix> fix_of_share(const model::Link& link, double share, double density,
+                                Context& context) {
+  const MomentSlip* slip = slip_of_share(share, density);
+  return slip ? undo(*slip, link.inertial) : fix_from_shapes(link, context);
+}
+
 void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
   const model::Inertial& inertial = link.inertial;
   if (!inertial.mass.written || !(inertial.mass.value > kMin)) return;
   if (!has_tensor(link, context) || !is_dynamic(link, context)) return;
   if (!context.verdict(link).possible()) return;
-  const Spreads all = spreads(inertial, context);
   const double most = leniency(link, context);
-  const auto breaks = [&all, most](const Outline& outline) {
-    return impossible(all, outline, most) != nullptr;
+  // In all directions together: what is less than any width needs no closer look.
+  const double gyration = std::sqrt(mass::trace(mass::tensor(inertial)) / 2 / inertial.mass.value);
+  std::optional<Spreads> all;
+  const auto breaks = [&](const Outline& outline) {
+    if (gyration <= most * allowed(outline.least_width())) return false;
+    if (!all) all = spreads(inertial, context);
+    return impossible(*all, outline, most) != nullptr;
   };
   const auto outline = outline_that_breaks(link, groups, context, breaks);
   if (!outline) return;
   const Box box = box_around(*outline);
   if (reported_elsewhere(link, box, context)) return;
-  const Spread& worst = *impossible(all, *outline, most);
+  const Spread& worst = *impossible(*all, *outline, most);
   const double extent = outline->extent(worst.axis_L);
+  const double share = mass::trace(mass::tensor(inertial)) / (inertial.mass.value * box.trace);
   context.report(
       {.where = inertial.tensor_site.name,
        .message = fmt::format(
@@ -128,8 +144,8 @@ void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
            "square), but the link's shapes are only {2:.3g} m long there, which allows {3:.3g} m",
            axis_name(worst.axis_L), worst.spread, extent, extent / 2),
        .subject = context.subject(link),
-       .help = guess_slip(mass::trace(mass::tensor(inertial)) / (inertial.mass.value * box.trace)),
-       .fix = fix_from_shapes(link, context)});
+       .help = guess_slip(share),
+       .fix = fix_of_share(link, share, inertial.mass.value / box.volume, context)});
 }
 
 Rule rule() {

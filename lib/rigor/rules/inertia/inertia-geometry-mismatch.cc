@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/core.h>
 
 #include <rigor/rules/inertia/inertial_fix.h>
+#include <rigor/rules/inertia/moment_slips.h>
 #include <rigor/rules/inertia/slip.h>
 #include <rigor/rules/inertia/solid_body.h>
 #include <rigor/rules/inertia/tensor.h>
@@ -30,6 +32,16 @@ bool is_placeholder(const mass::Inertia& tensor) {
     power = moment;
   }
   return true;
+}
+
+/// Moments in another unit keep their digits; others are computed from the shapes.
+std::optional<Fix> fix_of_share(const model::Link& link, double share, Context& context) {
+  auto solid = solid_of_all(link, mass::From::kCollisions, context);
+  if (!solid) solid = solid_of_all(link, mass::From::kVisuals, context);
+  const double density = solid ? link.inertial.mass.value / solid->mass : 0;
+  const MomentSlip* slip =
+      is_placeholder(mass::tensor(link.inertial)) ? nullptr : slip_of_share(share, density);
+  return slip ? undo(*slip, link.inertial) : fix_from_shapes(link, context);
 }
 
 const char* help_for(const mass::Inertia& tensor, double share) {
@@ -58,7 +70,7 @@ void check(const model::Link& link, Context& context) {
                       mass::trace(tensor), factor, *share > 1 ? "more" : "less", solid, mass),
                   .subject = context.subject(link),
                   .help = help_for(tensor, *share),
-                  .fix = fix_from_shapes(link, context),
+                  .fix = fix_of_share(link, *share, context),
                   .why = *share > 1 ? "The link rotates as sluggishly as a much larger or heavier "
                                       "body would."
                                     : "Joints with such small moments make a simulation unstable.",

@@ -4,10 +4,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <fmt/core.h>
 
 #include <rigor/rules/inertia/inertial_fix.h>
+#include <rigor/rules/inertia/moment_slips.h>
 #include <rigor/rules/inertia/refused_inertia.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
@@ -26,6 +28,36 @@ constexpr double kRounding = 1e-3;
 std::string rounding(const mass::Verdict::Triangle& triangle) {
   if (triangle.largest - triangle.sum > kRounding * triangle.largest) return {};
   return "the difference is small: the numbers may have lost digits by rounding";
+}
+
+// Times the sum of the others: what breaks the inequality by less is another slip than a decimal point.
+constexpr double kFarOff = 2;
+
+/// The largest moment with its decimal point back in place, when the tensor is a body's then.
+std::optional<Fix> fix_of_point(const model::Inertial& inertial,
+                                const mass::Verdict::Triangle& triangle,
+                                const model::Field<double>* largest) {
+  if (largest == nullptr || triangle.largest < kFarOff * triangle.sum) return std::nullopt;
+  for (const double power : {1e-1, 1e-2, 1e-3}) {
+    mass::Inertia tensor = mass::tensor(inertial);
+    double& entry = largest == &inertial.ixx   ? tensor.ixx
+                    : largest == &inertial.iyy ? tensor.iyy
+                                               : tensor.izz;
+    entry *= power;
+    if (entry > triangle.sum) continue;
+    if (!mass::judge(inertial.mass.value, tensor).possible()) return std::nullopt;
+    const std::string text = times_power_of_ten(largest->value, power);
+    return Fix{fmt::format("write {} = {}", triangle.names[2], text),
+               Applicability::kUnsafe,
+               {{largest->span, text}}};
+  }
+  return std::nullopt;
+}
+
+std::optional<Fix> fix_for(const model::Link& link, const mass::Verdict::Triangle& triangle,
+                           const model::Field<double>* largest, Context& context) {
+  auto fix = fix_of_point(link.inertial, triangle, largest);
+  return fix ? std::move(fix) : fix_from_shapes(link, context);
 }
 
 void check(const model::Link& link, Context& context) {
@@ -48,7 +80,7 @@ void check(const model::Link& link, Context& context) {
                               triangle.largest, what),
        .subject = context.subject(link),
        .help = rounding(triangle),
-       .fix = rounding(triangle).empty() ? fix_from_shapes(link, context) : std::nullopt,
+       .fix = rounding(triangle).empty() ? fix_for(link, triangle, largest, context) : std::nullopt,
        .refused = refused,
        .why = refused ? ""
                       : "Drake and MuJoCo reject the model; libsdformat (Gazebo) adds the link to "

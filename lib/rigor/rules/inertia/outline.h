@@ -81,6 +81,17 @@ class Outline {
     }
     return most;
   }
+  /// In any direction the shapes are at least so wide, m: as the box that is widest where it is thinnest.
+  double least_width() const {
+    double least = 0;
+    for (const Part& part : parts_) {
+      const auto reach = [&part](const model::Vector3& d) {
+        return std::visit(ShapeReach{d}, part.shape);
+      };
+      least = std::max(least, 2 * std::min({reach({1, 0, 0}), reach({0, 1, 0}), reach({0, 0, 1})}));
+    }
+    return least;
+  }
   /// m
   double extent(const model::Vector3& d_L) const { return reach(d_L) + reach(-1 * d_L); }
 

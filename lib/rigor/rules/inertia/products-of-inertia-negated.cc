@@ -1,11 +1,17 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <cstddef>
+#include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/core.h>
 
+#include <rigor/robot/assembled/symmetry.h>
+#include <rigor/rules/assembly/twin_numbers.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/inertia/tensor_mistake.h>
 #include <rigor/rules/rule.h>
@@ -40,6 +46,106 @@ void check(const model::Link& link, Context& context) {
                   .fix = negate(inertial, context)});
 }
 
+/// What mirroring in a plane makes of a tensor: the products with the plane's axis get the other sign.
+mass::Inertia mirrored(const robot::MirrorPlane& plane, mass::Inertia tensor) {
+  if (plane.axis != 2) tensor.ixy = -tensor.ixy;
+  if (plane.axis != 1) tensor.ixz = -tensor.ixz;
+  if (plane.axis != 0) tensor.iyz = -tensor.iyz;
+  return tensor;
+}
+
+enum class Likeness : std::uint8_t { kNone, kMirrored, kCopied, kNegated };
+
+/// How the tensors of two links are related, in W. Of one without products nothing is known.
+Likeness likeness_of(const robot::Twins& pair, const robot::MirrorPlane& plane, Context& context) {
+  constexpr double kAlike = 0.03;  // of the moments' sum
+  const model::Root& root = context.root();
+  const auto& X_WA = context.assembled().links[pair.a].X_WL;
+  const auto& X_WB = context.assembled().links[pair.b].X_WL;
+  const model::Inertial& a = root.links[pair.a].inertial;
+  const model::Inertial& b = root.links[pair.b].inertial;
+  if (!X_WA || !X_WB || !(a.mass.value > 0) || !(b.mass.value > 0)) return Likeness::kNone;
+  const mass::Inertia of_a = mass::tensor(a), of_b = mass::tensor(b);
+  if (!tensor_mistake::has_products(of_a) || !tensor_mistake::has_products(of_b))
+    return Likeness::kNone;
+  const auto in_W = [](const model::Pose& X_WL, const model::Inertial& inertial,
+                       const mass::Inertia& tensor) {
+    return mass::rotated(X_WL.rotation * inertial.pose.pose.value.rotation, tensor);
+  };
+  const mass::Inertia image = mirrored(plane, in_W(*X_WA, a, of_a));
+  const mass::Inertia at_b = in_W(*X_WB, b, of_b);
+  const auto alike = [](const mass::Inertia& p, const mass::Inertia& q) {
+    return tensor_mistake::difference(p, q) < kAlike;
+  };
+  if (alike(at_b, image)) return Likeness::kMirrored;
+  if (alike(of_a, of_b) || alike(at_b, mirrored(plane, image))) return Likeness::kCopied;
+  const mass::Inertia negated = in_W(*X_WB, b, tensor_mistake::with_products_negated(of_b));
+  return alike(negated, image) ? Likeness::kNegated : Likeness::kNone;
+}
+
+/// Which of the two has the wrong sign, when their twins in front or behind tell; else the second.
+bool first_is_wrong(const robot::Twins& pair, const robot::MirrorPlane& plane,
+                    const std::vector<robot::Twins>& along, Context& context) {
+  const auto agrees = [&](std::uint32_t link) {
+    for (const robot::Twins& other : along) {
+      if (other.a != link && other.b != link) continue;
+      robot::MirrorPlane across = plane;
+      across.axis = plane.axis == 0 ? 1 : 0;
+      const Likeness found = likeness_of(other, across, context);
+      return found == Likeness::kMirrored || found == Likeness::kCopied;
+    }
+    return false;
+  };
+  return agrees(pair.b) && !agrees(pair.a);
+}
+
+void check_pairs(const std::vector<robot::Twins>& pairs, Context& context) {
+  const model::Root& root = context.root();
+  const auto plane = robot::symmetry_plane(context.assembled(), pairs);
+  if (!plane) return;
+  std::size_t good = 0;
+  std::vector<robot::Twins> odd;
+  for (const robot::Twins& pair : pairs) {
+    const Likeness found = likeness_of(pair, *plane, context);
+    good += found == Likeness::kMirrored;
+    if (found == Likeness::kNegated) odd.push_back(pair);
+  }
+  if (good < 2 * odd.size()) return;
+  for (const robot::Twins& pair : odd) {
+    const auto along = twins_of(root.links, robot::Side::kAlong, root);
+    const bool first = first_is_wrong(pair, *plane, along, context);
+    const model::Link& wrong = root.links[first ? pair.a : pair.b];
+    const model::Link& right = root.links[first ? pair.b : pair.a];
+    if (mistaken_tensor(wrong, context).mistake == TensorMistake::kProductsNegated) continue;
+    context.report(
+        {.where = wrong.inertial.tensor_site.name,
+         .message = fmt::format("the tensor is the mirror image of that of '{}' only with the "
+                                "other sign of ixy, ixz and iyz",
+                                right.name.value),
+         .subject = context.subject(wrong),
+         .related = {{right.inertial.tensor_site.name, "its twin's"}},
+         .help = fmt::format("those of {} other pairs are mirror images as they are", good),
+         .fix = negate(wrong.inertial, context)});
+  }
+}
+
+void check_twins(const model::Root& root, Context& context) {
+  constexpr std::size_t kFewestLinks = 7;  // three pairs, of which two say what the third should be
+  if (root.links.size() < kFewestLinks || !context.frames().problems().empty()) return;
+  std::map<model::Id<model::Model>, std::vector<robot::Twins>> by_model;
+  for (const robot::Twins& pair : twins_of(root.links, robot::Side::kAcross, root)) {
+    // A finger of the left hand is like that of the right hand on the same side, or on the other.
+    constexpr std::size_t kOneSide = 2;
+    const auto has = [&](std::uint32_t i) {
+      const std::string& name = root.links[i].name.value;
+      if (robot::mirrored_names(name, robot::Side::kAcross).size() > kOneSide) return false;
+      return is_dynamic(root.links[i], context) && has_tensor(root.links[i], context);
+    };
+    if (has(pair.a) && has(pair.b)) by_model[root.links[pair.a].model].push_back(pair);
+  }
+  for (const auto& [model, pairs] : by_model) check_pairs(pairs, context);
+}
+
 Rule rule() {
   return {
       .name = "products-of-inertia-negated",
@@ -49,9 +155,10 @@ Rule rule() {
       .why = "The body has its principal axes mirrored, and moves differently from the real one. "
              "SDF and URDF want the entries of the tensor, ixy = -∫xy dm; some CAD programs and "
              "mesh tools print the products ∫xy dm. A link that was copied from the robot's other "
-             "side has the same fault.",
+             "side has the same fault: where the shapes do not tell, its tensor is compared with "
+             "the mirror image of its twin's, as those of other pairs are.",
       .what_to_do = "Give ixy, ixz and iyz the other sign.",
-      .checks = {on<model::Link>(check)},
+      .checks = {on<model::Link>(check), on<model::Root>(check_twins)},
   };
 }
 

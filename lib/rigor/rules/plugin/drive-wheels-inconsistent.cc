@@ -66,6 +66,19 @@ bool check_pair(const DrivenWheel& left, const DrivenWheel& right, const model::
   return false;
 }
 
+/// Whether they were reported: a plugin commands both to angles of one sign.
+bool check_steering(const Drive& drive, const model::Plugin& plugin, Context& context) {
+  if (drive.left_steering.empty() || drive.right_steering.empty()) return false;
+  const DrivenWheel& left = drive.left_steering.front();
+  const DrivenWheel& right = drive.right_steering.front();
+  if (dot(left.axis, right.axis) > -kAcross) return false;
+  report(right,
+         fmt::format("the axes of {} and {} are opposed: told to turn left, one wheel steers right",
+                     name_of(left, context), name_of(right, context)),
+         plugin, context);
+  return true;
+}
+
 /// What only has a left and a right joint may be a gripper.
 bool is_drive(const Drive& drive, const model::Plugin& plugin) {
   if (!drive.separations.empty() || !drive.radii.empty() || !drive.diameters.empty()) return true;
@@ -76,6 +89,7 @@ bool is_drive(const Drive& drive, const model::Plugin& plugin) {
 void check(const model::Plugin& plugin, Context& context) {
   const auto drive = drive_of(plugin, context);
   if (!drive || !is_drive(*drive, plugin)) return;
+  if (check_steering(*drive, plugin, context)) return;
   for (const DrivenWheel& left : drive->left) {
     for (const DrivenWheel& right : drive->right) {
       if (check_pair(left, right, plugin, context)) return;

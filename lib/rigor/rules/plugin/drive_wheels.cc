@@ -119,14 +119,16 @@ std::optional<Drive> drive_of(const model::Plugin& plugin, Context& context) {
   Drive drive;
   for (const model::Parameter& given : plugin.parameters) {
     const std::string name = plain_name(given.name);
-    if (mentions(name, "steering")) continue;
+    const bool steering = mentions(name, "steering");
     if (name == "wheelseparation" || name == "trackseparation") drive.separations.push_back(&given);
     if (name == "wheelradius") drive.radii.push_back(&given);
     if (name == "wheeldiameter") drive.diameters.push_back(&given);
     const bool left = mentions(name, "left"), right = mentions(name, "right");
     if (left == right) continue;
     if (const auto wheel = wheel_of(given, plugin.model, context)) {
-      (left ? drive.left : drive.right).push_back(*wheel);
+      auto& side = steering ? (left ? drive.left_steering : drive.right_steering)
+                            : (left ? drive.left : drive.right);
+      side.push_back(*wheel);
     }
   }
   if (drive.left.empty() || drive.right.empty()) return std::nullopt;

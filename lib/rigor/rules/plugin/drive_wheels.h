@@ -29,14 +29,17 @@ struct DrivenWheel {
 struct Drive {
   std::vector<DrivenWheel> left;
   std::vector<DrivenWheel> right;
+  // The joints that steer, where the plugin names them.
+  std::vector<DrivenWheel> left_steering;
+  std::vector<DrivenWheel> right_steering;
   // Those of several pairs of wheels, one after another.
   std::vector<const model::Parameter*> separations;
   std::vector<const model::Parameter*> radii;
   std::vector<const model::Parameter*> diameters;
 };
 
-/// Nothing unless at least one joint of each side is one of the model that turns about an axis. Steering
-/// joints are left out.
+/// Nothing unless at least one joint of each side is one of the model that turns about an axis; steering
+/// joints do not count.
 std::optional<Drive> drive_of(const model::Plugin& plugin, Context& context);
 
 /// The text of a parameter without the blanks around it.

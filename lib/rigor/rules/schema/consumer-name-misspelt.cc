@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -90,19 +91,40 @@ void check_prefixed(xml::Element element, xml::Element parent, Context& context)
          context);
 }
 
+/// Tells most names from those of sections by their first letter and length.
+class SectionNames {
+ public:
+  explicit SectionNames(Names sorted) : sorted_(std::move(sorted)) {
+    for (const std::string_view name : sorted_) lengths_[first(name)] |= bit(name);
+  }
+
+  bool has(std::string_view name) const {
+    return (lengths_[first(name)] & bit(name)) != 0 &&
+           std::binary_search(sorted_.begin(), sorted_.end(), name);
+  }
+
+ private:
+  static std::size_t first(std::string_view name) {
+    return name.empty() ? 0 : static_cast<unsigned char>(name.front());
+  }
+  static std::uint64_t bit(std::string_view name) { return std::uint64_t{1} << name.size() % 64; }
+
+  Names sorted_;
+  std::array<std::uint64_t, 256> lengths_{};
+};
+
 void check(const model::Root& /*root*/, Context& context) {
   if (!context.is_urdf() && !context.is_sdf()) return;
   const std::string_view format = dialect_format(context);
-  const Names sections = schema::dialect_sections(format);
-  const auto is_section = [&sections](std::string_view name) {
-    return std::binary_search(sections.begin(), sections.end(), name);
-  };
+  const SectionNames sections(schema::dialect_sections(format));
   const xml::Document& document = context.document();
   for (std::uint32_t i = 1; i < document.element_count(); ++i) {
     const xml::Element element = document.element(i);
+    const std::string_view name = element.name();
+    const bool prefixed = name.find(':') != std::string_view::npos;
+    if (!prefixed && !sections.has(name)) continue;
     const auto parent = element.parent();
-    const bool prefixed = element.name().find(':') != std::string_view::npos;
-    if (!parent || (!prefixed && !is_section(element.name()))) continue;
+    if (!parent) continue;
     if (!schema::find_dialect(format, parent->name(), element.name())) {
       if (prefixed) check_prefixed(element, *parent, context);
       continue;
