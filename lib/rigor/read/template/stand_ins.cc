@@ -36,25 +36,24 @@ std::optional<std::string> declared_default(const xacro::Expansion& expansion,
   return std::nullopt;
 }
 
-/// Whether an argument that is declared nowhere is only ever part of names of things: then any text will do.
-bool is_only_in_names(const xacro::Expansion& expansion, const Sources& sources,
-                      std::string_view argument) {
+/// Whether an argument that is declared nowhere is only part of the robot's own name: then any text will do. In a
+/// link's name it may be a misspelt one.
+bool is_only_in_robot_name(const xacro::Expansion& expansion, const Sources& sources,
+                           std::string_view argument) {
   const std::string reference = "$(arg " + std::string(argument) + ')';
+  std::size_t uses = 0;
   for (const xacro::FileUse& file : expansion.files) {
     const std::string_view bytes = sources.bytes(file.source);
-    std::size_t all = 0;
     for (std::size_t at = bytes.find(reference); at != bytes.npos;
          at = bytes.find(reference, at + 1))
-      ++all;
-    if (all == 0) continue;
-    const xml::Document document = xml::parse_own(bytes, file.source);
-    for (std::uint32_t i = 0; i < document.element_count(); ++i) {
-      const auto name = document.element(i).attribute("name");
-      if (name && name->value().find(reference) != std::string_view::npos) --all;
-    }
-    if (all != 0) return false;
+      ++uses;
   }
-  return true;
+  if (uses != 1 || expansion.files.empty()) return false;
+  const SourceId own = expansion.files.front().source;
+  const xml::Document document = xml::parse_own(sources.bytes(own), own);
+  if (document.element_count() == 0) return false;
+  const auto name = document.element(0).attribute("name");
+  return name && name->value().find(reference) != std::string_view::npos;
 }
 
 /// Whether it is a robot of its own name, and no part that others include.
@@ -92,7 +91,7 @@ std::optional<TemplateArguments> stand_ins(
   for (const xacro::Fact& fact : expansion.facts) {
     if (fact.kind != xacro::FactKind::kUndefinedArgument) continue;
     const auto value = declared_default(expansion, sources, fact.name);
-    if (!value && !is_only_in_names(expansion, sources, fact.name)) return std::nullopt;
+    if (!value && !is_only_in_robot_name(expansion, sources, fact.name)) return std::nullopt;
     all_declared = all_declared && value.has_value();
     // What is composed is not known before it is expanded: the argument's own name will do.
     const bool is_known = value && value->find('$') == std::string::npos;

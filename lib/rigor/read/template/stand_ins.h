@@ -27,7 +27,7 @@ bool lacks_argument(const xacro::Expansion& expansion);
 
 /// The defaults of the arguments that the expansion lacks, and the first values of others with which `makes_robot`
 /// says there is a robot; it is asked with a number, from 0, and the arguments. An argument without any default is
-/// given its own name, where it is only part of names, and the others what robots in `others` give to the same macros.
+/// given its own name, where it is only part of the robot's, and the others what robots in `others` give to the same macros.
 /// Nothing where the expansion lacks no argument, or no set makes a robot.
 std::optional<TemplateArguments> stand_ins(
     const xacro::Expansion& expansion, const std::vector<const xacro::Expansion*>& others,
