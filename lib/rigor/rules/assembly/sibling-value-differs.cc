@@ -102,11 +102,13 @@ std::vector<Odd> odd_ones(const std::vector<std::uint32_t>& group, const std::ve
     std::map<std::size_t, std::vector<std::uint32_t>> by_field;
     std::set<std::size_t> shared;  // fields in which a like part has the same
     std::vector<std::uint32_t> elsewhere;
-    bool alone = true;
+    bool alone = true, alone_in_place = true;
     for (const std::uint32_t other : group) {
       if (other == one) continue;
       const auto found = compared_fields(all[one], all[other]);
-      if (!found || found->agreeing < kAgreeing) continue;
+      if (!found) continue;
+      if (found->different.empty() && found->same_place) alone_in_place = false;
+      if (found->agreeing < kAgreeing) continue;
       if (found->different.size() == 1) by_field[found->different.front()].push_back(other);
       if (!found->different.empty()) continue;
       alone = false;
@@ -117,13 +119,7 @@ std::vector<Odd> odd_ones(const std::vector<std::uint32_t>& group, const std::ve
       for (const auto& [field, others] : by_field) add_odd(one, field, others, all, result);
     }
     const auto place = place_field(all[one]);
-    const auto like = [&](std::uint32_t other) {
-      if (other == one) return false;
-      const auto found = compared_fields(all[one], all[other]);
-      return found && found->different.empty() && found->same_place;
-    };
-    if (place && !std::any_of(group.begin(), group.end(), like))
-      add_odd(one, *place, elsewhere, all, result);
+    if (place && alone_in_place) add_odd(one, *place, elsewhere, all, result);
   }
   return result;
 }
