@@ -251,7 +251,7 @@ void report(const Odd& odd, const std::vector<Entity>& all, const std::vector<Fi
   const bool many = odd.right.size() >= kMany;
   const bool place = is_place(wrong);
   // What was left out is reported as such; but an origin of zero need not be written.
-  if ((slip.empty() && (place || !many)) || (wrong.span.nowhere() && !place)) return;
+  if (slip.empty() || (wrong.span.nowhere() && !place)) return;
   Finding finding{
       .where = wrong.span.nowhere() ? all[odd.wrong].site.name : wrong.span,
       .message =
@@ -266,15 +266,14 @@ void report(const Odd& odd, const std::vector<Entity>& all, const std::vector<Fi
       .subject = context.subject(all[odd.wrong]),
       .related = {{right.span.nowhere() ? all[odd.right.front()].site.name : right.span,
                    "as in the others"}},
-      .help = slip.empty() ? "all their other values are the same"
-                           : "all their other values are the same: " + slip,
+      .help = "all their other values are the same: " + slip,
       .fix = fix_for(wrong, right, context),
       .cause = all[odd.wrong].name.value + name_of(wrong)};
   // One rudder among ailerons.
   const bool pair = odd.right.size() == 1 &&
                     are_sides(all[odd.wrong].name.value, all[odd.right.front()].name.value);
-  const bool doubtful = slip.empty() || (!many && !pair) || wrong.kind == FieldKind::kAxis ||
-                        wrong.kind == FieldKind::kNumber;
+  const bool doubtful =
+      (!many && !pair) || wrong.kind == FieldKind::kAxis || wrong.kind == FieldKind::kNumber;
   if (doubtful) finding.severity = Severity::kInfo;
   context.report(std::move(finding));
 }
