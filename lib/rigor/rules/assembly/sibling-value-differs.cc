@@ -33,7 +33,7 @@ constexpr std::size_t kFewest = 2;
 constexpr std::size_t kMany = 3;
 
 // A larger group is a table of parts; each is compared with all others.
-constexpr std::size_t kMostMembers = 30;
+constexpr std::size_t kMaxMembers = 30;
 
 bool is_empty(const SiblingField& field) {
   return std::all_of(field.values.begin(), field.values.end(),
@@ -308,7 +308,7 @@ void check_family(const std::vector<Entity>& all, const List& list, const Suppor
     std::vector<Fields> of_all(all.size());
     for (const std::uint32_t i : members) of_all[i] = list(all[i]);
     for (std::vector<std::uint32_t> group : groups) {
-      if (group.size() > kMostMembers) continue;
+      if (group.size() > kMaxMembers) continue;
       for (std::uint32_t& i : group) i = members[i];
       const std::vector<Odd> found = [&] {
         if (group.size() > kFewest) return odd_ones(group, of_all);
