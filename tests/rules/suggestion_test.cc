@@ -80,7 +80,7 @@ constexpr PlantedSlip kSlips[] = {
      "<collision>\n      <geometry>\n        <cylinder radius=\"0.08\"", "shape-size-slip"},
     {"hauler.urdf", "rear_right_axle", "-0.2 -0.22 -0.03", "-0.2 0.22 -0.03", "twins-in-one-place"},
     {"hauler.urdf", "rear_right_axle", "-0.2 -0.22 -0.03", "-0.2 -0.022 -0.03",
-     "twin-value-differs"},
+     "sibling-value-differs"},
     {"walker.urdf", "<link name=\"right_shin\">", "value=\"1.6\"", "value=\"16\"",
      "twin-value-differs"},
     {"quadruped.sdf", "<link name=\"rr_thigh\">", "0 -0.05 0", "0 0.05 0", "mirrored-sign-lost"},

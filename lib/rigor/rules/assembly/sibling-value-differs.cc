@@ -102,11 +102,13 @@ std::vector<Odd> odd_ones(const std::vector<std::uint32_t>& group, const std::ve
     std::map<std::size_t, std::vector<std::uint32_t>> by_field;
     std::set<std::size_t> shared;  // fields in which a like part has the same
     std::vector<std::uint32_t> elsewhere;
-    bool alone = true;
+    bool alone = true, alone_in_place = true;
     for (const std::uint32_t other : group) {
       if (other == one) continue;
       const auto found = compared_fields(all[one], all[other]);
-      if (!found || found->agreeing < kAgreeing) continue;
+      if (!found) continue;
+      if (found->different.empty() && found->same_place) alone_in_place = false;
+      if (found->agreeing < kAgreeing) continue;
       if (found->different.size() == 1) by_field[found->different.front()].push_back(other);
       if (!found->different.empty()) continue;
       alone = false;
@@ -117,13 +119,7 @@ std::vector<Odd> odd_ones(const std::vector<std::uint32_t>& group, const std::ve
       for (const auto& [field, others] : by_field) add_odd(one, field, others, all, result);
     }
     const auto place = place_field(all[one]);
-    const auto like = [&](std::uint32_t other) {
-      if (other == one) return false;
-      const auto found = compared_fields(all[one], all[other]);
-      return found && found->different.empty() && found->same_place;
-    };
-    if (place && !std::any_of(group.begin(), group.end(), like))
-      add_odd(one, *place, elsewhere, all, result);
+    if (place && alone_in_place) add_odd(one, *place, elsewhere, all, result);
   }
   return result;
 }
@@ -255,7 +251,7 @@ void report(const Odd& odd, const std::vector<Entity>& all, const std::vector<Fi
   const bool many = odd.right.size() >= kMany;
   const bool place = is_place(wrong);
   // What was left out is reported as such; but an origin of zero need not be written.
-  if ((slip.empty() && (place || !many)) || (wrong.span.nowhere() && !place)) return;
+  if (slip.empty() || (wrong.span.nowhere() && !place)) return;
   Finding finding{
       .where = wrong.span.nowhere() ? all[odd.wrong].site.name : wrong.span,
       .message =
@@ -270,15 +266,14 @@ void report(const Odd& odd, const std::vector<Entity>& all, const std::vector<Fi
       .subject = context.subject(all[odd.wrong]),
       .related = {{right.span.nowhere() ? all[odd.right.front()].site.name : right.span,
                    "as in the others"}},
-      .help = slip.empty() ? "all their other values are the same"
-                           : "all their other values are the same: " + slip,
+      .help = "all their other values are the same: " + slip,
       .fix = fix_for(wrong, right, context),
       .cause = all[odd.wrong].name.value + name_of(wrong)};
   // One rudder among ailerons.
   const bool pair = odd.right.size() == 1 &&
                     are_sides(all[odd.wrong].name.value, all[odd.right.front()].name.value);
-  const bool doubtful = slip.empty() || (!many && !pair) || wrong.kind == FieldKind::kAxis ||
-                        wrong.kind == FieldKind::kNumber;
+  const bool doubtful =
+      (!many && !pair) || wrong.kind == FieldKind::kAxis || wrong.kind == FieldKind::kNumber;
   if (doubtful) finding.severity = Severity::kInfo;
   context.report(std::move(finding));
 }
