@@ -272,7 +272,7 @@ TEST(PageChanges, SayWhatAnEditDid) {
   EXPECT_EQ(after("<mass>4", "<mass>4.5"), "link m::tip weighs 4.5 kg instead of 4 kg\n");
   EXPECT_EQ(after("0 2 1", "0 2 1.25"), "link m::tip moved by 0.25 m\n");
   EXPECT_EQ(after("<upper>0.25", "<upper>0.5"), "joint m::turn changed\n");
-  EXPECT_EQ(after("1 2 3", "1 2 4"), "m/link base/visual v changed\n");
+  EXPECT_EQ(after("1 2 3", "1 2 3.1"), "m/link base/visual v changed\n");
   EXPECT_EQ(after("<upper>0.25", "<upper>-1").find("joint m::turn changed\nnew error: "), 0U);
   EXPECT_NE(after("</link>\n", "</link>\n<link name='new'/>\n").find("link m::new added\n"),
             std::string::npos);

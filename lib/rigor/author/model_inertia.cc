@@ -60,9 +60,11 @@ Diagnostics inertia_findings(const Environment& environment, const Sources& sour
   constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
   const rules::Selection selection{
       .select = {"inertia"},
-      // These refer to the mass, which stays as its author wrote it, or of what a simulator computes.
+      // These refer to the mass, which stays as its author wrote it, to what a simulator computes, or to
+      // moments that are those of a template by their digits alone, as the shapes' may be.
       .ignore = {"automatic-inertia-density-default", "density-too-high", "density-too-low",
-                 "light-link-between-heavy", "mass-ratio-across-joint"},
+                 "inertia-density-impossible", "inertia-placeholder", "light-link-between-heavy",
+                 "mass-ratio-across-joint"},
       .max_listed = kAll};
   return rules::Runner(environment.registry, selection)
       .run(environment, sources, loaded, {.surveys = &surveys});
