@@ -36,14 +36,14 @@ SlipSeverities found(const std::string& rule, const std::string& path, const std
 
 /// 2 kg half a meter from a joint: 2 · 0.5 · 9.8 = 9.8 N·m when its axis is level, 19.6 N along a slider.
 std::string pendulum(const std::string& type, const std::string& axis, const std::string& effort,
-                     const std::string& inside = "") {
+                     const std::string& inside = "",
+                     const std::string& limits = "lower='-1' upper='1'") {
   return "<robot name='r'><link name='a'/><link name='b'><inertial><origin xyz='0.5 0 0'/><mass "
          "value='2'/>"
          "<inertia ixx='0.1' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial></link>"
          "<joint name='j' type='" +
-         type + "'><parent link='a'/><child link='b'/><axis xyz='" + axis +
-         "'/><limit lower='-1' upper='1' velocity='3' effort='" + effort + "'/>" + inside +
-         "</joint></robot>";
+         type + "'><parent link='a'/><child link='b'/><axis xyz='" + axis + "'/><limit " + limits +
+         " velocity='3' effort='" + effort + "'/>" + inside + "</joint></robot>";
 }
 
 TEST(Slips, EffortIsComparedWithTheTorqueOfTheWeight) {
@@ -57,6 +57,22 @@ TEST(Slips, EffortIsComparedWithTheTorqueOfTheWeight) {
   EXPECT_EQ(found(rule, "a.urdf", pendulum("revolute", "0 0.5 0.8660254", "4.8")), kSlipInfo);
   EXPECT_EQ(found(rule, "a.urdf", pendulum("prismatic", "0 0 1", "19.7")), SlipSeverities{});
   EXPECT_EQ(found(rule, "a.urdf", pendulum("prismatic", "0 0 1", "5.8")), kSlipWarning);
+}
+
+TEST(Slips, EffortIsComparedBetweenTheLimits) {
+  const std::string rule = "effort-below-gravity-load";
+  const auto between = [&](const std::string& limits, const std::string& effort) {
+    return found(rule, "a.urdf", pendulum("revolute", "0 1 0", effort, "", limits));
+  };
+  // Level at zero: 60° below it half of 9.8 N·m is left, at 45° 0.707 of it.
+  EXPECT_EQ(between("lower='1.04719755' upper='1.5'", "5"), SlipSeverities{});
+  EXPECT_EQ(between("lower='1.04719755' upper='1.5'", "4.8"), kSlipInfo);
+  EXPECT_EQ(between("lower='-1.5' upper='-0.78539816'", "7"), SlipSeverities{});
+  EXPECT_EQ(between("lower='-1.5' upper='-0.78539816'", "6.8"), kSlipInfo);
+  // Level again half a turn further on.
+  EXPECT_EQ(between("lower='1.6' upper='3.2'", "9.7"), kSlipInfo);
+  // Where the limits are equal, the stops hold it.
+  EXPECT_EQ(between("lower='0' upper='0'", "0.1"), SlipSeverities{});
 }
 
 TEST(Slips, DampingIsComparedWithWhatTheEffortReaches) {
@@ -144,6 +160,27 @@ TEST(Slips, FramesAreGradedByHowNearTheyAre) {
   EXPECT_EQ(found("sensor-frame-missing", "a.urdf", robot("laser_lnik")), kSlipWarning);
   EXPECT_EQ(found("sensor-frame-missing", "a.urdf", robot("scan_frame")), kSlipInfo);
   EXPECT_EQ(found("sensor-frame-missing", "a.urdf", robot("laser_link")), SlipSeverities{});
+}
+
+/// A robot whose first link hangs on one that stands for the place of the robot, as PR2 is written.
+std::string placed_by(const std::string& root) {
+  const std::string body =
+      "<visual><geometry><box size='0.6 0.4 0.2'/></geometry></visual><collision><geometry><box "
+      "size='0.6 0.4 0.2'/></geometry></collision>";
+  return "<robot name='r'><link name='chassis'>" + body + "</link><link name='" + root +
+         "'><visual><geometry><box size='0.01 0.01 0.01'/></geometry></visual><collision><origin "
+         "xyz='0 0 0.07'/><geometry><box size='0.001 0.001 0.001'/></geometry></collision></link>"
+         "<link name='mast'>" +
+         body + "</link><joint name='j' type='fixed'><child link='chassis'/><parent link='" + root +
+         "'/></joint><joint name='k' type='fixed'><origin xyz='0 0 0.2'/><parent "
+         "link='chassis'/><child link='mast'/></joint></robot>";
+}
+
+TEST(Slips, ARobotMayHangOnItsFootprint) {
+  EXPECT_EQ(found("joint-ends-swapped", "a.urdf", placed_by("base_footprint")), SlipSeverities{});
+  EXPECT_EQ(found("joint-ends-swapped", "a.urdf", placed_by("wheel")), kSlipWarning);
+  EXPECT_EQ(found("collision-beside-visual", "a.urdf", placed_by("base_footprint")),
+            SlipSeverities{});
 }
 
 }  // namespace

@@ -171,6 +171,17 @@ TEST(XacroExpand, CallsAreCheckedAgainstTheirMacro) {
       << all_findings(expanded);
 }
 
+TEST(XacroExpand, ABlockThatACallerLacksIsNamedThereAlone) {
+  const Expanded expanded(
+      robot("<xacro:macro name=\"arm\" params=\"*origin\"/>\n"
+            "<xacro:macro name=\"robot\" params=\"*origin\"><xacro:arm><xacro:insert_block "
+            "name=\"origin\"/></xacro:arm></xacro:macro>\n<xacro:robot/>"));
+  EXPECT_TRUE(has_finding(expanded, "4:1 macro 'robot' needs an element for the block '*origin'"))
+      << all_findings(expanded);
+  EXPECT_EQ(all_findings(expanded).find("macro 'arm'"), std::string::npos)
+      << all_findings(expanded);
+}
+
 TEST(XacroExpand, WhatIsOutsideOfTheLanguageIsNamed) {
   for (const auto& [expression, what] : {std::pair{"(lambda x: x)(1)", "lambda"},
                                          {"f'x'", "formatted"},

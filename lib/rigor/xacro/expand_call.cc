@@ -100,8 +100,10 @@ void Expander::expand_call(const Node& node, std::string_view name, Names names,
   std::vector<bool> given(macro->parameters.size(), false);
   bind_attributes(node, *macro, names, *scope, given);
   Node& content = fragment();
+  const std::size_t lost = lost_blocks_;
   expand_children(node, names, content);
-  bind_blocks(node, *macro, content, *scope, given);
+  bind_blocks(node, *macro, content, *scope, given,
+              lost == lost_blocks_ ? Blocks::kAll : Blocks::kSomeLost);
   bind_defaults(node, *macro, names, own, *scope, given);
 
   const std::uint32_t outer = frame_;
@@ -161,7 +163,7 @@ void Expander::bind_attributes(const Node& node, const Macro& macro, Names names
 }
 
 void Expander::bind_blocks(const Node& node, const Macro& macro, const Node& content, Scope& scope,
-                           std::vector<bool>& given) {
+                           std::vector<bool>& given, Blocks blocks) {
   const Node* block = content.first_element();
   for (std::size_t i = 0; i < given.size(); ++i) {
     const MacroParameter& parameter = macro.parameters[i];
@@ -174,7 +176,7 @@ void Expander::bind_blocks(const Node& node, const Macro& macro, const Node& con
       binding.value = Value::block(*block);
       binding.place = block->where;
       block = block->next_element();
-    } else {
+    } else if (blocks == Blocks::kAll) {
       report(FactKind::kMissingBlock, node.where, std::string(parameter.name),
              std::string(macro.name), macro.body->where.span);
     }

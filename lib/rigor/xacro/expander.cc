@@ -334,7 +334,10 @@ void Expander::insert_block(const Node& node, Names names, Node& out) {
   }
   if (binding->definition != kNoDefinition) definitions_[binding->definition].used = true;
   binding->used = true;
-  if (!binding->value.is(Type::kBlock)) return;
+  if (!binding->value.is(Type::kBlock)) {
+    ++lost_blocks_;
+    return;
+  }
   const Node* block = binding->value.node_;
   // A marker in the block would move while it is read.
   for (const Node* at = marker_; at != nullptr; at = at->parent) {

@@ -115,8 +115,9 @@ class Expander final : public Host {
   Macro* find_macro(std::string_view name, Names& names);
   void bind_attributes(const Node& node, const Macro& macro, Names names, Scope& scope,
                        std::vector<bool>& given);
+  enum class Blocks : std::uint8_t { kAll, kSomeLost };
   void bind_blocks(const Node& node, const Macro& macro, const Node& content, Scope& scope,
-                   std::vector<bool>& given);
+                   std::vector<bool>& given, Blocks blocks);
   void bind_defaults(const Node& node, const Macro& macro, Names caller, Names own, Scope& scope,
                      const std::vector<bool>& given);
   std::uint32_t push_call_frame(const Node& node, const Macro& macro, Scope& scope);
@@ -220,6 +221,7 @@ class Expander final : public Host {
   const Node* lacks_attribute_ = nullptr;   // the tag that a fact said so of
   Span text_in_use_;                        // where the text in a failed expression is set
   bool unknown_parameter_ = false;          // in the call that is being bound
+  std::size_t lost_blocks_ = 0;             // insertions of what an earlier fault left unknown
   bool own_path_is_absolute_ = false;
   std::map<std::pair<FactKind, std::pair<std::uint64_t, std::uint32_t>>, std::size_t>
       fact_by_place_;

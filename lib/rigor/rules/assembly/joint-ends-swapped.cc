@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include <fmt/core.h>
 
@@ -85,6 +86,13 @@ std::size_t carriers_of(model::Id<model::Link> link, Context& context) {
 
 /// Whether the parent is a second root, and carries only a link that another one carries, too, or that is
 /// the model's first and carries others.
+// base_footprint, base_link (REP 105, REP 120): what a robot is placed by may well be its root.
+bool is_base(std::string_view name) {
+  for (const std::string_view word : {"base", "footprint", "root", "world", "dummy"})
+    if (name.find(word) != std::string_view::npos) return true;
+  return false;
+}
+
 bool hangs_on_its_child(model::Id<model::Joint> id, Context& context) {
   const model::Root& root = context.root();
   const auto& ends = context.frames().ends(id);
@@ -99,7 +107,8 @@ bool hangs_on_its_child(model::Id<model::Joint> id, Context& context) {
   if (parent.visuals.empty() && parent.collisions.empty() && !parent.inertial.written) return false;
   if (carries_others(ends.parent, id, context)) return false;
   if (carriers_of(ends.child, context) > 1) return true;
-  return links.front() == ends.child && carries_others(ends.child, id, context);
+  return links.front() == ends.child && !is_base(parent.name.value) &&
+         carries_others(ends.child, id, context);
 }
 
 void check(const model::Joint& joint, Context& context) {

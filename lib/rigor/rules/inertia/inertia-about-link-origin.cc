@@ -85,15 +85,15 @@ void check(const model::Link& link, Context& context) {
   if (!context.verdict(link).possible()) return;
   const auto about_com = about_center(inertial);
   if (!about_com) return;
-  context.report(
-      {.where = inertial.tensor_site.name,
-       .message = fmt::format("the products of inertia are those of {} kg at the center of mass, "
-                              "{:.3g} m away: the tensor looks as if it were about the link's "
-                              "origin",
-                              inertial.mass.value, distance),
-       .subject = context.subject(link),
-       .fix = write_tensor(inertial, *about_com),
-       .severity = Severity::kInfo});
+  context.report({.where = inertial.tensor_site.name,
+                  .message = fmt::format(
+                      "the products of inertia are close to those of {} kg at the center of mass, "
+                      "{:.3g} m away: the tensor looks as if it were about the link's "
+                      "origin",
+                      inertial.mass.value, distance),
+                  .subject = context.subject(link),
+                  .fix = write_tensor(inertial, *about_com),
+                  .severity = Severity::kInfo});
 }
 
 Rule rule() {

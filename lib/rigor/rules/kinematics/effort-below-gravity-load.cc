@@ -27,7 +27,10 @@ void check(const model::Root& root, Context& context) {
     const model::Axis& axis = joint.axes.front();
     const double effort = effort_limit(root, joint, axis);
     if (axis.mimic || !(effort > 0) || !std::isfinite(effort)) continue;
-    // A spring or a damper may hold it.
+    // A stop, a spring or a damper may hold it.
+    if (joint.type != model::JointType::kContinuous && axis.lower.written && axis.upper.written &&
+        !(axis.lower.value < axis.upper.value))
+      continue;
     if (axis.spring_stiffness.written && axis.spring_stiffness.value > 0) continue;
     if (!loads) loads.emplace(context);
     const auto load = loads->most({i});
@@ -49,8 +52,8 @@ Rule rule() {
       .severity = Severity::kWarning,
       .summary = "a joint's effort limit cannot hold the weight behind it",
       .why = "The joint sinks under its own weight, whatever its controller commands: simulators "
-             "clamp commands to the limit. Compared is the largest torque of gravity while the "
-             "joint turns around and all others are at zero. Above 30 % of it the finding is an "
+             "clamp commands to the limit. Compared is the largest torque of gravity between "
+             "the joint's limits while all others are at zero. Above 30 % of it the finding is an "
              "info: such a joint works in a part of its range.",
       .what_to_do = "Write the motor's peak torque behind its gear in N·m, or N for a prismatic "
                     "joint; or correct masses and centers of mass.",

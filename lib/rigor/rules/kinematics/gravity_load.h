@@ -34,8 +34,8 @@ class GravityLoads {
     }
   }
 
-  /// N·m, N of a prismatic joint: the largest while the joint turns once around. Nothing when a pose or a
-  /// mass is not known, or the links behind the joint are too many or make a loop.
+  /// N·m, N of a prismatic joint: the largest between the joint's limits, all other joints at zero. Nothing
+  /// when a pose or a mass is not known, or the links behind the joint are too many or make a loop.
   std::optional<double> most(model::Id<model::Joint> id) const {
     const model::Root& root = context_.root();
     const auto child = context_.frames().ends(id).child;
@@ -47,13 +47,28 @@ class GravityLoads {
     const double weight = moved->mass * kGravity;
     if (root[id].type == model::JointType::kPrismatic) return weight * std::abs(axis->z);
     const model::Vector3 arm = moved->com - X_WJ->translation;
-    const double radius = length(arm - dot(arm, *axis) * *axis);
-    return weight * radius * std::sqrt(std::max(0.0, 1 - axis->z * axis->z));
+    const model::Vector3 weight_W{0, 0, -weight};
+    // The torque at q is A cos q + B sin q.
+    const double a = dot(*axis, cross(arm, weight_W));
+    const double b = dot(*axis, cross(cross(*axis, arm), weight_W));
+    return most_of_wave(a, b, root[id]);
   }
 
  private:
   static constexpr double kGravity = 9.8;
+  static constexpr double kPi = 3.14159265358979323846;
   static constexpr std::size_t kMaxLinks = 200;  // a chain that is longer is no arm
+
+  /// The largest |A cos q + B sin q| between the limits.
+  static double most_of_wave(double a, double b, const model::Joint& joint) {
+    const double peak = std::hypot(a, b);
+    const double lower = joint.axes.front().lower.value, upper = joint.axes.front().upper.value;
+    if (joint.type != model::JointType::kRevolute || !(upper - lower < kPi)) return peak;
+    const double first = std::ceil((lower - std::atan2(b, a)) / kPi) * kPi + std::atan2(b, a);
+    if (first <= upper) return peak;
+    const auto at = [&](double q) { return std::abs(a * std::cos(q) + b * std::sin(q)); };
+    return std::max(at(lower), at(upper));
+  }
 
   std::optional<mass::MassProperties> behind(model::Id<model::Link> child) const {
     std::vector<model::Id<model::Link>> all{child};

@@ -12,9 +12,6 @@
 namespace rigor::rules::noise_too_large {
 
 // Standard deviations that no real sensor of the kind has; data sheets are at least ten times below.
-constexpr double kGyroscope = 0.1;      // rad/s: 6°/s
-constexpr double kAccelerometer = 2;    // m/s²
-constexpr double kPixel = 0.5;          // of full scale, 1
 constexpr double kRange = 0.5;          // m
 constexpr double kShareOfRange = 0.25;  // of the largest distance
 
@@ -27,36 +24,47 @@ bool is_in(xml::Element element, std::string_view name) {
   return false;
 }
 
-void check_noise(const model::Noise& noise, double most, std::string_view unit,
-                 const model::Sensor& sensor, Context& context) {
+/// What is measured: the largest standard deviation of a sensor that is sold, and a common one.
+struct Measured {
+  double most = 0;
+  std::string_view unit;
+  std::string_view common;
+};
+
+constexpr Measured kGyroscope{0.1, "rad/s", "0.0002 rad/s is a common IMU's"};  // 6°/s
+constexpr Measured kAccelerometer{2, "m/s²", "0.017 m/s² is a common IMU's"};
+constexpr Measured kPixel{0.5, "of full scale", "0.007 of full scale is a common camera's"};
+
+void check_noise(const model::Noise& noise, const Measured& measured, const model::Sensor& sensor,
+                 Context& context) {
+  const auto& [most, unit, common] = measured;
   if (!noise.stddev.written || !(noise.stddev.value > most)) return;
   context.report(
       {.where = noise.stddev.span,
        .message = fmt::format("the noise has a standard deviation of {:.4g} {}: no sensor of type "
                               "'{}' has more than {:.2g}",
                               noise.stddev.value, unit, sensor.type.value, most),
-       .subject = context.subject(sensor)});
+       .subject = context.subject(sensor),
+       .help = fmt::format("Write it in the sensor's unit: {}", common)});
 }
 
 void check(const model::Sensor& sensor, Context& context) {
   for (const model::Noise& noise : sensor.imu_noises) {
     const bool rotation = is_in(context.element(noise.site), "angular_velocity");
-    check_noise(noise, rotation ? kGyroscope : kAccelerometer, rotation ? "rad/s" : "m/s²", sensor,
-                context);
+    check_noise(noise, rotation ? kGyroscope : kAccelerometer, sensor, context);
   }
   for (const model::Camera& camera : sensor.cameras) {
     if (sensor.type.value.find("depth") != std::string::npos ||
         sensor.type.value.starts_with("rgbd"))
       continue;
-    for (const model::Noise& noise : camera.noises)
-      check_noise(noise, kPixel, "of full scale", sensor, context);
+    for (const model::Noise& noise : camera.noises) check_noise(noise, kPixel, sensor, context);
   }
   if (!sensor.lidar) return;
   const auto& range = sensor.lidar->range_max;
   const double most =
       range.written && range.value > 0 ? std::min(kRange, kShareOfRange * range.value) : kRange;
   for (const model::Noise& noise : sensor.lidar->noises)
-    check_noise(noise, most, "m", sensor, context);
+    check_noise(noise, {most, "m", "0.01 m is a common lidar's"}, sensor, context);
 }
 
 Rule rule() {
@@ -67,8 +75,7 @@ Rule rule() {
       .why = "The measurement is noise: filters diverge, and maps are clouds. The standard "
              "deviation is in the unit of what is measured, rad/s, m/s² or m, and of a camera in "
              "shares of full scale; numbers from a data sheet are in °/s, mg or mm.",
-      .what_to_do = "Write it in the sensor's unit: 0.0002 rad/s and 0.017 m/s² are a common "
-                    "IMU's.",
+      .what_to_do = "Write it in the sensor's unit.",
       .checks = {on<model::Sensor>(check)},
   };
 }
