@@ -17,7 +17,7 @@ State::State(const Disk& below, read::SearchPaths search_paths, std::string work
 
 void State::renew_project() {
   for (auto& [uri, document] : documents) document->forget();
-  for (auto& [uri, check] : checks) check.version = -1;
+  for (auto& [uri, check] : checks) check.forget();
   forget_robots();
   project = std::make_unique<Project>(disk, paths, worker);
 }
@@ -73,16 +73,48 @@ OpenDocument* State::find_by_path(const std::string& path) {
 
 const CheckedDocument& State::checked(OpenDocument& document) {
   LastCheck& last = checks[document.uri()];
-  if (last.version != document.version()) {
-    last.checked = {};
-    if (is_checked(document.path(), document.text())) {
-      last.checked = check(disk, *project, document.path(), rules::MeshPolicy::kDoNotOpen);
-    } else {
-      last.checked.sources = std::make_unique<Sources>();
-    }
-    last.version = document.version();
-  }
+  if (last.version == document.version()) return last.checked;
+  std::optional<CheckedDocument> part;
+  if (last.parts && document.text().size() >= large_bytes)
+    part = last.parts->check(disk, *project, document.text());
+  if (!part) return checked_whole(document);
+  last.checked = *std::move(part);
+  last.is_whole = false;
+  last.version = document.version();
   return last.checked;
+}
+
+const CheckedDocument& State::checked_whole(OpenDocument& document) {
+  LastCheck& last = checks[document.uri()];
+  if (last.version == document.version() && last.is_whole) return last.checked;
+  last.checked = {};
+  if (is_checked(document.path(), document.text())) {
+    last.checked = check(disk, *project, document.path(), rules::MeshPolicy::kDoNotOpen);
+  } else {
+    last.checked.sources = std::make_unique<Sources>();
+  }
+  last.is_whole = true;
+  last.version = document.version();
+  return last.checked;
+}
+
+void State::prepare_parts(const OpenDocument& document) {
+  LastCheck& last = checks[document.uri()];
+  if (last.prepared || !last.is_whole || last.version != document.version()) return;
+  if (document.text().size() >= large_bytes)
+    last.prepared = PartCheck::of(document.path(), document.text());
+}
+
+/// A text that is not well-formed has no parts: those of the last that was are kept.
+void State::keep_check(const OpenDocument& document) {
+  prepare_parts(document);
+  LastCheck& last = checks[document.uri()];
+  if (last.prepared && last.is_whole && last.version == document.version()) {
+    last.prepared->take(std::move(last.checked));
+    last.parts = std::move(last.prepared);
+  }
+  last.prepared.reset();
+  last.version = -1;
 }
 
 std::uint32_t offset_in(const OpenDocument& document, const Json& position) {
