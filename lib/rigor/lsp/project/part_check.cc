@@ -16,6 +16,9 @@
 namespace rigor::lsp {
 namespace {
 
+/// Of several changes all that is between them counts as replaced, and what was found there is not known any more.
+constexpr std::uint32_t kMaxReplacedBytes = 2048;
+
 /// Of a check, its own document: what is read first.
 constexpr SourceId kOwn{0};
 
@@ -161,6 +164,7 @@ std::optional<CheckedDocument> PartCheck::check(const EditorDisk& disk, const Pr
                                                 const std::string& text) {
   if (whole_.result.files.size() != 1 || whole_.sources->bytes(kOwn) != *text_) return std::nullopt;
   const TextChange change = difference(*text_, text);
+  if (change.end - change.begin > kMaxReplacedBytes) return std::nullopt;
   const bool is_same = change.begin == change.end && change.size == 0;
   const std::optional<Excerpt> excerpt =
       is_same ? std::nullopt : Excerpt::around(document_, change);
