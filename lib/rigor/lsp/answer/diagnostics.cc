@@ -118,8 +118,12 @@ std::map<std::string, std::vector<Json>> diagnostics_by_uri(State& state, OpenDo
 }
 
 std::string diagnostic_key(const Json& diagnostic) {
-  return json_text(member(diagnostic, "range")) + json_text(member(diagnostic, "code")) +
-         json_text(member(diagnostic, "message"));
+  const auto number = [&diagnostic](std::string_view end, std::string_view coordinate) {
+    return number_at(diagnostic, std::string_view("range"), end, coordinate);
+  };
+  return fmt::format("{}:{}-{}:{} {} {}", number("start", "line"), number("start", "character"),
+                     number("end", "line"), number("end", "character"),
+                     text_at(diagnostic, "code"), text_at(diagnostic, "message"));
 }
 
 }  // namespace rigor::lsp

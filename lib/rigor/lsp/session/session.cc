@@ -342,17 +342,16 @@ void Session::publish_uri(const std::string& uri) {
       if (known.insert(diagnostic_key(diagnostic)).second) all.push_back(diagnostic);
     }
   }
-  Json params{{"uri", uri}, {"diagnostics", std::move(all)}};
+  Json params{{"uri", uri}};
+  params["diagnostics"] = std::move(all);
   const auto document = state_.documents.find(uri);
   if (document != state_.documents.end()) params["version"] = document->second->version();
-  if (Json& last = sent_[uri]; last != params) {
-    last = params;
-  } else {
-    return;
-  }
-  peer_.send({{"jsonrpc", "2.0"},
-              {"method", "textDocument/publishDiagnostics"},
-              {"params", std::move(params)}});
+  Json& last = sent_[uri];
+  if (last == params) return;
+  last = params;
+  Json message{{"jsonrpc", "2.0"}, {"method", "textDocument/publishDiagnostics"}};
+  message["params"] = std::move(params);
+  peer_.send(message);
 }
 
 Json Session::pulled_diagnostics(const Json& params) {
