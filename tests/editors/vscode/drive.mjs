@@ -243,8 +243,9 @@ try {
   did('a mesh is shown where it is named');
 
   await workbench.openFile('robot.urdf');
+  await goTo('robot.urdf', '<robot');
   const lens = (text) => page.locator('.codelens-decoration a', { hasText: text }).first();
-  await page.locator('.codelens-decoration', { hasText: '2 links, 1 joints, 1.7 kg' }).waitFor();
+  await page.locator('.codelens-decoration', { hasText: '2 links, 1 joint, 1.7 kg' }).waitFor();
   await lens('view').click();
   await page.locator('.tab', { hasText: 'View of robot.urdf' }).waitFor();
   await workbench.viewFrame();

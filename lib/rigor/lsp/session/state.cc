@@ -126,13 +126,20 @@ std::uint32_t offset_in(const OpenDocument& document, const Json& position) {
   return document.lines().offset({coordinate("line"), coordinate("character")});
 }
 
+// Member by member: a list in braces makes each a list of its own first, and there are thousands for each key.
+
 Json position_json(TextPosition position) {
-  return {{"line", position.line}, {"character", position.character}};
+  Json json;
+  json["line"] = position.line;
+  json["character"] = position.character;
+  return json;
 }
 
 Json range_json(const LineIndex& lines, std::uint32_t begin, std::uint32_t end) {
-  return {{"start", position_json(lines.position(begin))},
-          {"end", position_json(lines.position(end))}};
+  Json json;
+  json["start"] = position_json(lines.position(begin));
+  json["end"] = position_json(lines.position(end));
+  return json;
 }
 
 const LineIndex& PlacesJson::lines(SourceId source) {
@@ -141,10 +148,18 @@ const LineIndex& PlacesJson::lines(SourceId source) {
   return lines_.emplace(source, LineIndex(sources_.bytes(source), encoding_)).first->second;
 }
 
-std::string PlacesJson::uri(Span span) const {
-  return uri_of_path(normalize_path(sources_.path(span.source)));
+const std::string& PlacesJson::uri(Span span) {
+  const auto found = uris_.find(span.source);
+  if (found != uris_.end()) return found->second;
+  std::string uri = uri_of_path(normalize_path(sources_.path(span.source)));
+  return uris_.emplace(span.source, std::move(uri)).first->second;
 }
 
-Json PlacesJson::location(Span span) { return {{"uri", uri(span)}, {"range", range(span)}}; }
+Json PlacesJson::location(Span span) {
+  Json json;
+  json["uri"] = uri(span);
+  json["range"] = range(span);
+  return json;
+}
 
 }  // namespace rigor::lsp

@@ -146,7 +146,7 @@ class PlacesJson {
   Json range(Span span) { return range_json(lines(span.source), span); }
   /// With the URI of the file.
   Json location(Span span);
-  std::string uri(Span span) const;
+  const std::string& uri(Span span);
 
  private:
   const LineIndex& lines(SourceId source);
@@ -154,6 +154,7 @@ class PlacesJson {
   const Sources& sources_;
   PositionEncoding encoding_;
   std::map<SourceId, LineIndex> lines_;
+  std::map<SourceId, std::string> uris_;
 };
 
 }  // namespace rigor::lsp
