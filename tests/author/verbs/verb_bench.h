@@ -75,6 +75,7 @@ class VerbBench {
   }
 
   ModelReader& reader() { return reader_; }
+  const Environment& environment() const { return *environment_; }
 
  private:
   const EditedModel& keep(OpenedModel opened) {

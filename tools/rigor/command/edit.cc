@@ -99,9 +99,11 @@ class EditCommand final : public Command {
       given_.emplace_back(name, app.add_flag(name, value, what));
     };
     flag("--subtree", options_.subtree, "Of remove: what the link carries, too");
-    text("--to", options_.to, "Of attach: the link that carries the gripper", "LINK");
+    text("--to", options_.to,
+         "Of attach and add: the link that carries it; of move-frame: a pose, com or joint",
+         "LINK");
     text("--pose", options_.pose,
-         "Of attach: where the gripper is in it, in m and rad; at it when absent",
+         "Of attach and add: where it is in that link, in m and rad; at its frame when absent",
          "\"X Y Z R P Y\"");
     text("--joint", options_.joint, "Of attach: fixed, or revolute about the gripper's z axis",
          "TYPE");

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include <rigor/author/verbs/add.h>
 #include <rigor/author/verbs/attach.h>
 #include <rigor/author/verbs/lump.h>
 #include <rigor/author/verbs/mirror.h>
@@ -115,6 +116,16 @@ Change lump(const EditRequest&, ModelReader&, const EditedModel& edited) {
   return author::lumped(edited, {});
 }
 
+Change add(const EditRequest& request, ModelReader&, const EditedModel& edited) {
+  constexpr std::array<std::string_view, 4> kWhat{"camera", "imu", "lidar", "ros2_control"};
+  const EditOptions& options = request.options;
+  const std::size_t what = choice("edit add: WHAT", request.words[0], kWhat);
+  if (what == 3) return author::with_ros2_control(edited);
+  if (options.to.empty()) throw UsageError("edit add " + request.words[0] + " needs --to LINK");
+  const model::Pose X_LS = options.pose.empty() ? model::Pose{} : pose_of("--pose", options.pose);
+  return author::with_sensor(edited, static_cast<author::SensorTemplate>(what), options.to, X_LS);
+}
+
 std::optional<double> given_number(const std::string& option, const std::string& text) {
   return text.empty() ? std::nullopt : std::optional(finite_number(option, text));
 }
@@ -159,6 +170,7 @@ constexpr EditVerb kEditVerbs[] = {
     {"set-limit", "JOINT", "--lower --upper --effort --velocity", set_limit},
     {"move-frame", "LINK", "--to", move_frame},
     {"lump", "", "", lump},
+    {"add", "WHAT", "--to --pose", add},
 };
 
 }  // namespace
