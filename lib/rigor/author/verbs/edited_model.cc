@@ -51,11 +51,11 @@ std::string unreadable(const read::Loaded& loaded) {
   return {};
 }
 
-/// Those that no other model holds.
+/// Those of the file itself that no other model holds.
 std::vector<Id<model::Model>> outermost(const model::Root& root) {
   std::vector<Id<model::Model>> models;
   for (std::uint32_t i = 0; i < root.models.size(); ++i) {
-    if (!root.models[i].parent) models.push_back({i});
+    if (!root.models[i].parent && root.own(root.models[i].site)) models.push_back({i});
   }
   return models;
 }
@@ -146,6 +146,8 @@ OpenedModel ModelReader::opened(read::Workspace& workspace, const read::File& fi
   if (const std::string why = unreadable(loaded); !why.empty()) return {nullptr, file.path + why};
   if (file.expanded && !file.expanded->ok()) return {nullptr, file.path + " does not expand"};
   const std::vector<Id<model::Model>> models = outermost(loaded.root);
+  if (models.empty())
+    return {nullptr, file.path + " has no model of its own: edit those that it includes"};
   Id<model::Model> chosen = models.front();
   if (models.size() > 1) {
     const auto named = std::find_if(models.begin(), models.end(), [&](Id<model::Model> id) {

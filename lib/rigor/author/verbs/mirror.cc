@@ -92,6 +92,8 @@ void mirror_bodies(robot::Robot& robot, const std::vector<bool>& part, const Ref
     if (!part[joint.child]) continue;
     joint.X_PJ = part[joint.parent] ? S.of(joint.X_PJ)
                                     : compose(X_BL, S.of(compose(inverse(X_BL), joint.X_PJ)));
+    // A ball joint has no axes of its own: what it turns about is the same by convention.
+    if (joint.type == model::JointType::kBall) continue;
     for (robot::Axis& axis : joint.axes) {
       axis.direction = axis.motion == robot::Axis::Motion::kSlide ? S.of(axis.direction)
                                                                   : S.of_axis(axis.direction);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include <fmt/core.h>
@@ -68,11 +69,17 @@ std::vector<Edit> named_include(const EditedModel& edited, const NamedEntity& en
 }
 
 /// What refers to a model of another file by that one's own name refers to its include now.
-void rename_included(NameGraph& graph, const std::string& path, const NewName& new_name,
-                     Change& change) {
+void rename_included(const EditedModel& edited, NameGraph& graph, const std::string& path,
+                     const NewName& new_name, Change& change) {
+  std::set<std::string> files;
+  for (const model::Include& include : edited.root().includes) {
+    if (include.model == edited.model && !include.name.written)
+      files.insert(normalize_path(include.path));
+  }
   for (const NameUse& use : graph.uses(path)) {
     const NamedEntity& entity = graph.entity(use.target);
-    if (use.defines || use.target.path == path || entity.kind != NameKind::kModel) continue;
+    if (use.defines || !files.contains(use.target.path) || entity.kind != NameKind::kModel)
+      continue;
     if (const auto name = new_name(entity.name)) change.steps.push_back({{use.where, *name}});
   }
 }
@@ -107,7 +114,7 @@ Change with_new_names(const EditedModel& edited, const NewName& new_name,
   Renaming renaming = renamed({graph, edited.environment.resolver, edited.sources}, targets, files);
   if (!renaming.refused.empty()) return refusal(std::move(renaming.refused));
   for (Edit& edit : renaming.edits) change.steps.push_back({std::move(edit)});
-  if (has_unnamed) rename_included(graph, path, new_name, change);
+  if (has_unnamed) rename_included(edited, graph, path, new_name, change);
   for (const Span where : renaming.suspected) {
     change.notes.push_back(fmt::format("{}:{}: may be a name; not renamed",
                                        edited.sources.path(where.source),

@@ -227,16 +227,39 @@ class Scaler {
     return schema::to_shortest(grown(value, power));
   }
 
+  /// Of SDF: what is not written has a size all the same.
+  void add_defaults(const model::Geometry& geometry,
+                    const std::vector<std::pair<std::string, std::string>>& sizes) {
+    if (edited_.is_urdf() || sizes.empty()) return;
+    std::string xml;
+    for (const auto& [name, value] : sizes)
+      xml += (xml.empty() ? "" : "\n") + fmt::format("<{0}>{1}</{0}>", name, value);
+    draft_.insert(edited_.element(geometry.site), last_child(geometry.site), xml);
+  }
+
   void scale_shape(const model::Geometry& geometry) {
     std::visit([&](const auto& shape) { scale(geometry, shape); }, geometry.shape);
   }
   void scale(const model::Geometry&, const model::NoShape&) {}
-  void scale(const model::Geometry&, const model::Box& shape) { grow(shape.size); }
-  void scale(const model::Geometry&, const model::Sphere& shape) { grow(shape.radius, 1); }
+  void scale(const model::Geometry& geometry, const model::Box& shape) {
+    grow(shape.size);
+    const Vector3& size = shape.size.value;
+    if (!shape.size.written)
+      add_defaults(geometry,
+                   {{"size", text(size.x, 1) + ' ' + text(size.y, 1) + ' ' + text(size.z, 1)}});
+  }
+  void scale(const model::Geometry& geometry, const model::Sphere& shape) {
+    grow(shape.radius, 1);
+    if (!shape.radius.written) add_defaults(geometry, {{"radius", text(shape.radius.value, 1)}});
+  }
   template <class Round>
-  void scale(const model::Geometry&, const Round& shape) {  // cylinder, capsule, cone
+  void scale(const model::Geometry& geometry, const Round& shape) {  // cylinder, capsule, cone
     grow(shape.radius, 1);
     grow(shape.length, 1);
+    std::vector<std::pair<std::string, std::string>> missing;
+    if (!shape.radius.written) missing.emplace_back("radius", text(shape.radius.value, 1));
+    if (!shape.length.written) missing.emplace_back("length", text(shape.length.value, 1));
+    add_defaults(geometry, missing);
   }
   void scale(const model::Geometry&, const model::Ellipsoid& shape) { grow(shape.radii); }
   void scale(const model::Geometry&, const model::Plane&) {}
