@@ -72,6 +72,7 @@ class MjcfBuilder {
 
   void build() {
     for (const auto model : result_.models) take_mjcf_model(draft_, model);
+    tell_moved_inertias(draft_);
     MjcfElement world = nested_bodies();
     add_mjcf_equalities(draft_);
     add_mjcf_actuators(draft_);

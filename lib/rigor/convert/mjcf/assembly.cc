@@ -4,9 +4,12 @@
 #include <rigor/convert/mjcf/assembly.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <set>
 #include <utility>
 
+#include <rigor/mass/nearest.h>
 #include <rigor/robot/lumping.h>
 
 namespace rigor::convert {
@@ -62,6 +65,7 @@ class MjcfAssembler {
     }
     add_world();
     robot::connect(result_.robot);
+    move_inertias();
     return std::move(result_);
   }
 
@@ -156,6 +160,32 @@ class MjcfAssembler {
     }
     for (robot::Frame& frame : all.frames) {
       if (frame.body == kWorld) frame.body = result_.world;
+    }
+  }
+
+  /// From the leaves up. A sensor's link that somebody gave a mass and a rough tensor is common, and what it
+  /// is fixed to moves with it.
+  void move_inertias() {
+    Robot& robot = result_.robot;
+    const std::vector<bool> fixed = fixed_to_world(robot, result_.world);
+    for (auto at = robot.order.rbegin(); at != robot.order.rend(); ++at) {
+      robot::Body& body = robot.bodies[*at];
+      if (*at == result_.world || mass::judge(body.mass).possible()) continue;
+      const auto moments = mass::principal_moments(body.mass.about_com);
+      if (fixed[*at]) {
+        const auto nearest = mass::nearest_possible(body.mass.about_com);
+        body.mass.about_com = nearest.value_or(mass::Inertia{});
+        body.mass.mass = std::max(body.mass.mass, 0.0);
+        result_.moved_inertias.push_back({*at, result_.world, moments});
+        continue;
+      }
+      if (body.carrier == kNoIndex) continue;
+      const robot::Joint& joint = robot.joints[body.carrier];
+      robot::Body& parent = robot.bodies[joint.parent];
+      if (joint.type != JointType::kFixed || !std::isfinite(moments[0])) continue;
+      parent.mass = mass::add(parent.mass, mass::transformed(joint.X_PJ, body.mass));
+      body.mass = {};
+      result_.moved_inertias.push_back({*at, joint.parent, moments});
     }
   }
 

@@ -8,6 +8,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -24,6 +25,14 @@ struct MjcfAssembly {
   std::vector<std::uint32_t> model_of;  ///< of each body, which of the models; the world: none
   std::uint32_t world = robot::kNoIndex;
   std::map<std::string, std::string> held_by;  ///< of lumped links
+  /// Bodies with an inertia that no rigid body has, on fixed joints: it is in another one, where the sum is
+  /// possible. `to` is the world's where the body never moves: then the nearest inertia does no harm.
+  struct MovedInertia {
+    std::uint32_t from = robot::kNoIndex;
+    std::uint32_t to = robot::kNoIndex;
+    std::array<double, 3> moments{};  ///< kg·m²
+  };
+  std::vector<MovedInertia> moved_inertias;
 };
 
 MjcfAssembly mjcf_assembly(const MjcfSource& source, const MjcfOptions& options,

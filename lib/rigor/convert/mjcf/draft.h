@@ -82,6 +82,9 @@ struct MjcfDraft {
 /// Its inertial element; nothing for a body without mass that a parent carries.
 std::vector<MjcfElement> mjcf_inertial(MjcfDraft& draft, std::uint32_t body);
 
+/// What the assembly did to inertias.
+void tell_moved_inertias(MjcfDraft& draft);
+
 /// The joints by which it hangs on its parent.
 std::vector<MjcfElement> mjcf_joints(MjcfDraft& draft, std::uint32_t joint);
 

@@ -96,8 +96,7 @@ bool must_weigh(const MjcfDraft& draft, std::uint32_t i) {
   return true;
 }
 
-std::string moments_words(const mass::Inertia& inertia) {
-  const Moments moments = mass::principal_moments(inertia);
+std::string moments_words(const Moments& moments) {
   return fmt::format("{:.3g}, {:.3g} and {:.3g}", moments[0], moments[1], moments[2]);
 }
 
@@ -121,8 +120,9 @@ std::vector<MjcfElement> mjcf_inertial(MjcfDraft& draft, std::uint32_t i) {
   if (!mass::judge(body).possible()) {
     const auto nearest = mass::nearest_possible(body.about_com);
     const bool usable = nearest && body.mass > 0;
-    note_on_body(draft, i, NoteKind::kMjcfInertia, moments_words(body.about_com),
-                 usable ? moments_words(*nearest) : "nothing");
+    note_on_body(draft, i, NoteKind::kMjcfInertia,
+                 moments_words(mass::principal_moments(body.about_com)),
+                 usable ? moments_words(mass::principal_moments(*nearest)) : "nothing");
     if (usable) body.about_com = *nearest;
     if (!usable) body = {};
   }
@@ -134,6 +134,15 @@ std::vector<MjcfElement> mjcf_inertial(MjcfDraft& draft, std::uint32_t i) {
   }
   if (body.mass <= 0 && body.about_com == mass::Inertia{}) return {};
   return {inertial_element(body, must ? kMujocoLeast : 0)};
+}
+
+void tell_moved_inertias(MjcfDraft& draft) {
+  for (const auto& [from, to, moments] : draft.assembly.moved_inertias) {
+    note_on_body(draft, from, NoteKind::kMjcfInertiaMoved, moments_words(moments),
+                 to == draft.assembly.world
+                     ? "it is the nearest possible one, in a body that never moves"
+                     : "it is part of body " + draft.robot().bodies[to].name + " now");
+  }
 }
 
 }  // namespace rigor::convert

@@ -49,6 +49,13 @@ std::span<const Row> mjcf_rows() {
               "inequality or are negative. The nearest possible inertia is another robot.",
        .what_to_do = "Correct the source: `rigor inertia MODEL --diff` computes it from the "
                      "shapes; `--allow-loss` writes the nearest possible inertia."},
+      {.rule = {"convert-mjcf-inertia-moved", NoteKind::kMjcfInertiaMoved, Severity::kInfo},
+       .message = "no rigid body has the principal moments {written} kg·m²: {instead}",
+       .summary = "an impossible inertia of a link on a fixed joint is in another body",
+       .why = "MuJoCo rejects a model with an inertia that no rigid body can have, even of a body "
+              "that is fixed to another one. Both move as one, so the sum is the same robot.",
+       .what_to_do =
+           "Nothing for MuJoCo; `rigor inertia MODEL --diff` computes what it should be."},
       {.rule = {"convert-mjcf-contact", NoteKind::kMjcfContact, Severity::kInfo},
        .message =
            [](const convert::Note& note) {
