@@ -31,8 +31,7 @@ constexpr std::string_view kGreeting =
   validate, report         check files and folders; a page about many models for a team
   inspect, render, view    tree, poses and masses; pictures without a window; a page to turn it
   inertia, mesh-check      mass and inertia, exactly; check, repair, reduce and convert meshes
-  sdf2urdf, urdf2sdf       convert, with an account of every loss
-  sdf2mjcf, urdf2mjcf      convert for MuJoCo, with meshes and a scene
+  sdf2urdf, urdf2sdf       convert, with an account of every loss; sdf2mjcf, urdf2mjcf for MuJoCo
   diff, upgrade, fmt       what differs between robots; a newer SDF of the same robot; one layout
   simulate, merge          drop it, drive it, sweep its joints: a verdict; join sharded runs
   new, init                a robot to begin with, done right and explained; a rigor.toml

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 #include <vector>
@@ -23,6 +24,8 @@ using convert::NoteKind;
 using convert::Notes;
 using robot::DifferenceKind;
 using robot::Robot;
+
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 bool is_primitive(const robot::Part& part) {
   const std::string& kind = part.shape.kind;
@@ -67,6 +70,10 @@ Robot expected(const convert::MjcfConversion& result) {
   for (robot::Joint& joint : robot.joints) {
     if (joint.type == model::JointType::kFixed) {
       joint.name = convert::mjcf_fixed_name(robot.bodies[joint.child].name);
+    }
+    for (robot::Axis& axis : joint.axes) {
+      if (axis.lower <= -convert::kMjcfUnlimited) axis.lower = -kNoLimit;
+      if (axis.upper >= convert::kMjcfUnlimited) axis.upper = kNoLimit;
     }
   }
   keep_comparable(robot);

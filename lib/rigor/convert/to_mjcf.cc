@@ -36,6 +36,9 @@ constexpr double kMinMasslessLink = 1e-12;
 /// take as well; tinyxml2 up to version 9 stops at 100 levels.
 constexpr std::size_t kMaxBodyDepth = 90;
 
+/// MuJoCo 2.2.2 reads no longer list.
+constexpr std::size_t kMaxKeyframeNumbers = 1000;
+
 double massless_link(const robot::Robot& robot) {
   double total = 0;
   for (const robot::Body& body : robot.bodies) total += std::max(body.mass.mass, 0.0);
@@ -93,7 +96,7 @@ class MjcfBuilder {
     if (draft_.options.files == MjcfFiles::kWritten) {
       result_.files = std::move(draft_.files);
       if (draft_.options.file != "scene") {
-        result_.files.push_back(mjcf_scene(draft_.robot(), model_name(), draft_.options.file));
+        result_.files.push_back(mjcf_scene(draft_.assembly, model_name(), draft_.options.file));
       }
     }
     result_.root = std::move(root);
@@ -247,7 +250,9 @@ class MjcfBuilder {
       }
     }
     MjcfElement keyframe{"keyframe"};
-    if (!qpos.empty()) keyframe.add({"key", {{"name", "home"}, {"qpos", qpos}}});
+    const auto count = static_cast<std::size_t>(std::count(qpos.begin(), qpos.end(), ' ')) + 1;
+    if (!qpos.empty() && count <= kMaxKeyframeNumbers)
+      keyframe.add({"key", {{"name", "home"}, {"qpos", qpos}}});
     return keyframe;
   }
 

@@ -59,6 +59,7 @@ class MjcfAssembler {
       Robot robot =
           robot_of(source_.source.root, source_.source.frames, models[i], source_.lookups);
       const bool fixes = robot.is_static.value_or(false) || options_.base == MjcfBase::kWorld;
+      result_.any_static |= robot.is_static.value_or(false);
       if (robot.is_static.value_or(false)) freeze(robot);
       if (options_.fixed == MjcfFixed::kLump) lump(robot);
       add(robot, i, models.size() > 1 ? robot.name + "::" : std::string(), fixes);

@@ -24,6 +24,7 @@ struct MjcfAssembly {
   robot::Robot robot;
   std::vector<std::uint32_t> model_of;  ///< of each body, which of the models; the world: none
   std::uint32_t world = robot::kNoIndex;
+  bool any_static = false;                     ///< whether a model is static
   std::map<std::string, std::string> held_by;  ///< of lumped links
   /// Bodies with an inertia that no rigid body has, on fixed joints: it is in another one, where the sum is
   /// possible. `to` is the world's where the body never moves: then the nearest inertia does no harm.

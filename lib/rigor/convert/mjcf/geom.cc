@@ -108,7 +108,10 @@ class MjcfGeomMaker {
     const auto& n = shape.numbers;
     if (shape.kind == "none") return std::nullopt;
     const bool sized = shape.kind != "mesh" && shape.kind != "plane" && shape.kind != "polyline";
-    if (sized && (n.empty() || !is_positive(n))) return lost(if_lost, shape.kind + " of no size");
+    // Nothing touches it in any engine.
+    if (sized && (n.empty() || !is_positive(n))) {
+      return lost(NoteKind::kShapeLost, shape.kind + " of no size");
+    }
     if (shape.kind == "plane") return plane(part, std::move(geom), if_lost);
     if (shape.kind == "box") {
       geom.set("type", "box");

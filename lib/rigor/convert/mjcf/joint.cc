@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include <rigor/convert/mjcf/draft.h>
+#include <rigor/convert/mjcf/written_robot.h>
 #include <rigor/model/subject.h>
 
 namespace rigor::convert {
@@ -14,9 +15,6 @@ namespace {
 
 using model::JointType;
 using robot::Axis;
-
-/// Represents a side without a limit where the other has one: `range` has two. rad or m.
-constexpr double kOpenSide = 1e10;
 
 MjcfElement moving_joint(const std::string& name, const Axis& axis, std::string_view type) {
   MjcfElement element{"joint"};
@@ -29,10 +27,11 @@ MjcfElement moving_joint(const std::string& name, const Axis& axis, std::string_
 
 void set_range(MjcfElement& element, const Axis& axis) {
   if (!(axis.lower < axis.upper)) return;  // one that cannot move is held by an equality
-  if (std::isinf(axis.lower) && std::isinf(axis.upper)) return;
+  const double lower = std::max(axis.lower, -kMjcfUnlimited);
+  const double upper = std::min(axis.upper, kMjcfUnlimited);
+  if (lower == -kMjcfUnlimited && upper == kMjcfUnlimited) return;
   element.set("limited", "true");
-  element.set("range", mjcf_numbers({std::isinf(axis.lower) ? -kOpenSide : axis.lower,
-                                     std::isinf(axis.upper) ? kOpenSide : axis.upper}));
+  element.set("range", mjcf_numbers({lower, upper}));
 }
 
 void set_dynamics(MjcfElement& element, const Axis& axis, double armature) {
@@ -58,6 +57,7 @@ void tell_limits(MjcfDraft& draft, const robot::Joint& joint, const Axis& axis) 
        .written = locked ? mjcf_number(axis.lower) : mjcf_numbers({axis.lower, axis.upper})});
 }
 
+/// An axis that is not written has no direction.
 void tell_axis(MjcfDraft& draft, const robot::Joint& joint, const Axis& axis) {
   const model::Joint* source = draft.entities.joint(joint.span);
   if (source == nullptr || length(axis.direction) > 0) return;
@@ -130,6 +130,7 @@ std::vector<MjcfElement> mjcf_joints(MjcfDraft& draft, std::uint32_t index) {
     lose_type(draft, joint);
     if (joint.type == JointType::kUnknown) return {};
   }
+  if (joint.axes.empty()) tell_axis(draft, joint, {});
   std::vector<MjcfElement> elements;
   for (std::size_t k = 0; k < joint.axes.size() && k < names.size(); ++k) {
     const Axis& axis = joint.axes[k];

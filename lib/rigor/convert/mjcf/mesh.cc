@@ -160,7 +160,7 @@ class MjcfMesher {
     if (looks && !collides() && !part_.color) {
       note(NoteKind::kMjcfLook, Outcome::kLost, "colors and textures of " + part_.shape.uri, {});
     }
-    if (binary && origin.submesh.empty() && !origin.mirrored && solid.change.empty() &&
+    if (binary && origin.submesh.empty() && !origin.mirrored && !solid.replaced &&
         solid.mesh->triangles.size() <= kMaxStlTriangles) {
       const ReadResult bytes = disk.read(origin.path, mesh::kMaxMeshBytes);
       if (bytes.bytes && is_plain_stl(*bytes.bytes)) return put(stem, ".stl", *bytes.bytes);
@@ -201,7 +201,8 @@ class MjcfMesher {
       if (file.empty()) return {};
       draft_.mesh_names.emplace(std::move(key), file);
     }
-    note(NoteKind::kMjcfMesh, Outcome::kSubstituted, shape.kind, "is a mesh");
+    note(NoteKind::kMjcfMesh, Outcome::kSubstituted, shape.kind,
+         "becomes a mesh of its convex hull");
     return asset(file, {1, 1, 1});
   }
 

@@ -3,8 +3,9 @@
 
 #include <rigor/convert/mjcf/mesh_solid.h>
 
-#include <algorithm>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include <rigor/mesh/convex/hull.h>
 
@@ -15,6 +16,9 @@ using mesh::TriangleMesh;
 
 /// m³, MuJoCo's mjMINVAL with a margin for its sums.
 constexpr double kLeastVolume = 1e-13;
+
+/// A mesh that fills its hull to this share collides as it is drawn, but for a dent.
+constexpr double kConvexShare = 0.95;
 
 double signed_volume(const TriangleMesh& mesh) {
   double six = 0;
@@ -32,14 +36,16 @@ std::optional<TriangleMesh> mujoco_hull(const std::vector<mesh::Vector3>& points
 }
 
 MujocoSolid mujoco_solid(TriangleMesh mesh, MujocoUse use) {
-  if (mesh.triangles.empty()) return {{}, {}, "without triangles"};
-  if (use == MujocoUse::kCollision) {
-    if (signed_volume(mesh) >= kLeastVolume) return {std::move(mesh), {}, {}};
-    auto hull = mesh::convex_hull(mesh.positions);
-    if (!hull || signed_volume(*hull) < kLeastVolume) return {{}, {}, "without volume"};
-    return {std::move(hull), "is its convex hull", {}};
-  }
-  return {std::move(mesh), {}, {}};
+  if (mesh.triangles.empty()) return {{}, false, {}, "without triangles"};
+  if (use == MujocoUse::kVisual) return {std::move(mesh)};
+  auto hull = mesh::convex_hull(mesh.positions);
+  const double hulled = hull ? signed_volume(*hull) : 0;
+  if (hulled < kLeastVolume) return {{}, false, {}, "without volume"};
+  const double volume = signed_volume(mesh);
+  if (volume < kLeastVolume) return {std::move(hull), true, "becomes its convex hull"};
+  if (volume > kConvexShare * hulled) return {std::move(mesh)};
+  return {std::move(mesh), false,
+          fmt::format("collides as its convex hull, of {:.2g} times its volume", hulled / volume)};
 }
 
 }  // namespace rigor::convert

@@ -20,8 +20,10 @@ namespace rigor::convert {
 
 struct MujocoSolid {
   std::optional<mesh::TriangleMesh> mesh;
-  std::string change;        ///< what was done to it; empty when nothing was
-  std::string_view problem;  ///< why there is none
+  bool replaced = false;  ///< whether it is another mesh than the file's
+  /// What was done to it, or what MuJoCo does; empty when nothing is.
+  std::string change = {};
+  std::string_view problem = {};  ///< why there is none
 };
 
 enum class MujocoUse : bool { kVisual, kCollision };

@@ -23,17 +23,24 @@ double extent_of(const robot::Robot& robot) {
   return extent;
 }
 
-bool has_ground(const robot::Robot& robot) {
-  return std::any_of(robot.bodies.begin(), robot.bodies.end(), [](const robot::Body& body) {
-    return std::any_of(body.collisions.begin(), body.collisions.end(),
-                       [](const robot::Part& part) { return part.shape.kind == "plane"; });
-  });
+/// MuJoCo 2.2.2 runs out of a buffer where a plane and bodies that never move are all there is.
+bool needs_no_ground(const MjcfAssembly& assembly) {
+  const robot::Robot& robot = assembly.robot;
+  const std::vector<bool> fixed = fixed_to_world(robot, assembly.world);
+  const bool nothing_moves =
+      std::all_of(fixed.begin(), fixed.end(), [](bool each) { return each; });
+  return assembly.any_static || nothing_moves ||
+         std::any_of(robot.bodies.begin(), robot.bodies.end(), [](const robot::Body& body) {
+           return std::any_of(body.collisions.begin(), body.collisions.end(),
+                              [](const robot::Part& part) { return part.shape.kind == "plane"; });
+         });
 }
 
 }  // namespace
 
-SideFile mjcf_scene(const robot::Robot& robot, const std::string& model, const std::string& file) {
-  const double extent = extent_of(robot);
+SideFile mjcf_scene(const MjcfAssembly& assembly, const std::string& model,
+                    const std::string& file) {
+  const double extent = extent_of(assembly.robot);
   MjcfElement root{"mujoco", {{"model", model + " scene"}}};
   root.add({"include", {{"file", file + ".xml"}}});
   root.add({"statistic",
@@ -65,7 +72,7 @@ SideFile mjcf_scene(const robot::Robot& robot, const std::string& model, const s
   world.add(
       {"light",
        {{"pos", mjcf_numbers({0, 0, 3 * extent})}, {"dir", "0 0 -1"}, {"directional", "true"}}});
-  if (!has_ground(robot)) {
+  if (!needs_no_ground(assembly)) {
     world.add(
         {"geom",
          {{"name", "ground"}, {"type", "plane"}, {"size", "0 0 0.05"}, {"material", "ground"}}});

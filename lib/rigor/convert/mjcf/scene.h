@@ -7,12 +7,13 @@
 
 #include <string>
 
+#include <rigor/convert/mjcf/assembly.h>
 #include <rigor/convert/sdf_to_urdf.h>
-#include <rigor/robot/robot.h>
 
 namespace rigor::convert {
 
-/// Includes `file`.xml.
-SideFile mjcf_scene(const robot::Robot& robot, const std::string& model, const std::string& file);
+/// Includes `file`.xml. There is no ground where a static model or a plane is one.
+SideFile mjcf_scene(const MjcfAssembly& assembly, const std::string& model,
+                    const std::string& file);
 
 }  // namespace rigor::convert

@@ -21,8 +21,6 @@ using robot::Axis;
 using robot::kNoIndex;
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
-/// A range that ends there has no end.
-constexpr double kOpenEnd = 1e10;
 
 std::string word_of(xml::Element element, std::string_view attribute) {
   const auto found = element.attribute(attribute);
@@ -199,8 +197,8 @@ class MjcfReader {
     axis.upper = axis.effort = axis.velocity = kNone;
     if (word_of(element, "limited") == "true") {
       const auto range = numbers_of(element, "range", {-kNone, kNone});
-      if (range[0] > -kOpenEnd) axis.lower = range[0];
-      if (range[1] < kOpenEnd) axis.upper = range[1];
+      if (range[0] > -kMjcfUnlimited) axis.lower = range[0];
+      if (range[1] < kMjcfUnlimited) axis.upper = range[1];
     }
     axis.damping = number_of(element, "damping", 0);
     axis.friction = number_of(element, "frictionloss", 0);

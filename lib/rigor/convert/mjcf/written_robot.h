@@ -16,6 +16,9 @@
 
 namespace rigor::convert {
 
+/// rad or m: a limit from here on is none, and represents the one that a joint with only one limit lacks.
+inline constexpr double kMjcfUnlimited = 1e10;
+
 /// Joints that are no element are named by the body that they fix: "fixed:hand". A body with several
 /// joints hangs on massless ones between them. An effort is infinite where no actuator limits it.
 /// Nothing for a text that is no MJCF.
