@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -13,7 +14,6 @@
 #include <rigor/convert/mjcf/written_robot.h>
 #include <rigor/convert/to_mjcf.h>
 #include <rigor/robot/lookups.h>
-#include <rigor/schema/value.h>
 
 #include "convert/converted.h"
 #include "convert/mjcf_converted.h"
@@ -73,6 +73,8 @@ TEST(MjcfProof, FindsEveryNumberThatIsOff) {
       const auto values = write::numbers_in(attribute.value());
       ASSERT_TRUE(values);
       for (std::size_t k = 0; k < values->size(); ++k) {
+        // A longer axis is the same axis.
+        if (attribute.name() == "axis" && std::abs((*values)[k]) == 1) continue;
         std::vector<double> off = *values;
         off[k] += 1e-5;
         std::string text = arm.text;

@@ -319,12 +319,19 @@ void take_worlds(const Source& source, Ledger& ledger) {
     ledger.open(world.site);
     ledger.take(world.site);
     ledger.take(world.name);
+    for (const model::Include& include : source.root.includes) {
+      if (include.followed || !include.world) continue;
+      ledger.lose(include.site,
+                  {.kind = NoteKind::kMjcfWorld, .written = "include " + include.uri.value});
+    }
     const xml::Element element = source.documents.element(world.site);
     for (const xml::Element child : element.children()) {
-      const bool part = child.name() == "model" || child.name() == "include";
-      if (part || child.name() == "gravity") continue;
+      if (child.name() == "model" || child.name() == "include" || child.name() == "gravity")
+        continue;
+      const bool joint = child.name() == "joint";
       ledger.lose(read::site_of(child),
-                  {.kind = NoteKind::kMjcfWorld, .written = std::string(child.name())});
+                  {.kind = joint ? NoteKind::kJointTypeLost : NoteKind::kMjcfWorld,
+                   .written = joint ? "world" : std::string(child.name())});
     }
   }
 }

@@ -136,7 +136,13 @@ void take_mjcf_joint(MjcfDraft& draft, const model::Joint& joint) {
   ledger.take(joint.parent);
   ledger.take(joint.child);
   take_pose(draft.source.source, ledger, joint.pose);
-  if (draft.root().format == model::Format::kUrdf) ledger.take_all(joint.pose.site);
+  const xml::Element element = draft.source.source.documents.element(joint.site);
+  if (draft.root().format == model::Format::kUrdf) {
+    ledger.take_all(joint.pose.site);
+    for (const std::string_view name : {"parent", "child", "dynamics"}) {
+      if (const auto child = element.child(name)) ledger.take(*child);
+    }
+  }
   ledger.take(joint.thread_pitch);
   ledger.take(joint.screw_thread_pitch);
   const bool fixed = joint.type == model::JointType::kFixed;
@@ -148,6 +154,11 @@ void take_mjcf_joint(MjcfDraft& draft, const model::Joint& joint) {
     ledger.take(axis.site);
     ledger.take(axis.xyz);
     ledger.take(axis.expressed_in);
+    if (!axis.site.span.nowhere()) {
+      const xml::Element written = draft.source.source.documents.element(axis.site);
+      const auto in_model = written.child("use_parent_model_frame");
+      if (in_model) ledger.take(*in_model);
+    }
     ledger.take(axis.limit_site);
     for (const auto* field : {&axis.lower, &axis.upper, &axis.effort, &axis.damping, &axis.friction,
                               &axis.spring_reference, &axis.spring_stiffness}) {

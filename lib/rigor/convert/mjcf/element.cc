@@ -5,8 +5,9 @@
 
 #include <cmath>
 
+#include <fmt/core.h>
+
 #include <rigor/convert/xml_writer.h>
-#include <rigor/schema/value.h>
 
 namespace rigor::convert {
 namespace {
@@ -40,7 +41,7 @@ std::string mjcf_text(const MjcfElement& root) {
   return std::move(out).take();
 }
 
-std::string mjcf_number(double value) { return value == 0 ? "0" : schema::to_shortest(value); }
+std::string mjcf_number(double value) { return value == 0 ? "0" : fmt::format("{}", value); }
 
 std::string mjcf_numbers(std::initializer_list<double> values) {
   std::string text;

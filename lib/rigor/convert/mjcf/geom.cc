@@ -170,6 +170,11 @@ class MjcfGeomMaker {
     const model::Material& material = visual.material;
     if (!material.written || material.site.span.nowhere()) return;
     ledger.take(material.site);
+    if (!material.script.span.nowhere()) {
+      ledger.lose(material.script, {.kind = NoteKind::kMjcfLook,
+                                    .subject = subject_,
+                                    .written = "material script " + material.name.value});
+    }
     ledger.take(material.name);
     ledger.take(visual.transparency);
     const xml::Element element = draft_.source.source.documents.element(material.site);
