@@ -78,6 +78,11 @@ void ConversionCommand::declare(CLI::App& app) {
   search_.declare(app);
 }
 
+std::string ConversionCommand::stem() const {
+  const std::string_view name = file_name(out_);
+  return out_.empty() ? "robot" : std::string(name.substr(0, name.rfind('.')));
+}
+
 void ConversionCommand::refuse_stdout_twice() const {
   if (!out_.empty() || !check_.empty()) return;
   const bool said = app_->count("--format") + app_->count("--report") > 0;
