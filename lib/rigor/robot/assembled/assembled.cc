@@ -69,6 +69,11 @@ struct BoundsOfShape {
   }
 };
 
+/// Of the ball inside of a box, m.
+double inradius(const OrientedBox& box) {
+  return std::min({box.half[0], box.half[1], box.half[2]});
+}
+
 /// What is seen or touched: a shape that some consumer takes.
 bool counts(const model::Geometry& geometry) {
   const model::Shape& shape = geometry.shape;
@@ -117,8 +122,9 @@ class Assembler {
       return;
     }
     to.shapes.push_back(static_cast<std::uint32_t>(result_.shapes.size()));
-    result_.shapes.push_back({role, id.value, link, *bounds_S,
-                              model::compose(model::inverse(*to.X_WL), *X_WS),
+    const model::Pose X_LS = model::compose(model::inverse(*to.X_WL), *X_WS);
+    result_.shapes.push_back({role, id.value, link, *bounds_S, X_LS,
+                              robot::bounds_of(box_around(*bounds_S, X_LS)),
                               box_around(*bounds_S, *X_WS), mesh::diagonal(*bounds_S) / 2});
   }
 
@@ -158,8 +164,7 @@ std::optional<mesh::Bounds> Assembled::bounds(std::uint32_t link, ShapeRole role
   std::optional<mesh::Bounds> all;
   for (const std::uint32_t s : links[link].shapes) {
     if (shapes[s].role != role) continue;
-    const mesh::Bounds one = robot::bounds_of(box_around(shapes[s].bounds_S, shapes[s].X_LS));
-    all = all ? joined(*all, one) : one;
+    all = all ? joined(*all, shapes[s].bounds_L) : shapes[s].bounds_L;
   }
   return all;
 }
@@ -193,8 +198,15 @@ std::optional<double> Assembled::gap(const Links& of, const Vector3& d_W, double
     if (links[outside].top != links[inside].top) return;
     for (const std::uint32_t s : links[inside].shapes) {
       const OrientedBox box = moved(shapes[s].box_W, d_W);
-      for (const std::uint32_t other : links[outside].shapes)
-        least = std::min(least, std::max(0.0, separation(box, shapes[other].box_W)));
+      for (const std::uint32_t other : links[outside].shapes) {
+        const OrientedBox& beside = shapes[other].box_W;
+        if (least <= enough) return;
+        // Most are near by the balls inside of them.
+        const double balls =
+            model::length(beside.center_W - box.center_W) - inradius(box) - inradius(beside);
+        least = std::min(
+            least, balls <= enough ? std::max(0.0, balls) : std::max(0.0, separation(box, beside)));
+      }
     }
   };
   for (std::uint32_t link = 0; link < links.size(); ++link) {

@@ -37,6 +37,7 @@ struct AssembledShape {
   std::uint32_t link = 0;   ///< in the root's links
   mesh::Bounds bounds_S;    ///< in the shape's own frame, scaled
   model::Pose X_LS;         ///< in the frame of the link
+  mesh::Bounds bounds_L;    ///< around it, in the frame of the link
   OrientedBox box_W;
   double radius = 0;  ///< m, of the ball around the box
 };

@@ -167,8 +167,11 @@ class AttachedLinks {
     if (reach_of(one, {}) > 0) return false;
     for (const robot::OrientedBox& box : one.child) {
       for (const robot::AssembledShape& shape : robot_.shapes) {
+        if (shape.link == one.unit.link ||
+            model::length(shape.box_W.center_W - box.center_W) > shape.radius)
+          continue;
         if (robot_.links[shape.link].top == robot_.links[one.unit.link].top &&
-            shape.link != one.unit.link && robot::distance(shape.box_W, box.center_W) == 0)
+            robot::contains(shape.box_W, box.center_W))
           return false;
       }
     }
