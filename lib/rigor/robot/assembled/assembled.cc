@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <variant>
 
 #include <rigor/robot/placed_collisions.h>
@@ -82,6 +83,28 @@ bool counts(const model::Geometry& geometry) {
          !std::holds_alternative<model::Heightmap>(shape);
 }
 
+/// Left and right of one list, model by model: those of the file itself.
+template <class Entity, class MembersOf>
+std::vector<Twins> twins_across(const std::vector<Entity>& all, const MembersOf& members_of,
+                                const model::Root& root) {
+  std::vector<Twins> result;
+  std::vector<std::string_view> names;
+  std::vector<std::uint32_t> own;
+  for (const model::Model& model : root.models) {
+    if (members_of(model).size() < 2) continue;
+    names.clear();
+    own.clear();
+    for (const auto id : members_of(model)) {
+      if (!root.own(all[id.value].site)) continue;
+      names.push_back(all[id.value].name.value);
+      own.push_back(id.value);
+    }
+    for (const Twins& pair : twins(names, Side::kAcross))
+      result.push_back({own[pair.a], own[pair.b]});
+  }
+  return result;
+}
+
 class Assembler {
  public:
   Assembler(const model::Root& root, const model::Frames& frames, const FindBounds& find_bounds)
@@ -106,6 +129,10 @@ class Assembler {
       if (!child.carrier) child.carrier = {j};
       if (ends.parent) result_.links[ends.parent.value].links_carried.push_back(ends.child.value);
     }
+    result_.link_twins = twins_across(
+        root_.links, [](const model::Model& model) -> const auto& { return model.links; }, root_);
+    result_.joint_twins = twins_across(
+        root_.joints, [](const model::Model& model) -> const auto& { return model.joints; }, root_);
     return std::move(result_);
   }
 

@@ -97,9 +97,10 @@ inline double gap_to_others(const SeenShape& one, const std::vector<SeenShape>& 
 
 /// A body of several shapes, of which one hangs in the air and touches the others with a slip undone.
 inline bool look_for_loose(std::uint32_t link, Context& context) {
-  const std::vector<SeenShape> all = seen_shapes(link, context);
   constexpr std::size_t kFewestShapes = 3;
-  if (all.size() < kFewestShapes || all.size() > kMaxInLink) return false;
+  const std::size_t count = context.assembled().links[link].shapes.size();
+  if (count < kFewestShapes || count > kMaxInLink) return false;
+  const std::vector<SeenShape> all = seen_shapes(link, context);
   const SeenShape* loose = nullptr;
   for (const SeenShape& one : all) {
     const double gap = gap_to_others(one, all, {});

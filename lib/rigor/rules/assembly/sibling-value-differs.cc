@@ -62,7 +62,7 @@ std::optional<Comparison> compared_fields(const Fields& a, const Fields& b) {
   if (a.size() != b.size()) return std::nullopt;
   Comparison result;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a[i].name != b[i].name || a[i].part != b[i].part) return std::nullopt;
+    if (!same_text(a[i].name, b[i].name) || !same_text(a[i].part, b[i].part)) return std::nullopt;
     if (same_field(a[i], b[i])) {
       result.agreeing += is_empty(a[i]) ? 0 : 1;
     } else if (is_place(a[i])) {
@@ -267,14 +267,15 @@ bool is_elsewhere(const SiblingField& a, const SiblingField& b) {
 }
 
 /// Of two alone: where they are, where a shape is or how large, and that by a slip.
+template <class Support>
 std::vector<Odd> odd_of_pair(std::uint32_t a, std::uint32_t b, const std::vector<Fields>& all,
-                             std::size_t support, std::size_t enough) {
+                             const Support& support, std::size_t enough) {
   const auto found = compared_fields(all[a], all[b]);
-  if (!found || found->agreeing + support < enough) return {};
+  if (!found) return {};
   std::optional<std::size_t> field;
   if (found->different.size() == 1 && found->same_place) field = found->different.front();
   if (found->different.empty() && !found->same_place) field = place_field(all[a]);
-  if (!field) return {};
+  if (!field || (found->agreeing < enough && found->agreeing + support(a, b) < enough)) return {};
   const SiblingField& one = all[a][*field];
   const SiblingField& other = all[b][*field];
   if (one.kind != FieldKind::kOrigin && one.kind != FieldKind::kSize) return {};
@@ -346,11 +347,38 @@ void report(const Odd& odd, const std::vector<Entity>& all, const std::vector<Fi
   context.report(std::move(finding));
 }
 
-/// The larger groups first, which say more; then pairs, of which those of two sides are in larger ones, too.
-std::vector<std::vector<std::uint32_t>> family_groups(const std::vector<std::string>& names) {
+/// Whether a joint holds any of them: bodies that lie about are no parts of a robot.
+bool is_jointed(const std::vector<std::uint32_t>& links, const std::vector<model::Link>& /*all*/,
+                Context& context) {
+  const robot::Assembled& robot = context.assembled();
+  return std::any_of(links.begin(), links.end(), [&](std::uint32_t i) {
+    return robot.links[i].carrier || !robot.links[i].links_carried.empty();
+  });
+}
+bool is_jointed(const std::vector<std::uint32_t>& /*joints*/,
+                const std::vector<model::Joint>& /*all*/, Context& /*context*/) {
+  return true;
+}
+
+const std::vector<robot::Twins>& pairs_of(const std::vector<model::Link>& /*all*/,
+                                          const robot::Assembled& robot) {
+  return robot.link_twins;
+}
+const std::vector<robot::Twins>& pairs_of(const std::vector<model::Joint>& /*all*/,
+                                          const robot::Assembled& robot) {
+  return robot.joint_twins;
+}
+
+/// Of a model's members, by their index among all. The larger groups first, which say more; then pairs, of which
+/// those of two sides are in larger ones, too.
+std::vector<std::vector<std::uint32_t>> family_groups(const std::vector<std::uint32_t>& members,
+                                                      const std::vector<std::string>& names,
+                                                      const std::vector<robot::Twins>& pairs) {
   auto groups = robot::siblings(names);
-  for (const robot::Twins& pair : robot::twins({names.begin(), names.end()}, robot::Side::kAcross))
-    groups.push_back({pair.a, pair.b});
+  for (auto& group : groups) {
+    for (std::uint32_t& i : group) i = members[i];
+  }
+  for (const robot::Twins& pair : pairs) groups.push_back({pair.a, pair.b});
   std::stable_sort(groups.begin(), groups.end(),
                    [](const auto& a, const auto& b) { return a.size() > b.size(); });
   return groups;
@@ -365,26 +393,27 @@ void check_family(const std::vector<Entity>& all, const List& list, const Suppor
   for (std::uint32_t i = 0; i < all.size(); ++i) {
     if (root.own(all[i].site) && all[i].model) by_model[all[i].model.value].push_back(i);
   }
+  std::map<std::uint32_t, std::vector<robot::Twins>> pairs;
+  for (const robot::Twins& pair : pairs_of(all, context.assembled()))
+    pairs[all[pair.a].model.value].push_back(pair);
   std::set<std::pair<std::uint32_t, std::size_t>> reported;
   for (const auto& [model, members] : by_model) {
-    if (members.size() < kFewest) continue;
+    if (members.size() < kFewest || !is_jointed(members, all, context)) continue;
     std::vector<std::string> names;
     std::vector<Fields> fields;
     for (const std::uint32_t i : members) names.push_back(all[i].name.value);
-    const auto groups = family_groups(names);
+    const auto groups = family_groups(members, names, pairs[model]);
     if (groups.empty()) continue;
     std::vector<Fields> of_all(all.size());
-    for (std::vector<std::uint32_t> group : groups) {
+    for (const std::vector<std::uint32_t>& group : groups) {
       if (group.size() > kMaxMembers) continue;
-      for (std::uint32_t& i : group) {
-        i = members[i];
+      for (const std::uint32_t i : group) {
         if (of_all[i].empty()) of_all[i] = list(all[i]);
       }
       std::vector<Odd> found = [&] {
         if (group.size() > kFewest) return odd_ones(group, of_all);
         const bool sides = are_sides(all[group[0]].name.value, all[group[1]].name.value);
-        return odd_of_pair(group[0], group[1], of_all, support(group[0], group[1]),
-                           sides ? kAgreeingSides : kAgreeing);
+        return odd_of_pair(group[0], group[1], of_all, support, sides ? kAgreeingSides : kAgreeing);
       }();
       for (Odd& odd : found) {
         if (!settle(odd, all, of_all, context)) continue;

@@ -274,7 +274,7 @@ class TwinCheck {
       : all_(all), list_(list), context_(context) {}
 
   void run() {
-    for (const Twins& pair : twins_of(all_, Side::kAcross, context_.root())) check(pair, 0);
+    for (const Twins& pair : pairs()) check(pair, 0);
     for (const auto& [name, members] : numbered_families()) {
       // Two in a row are alike by chance; what all others have is what was meant.
       constexpr std::size_t kFewest = 2;
@@ -294,6 +294,14 @@ class TwinCheck {
     } else {
       const auto child = context_.frames().ends({i}).child;
       return child ? child.value : 0;
+    }
+  }
+
+  const std::vector<Twins>& pairs() const {
+    if constexpr (std::is_same_v<Entity, model::Link>) {
+      return context_.assembled().link_twins;
+    } else {
+      return context_.assembled().joint_twins;
     }
   }
 

@@ -135,7 +135,7 @@ void check_twins(const model::Root& root, Context& context) {
   constexpr std::size_t kFewestLinks = 7;  // three pairs, of which two say what the third should be
   if (root.links.size() < kFewestLinks || !context.frames().problems().empty()) return;
   std::map<model::Id<model::Model>, std::vector<robot::Twins>> by_model;
-  for (const robot::Twins& pair : twins_of(root.links, robot::Side::kAcross, root)) {
+  for (const robot::Twins& pair : context.assembled().link_twins) {
     // A finger of the left hand is like that of the right hand on the same side, or on the other.
     constexpr std::size_t kOneSide = 2;
     const auto has = [&](std::uint32_t i) {
