@@ -54,6 +54,15 @@ TEST_F(MjcfCli, WritesNothingWhereTheRobotWouldBeAnother) {
   EXPECT_TRUE(exists("bad.xml"));
 }
 
+TEST_F(MjcfCli, ComparesWithARobotKeptByHand) {
+  const Ran same = folder.rigor("sdf2mjcf arm.sdf --check arm.sdf");
+  EXPECT_EQ(same.exit, 0) << same.err;
+  std::string longer = folder.get("arm.sdf");
+  longer.replace(longer.find("0.50"), 4, "0.51");
+  folder.put("longer.sdf", longer);
+  EXPECT_EQ(folder.rigor("sdf2mjcf arm.sdf --check longer.sdf").exit, 1);
+}
+
 TEST_F(MjcfCli, SameBytesGiveTheSameBytes) {
   EXPECT_EQ(folder.rigor("sdf2mjcf arm.sdf").out, folder.rigor("sdf2mjcf arm.sdf").out);
 }

@@ -20,7 +20,7 @@ for model in "$@"; do
   case $model in *.urdf) format=urdf ;; esac
   folder=$work/robots/${#scenes[@]}
   mkdir -p "$folder"
-  "$rigor" "${format}2mjcf" "$model" -o "$folder/robot.xml" --fail-on never 2>"$folder/report.txt" || {
+  "$rigor" "${format}2mjcf" "$model" -o "$folder/robot.xml" --fail-on never >"$folder/report.txt" 2>&1 || {
     cat "$folder/report.txt"
     exit 1
   }

@@ -16,7 +16,6 @@
 namespace rigor::convert {
 namespace {
 
-constexpr std::uint32_t kGroundBit = 1;
 constexpr std::uint32_t kOwnKindBit = 1U << 30U;
 constexpr std::uint32_t kAllModelBits = kOwnKindBit - 1;
 /// Further models share the last bit.

@@ -40,7 +40,7 @@ constexpr double kThickness = 1e-4;
 std::optional<mesh::Vector3> plane_of(const TriangleMesh& mesh) {
   mesh::Vector3 normal;
   for (const mesh::Triangle& t : mesh.triangles) {
-    const mesh::Vector3 n = area_vector(facet(mesh, t));
+    const mesh::Vector3 n = mesh::area_vector(mesh::facet(mesh, t));
     if (length(n) > length(normal)) normal = n;
   }
   if (!(length(normal) > 0)) return std::nullopt;
@@ -63,7 +63,7 @@ TriangleMesh thickened(TriangleMesh mesh, const mesh::Vector3& normal) {
   const std::size_t triangles = mesh.triangles.size();
   for (std::size_t i = 0; i < triangles; ++i) {
     auto& [a, b, c] = mesh.triangles[i];
-    if (dot(area_vector(facet(mesh, mesh.triangles[i])), normal) < 0) std::swap(b, c);
+    if (dot(mesh::area_vector(mesh::facet(mesh, mesh.triangles[i])), normal) < 0) std::swap(b, c);
     const mesh::Triangle back{a + count, c + count, b + count};
     mesh.triangles.push_back(back);
   }
