@@ -46,6 +46,7 @@ bool applies(Formats formats, model::Format format) {
     case Formats::kSdf: return format == model::Format::kSdf;
     case Formats::kUrdf: return format == model::Format::kUrdf;
     case Formats::kModelConfig: return format == model::Format::kModelConfig;
+    case Formats::kMjcf: return format == model::Format::kMjcf;
   }
   return false;
 }
@@ -95,6 +96,7 @@ PageInBrief brief_of(const Rule& rule, model::Format format) {
 const schema::Schema* schema_of(const Environment& environment, model::Format format) {
   if (format == model::Format::kSdf) return &environment.sdf;
   if (format == model::Format::kUrdf) return &environment.urdf;
+  if (format == model::Format::kMjcf) return &environment.mjcf;
   return nullptr;
 }
 
@@ -200,6 +202,7 @@ class Runner::Walk {
     if (!document) return;
     for (const xml::Fault& fault : document->faults()) facts(fault);
     for (const read::ConfigFact& fact : loaded_.config_facts) facts(fact);
+    for (const read::MjcfFact& fact : loaded_.mjcf_facts) facts(fact);
     check_schema();
     // What a cut file lacks is not the author's doing: only what is there is spoken of.
     if (document->complete()) check_model();
