@@ -97,7 +97,12 @@ std::optional<Solid> solid_of_mesh(const model::Mesh& shape, const GeomWeight& w
   if (!shape.vertices.empty()) return solid_of_vertices(shape, weight);
   const MeshSurvey* survey = find_mesh ? find_mesh(shape) : nullptr;
   if (survey == nullptr) return std::nullopt;
-  return body_of(*survey, shape.scale.value).solid;
+  const MeshBody body = body_of(*survey, shape.scale.value);
+  const bool hull = weight.mesh_law == GeomWeight::MeshLaw::kConvex;
+  if (body.from == BodyFrom::kHull && !hull && survey->pyramids) {
+    return positive(scaled(*survey->pyramids, shape.scale.value));
+  }
+  return body.solid;
 }
 
 /// Of the geom in the link frame; nothing when it cannot be said.

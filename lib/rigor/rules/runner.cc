@@ -14,6 +14,7 @@
 #include <rigor/model/subject.h>
 #include <rigor/rules/consequences.h>
 #include <rigor/rules/context.h>
+#include <rigor/rules/mjcf_rules.h>
 #include <rigor/rules/registry.h>
 #include <rigor/rules/xacro/template_findings.h>
 
@@ -134,8 +135,8 @@ void Runner::add(const Rule& rule, Severity severity, Compat compat, Grading gra
         [&](const auto& one) {
           std::get<Slot<std::decay_t<decltype(one)>>>(slots_).push_back(
               {{rule.name, to_string(rule.category), brief_of(rule, model::Format::kSdf),
-                brief_of(rule, model::Format::kUrdf), severity, compat, grading, rule.formats,
-                rule.refused},
+                brief_of(rule, model::Format::kUrdf), brief_for_mjcf(rule), holds_for_mjcf(rule),
+                severity, compat, grading, rule.formats, rule.refused},
                one});
         },
         check);
@@ -212,7 +213,10 @@ class Runner::Walk {
   bool begin(const Active& active) {
     const model::Format format = loaded_.root.format;
     if (!applies(active.formats, format)) return false;
-    const PageInBrief& page = format == model::Format::kUrdf ? active.in_urdf : active.in_sdf;
+    if (format == model::Format::kMjcf && !active.of_mjcf) return false;
+    const PageInBrief& page = format == model::Format::kUrdf   ? active.in_urdf
+                              : format == model::Format::kMjcf ? active.in_mjcf
+                                                               : active.in_sdf;
     context_.begin_rule(active.rule, active.category, active.severity, page);
     if (active.grading == Grading::kHeld) context_.hold_severity();
     if (active.compat == Compat::kSdformat) context_.judge_by(refusal_in(active.refused, format));

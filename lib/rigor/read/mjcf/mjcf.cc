@@ -26,7 +26,7 @@ namespace {
 using model::Id;
 
 /// Copies of copies multiply: a file of a line could bring a billion.
-constexpr std::size_t kMaxMjcfParts = 1'000'000;
+constexpr std::size_t kMaxMjcfParts = 100'000;
 /// Files attach files that attach files.
 constexpr std::size_t kMaxAttached = 200;
 constexpr std::string_view kWorld = "world";
@@ -362,40 +362,60 @@ class MjcfReader {
     frames_.push_back(std::move(frame));
   }
 
-  void attach(xml::Element element, const MjcfPlace& place) {
-    const auto model_name = string_field(attribute_text(element, "model"));
-    const std::string prefix = string_field(attribute_text(element, "prefix")).value;
-    const auto asset = place.scope->assets.models.find(model_name.value);
-    if (asset == place.scope->assets.models.end() || scopes_.size() > kMaxAttached) return;
+  /// The file that an attach names; its own without a name.
+  const File* attached_file(xml::Element element, const MjcfScope& scope) {
+    const auto name = string_field(attribute_text(element, "model"));
+    if (!name.written) return &scope.tree.file();
+    const auto asset = scope.assets.models.find(name.value);
+    if (asset == scope.assets.models.end()) return nullptr;
     const auto file = string_field(attribute_text(asset->second, "file"));
-    const std::string path = join_path(parent_path(place.scope->tree.file().path), file.value);
-    if (workspace_.disk().kind(path) != PathKind::kFile) return;
+    const std::string path = join_path(parent_path(scope.tree.file().path), file.value);
+    if (workspace_.disk().kind(path) != PathKind::kFile) return nullptr;
     const File& inner = workspace_.open(path);
-    if (!inner.document || !inner.document->complete() || !inner.document->root()) return;
+    const bool whole = inner.document && inner.document->complete() && inner.document->root();
+    return whole ? &inner : nullptr;
+  }
+
+  void attach(xml::Element element, const MjcfPlace& place) {
+    const File* file = attached_file(element, *place.scope);
+    if (file == nullptr || scopes_.size() > kMaxAttached) return;
+    const std::string prefix = string_field(attribute_text(element, "prefix")).value;
+    MjcfFacts of_its_own;  // told when that file is checked
     MjcfScope& scope =
-        scopes_.emplace_back(workspace_, inner, place.scope->prefix + prefix, facts_);
+        scopes_.emplace_back(workspace_, *file, place.scope->prefix + prefix, of_its_own);
     MjcfPlace inside = place;
     inside.scope = &scope;
     inside.class_id = MjcfDefaults::kMain;
     const auto body = string_field(attribute_text(element, "body"));
+    const auto frame = string_field(attribute_text(element, "frame"));
+    const std::string& name = body.written ? body.value : frame.value;
     for (const xml::Element section : scope.tree.children(scope.tree.root())) {
       if (section.name() != "worldbody") continue;
-      if (!body.written) {
+      if (!body.written && !frame.written) {
         read_parts(section, inside);
         read_bodies(section, inside);
-      } else if (const auto found = find_body(scope.tree, section, body.value)) {
+        continue;
+      }
+      const auto found = find_named(scope.tree, section, body.written ? "body" : "frame", name);
+      if (!found) continue;
+      if (body.written) {
         read_body(*found, inside);
+      } else {
+        inside.X_BF = compose(inside.X_BF, mjcf_pose(MjcfValues(*found, {}), scope.settings));
+        inside.class_id = class_in(*found, "childclass", inside.class_id, scope);
+        read_parts(*found, inside);
+        read_bodies(*found, inside);
       }
     }
   }
 
-  static std::optional<xml::Element> find_body(const MjcfTree& tree, xml::Element parent,
-                                               std::string_view name) {
+  static std::optional<xml::Element> find_named(const MjcfTree& tree, xml::Element parent,
+                                                std::string_view tag, std::string_view name) {
     for (const xml::Element child : tree.children(parent)) {
-      if (child.name() == "body") {
+      if (child.name() == tag) {
         if (string_field(attribute_text(child, "name")).value == name) return child;
       }
-      if (auto found = find_body(tree, child, name)) return found;
+      if (auto found = find_named(tree, child, tag, name)) return found;
     }
     return std::nullopt;
   }

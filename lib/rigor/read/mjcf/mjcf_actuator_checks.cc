@@ -118,7 +118,10 @@ void check_mjcf_keyframes(const MjcfScope& scope, MjcfFacts& facts) {
       if (!text) continue;
       const auto numbers = mjcf_numbers(text->text);
       if (!numbers || numbers->size() == expected) continue;
-      facts.push_back({MjcfKind::kKeyframeSize,
+      const std::string_view name = attribute;
+      const bool may_be_short = name == "qpos" || name == "qvel";
+      const bool fewer = may_be_short && numbers->size() < expected;
+      facts.push_back({fewer ? MjcfKind::kKeyframeShort : MjcfKind::kKeyframeSize,
                        text->span,
                        {},
                        attribute,

@@ -23,7 +23,6 @@ enum class MjcfFactKind : std::uint8_t {
   kNameRepeated,         ///< two of one `detail` (body, joint, geom, …) are called `name`
   kReferenceMissing,     ///< no `detail` (joint, body, site, …) is called `name`
   kAssetMissing,         ///< the file `name` of a mesh, height field or texture does not exist
-  kAssetUnused,          ///< no geom has the mesh `name`, no geom or site the material
   kMeshEmpty,            ///< the mesh `name` has neither file, vertices nor shape
   kMeshScaleZero,        ///< `name` is the mesh
   kMeshMissingName,      ///< a geom of type mesh names no mesh
@@ -47,16 +46,12 @@ enum class MjcfFactKind : std::uint8_t {
   kActuatorTwoTargets,   ///< more than one
   kActuatorNoEffect,     ///< `detail` says why: a gear or gain of zero, a range of no width
   kNeverTouches,         ///< contype and conaffinity meet no other geom's
+  kKeyframeShort,        ///< the same, with too few: newer versions fill them up
   kKeyframeSize,         ///< `name` is the attribute; `detail` "7 numbers, 9 expected"
-  kPlaneOnBody,          ///< a plane or height field on a body that moves
-  kMassBalanced,         ///< balanceinertia replaces this body's moments
-  kMeshHullDiffers,  ///< kept for meshes: its hull encloses more than the mesh; `detail` says how much
-  kNotExpanded,      ///< composite or flexcomp: rigor does not make its bodies
-  kFitNotMade,       ///< a primitive that is fitted to a mesh: rigor takes the mesh itself
-  kAttachMissing,      ///< no model asset or body `name`
-  kGlobalCoordinates,  ///< coordinate="global", which MuJoCo dropped in 2.3.4
-  kOldName,         ///< an element or attribute that MuJoCo 3 does not read; `detail` its successor
-  kReplicateCount,  ///< not a positive number, or too many copies
+  kNotExpanded,          ///< composite or flexcomp: rigor does not make its bodies
+  kFitNotMade,           ///< a primitive that is fitted to a mesh: rigor takes the mesh itself
+  kGlobalCoordinates,    ///< coordinate="global", which MuJoCo dropped in 2.3.4
+  kReplicateCount,       ///< not a positive number, or too many copies
 };
 
 struct MjcfFact {

@@ -55,10 +55,6 @@ constexpr std::array kMjcfReferences{
     MjcfReference{"worldbody", "light", "target", "body"},
     MjcfReference{"worldbody", "attach", "model", "model"},
     MjcfReference{"asset", "material", "texture", "texture"},
-    MjcfReference{"default", "geom", "mesh", "mesh"},
-    MjcfReference{"default", "geom", "material", "material"},
-    MjcfReference{"default", "site", "material", "material"},
-    MjcfReference{"default", "material", "texture", "texture"},
 };
 
 /// What kind of name an element of a section declares; empty for none.
@@ -89,7 +85,8 @@ void walk_elements(const MjcfTree& tree, xml::Element parent, std::string_view s
 void walk_elements(const MjcfTree& tree,
                    const std::function<void(std::string_view, xml::Element)>& use) {
   for (const xml::Element section : tree.children(tree.root())) {
-    walk_elements(tree, section, section.name(), use);
+    // MuJoCo ignores a body that is no part of the world.
+    if (section.name() != "body") walk_elements(tree, section, section.name(), use);
   }
 }
 
@@ -104,6 +101,14 @@ std::string default_name(xml::Element element) {
   const std::size_t slash = file.find_last_of("/\\");
   const std::string last = slash == file.npos ? file : file.substr(slash + 1);
   return last.substr(0, last.rfind('.'));
+}
+
+/// Copies have names of their own.
+bool is_copied(xml::Element element) {
+  for (auto above = element.parent(); above; above = above->parent()) {
+    if (above->name() == "replicate") return true;
+  }
+  return false;
 }
 
 void check_class(const MjcfScope& scope, xml::Element element, const char* attribute,
@@ -139,6 +144,7 @@ MjcfNames check_mjcf_names(const MjcfScope& scope, MjcfFacts& facts) {
   MjcfNames names;
   std::map<std::pair<std::string, std::string>, Span> first;
   names["body"].insert("world");
+  for (const auto& [name, element] : scope.assets.models) names["model"].insert(name);
   walk_elements(scope.tree, [&](std::string_view section, xml::Element element) {
     const std::string_view kind = declared_kind(section, element.name());
     if (kind.empty()) return;
@@ -151,7 +157,7 @@ MjcfNames check_mjcf_names(const MjcfScope& scope, MjcfFacts& facts) {
       name.value = default_name(element);
       name.span = element.tag_span();
     }
-    if (name.value.empty()) return;
+    if (name.value.empty() || is_copied(element)) return;
     names[std::string(kind)].insert(name.value);
     const auto [known, is_new] = first.try_emplace({std::string(kind), name.value}, name.span);
     if (is_new) return;
