@@ -14,7 +14,7 @@
 #include <rigor/model/subject.h>
 #include <rigor/rules/consequences.h>
 #include <rigor/rules/context.h>
-#include <rigor/rules/mjcf_rules.h>
+#include <rigor/rules/mjcf/also_for_mjcf.h>
 #include <rigor/rules/registry.h>
 #include <rigor/rules/xacro/template_findings.h>
 

@@ -149,6 +149,8 @@ MjcfNames check_mjcf_names(const MjcfScope& scope, MjcfFacts& facts) {
     const std::string_view kind = declared_kind(section, element.name());
     if (kind.empty()) return;
     auto name = string_field(attribute_text(element, "name"));
+    // As MuJoCo takes it, with the spaces around it.
+    if (const auto written = element.attribute("name")) name.value = written->value();
     const bool nested = section != "worldbody" && element.parent()->name() != section &&
                         element.parent()->name() != "mujocoinclude" &&
                         element.parent()->name() != "mujoco";

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/rules/mjcf_rules.h>
+#include <rigor/rules/mjcf/also_for_mjcf.h>
 
 #include <algorithm>
 #include <array>
