@@ -96,7 +96,7 @@ void check_mjcf_actuators(const MjcfScope& scope, MjcfFacts& facts) {
       const bool empty = n[0] == 0 && n[1] == 0;
       if (on && n[0] >= n[1] && !empty) {
         facts.push_back({MjcfKind::kRangeInverted, values.text(range)->span, subject, range,
-                         std::to_string(n[0]) + " " + std::to_string(n[1])});
+                         std::string(trimmed(values.text(range)->text))});
       } else if (!on && values.own(range) && !empty) {
         facts.push_back(
             {MjcfKind::kRangeIgnored, values.text(range)->span, subject, range,

@@ -25,7 +25,6 @@ struct MjcfMesh {
   model::Pose X_RM;
   model::GeomWeight::MeshLaw law = model::GeomWeight::MeshLaw::kLegacy;
   bool built_in = false;  ///< `builtin`, or by a plugin: rigor does not make its vertices
-  bool used = false;
 };
 
 struct MjcfHeightField {

@@ -61,7 +61,7 @@ void check_range(const MjcfValues& values, const MjcfSettings& settings, std::st
   if (!text || n.size() != 2) return;
   if (on && n[0] >= n[1]) {
     facts.push_back({MjcfKind::kRangeInverted, text->span, subject, std::string(range),
-                     std::to_string(n[0]) + " " + std::to_string(n[1])});
+                     std::string(trimmed(values.text(range)->text))});
   } else if (!on && values.own(range) && (n[0] != 0 || n[1] != 0)) {
     facts.push_back(
         {MjcfKind::kRangeIgnored, text->span, subject, std::string(range),

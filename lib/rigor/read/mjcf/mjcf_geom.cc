@@ -62,7 +62,6 @@ MjcfGeom mjcf_geom(const MjcfValues& values, const MjcfSettings& settings, MjcfA
   const bool takes_mesh = mesh_name.written && type != "plane" && type != "hfield";
   auto law = model::GeomWeight::MeshLaw::kLegacy;
   if (takes_mesh && mesh != assets.meshes.end()) {
-    mesh->second.used = true;
     geom.geometry.shape = mesh->second.mesh;
     geom.X_BG = compose(geom.X_BG, mesh->second.X_RM);
     geom.fitted = type != "mesh" && type != "sdf" && values.own("type").has_value();

@@ -24,9 +24,6 @@ struct MjcfSettings {
       "xyz";  ///< lower case: about the moved axes; upper case: about the fixed ones
   bool auto_limits = true;
   bool strip_path = false;
-  bool fuse_static = false;
-  bool discard_visual = false;
-  bool fit_to_bounds = false;
   std::string mesh_folder;
   std::string texture_folder;
   InertiaFromGeom inertia_from_geom = InertiaFromGeom::kAuto;
