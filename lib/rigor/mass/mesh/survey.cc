@@ -125,13 +125,7 @@ MeshSurvey survey_of(const mesh::LoadedMesh& loaded, const MeshChoice& choice) {
   MeshSurvey survey;
   survey.format = loaded.format;
   survey.faults = loaded.faults;
-  if (!survey.usable()) {
-    // Vertices without faces: MuJoCo takes their hull.
-    const auto hull =
-        loaded.mesh.triangles.empty() ? mesh::convex_hull(loaded.mesh.positions) : std::nullopt;
-    if (hull) survey.hull = moments_of(*hull);
-    return survey;
-  }
+  if (!survey.usable()) return survey;
   std::optional<TriangleMesh> own;
   if (!choice.submesh.empty()) own = part_of(loaded.mesh, choice.submesh);
   if (choice.center) move_to_center(own ? *own : own.emplace(loaded.mesh));
