@@ -176,6 +176,7 @@ class Mirrorer {
 
   /// Whether the frame that the pose is in is the part's own.
   bool is_in_own_frame(const Placed& each) const {
+    if (each.kind == PlacedKind::kInertial) return true;  // whatever it names
     const std::string& name = each.field->relative_to.value;
     if (!name.empty()) return is_named_in_part(each.scope, name);
     switch (each.kind) {
