@@ -185,8 +185,7 @@ class Attacher {
       if (!in_arm.contains(name)) continue;
       const auto arm = of_arm.find(name);
       const auto gripper = of_gripper.find(name);
-      if (arm == of_arm.end() && gripper == of_gripper.end()) continue;
-      // A name without a look would take the other's.
+      // A name without a look, or with one in a visual alone, would take the other's.
       if (arm == of_arm.end() || gripper == of_gripper.end() ||
           arm->second != look_of(*gripper_, *gripper->second)) {
         rename_material(name, edits);
