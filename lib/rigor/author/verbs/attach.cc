@@ -201,7 +201,8 @@ class Attacher {
     for (std::uint32_t i = 0; i < edited.document().element_count(); ++i) {
       const xml::Element element = edited.document().element(i);
       const auto attribute = element.attribute("name");
-      if (element.name() == "material" && attribute) names.emplace(attribute->value());
+      if (element.name() == "material" && attribute && !attribute->value().empty())
+        names.emplace(attribute->value());
     }
     return names;
   }
