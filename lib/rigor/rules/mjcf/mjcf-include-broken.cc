@@ -19,7 +19,7 @@ Rule rule() {
       .severity = Severity::kError,
       .formats = Formats::kMjcf,
       .summary = "included file cannot be read",
-      .why = "MuJoCo rejects the file.",
+      .why = "MuJoCo rejects the whole model: an included file has to be well-formed XML.",
       .what_to_do = "Repair the included file; rigor validate names what is wrong with it.",
       .checks = {on_mjcf({read::MjcfFactKind::kIncludeBroken}, check)},
   };

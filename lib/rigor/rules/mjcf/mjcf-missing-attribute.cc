@@ -24,7 +24,7 @@ Rule rule() {
       .severity = Severity::kError,
       .formats = Formats::kMjcf,
       .summary = "required attribute is missing",
-      .why = "MuJoCo rejects the file.",
+      .why = "MuJoCo rejects the file: the attribute has no default.",
       .what_to_do = "Add the attribute.",
       .checks = {on_schema({read::SchemaFactKind::kMissingAttribute}, check)},
   };
