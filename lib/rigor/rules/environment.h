@@ -15,6 +15,8 @@
 
 #pragma once
 
+#include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -34,10 +36,17 @@ struct Environment {
   const Disk& disk;
   schema::Schema sdf;
   schema::Schema urdf;
-  schema::Schema mjcf;
   rules::Registry registry;
   read::Resolver resolver;
   process::Workers workers;
+
+  /// Of MJCF: parsed by the first request, since it is as long as the others and few files need it. Safe
+  /// across threads.
+  const schema::Schema& mjcf() const;
+
+ private:
+  mutable std::once_flag mjcf_once_;
+  mutable std::optional<schema::Schema> mjcf_;
 };
 
 }  // namespace rigor

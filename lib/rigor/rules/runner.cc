@@ -60,7 +60,7 @@ Refusal refusal_in(const Refusals& refused, model::Format format) {
 const schema::Schema* schema_of(const Environment& environment, model::Format format) {
   if (format == model::Format::kSdf) return &environment.sdf;
   if (format == model::Format::kUrdf) return &environment.urdf;
-  if (format == model::Format::kMjcf) return &environment.mjcf;
+  if (format == model::Format::kMjcf) return &environment.mjcf();
   return nullptr;
 }
 

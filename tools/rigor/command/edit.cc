@@ -49,13 +49,14 @@ class EditCommand final : public Command {
         program, "edit", "Change a model by byte edits, with a proof that nothing else changes",
         {"rigor edit rename wheel left_wheel robot.urdf robot.srdf controllers.yaml",
          "rigor edit prefix left_ arm.urdf -o left_arm.urdf",
+         "rigor edit attach arm.urdf gripper.urdf --to flange -o robot.urdf",
          "rigor edit remove camera_link robot.urdf --subtree --write"});
     for (const EditVerb& verb : edit_verbs()) names_.push_back(verb.name);
     names_.push_back(kRename);
     offer(app->add_option("verb", verb_, "What to do")->type_name("VERB")->required(), names_);
     app->add_option("words", words_,
-                    "What the verb takes, then the files: the model's first, then others that "
-                    "refer to it by name (SRDF, controllers' YAML)")
+                    "What the verb takes, then the files: the model's first, of attach the tool's, "
+                    "then others that refer to it by name (SRDF, controllers' YAML)")
         ->type_name("WORD");
     auto* write = app->add_flag("--write", write_, "Change the files");
     auto* diff = app->add_flag("--diff", diff_, "Show what would change: the default");
@@ -76,15 +77,20 @@ class EditCommand final : public Command {
     if (names_[index] == kRename) return rename();
     const EditVerb& verb = edit_verbs()[index];
     const std::size_t count = count_of_words(verb.words);
-    if (words_.size() <= count) {
+    if (words_.size() <= count + (verb.takes_tool ? 1 : 0)) {
       throw UsageError("edit " + verb_ + " takes " + std::string(verb.words) +
-                       (verb.words.empty() ? "" : " ") + "FILE...");
+                       (verb.words.empty() ? "" : " ") +
+                       (verb.takes_tool ? "FILE TOOL..." : "FILE..."));
     }
     refuse_other_options(verb);
     EditRequest request;
     const auto first_file = words_.begin() + static_cast<std::ptrdiff_t>(count);
     request.words.assign(words_.begin(), first_file);
     request.files.assign(first_file, words_.end());
+    if (verb.takes_tool) {
+      request.tool = request.files[1];
+      request.files.erase(request.files.begin() + 1);
+    }
     request.options = options_;
     return edit(verb, request);
   }
@@ -105,9 +111,9 @@ class EditCommand final : public Command {
     text("--pose", options_.pose,
          "Of attach and add: where it is in that link, in m and rad; at its frame when absent",
          "\"X Y Z R P Y\"");
-    text("--joint", options_.joint, "Of attach: fixed, or revolute about the gripper's z axis",
+    text("--joint", options_.joint, "Of attach: fixed, or revolute about the tool's z axis",
          "TYPE");
-    text("--prefix", options_.prefix, "Of attach: for the names of the gripper", "PREFIX");
+    text("--prefix", options_.prefix, "Of attach: for the names of the tool", "PREFIX");
     text("--plane", options_.plane,
          "Of mirror: xz, yz or xy of the link that carries the part; xz when absent", "PLANE");
     text("--rename", options_.rename,

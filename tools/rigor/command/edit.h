@@ -30,6 +30,7 @@ struct EditOptions {
 struct EditRequest {
   std::vector<std::string> words;  ///< before the files
   std::vector<std::string> files;  ///< the model's first
+  std::string tool;                ///< the file behind the model's of a verb that `takes_tool`
   EditOptions options;
 };
 
@@ -40,6 +41,8 @@ struct EditVerb {
   std::string_view options;
   author::Change (*change)(const EditRequest& request, author::ModelReader& reader,
                            const author::EditedModel& edited);
+  /// Whether a second model is read, which stays as it is: FILE TOOL.
+  bool takes_tool = false;
 };
 
 /// All but `rename`.

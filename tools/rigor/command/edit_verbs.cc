@@ -91,7 +91,7 @@ Change attach(const EditRequest& request, ModelReader& reader, const EditedModel
     asked.effort = number_of("--effort", options.effort);
     asked.velocity = number_of("--velocity", options.velocity);
   }
-  const author::OpenedModel gripper = reader.open(request.words[0]);
+  const author::OpenedModel gripper = reader.open(request.tool);
   if (!gripper.model) throw InputError(gripper.problem);
   return author::attached(reader, arm, *gripper.model, asked);
 }
@@ -164,8 +164,8 @@ constexpr EditVerb kEditVerbs[] = {
     {"reroot", "LINK", "", reroot},
     {"scale", "FACTOR", "", scale},
     {"mirror", "LINK", "--plane --rename", mirror},
-    {"attach", "GRIPPER", "--to --pose --joint --lower --upper --effort --velocity --prefix",
-     attach},
+    {"attach", "", "--to --pose --joint --lower --upper --effort --velocity --prefix", attach,
+     true},
     {"set-pose", "NAME POSE", "", set_pose},
     {"set-limit", "JOINT", "--lower --upper --effort --velocity", set_limit},
     {"move-frame", "LINK", "--to", move_frame},
