@@ -15,6 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include <rigor/author/names/name_graph.h>
 #include <rigor/author/names/parameter_names.h>
 #include <rigor/author/names/rename.h>
@@ -53,7 +55,11 @@ class EditCommand final : public Command {
          "rigor edit remove camera_link robot.urdf --subtree --write"});
     for (const EditVerb& verb : edit_verbs()) names_.push_back(verb.name);
     names_.push_back(kRename);
-    offer(app->add_option("verb", verb_, "What to do")->type_name("VERB")->required(), names_);
+    offer(
+        app->add_option("verb", verb_, "What to do: " + fmt::format("{}", fmt::join(names_, ", ")))
+            ->type_name("VERB")
+            ->required(),
+        names_);
     app->add_option("words", words_,
                     "What the verb takes, then the files: the model's first, of attach the tool's, "
                     "then others that refer to it by name (SRDF, controllers' YAML)")

@@ -131,23 +131,23 @@ void check_mjcf_keyframes(const MjcfScope& scope, MjcfFacts& facts) {
   }
 }
 
-/// A geom whose bits meet those of no geom of another body never touches anything.
+/// A geom whose bits meet those of no other geom never touches anything. A file that is included beside others
+/// meets at least geoms with the bits that MuJoCo gives by default, such as the ground of a scene.
 void check_mjcf_contacts(const MjcfScope& scope, MjcfFacts& facts) {
   if (makes_names(scope)) return;
   struct Bits {
     xml::Element element;
     unsigned contype, conaffinity;
-    std::uint64_t body;
   };
   std::vector<Bits> all;
-  unsigned contypes = 0, conaffinities = 0;
+  unsigned contypes = 1, conaffinities = 1;  // a geom that names none
   for_each_in_bodies(scope, [&](xml::Element element, std::size_t class_id) {
     if (element.name() != "geom") return;
     const MjcfValues values = scope.defaults.values(element, "geom", class_id);
     const auto bits = [&](const char* name) {
       return static_cast<unsigned>(static_cast<std::int64_t>(values.number(name, 1).value));
     };
-    all.push_back({element, bits("contype"), bits("conaffinity"), 0});
+    all.push_back({element, bits("contype"), bits("conaffinity")});
     contypes |= all.back().contype;
     conaffinities |= all.back().conaffinity;
   });
