@@ -17,14 +17,8 @@ constexpr double kCovered = 0.05;
 // A link that shows a mark or a light, beside a body that is not drawn.
 constexpr double kToken = 0.01;  // of the other's size
 
-// What stands for a frame, such as PR2's base_footprint: a millimeter that collides, a centimeter that is drawn.
-constexpr double kSpeck = 0.03;  // of the longest link of the robot
-
-double longest_link(const model::Root& root, model::Id<model::Model> model, Context& context) {
-  robot::Links all;
-  for (const model::Id<model::Link> link : root[model].links) all.push_back(link.value);
-  return context.assembled().longest(all);
-}
+// What stands for a frame, such as the millimeter cube that PR2's base_footprint collides as.
+constexpr double kSpeck = 0.005;  // m
 
 /// All that is touched, or all that is seen, in the frame of the link.
 struct Reach {
@@ -50,8 +44,7 @@ void check(const model::Root& root, Context& context) {
     const double share = robot::cover(touched.bounds, seen.bounds);
     if (share > kCovered) continue;
     const double a = mesh::diagonal(touched.bounds), b = mesh::diagonal(seen.bounds);
-    if (std::min(a, b) < kToken * std::max(a, b)) continue;
-    if (std::max(a, b) < kSpeck * longest_link(root, link.model, context)) continue;
+    if (std::min(a, b) < std::max(kSpeck, kToken * std::max(a, b))) continue;
     // Thin ones beside each other, as a carpet and its pile, are in one place.
     constexpr double kAway = 0.5;  // of the larger
     const model::Vector3 from = 0.5 * (touched.bounds.min + touched.bounds.max);
