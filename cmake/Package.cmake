@@ -67,7 +67,7 @@ set(CPACK_DEBIAN_DEV_PACKAGE_NAME librigor-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 # The library runs importers and engines in the worker, which is in the program's package.
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-    "rigor (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), libboost-dev, libconsole-bridge-dev, libeigen3-dev, libfmt-dev, libmeshoptimizer-dev, libode-dev, libpng-dev, libqhull-dev, \
+    "rigor (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), libboost-dev, libconsole-bridge-dev, libeigen3-dev, libfcl-dev, libfmt-dev, libmeshoptimizer-dev, libode-dev, libpng-dev, libqhull-dev, \
 libsqlite3-dev, libtinyxml2-dev, libturbojpeg0-dev, liburdfdom-dev, libxxhash-dev, libyaml-cpp-dev, zlib1g-dev")
 set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "${rigor_assimp_package}, libembree3-3")
 set(CPACK_COMPONENT_DEV_DESCRIPTION
