@@ -20,6 +20,7 @@
 #include <rigor/report/terminal/summary.h>
 #include <rigor/robot/collision/self_collisions.h>
 #include <rigor/robot/collision/surfaces.h>
+#include <rigor/robot/semantic/soft_limits.h>
 #include <rigor/rules/environment.h>
 #include <rigor/text/diff.h>
 
@@ -86,10 +87,11 @@ class SrdfCommand final : public Command {
     read::Workspace workspace(environment.resolver, sources);
     RobotFiles files(environment, sources, workspace);
     const read::Loaded loaded = files.load(model_);
-    const std::optional<robot::Robot> robot = files.robot(loaded, name_);
-    if (!robot) return kFindings;
-    author::Semantics semantics = author::semantics_of(*robot);
-    semantics.disabled = matrix(environment, disk, *robot);
+    std::optional<robot::Robot> read_robot = files.robot(loaded, name_);
+    if (!read_robot) return kFindings;
+    const robot::Robot robot = within_soft_limits(*std::move(read_robot), loaded.root);
+    author::Semantics semantics = author::semantics_of(robot);
+    semantics.disabled = matrix(environment, disk, robot);
     if (!update_.empty()) return update(workspace, semantics);
     const std::string text = author::srdf_text(semantics);
     if (out_.empty())
