@@ -110,6 +110,10 @@ class SrdfCommand final : public Command {
     Turns turns(jobs_);
     const robot::SelfCollisions found =
         self_collisions(robot, bodies, {.samples = samples_, .seed = seed_}, turns);
+    if (found.too_many_links) {
+      throw InputError(model_ + " has over " + std::to_string(robot::kMaxCollisionLinks) +
+                       " links with a collision");
+    }
     say_counts(found.pairs);
     return author::disabled_pairs(robot, found.pairs);
   }

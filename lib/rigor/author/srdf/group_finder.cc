@@ -236,7 +236,7 @@ class GroupFinder {
         std::vector<std::string> names;
         for (const std::uint32_t j : found.joints) names.push_back(robot_.joints[j].name);
         name = shared_prefix(names);
-        if (gripper) name += name.empty() ? "gripper" : "_gripper";
+        if (gripper && !name.ends_with("gripper")) name += name.empty() ? "gripper" : "_gripper";
         if (name.empty()) name = found.group.tip_link;
       }
       std::string free = name;

@@ -4,6 +4,8 @@
 #include <rigor/mesh/collide/collider.h>
 
 #include <algorithm>
+#include <cmath>
+#include <exception>
 #include <utility>
 #include <vector>
 
@@ -107,8 +109,12 @@ bool collide(const Collider& a, const model::Pose& X_WA, const Collider& b,
              const model::Pose& X_WB) {
   const fcl::CollisionRequestd request;  // whether, not where
   fcl::CollisionResultd result;
-  return fcl::collide(a.geometry_->shape.get(), transform_of(X_WA), b.geometry_->shape.get(),
-                      transform_of(X_WB), request, result) > 0;
+  try {
+    return fcl::collide(a.geometry_->shape.get(), transform_of(X_WA), b.geometry_->shape.get(),
+                        transform_of(X_WB), request, result) > 0;
+  } catch (const std::exception&) {
+    return true;  // its arithmetic failed, which degenerate triangles make it do
+  }
 }
 
 }  // namespace rigor::mesh

@@ -58,7 +58,8 @@ class Collider {
   Ball ball_S_;
 };
 
-/// Whether they have a point in common. FCL's tolerance is 1e-6 m where one of them is round.
+/// Whether they have a point in common. FCL's tolerance is 1e-6 m where one of them is round. What FCL fails to
+/// decide counts as touching.
 bool collide(const Collider& a, const model::Pose& X_WA, const Collider& b,
              const model::Pose& X_WB);
 

@@ -56,40 +56,77 @@ bool balls_touch(const Vector3& a, double radius_a, const Vector3& b, double rad
   return dot(d, d) <= reach * reach;
 }
 
+bool is_finite(const Vector3& v) { return std::isfinite(v.x + v.y + v.z); }
+
+bool is_finite(const model::Pose& X) {
+  const auto& q = X.rotation;
+  return is_finite(X.translation) && std::isfinite(q.w + q.x + q.y + q.z);
+}
+
+/// Colliders of shapes; a mesh that several shapes have at one scale is made once.
+class ColliderMaker {
+ public:
+  ColliderMaker(const FindSurface& find_surface,
+                std::vector<std::unique_ptr<const Collider>>& colliders)
+      : find_surface_(find_surface), colliders_(colliders) {}
+
+  /// Null, with the reason, when there is none.
+  const Collider* make(const Shape& shape, std::string& why) {
+    if (shape.kind == "mesh") return surface(shape, why);
+    if (auto made = primitive(shape)) return keep(std::move(*made));
+    why = "a " + shape.kind + " is not supported, or has no size";
+    return nullptr;
+  }
+
+ private:
+  using MeshKey = std::pair<const mesh::TriangleMesh*, std::vector<double>>;
+
+  const Collider* keep(Collider collider) {
+    colliders_.push_back(std::make_unique<const Collider>(std::move(collider)));
+    return colliders_.back().get();
+  }
+
+  const Collider* surface(const Shape& shape, std::string& why) {
+    FoundSurface found = find_surface_(shape);
+    why = found.why;
+    if (!found.mesh || found.mesh->triangles.empty()) return nullptr;
+    const Collider*& known = surfaces_[{found.mesh.get(), shape.numbers}];
+    if (known) return known;
+    const auto& scale = shape.numbers;
+    triangles_ += found.mesh->triangles.size();
+    if (triangles_ > kMaxCollisionTriangles) {
+      why = shape.uri + ": the collisions have too many triangles in all";
+      return nullptr;
+    }
+    known = keep(Collider::surface(
+        *found.mesh, scale.size() >= 3 ? Vector3{scale[0], scale[1], scale[2]} : Vector3{1, 1, 1}));
+    meshes_.push_back(std::move(found.mesh));
+    return known;
+  }
+
+  const FindSurface& find_surface_;
+  std::vector<std::unique_ptr<const Collider>>& colliders_;
+  std::map<MeshKey, const Collider*> surfaces_;
+  std::vector<std::shared_ptr<const mesh::TriangleMesh>> meshes_;  // a key's address stays its own
+  std::size_t triangles_ = 0;
+};
+
 }  // namespace
 
 CollisionBodies::CollisionBodies(const Robot& robot, const FindSurface& find_surface) {
-  using MeshKey = std::pair<const mesh::TriangleMesh*, std::vector<double>>;
-  std::map<MeshKey, const Collider*> surfaces;
-  std::vector<std::shared_ptr<const mesh::TriangleMesh>> kept;  // a key's address stays its own
-  const auto keep = [&](Collider collider) {
-    colliders_.push_back(std::make_unique<const Collider>(std::move(collider)));
-    return colliders_.back().get();
-  };
+  ColliderMaker maker(find_surface, colliders_);
+  const std::vector<model::Pose> X_MB = body_poses(robot, {});
   for (std::uint32_t body = 0; body < robot.bodies.size(); ++body) {
     Group group{.first = parts_.size()};
     for (const robot::Part& part : robot.bodies[body].collisions) {
       if (!is_solid(part.shape)) continue;
       group.has_shape = true;
-      const Collider* collider = nullptr;
       std::string why;
-      if (part.shape.kind != "mesh") {
-        if (auto made = primitive(part.shape)) collider = keep(std::move(*made));
-        if (!collider) why = "a " + part.shape.kind + " is not supported, or has no size";
-      } else {
-        FoundSurface found = find_surface(part.shape);
-        why = found.why;
-        if (found.mesh && !found.mesh->triangles.empty()) {
-          const Collider*& known = surfaces[{found.mesh.get(), part.shape.numbers}];
-          if (!known) {
-            const auto& scale = part.shape.numbers;
-            known = keep(Collider::surface(*found.mesh, scale.size() >= 3
-                                                            ? Vector3{scale[0], scale[1], scale[2]}
-                                                            : Vector3{1, 1, 1}));
-            kept.push_back(std::move(found.mesh));
-          }
-          collider = known;
-        }
+      const Collider* collider = maker.make(part.shape, why);
+      const bool placed = is_finite(compose(X_MB[body], part.X_BS));
+      if (collider && (!placed || !std::isfinite(collider->ball_S().radius))) {
+        why = "its pose or size is not finite";
+        collider = nullptr;
       }
       if (!collider) {
         group.complete = false;
@@ -119,6 +156,7 @@ CollisionPoses CollisionBodies::placed(const std::vector<model::Pose>& X_MB) con
 bool CollisionBodies::collide(std::uint32_t a, std::uint32_t b, const CollisionPoses& poses) const {
   const Group& group_a = bodies_[a];
   const Group& group_b = bodies_[b];
+  if (group_a.count == 0 || group_b.count == 0) return false;
   if (!balls_touch(poses.center_M[a], group_a.ball_B.radius, poses.center_M[b],
                    group_b.ball_B.radius))
     return false;

@@ -36,6 +36,9 @@ struct UnknownShape {
   std::string why;
 };
 
+/// Triangles of all meshes of a robot, each counted once: FCL's tree takes half a kilobyte for each. More are unknown.
+inline constexpr std::size_t kMaxCollisionTriangles = 2'000'000;
+
 /// Where all shapes are, in the frame of the model.
 struct CollisionPoses {
   std::vector<model::Pose> X_MS;         ///< by shape

@@ -156,6 +156,9 @@ SelfCollisions self_collisions(const Robot& robot, const CollisionBodies& bodies
                                const SampleOptions& options, Turns& turns) {
   std::vector<bool> with_shape(robot.bodies.size());
   for (std::uint32_t i = 0; i < with_shape.size(); ++i) with_shape[i] = bodies.has_shape(i);
+  if (std::count(with_shape.begin(), with_shape.end(), true) >
+      static_cast<std::ptrdiff_t>(kMaxCollisionLinks))
+    return {.too_many_links = true};
   std::set<std::pair<std::uint32_t, std::uint32_t>> adjacent;
   for (const LinkPair& pair : adjacent_pairs(robot, with_shape)) adjacent.emplace(pair.a, pair.b);
   const CollisionPoses at_rest = bodies.placed(body_poses(robot, rest_positions(robot)));

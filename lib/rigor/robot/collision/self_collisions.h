@@ -41,9 +41,14 @@ struct SampleOptions {
   std::uint64_t seed = 1;
 };
 
+/// Links with a collision: two million pairs. Humanoids have a hundred.
+inline constexpr std::size_t kMaxCollisionLinks = 2000;
+
+/// None of a robot with more links than that, and `too_many_links` then.
 struct SelfCollisions {
   /// Of every two bodies with a collision, in the order of the bodies.
   std::vector<LinkPair> pairs;
+  bool too_many_links = false;
 };
 
 /// The same for any number of turns.
