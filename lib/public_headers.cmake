@@ -62,10 +62,12 @@ set(rigor_public_headers
   rigor/robot/lookups.h
   rigor/robot/robot.h
   rigor/convert/ledger.h
+  rigor/convert/mjcf/element.h
   rigor/convert/note.h
   rigor/convert/remark.h
   rigor/convert/sdf/robot.h
   rigor/convert/sdf_to_urdf.h
+  rigor/convert/to_mjcf.h
   rigor/convert/urdf/robot.h
   rigor/convert/urdf_to_sdf.h
   rigor/rules/compat.h

@@ -13,15 +13,23 @@ KINDS = []  # (family, name, function)
 
 
 class Slip:
-    """Bytes to replace, and the element that a finding has to be about; others whose names count, too."""
+    """Bytes to replace, and the element that a finding has to be about; others whose names count, too. `meant` are
+    the edits of who makes no slip, where these are not none."""
 
-    def __init__(self, element, *edits, also=()):
-        self.element, self.edits, self.also = element, list(edits), list(also)
+    def __init__(self, element, *edits, also=(), meant=()):
+        self.element, self.edits, self.also, self.meant = element, list(edits), list(also), list(meant)
 
     def apply(self, data):
-        for begin, end, text in sorted(self.edits, reverse=True):
-            data = data[:begin] + text + data[end:]
-        return data
+        return edited(data, self.edits)
+
+    def right(self, data):
+        return edited(data, self.meant)
+
+
+def edited(data, edits):
+    for begin, end, text in sorted(edits, reverse=True):
+        data = data[:begin] + text + data[end:]
+    return data
 
 
 def kind(family, name):
@@ -547,26 +555,34 @@ def axis_other(text):
             yield Slip(joint, put(value, " ".join(value.text.split()[1:] + value.text.split()[:1])))
 
 
-def with_dynamics(name, text_of):
+def with_dynamics(name, change):
+    """`change` of the number that is written, or of none."""
     def slips(text):
         for joint in moving(text):
             dynamics = joint.child("dynamics") or joint.child("axis", "dynamics")
             value = dynamics and (dynamics.attribute(name) or dynamics.value(name))
-            if value:
-                yield Slip(joint, put(value, text_of))
+            if value and change(value.text):
+                yield Slip(joint, put(value, change(value.text)))
             elif text.is_urdf and not dynamics:
-                yield Slip(joint, (joint.inner_end, joint.inner_end, f'<dynamics {name}="{text_of}"/>'.encode()))
+                yield Slip(joint, (joint.inner_end, joint.inner_end, f'<dynamics {name}="{change("0.5")}"/>'.encode()))
     return slips
 
 
-kind("joint", "damping that lets nothing move")(with_dynamics("damping", "100000"))
-kind("joint", "friction that lets nothing move")(with_dynamics("friction", "100000"))
-kind("joint", "damping negative")(with_dynamics("damping", "-0.5"))
+def negated(text):
+    """A minus before a number that is not zero."""
+    return "-" + text if re.fullmatch(r"[0-9.eE+-]*[1-9][0-9.eE+-]*", text) and not text.startswith("-") else None
+
+
+kind("joint", "damping that lets nothing move")(with_dynamics("damping", lambda old: "100000"))
+kind("joint", "friction that lets nothing move")(with_dynamics("friction", lambda old: "100000"))
+kind("joint", "damping negative")(with_dynamics("damping", negated))
 
 
 def limit_factor(name, by, types, least):
     return lambda text: (Slip(joint, scaled(limit_value(joint, name), by)) for joint in moving(text)
-                         if joint.get("type") in types and finite(limit_value(joint, name), least, 1000))
+                         if joint.get("type") in types and finite(limit_value(joint, name), least, 1000)
+                 # A negative one is none.
+                 and (name in ("lower", "upper") or limit_value(joint, name).numbers()[0] > 0))
 
 
 kind("joint", "velocity in degrees")(limit_factor("velocity", 57.29578, ("revolute", "continuous"), 0.5))

@@ -34,7 +34,8 @@ def no_quote(text):
 
 @kind("xml", "bare ampersand")
 def ampersand(text):
-    return (Slip(one, put(one.attribute("name"), one.get("name") + "&co")) for one in named(text, "link", "joint", "visual"))
+    return (Slip(one, put(one.attribute("name"), one.get("name") + "&co"), meant=[put(one.attribute("name"), one.get("name") + "&amp;co")])
+            for one in named(text, "link", "joint", "visual"))
 
 
 @kind("xml", "attribute twice")

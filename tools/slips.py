@@ -260,6 +260,7 @@ class Campaign:
         self.misses, self.noise, self.by_rule = [], [], collections.Counter()
         self.count = collections.defaultdict(lambda: [0, 0, 0])  # by family and kind: slips, found at info, at warning
         self.suggested = collections.defaultdict(lambda: [0, 0])  # fixes, those that give back the file
+        self.texts_of = collections.defaultdict(set)  # (old, new) of the edits of a kind
 
     def judge(self, mutant):
         text = self.texts[mutant.path]
@@ -270,6 +271,8 @@ class Campaign:
         text = self.texts[mutant.path]
         count = self.count[mutant.family, mutant.kind]
         count[0] += 1
+        self.texts_of[mutant.family, mutant.kind].update(
+            (text.data[begin:end], new.strip()) for begin, end, new in mutant.slip.edits if text.data[begin:end] != new)
         line = text.line(mutant.slip.edits[0][0])
         if mutant.family == "harmless":
             # A name that was changed throughout makes another subject, and no other count.
@@ -293,7 +296,8 @@ class Campaign:
         fixes = [place.fix for place in hits if place.fix]
         if fixes:
             self.suggested[mutant.family, mutant.kind][0] += 1
-            self.suggested[mutant.family, mutant.kind][1] += any(restored(text.data, mutated, fix) for fix in fixes)
+            right = mutant.slip.right(text.data)
+            self.suggested[mutant.family, mutant.kind][1] += any(restored(right, mutated, fix) for fix in fixes)
         if not strong:
             elsewhere = sorted({place.rule for place in places} - {place.rule for place in hits})
             said = ",".join(sorted({place.rule for place in hits}))
@@ -333,11 +337,19 @@ class Campaign:
         if self.a.rules:
             print("\nfound by:", *(f"{kind}: {rule} {n}" for (kind, rule), n in sorted(self.by_rule.items())), sep="\n  ")
         if self.a.suggestions:
-            print("\n| kind | with a fix | that gives back the file |\n|---|---:|---:|")
-            for (family, name), (n, good) in self.suggested.items():
-                print(f"| {family}: {name} | {n} | {good} |")
+            for title, lost in (("with a fix", False), ("with a fix, of kinds that leave nothing of the value", True)):
+                rows = [(kind, row) for kind, row in self.suggested.items() if self.is_lost(kind) == lost]
+                print(f"\n| kind | {title} | that gives back the file |\n|---|---:|---:|")
+                for (family, name), (n, good) in rows:
+                    print(f"| {family}: {name} | {n} | {good} |")
+                print(f"| **all** | {sum(row[0] for _, row in rows)} | {sum(row[1] for _, row in rows)} |")
         if self.noise:
             print("\nharmless edits that bring a finding:", *self.noise, sep="\n  ")
+
+    def is_lost(self, kind):
+        """Whether what was written cannot be told from what the slip leaves: always the same text, or none."""
+        olds, news = ({pair[i] for pair in self.texts_of[kind]} for i in (0, 1))
+        return news <= {b"", b"0", b"1"} or len(news) <= 2 < len(olds)
 
     def below(self):
         """1 when a family is found less often than its floors, or a harmless edit brings a finding."""

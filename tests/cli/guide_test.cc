@@ -178,7 +178,7 @@ TEST_P(Guide, ShowsWhatIsPrinted) {
 
 INSTANTIATE_TEST_SUITE_P(Pages, Guide,
                          ::testing::Values("getting-started", "inertia", "meshes", "conversion",
-                                           "diff"),
+                                           "diff", "edit"),
                          [](const auto& each) {
                            std::string name = each.param;
                            std::replace(name.begin(), name.end(), '-', '_');

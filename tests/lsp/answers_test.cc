@@ -320,7 +320,7 @@ TEST(LspAnswers, TheStructureOfADocument) {
             (Json{{"red", 1.0}, {"green", 0.0}, {"blue", 0.0}, {"alpha", 0.5}}));
   const Json lenses = editor.request("textDocument/codeLens", editor.document("/ws/r.urdf"));
   ASSERT_EQ(lenses.size(), 1U);
-  EXPECT_TRUE(lenses[0]["command"]["title"].get<std::string>().starts_with("2 links, 1 joints"));
+  EXPECT_TRUE(lenses[0]["command"]["title"].get<std::string>().starts_with("2 links, 1 joint, "));
 }
 
 TEST(LspAnswers, TagsAreClosedAndEditedTogether) {

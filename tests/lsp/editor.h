@@ -56,8 +56,17 @@ class Editor {
   }
 
   void work() {
-    while (session_.has_work()) session_.work();
+    work_on_keys();
+    while (const auto check = session_.take_whole_check()) {
+      check->run();
+      session_.finish(*check);
+      work_on_keys();
+    }
     while (session_.has_idle_work()) session_.idle_work();
+  }
+  /// What is done between two keys of somebody who types fast.
+  void work_on_keys() {
+    while (session_.has_work()) session_.work();
   }
 
   void open(const std::string& path, const std::string& text) {

@@ -8,8 +8,10 @@
 
 #include <filesystem>
 #include <random>
+#include <set>
 #include <string>
 
+#include <rigor/lsp/project/part_check.h>
 #include <rigor/text/disk.h>
 
 #include "lsp/editor.h"
@@ -76,6 +78,60 @@ TEST(LspTypingCorpus, RandomEditsAreCheckedAsIfTheTextWereNew) {
     EXPECT_EQ(editor.diagnostics(path), fresh(disk, path, text)) << path;
   }
   EXPECT_GE(edits, rigor::test::part_of(1'000));
+}
+
+/// Of findings: what they are and where.
+std::multiset<std::string> finding_keys(const Json& diagnostics) {
+  std::multiset<std::string> keys;
+  for (const Json& each : diagnostics) {
+    keys.insert(text_at(each, "code") + each["range"].dump());
+  }
+  return keys;
+}
+
+TEST(LspTypingCorpus, OfALargeFileThePartThatIsTypedInIsCheckedFirst) {
+  RIGOR_NEEDS_CORPUS();
+  RealDisk disk;
+  std::mt19937 random(28);
+  std::size_t edits = 0;
+  std::size_t in_parts = 0;
+  std::size_t findings = 0;
+  std::size_t to_come = 0;
+  std::size_t to_go = 0;
+  for (const std::string& path : rigor::test::corpus_part()) {
+    const std::string whole = rigor::test::read_file(path);
+    if (whole.size() < PartCheck::kLargeBytes || whole.size() > 600'000) continue;
+    Editor editor(disk, Editor::default_capabilities(),
+                  std::string(std::filesystem::path(path).parent_path()));
+    editor.open(path, whole);
+    for (int i = 0; i < 6; ++i, ++edits) {
+      std::string text = whole;
+      const std::size_t from = random() % whole.size();
+      text.replace(random() % whole.size(), random() % 3, whole.substr(from, random() % 3));
+      editor.type(path, text);
+      editor.work_on_keys();
+      const auto first = finding_keys(editor.diagnostics(path));
+      const bool is_part = editor.session().wants_whole_check();
+      editor.work();
+      ASSERT_EQ(editor.diagnostics(path), fresh(disk, path, text)) << path;
+      if (!is_part) continue;
+      ++in_parts;
+      const auto then = finding_keys(editor.diagnostics(path));
+      findings += then.size();
+      for (const std::string& key : then) to_come += first.count(key) == 0 ? 1 : 0;
+      for (const std::string& key : first) to_go += then.count(key) == 0 ? 1 : 0;
+      editor.change(path, whole);
+    }
+  }
+  EXPECT_GE(in_parts * 2, edits);
+  // Rules on all of a model wait; of a hundred findings two may come or go with them.
+  EXPECT_LE(to_come * 50, findings);
+  EXPECT_LE(to_go * 50, findings);
+  RecordProperty("edits", static_cast<int>(edits));
+  RecordProperty("in_parts", static_cast<int>(in_parts));
+  RecordProperty("findings", static_cast<int>(findings));
+  RecordProperty("to_come", static_cast<int>(to_come));
+  RecordProperty("to_go", static_cast<int>(to_go));
 }
 
 }  // namespace

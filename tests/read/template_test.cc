@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
 #include <set>
 #include <string>
 #include <utility>
@@ -12,6 +13,7 @@
 #include <rigor/read/template/expanded_file.h>
 #include <rigor/read/template/installed_path.h>
 #include <rigor/read/workspace.h>
+#include <rigor/xml/document.h>
 
 namespace rigor::read {
 namespace {
@@ -49,6 +51,38 @@ TEST(ExpandedFile, KnowsWherePartsAreWritten) {
   EXPECT_EQ(origin_of(body, "2 7 1"), "${a + 1} 7 ${a}");
   EXPECT_EQ(origin_of(body, "3"), "${a + 2}");
   EXPECT_EQ(origin_of(body, "0.5"), "0.5");
+}
+
+/// Pieces of templates that are hard to print, in any order and place.
+TEST(ExpandedFile, IsReadAsIfTinyxml2HadBeenAsked) {
+  const std::vector<std::string> pieces{
+      "<",         ">",    "&",          "&amp;",      "&#9;",      "\"",
+      "'",         "--",   "<!-- -->",   "<![CDATA[<", "]]>",       "<?pi?>",
+      "\xC3\xA4",  "\x01", "${'<'}",     "${'&'}",     "${chr(7)}", "${'\"'}",
+      "$(arg a)",  "${a}", "<a x='1'/>", "</robot>",   "<b>",       "</b>",
+      " y='${a}'", "=",    "/",          "\t",         "\r\n",      "\xEF\xBB\xBF"};
+  const std::string text =
+      std::string(kHead) +
+      "<xacro:arg name=\"a\" default=\"1\"/><xacro:property name=\"a\" value=\"2\"/>\n"
+      "<link name=\"l\"><!-- c --><v>text</v></link>\n</robot>\n";
+  std::mt19937 random(5);
+  std::size_t without_faults = 0;
+  for (int i = 0; i < 4000; ++i) {
+    std::string written = text;
+    for (std::size_t count = 1 + random() % 2; count > 0; --count)
+      written.insert(random() % (written.size() + 1), pieces[random() % pieces.size()]);
+    MemoryDisk disk({{"r.xacro", written}});
+    Sources sources;
+    const Resolver resolver(disk, {});
+    Workspace workspace(resolver, sources);
+    const File& file = workspace.open("r.xacro");
+    if (!file.document) continue;
+    const xml::Document judged = xml::parse(file.document->bytes(), file.source);
+    EXPECT_EQ(judged.complete(), file.document->complete()) << file.document->bytes();
+    EXPECT_EQ(judged.faults().size(), file.document->faults().size()) << file.document->bytes();
+    without_faults += judged.faults().empty() && file.document->root() ? 1 : 0;
+  }
+  EXPECT_GT(without_faults, 400U);
 }
 
 TEST(InstalledPath, ReadsFoldersOfInstall) {

@@ -133,5 +133,39 @@ TEST(AssemblySlips, LimitsAreComparedWithThoseOfTheOtherJoints) {
   EXPECT_EQ(said("limit-excludes-zero", limited("lower='-2' upper='-1'")), kInformed);
 }
 
+/// A link of 1 kg with these signs of its products of inertia.
+std::string shank(const std::string& name, int xy, int xz, int yz) {
+  const auto product = [](int sign, const char* size) {
+    return (sign < 0 ? "-" : "") + std::string(size);
+  };
+  return "<link name='" + name +
+         "'><inertial><mass value='1'/><inertia ixx='0.02' iyy='0.022' izz='0.009' ixy='" +
+         product(xy, "0.002") + "' ixz='" + product(xz, "0.001") + "' iyz='" +
+         product(yz, "0.003") + "'/></inertial></link>";
+}
+
+TEST(AssemblySlips, ProductsOfAMirrorImageChangeInPairs) {
+  // A reflection in a plane through the axes, or half a turn about one, negates two products; nothing else that
+  // maps the axes to themselves is another pattern.
+  for (int signs = 0; signs < 8; ++signs) {
+    const auto sign = [signs](int bit) { return (signs >> bit & 1) != 0 ? -1 : 1; };
+    const int negated = (signs & 1) + (signs >> 1 & 1) + (signs >> 2 & 1);
+    const std::string legs = shank("shank_1", 1, 1, 1) + shank("shank_2", 1, 1, 1) +
+                             shank("shank_3", sign(0), sign(1), sign(2));
+    EXPECT_EQ(said("products-of-inertia-negated", legs), negated % 2 == 0 ? kQuiet : kWarned)
+        << signs;
+  }
+}
+
+TEST(AssemblySlips, ArmsOfADuoMayBeAnywhere) {
+  const std::string box = "<box size='0.1 0.2 0.3'/>";
+  const auto duo = [&](const std::string& carrier) {
+    return carrier + link("left_arm", box, "0 0 0.2") + link("right_arm", box, "0 0 0.2") +
+           joint("left_arm", "table", "0 0 0") + joint("right_arm", "table", "0 1 0");
+  };
+  EXPECT_EQ(said("twin-value-differs", duo("<link name='table'/>")), kQuiet);
+  EXPECT_EQ(said("sibling-value-differs", duo("<link name='table'/>")), kQuiet);
+}
+
 }  // namespace
 }  // namespace rigor::rules::assembly_slips

@@ -30,12 +30,16 @@ struct Checked {
   ValidateResult result;
 };
 
-/// Converts a model to the other format.
-Diagnostics converted(const Environment& environment, const std::string& path, Sources& sources) {
+/// Converts a model to the other format, or to MJCF for a rule on that.
+Diagnostics converted(const Environment& environment, const Rule& rule, const std::string& path,
+                      Sources& sources) {
   read::Workspace workspace(environment.disk, sources);
   const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
   const read::Loaded loaded = read::load(reader, workspace.open(path));
   const author::ConversionOptions options{.out = "out/" + path};
+  if (rule.name.starts_with("convert-mjcf-")) {
+    return author::to_mjcf(environment, sources, workspace, loaded, {}, options).diagnostics;
+  }
   if (loaded.root.format == model::Format::kUrdf) {
     return author::to_sdf(environment, sources, workspace, loaded, {}, options).diagnostics;
   }
@@ -93,7 +97,7 @@ void check(const Rule& rule, const ParsedExample& example, Checked& checked) {
   const Environment environment(disk, {});
   const std::string path = example_path(example.files.front());
   if (rule.category == Category::kConvert) {
-    checked.result.diagnostics = converted(environment, path, checked.sources);
+    checked.result.diagnostics = converted(environment, rule, path, checked.sources);
   } else if (rule.category == Category::kSimulate) {
     checked.result.diagnostics = simulated(environment, rule, example, checked.sources);
   } else {

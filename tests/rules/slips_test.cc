@@ -118,6 +118,35 @@ TEST(Slips, DrivesAreComparedWithTheirWheels) {
             kSlipWarning);
 }
 
+TEST(Slips, ANoiseOfAllAxesIsRead) {
+  const auto imu = [](const std::string& rate) {
+    return "<sdf version='1.4'><model name='m'><link name='base'><sensor name='s' type='imu'><imu>"
+           "<noise><type>gaussian</type><rate><mean>0</mean><stddev>" +
+           rate +
+           "</stddev></rate><accel><mean>0</mean><stddev>0.017</stddev></accel></noise></imu>"
+           "</sensor></link></model></sdf>";
+  };
+  EXPECT_EQ(found("noise-too-large", "a.sdf", imu("0.0002")), SlipSeverities{});
+  EXPECT_EQ(found("noise-too-large", "a.sdf", imu("0.2")), kSlipWarning);
+  EXPECT_EQ(found("noise-stddev-negative", "a.sdf", imu("0.0002")), SlipSeverities{});
+  EXPECT_EQ(found("noise-stddev-negative", "a.sdf", imu("-0.0002")), kSlipWarning);
+}
+
+TEST(Slips, ASpringIsComparedWithTheWeight) {
+  // 2 kg: 19.6 N, which 1e-5 m holds at 1.96e6 N/m.
+  const auto sprung = [](const std::string& stiffness) {
+    return "<sdf version='1.9'><model name='m'><link "
+           "name='base'><inertial><mass>1</mass></inertial></link>"
+           "<link name='foot'><inertial><mass>1</mass></inertial></link><joint name='j' "
+           "type='prismatic'>"
+           "<parent>base</parent><child>foot</child><axis><xyz>0 0 "
+           "1</xyz><dynamics><spring_stiffness>" +
+           stiffness + "</spring_stiffness></dynamics></axis></joint></model></sdf>";
+  };
+  EXPECT_EQ(found("spring-too-stiff", "a.sdf", sprung("1.9e6")), SlipSeverities{});
+  EXPECT_EQ(found("spring-too-stiff", "a.sdf", sprung("2.0e6")), kSlipWarning);
+}
+
 TEST(Slips, RatesOfZeroAreGradedByWhatTheyCost) {
   const auto sensor = [](const std::string& type) {
     return "<sdf version='1.9'><model name='m'><link name='l'><sensor name='s' type='" + type +

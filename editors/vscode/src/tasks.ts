@@ -37,7 +37,11 @@ export function offerTasks(program: Program): vscode.Disposable {
       { env: environment() as Record<string, string> },
     );
     const name = [command, ...paths.map((path) => path.split('/').at(-1))].join(' ');
-    return new vscode.Task(definition, scope, name, 'rigor', process, '$rigor');
+    const task = new vscode.Task(definition, scope, name, 'rigor', process, '$rigor');
+    // What validate finds is in the list of problems; of the others the output is the result.
+    const { Always, Silent } = vscode.TaskRevealKind;
+    task.presentationOptions = { reveal: command === 'validate' ? Silent : Always, clear: true };
+    return task;
   };
   const provider: vscode.TaskProvider = {
     provideTasks: () =>
@@ -53,6 +57,7 @@ export function offerTasks(program: Program): vscode.Disposable {
   const validate = async () => {
     const tasks = await vscode.tasks.fetchTasks({ type: 'rigor' });
     for (const task of tasks) await vscode.tasks.executeTask(task);
+    await vscode.commands.executeCommand('workbench.panel.markers.view.focus');
   };
   const simulate = async (asked?: unknown) => {
     const model = modelAsked(asked);
@@ -64,9 +69,11 @@ export function offerTasks(program: Program): vscode.Disposable {
     if (!chosen?.length) return;
     await saved(model);
     const options = ['--test', chosen.map(({ label }) => label).join(',')];
-    const scope = vscode.workspace.getWorkspaceFolder(model) ?? vscode.TaskScope.Workspace;
-    const definition = { type: 'rigor', command: 'simulate', paths: [model.fsPath], options };
-    await vscode.tasks.executeTask(make(definition, scope));
+    // A task runs in the folder of the workspace that it is of.
+    const folder = vscode.workspace.getWorkspaceFolder(model);
+    const path = folder ? vscode.workspace.asRelativePath(model, false) : model.fsPath;
+    const definition = { type: 'rigor', command: 'simulate', paths: [path], options };
+    await vscode.tasks.executeTask(make(definition, folder ?? vscode.TaskScope.Workspace));
   };
   return vscode.Disposable.from(
     vscode.tasks.registerTaskProvider('rigor', provider),

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <rigor/author/mjcf_proof.h>
 #include <rigor/author/reported_differences.h>
 #include <rigor/convert/urdfdom.h>
 #include <rigor/mass/mesh/survey.h>
@@ -302,15 +303,8 @@ class Conclusion {
         options_(options) {}
 
   Conversion of(Conversion result) {
-    // Nothing to write is an error, whatever losses are allowed.
-    ConversionOptions options = options_;
-    if (!result.text) options.losses = Losses::kRefused;
-    const rules::Runner runner(environment_.registry, selection_of(options, environment_.registry));
-    result.diagnostics = runner.run(environment_, sources_, loaded_, result.account.notes);
-    const auto& document = loaded_.file->document;
-    if (document) {
-      result.diagnostics = rules::Suppressions(*document).uncovered(std::move(result.diagnostics));
-    }
+    const rules::Runner runner = runner_for(result);
+    find(runner, result);
     if (result.text && options_.proof == Proof::kVerify &&
         loaded_.root.format == model::Format::kUrdf) {
       SdfJudge judge(environment_, sources_, workspace_, loaded_);
@@ -329,7 +323,33 @@ class Conclusion {
     return result;
   }
 
+  /// The same of a result with a proof of its own: what that has found.
+  Conversion proved(Conversion result, const Notes& proof) {
+    const rules::Runner runner = runner_for(result);
+    find(runner, result);
+    if (!result.text || options_.proof != Proof::kVerify) return result;
+    result.diagnostics.take(runner.run(environment_, sources_, loaded_, proof));
+    result.diagnostics.sort();
+    result.configurations = robot::Tolerance{}.configurations;
+    return result;
+  }
+
  private:
+  /// Nothing to write is an error, whatever losses are allowed.
+  rules::Runner runner_for(const Conversion& result) const {
+    ConversionOptions options = options_;
+    if (!result.text) options.losses = Losses::kRefused;
+    return rules::Runner(environment_.registry, selection_of(options, environment_.registry));
+  }
+
+  void find(const rules::Runner& runner, Conversion& result) const {
+    result.diagnostics = runner.run(environment_, sources_, loaded_, result.account.notes);
+    const auto& document = loaded_.file->document;
+    if (document) {
+      result.diagnostics = rules::Suppressions(*document).uncovered(std::move(result.diagnostics));
+    }
+  }
+
   const Environment& environment_;
   Sources& sources_;
   read::Workspace& workspace_;
@@ -394,6 +414,46 @@ Conversion to_sdf(const Environment& environment, Sources& sources, read::Worksp
   result.names.joints = std::move(converted.joints);
   result.names.held_by = std::move(converted.held_by);
   return Conclusion(environment, sources, workspace, loaded, options).of(std::move(result));
+}
+
+Conversion to_mjcf(const Environment& environment, Sources& sources, read::Workspace& workspace,
+                   const read::Loaded& loaded, const convert::MjcfOptions& how,
+                   const ConversionOptions& options) {
+  const model::Frames frames(loaded.root);
+  const read::Documents documents(workspace);
+  mass::MeshSurveys surveys(environment.disk, {.workers = &environment.workers});
+  robot::Lookups lookups = robot::lookups_in(loaded.root, workspace, environment.resolver);
+  lookups.find_mesh = rules::mesh_finder(environment.resolver, sources, surveys);
+  const convert::Source source{
+      loaded.root,
+      frames,
+      documents,
+      environment.resolver,
+      loaded.root.format == model::Format::kUrdf ? environment.urdf : environment.sdf,
+      environment.workers,
+      loaded.file->path,
+      options.out,
+      options.working_folder};
+  convert::MjcfConversion converted = convert::to_mjcf({source, lookups}, how);
+  Conversion result;
+  if (!converted.models.empty()) result.model = converted.models.front();
+  Notes proof;
+  if (converted.root) {
+    if (options.header == AccountHeader::kComment) {
+      converted.root->comments = head(loaded.file->path, converted.account);
+    }
+    result.text = convert::mjcf_text(*converted.root);
+    if (options.proof == Proof::kVerify) {
+      proof = prove_mjcf(converted, *result.text, loaded.root.site.tag);
+    }
+  }
+  result.files = std::move(converted.files);
+  result.account = std::move(converted.account);
+  result.names.links = std::move(converted.links);
+  result.names.joints = std::move(converted.joints);
+  result.names.held_by = std::move(converted.held_by);
+  return Conclusion(environment, sources, workspace, loaded, options)
+      .proved(std::move(result), proof);
 }
 
 }  // namespace rigor::author

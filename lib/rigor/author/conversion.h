@@ -18,6 +18,7 @@
 #include <vector>
 
 #include <rigor/convert/sdf_to_urdf.h>
+#include <rigor/convert/to_mjcf.h>
 #include <rigor/convert/urdf_to_sdf.h>
 #include <rigor/read/load.h>
 #include <rigor/read/workspace.h>
@@ -67,6 +68,11 @@ Conversion to_urdf(const Environment& environment, Sources& sources, read::Works
 Conversion to_sdf(const Environment& environment, Sources& sources, read::Workspace& workspace,
                   const read::Loaded& loaded, const convert::SdfOptions& how,
                   const ConversionOptions& options);
+
+/// `loaded` holds SDF or URDF. The text is MJCF; `model` is the first of those that were converted.
+Conversion to_mjcf(const Environment& environment, Sources& sources, read::Workspace& workspace,
+                   const read::Loaded& loaded, const convert::MjcfOptions& how,
+                   const ConversionOptions& options);
 
 /// "convert", "rewritten": the words of outcomes, in their order.
 std::string_view to_string(convert::Outcome outcome);

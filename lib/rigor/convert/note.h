@@ -118,6 +118,21 @@ enum class NoteKind : std::uint8_t {
   kUriElsewhere,  ///< found from the source, but not from where the result will stand
   // What was added.
   kLinkBetween,  ///< `count` links between joints in a row, of `instead` each
+  // MJCF.
+  kMjcfVelocity,      ///< of a joint: MuJoCo has no velocity limits
+  kMjcfLocked,        ///< both limits are `written`: an equality holds the joint there
+  kMjcfLoop,          ///< a joint that closes a loop is `instead`
+  kMjcfMassless,      ///< a link that moves and has no mass weighs `instead`
+  kMjcfInertia,       ///< principal moments that no rigid body has; the nearest are `instead`
+  kMjcfInertiaMoved,  ///< the same of a link on a fixed joint: `instead` says where it is
+  kMjcfContact,       ///< of a surface: `written` is lost, or is `instead`
+  kMjcfMesh,          ///< `written` is a mesh, or is another one
+  kMjcfMeshMissing,   ///< the file does not exist, or cannot be read
+  kMjcfLook,          ///< colors and textures
+  kMjcfSensor,        ///< became `instead`
+  kMjcfWorld,         ///< what a world holds beside its models
+  kMjcfDepth,         ///< more than `written` bodies hang on each other
+  kMjcfLost,          ///< an element that MJCF has nothing for
 };
 
 struct Note {

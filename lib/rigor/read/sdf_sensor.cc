@@ -52,7 +52,22 @@ model::Lidar read_lidar(xml::Element element) {
   return lidar;
 }
 
+/// Up to SDF 1.4 all axes have one noise: `<noise><rate>` and `<noise><accel>`.
+std::vector<model::Noise> imu_noises_of_old(xml::Element noise) {
+  std::vector<model::Noise> noises;
+  for (const std::string_view name : {"rate", "accel"}) {
+    const auto of = noise.child(name);
+    if (!of) continue;
+    model::Noise one;
+    one.site = site_of(*of);
+    one.stddev = number_field(child_text(*of, "stddev"), 0);
+    noises.push_back(std::move(one));
+  }
+  return noises;
+}
+
 std::vector<model::Noise> imu_noises(xml::Element imu) {
+  if (const auto noise = imu.child("noise")) return imu_noises_of_old(*noise);
   std::vector<model::Noise> noises;
   for (const xml::Element quantity : imu.children()) {
     for (const xml::Element axis : quantity.children()) {

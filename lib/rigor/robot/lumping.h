@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A robot as a conversion may choose to write it; private to the room.
+// A robot as a conversion may choose to write it.
 
 #pragma once
 

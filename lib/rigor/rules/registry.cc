@@ -50,6 +50,7 @@ std::string_view to_string(Category category) {
 Registry::Registry() : rules_(registered_rules()) {
   std::sort(rules_.begin(), rules_.end(),
             [](const Rule& a, const Rule& b) { return a.name < b.name; });
+  for (const Rule& rule : rules_) pages_.push_back(pages_in_brief(rule));
 }
 
 std::string_view current_name(std::string_view name) {

@@ -4,7 +4,6 @@
 #include <rigor/rules/runner.h>
 
 #include <algorithm>
-#include <initializer_list>
 #include <set>
 #include <string>
 #include <tuple>
@@ -56,42 +55,6 @@ Refusal refusal_in(const Refusals& refused, model::Format format) {
   return format == model::Format::kUrdf ? refused.urdf : refused.sdf;
 }
 
-/// Up to the first full stop that ends one; "e.g. this" does not.
-std::string_view first_sentence(std::string_view prose) {
-  for (std::size_t stop = prose.find(". "); stop != prose.npos; stop = prose.find(". ", stop + 1)) {
-    const bool shortened = stop >= 2 && prose[stop - 2] == '.';
-    if (!shortened) return prose.substr(0, stop + 1);
-  }
-  return prose;
-}
-
-bool names_any(std::string_view sentence, std::initializer_list<std::string_view> names) {
-  return std::any_of(names.begin(), names.end(), [sentence](std::string_view name) {
-    return sentence.find(name) != sentence.npos;
-  });
-}
-
-/// The first sentence, unless it is about readers of the other format, and a later one about those of this.
-std::string_view sentence_for(model::Format format, std::string_view prose) {
-  const bool urdf = format == model::Format::kUrdf;
-  const auto is_about = [](std::string_view sentence, bool of_urdf) {
-    return of_urdf ? names_any(sentence, {"urdfdom", "URDF", "RViz", "MuJoCo", "Drake", "Gazebo"})
-                   : names_any(sentence, {"libsdformat", "SDF", "Gazebo"});
-  };
-  const std::string_view first = first_sentence(prose);
-  if (is_about(first, urdf) || !is_about(first, !urdf)) return first;
-  for (std::string_view rest = prose; rest.size() > first_sentence(rest).size();) {
-    rest.remove_prefix(first_sentence(rest).size() + 1);
-    const std::string_view next = first_sentence(rest);
-    if (is_about(next, urdf)) return next;
-  }
-  return first;
-}
-
-PageInBrief brief_of(const Rule& rule, model::Format format) {
-  return {sentence_for(format, rule.why), sentence_for(format, rule.what_to_do)};
-}
-
 const schema::Schema* schema_of(const Environment& environment, model::Format format) {
   if (format == model::Format::kSdf) return &environment.sdf;
   if (format == model::Format::kUrdf) return &environment.urdf;
@@ -102,7 +65,8 @@ const schema::Schema* schema_of(const Environment& environment, model::Format fo
 
 Runner::Runner(const Registry& registry, const Selection& selection)
     : max_listed_(selection.max_listed) {
-  for (const Rule& rule : registry.rules()) {
+  for (std::size_t i = 0; i < registry.rules().size(); ++i) {
+    const Rule& rule = registry.rules()[i];
     const bool selected = selection.select.empty() || names(selection.select, rule);
     if (!selected || names(selection.ignore, rule) || !targeted(rule, selection)) continue;
     Severity severity = rule.severity;
@@ -117,7 +81,7 @@ Runner::Runner(const Registry& registry, const Selection& selection)
         grading = Grading::kHeld;
       }
     }
-    add(rule, severity, compat, grading);
+    add(rule, registry.pages()[i], severity, compat, grading);
   }
 }
 
@@ -125,15 +89,15 @@ bool Runner::runs(std::string_view rule) const {
   return std::binary_search(active_.begin(), active_.end(), rule);
 }
 
-void Runner::add(const Rule& rule, Severity severity, Compat compat, Grading grading) {
+void Runner::add(const Rule& rule, const PagesInBrief& pages, Severity severity, Compat compat,
+                 Grading grading) {
   active_.push_back(rule.name);  // sorted, as the registry is
   for (const Check& check : rule.checks) {
     std::visit(
         [&](const auto& one) {
           std::get<Slot<std::decay_t<decltype(one)>>>(slots_).push_back(
-              {{rule.name, to_string(rule.category), brief_of(rule, model::Format::kSdf),
-                brief_of(rule, model::Format::kUrdf), severity, compat, grading, rule.formats,
-                rule.refused},
+              {{rule.name, to_string(rule.category), pages.in_sdf, pages.in_urdf, severity, compat,
+                grading, rule.formats, rule.refused},
                one});
         },
         check);

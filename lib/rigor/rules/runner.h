@@ -91,7 +91,8 @@ class Runner {
 
   class Walk;
 
-  void add(const Rule& rule, Severity severity, Compat compat, Grading grading);
+  void add(const Rule& rule, const PagesInBrief& pages, Severity severity, Compat compat,
+           Grading grading);
 
   SlotsOf<Check>::type slots_;
   std::vector<std::string_view> active_;  // names

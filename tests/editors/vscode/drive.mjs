@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // drive.mjs WORK COMMAND...: a person with the extension: opens a broken robot, reads a finding, applies its fix, renames a
-// link in two files, completes, formats, looks at the view, and expands a template. What the editor saved is read from the
-// disk. RIGOR_IMAGES is the folder for pictures of that.
+// link in two files, completes, formats, looks at the view and at a mesh, expands a template, simulates, and validates the
+// workspace. What the editor saved is read from the disk. RIGOR_IMAGES is the folder for pictures of that. With
+// RIGOR_TERMINALS the editor has terminals, in which tasks run.
 
 import assert from 'node:assert/strict';
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -65,6 +66,51 @@ writeFileSync(
   <link name="body"/>
   <xacro:leg side="left"/>
   <xacro:leg side="right"/>
+</robot>
+`,
+);
+
+/** An STL of a box, in meters. */
+function boxMesh(x, y, z) {
+  const at = (i) => [i & 1 ? x : -x, i & 2 ? y : -y, i & 4 ? z : -z].map((c) => c / 2);
+  const faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+  const triangles = faces.flatMap(([a, b, c, d]) => [[a, b, c], [a, c, d]]);
+  const bytes = Buffer.alloc(84 + 50 * triangles.length);
+  bytes.writeUInt32LE(triangles.length, 80);
+  triangles.forEach((corners, i) => {
+    const numbers = corners.flatMap(at);
+    numbers.forEach((number, k) => bytes.writeFloatLE(number, 84 + 50 * i + 12 + 4 * k));
+  });
+  return bytes;
+}
+mkdirSync(join(folder, 'meshes'));
+writeFileSync(join(folder, 'meshes', 'finger.stl'), boxMesh(0.02, 0.03, 0.1));
+writeFileSync(
+  join(folder, 'gripper.urdf'),
+  `<robot name="gripper">
+  <link name="palm"/>
+  <link name="finger">
+    <visual><geometry><mesh filename="meshes/finger.stl"/></geometry></visual>
+  </link>
+  <joint name="slide" type="prismatic">
+    <parent link="palm"/>
+    <child link="finger"/>
+    <limit lower="0.04" upper="0" effort="5" velocity="1"/>
+  </joint>
+</robot>
+`,
+);
+writeFileSync(
+  join(folder, 'block.urdf'),
+  `<robot name="block">
+  <link name="body">
+    <inertial>
+      <mass value="12"/>
+      <inertia ixx="0.1" iyy="0.1" izz="0.18" ixy="0" ixz="0" iyz="0"/>
+    </inertial>
+    <visual><geometry><box size="0.3 0.3 0.1"/></geometry></visual>
+    <collision><geometry><box size="0.3 0.3 0.1"/></geometry></collision>
+  </link>
 </robot>
 `,
 );
@@ -195,6 +241,49 @@ try {
   await page.waitForTimeout(500);
   await picture('vscode_expanded');
   did('the expanded template follows what is typed');
+
+  await workbench.key('Control+B');
+  await workbench.run('View: Close All Editors');
+  await workbench.openFile('gripper.urdf');
+  await goTo('gripper.urdf', 'finger.stl', 3);
+  await workbench.key('Control+K');
+  await workbench.key('Control+I');
+  const image = page.locator('.monaco-hover img');
+  await image.first().waitFor();
+  await until('the picture of the mesh', () => image.first().evaluate((one) => one.naturalWidth > 100));
+  await page.locator('.monaco-hover', { hasText: '12 triangles, closed' }).first().waitFor();
+  await picture('vscode_mesh');
+  await workbench.key('Escape');
+  did('a mesh is shown where it is named');
+
+  await workbench.openFile('robot.urdf');
+  await goTo('robot.urdf', '<robot');
+  const lens = (text) => page.locator('.codelens-decoration a', { hasText: text }).first();
+  await page.locator('.codelens-decoration', { hasText: '2 links, 1 joint, 1.7 kg' }).waitFor();
+  await lens('view').click();
+  await page.locator('.tab', { hasText: 'View of robot.urdf' }).waitFor();
+  await workbench.viewFrame();
+  did('a lens opens the view');
+
+  if (process.env.RIGOR_TERMINALS) {
+    await workbench.run('View: Close All Editors');
+    await workbench.run('rigor: Validate Workspace');
+    await until('a finding of a file that is not open', async () =>
+      (await workbench.problems()).some((line) => line.includes('joint-limit-inverted')),
+    );
+    did('the workspace is validated');
+
+    const terminal = page.locator('.terminal-wrapper.active .xterm-rows');
+    await workbench.openFile('block.urdf');
+    await lens('simulate').click();
+    await page.locator('.quick-input-title', { hasText: 'Tests to simulate' }).waitFor();
+    await workbench.key('Enter');
+    await until('the verdict', async () => /1 model: 1 pass/.test(await terminal.innerText()));
+    await picture('vscode_simulate');
+    did('a lens simulates');
+  } else {
+    did('no tasks are run: the editor has no terminals');
+  }
 } catch (error) {
   await workbench?.page?.screenshot({ path: join(work, 'failed.png') }).catch(() => undefined);
   console.error(`${error.stack}\nwhat was on the screen: ${join(work, 'failed.png')}`);

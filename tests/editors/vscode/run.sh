@@ -30,8 +30,8 @@ command -v npm >/dev/null || leave 'npm is not installed'
 [ "$(node -p 'process.versions.node.split(".")[0]')" -ge 20 ] || leave 'it needs node 20 or later'
 command -v strip >/dev/null || leave 'binutils are not installed'
 
-# code-server is the workbench and the extension host of VS Code, served to a browser. None of its native modules is built:
-# they are for terminals, for watching files and for passwords; the last is asked for even without one.
+# code-server is the workbench and the extension host of VS Code, served to a browser. Of its native modules the one for
+# terminals is built; the others are for watching files and for passwords; the last is asked for even without one.
 if ! cmp -s "$here/package-lock.json" "$work/fetched"; then
   cp "$here/package.json" "$here/package-lock.json" "$work"
   options=(--ignore-scripts --force --no-audit --no-fund --loglevel=error)
@@ -42,6 +42,15 @@ if ! cmp -s "$here/package-lock.json" "$work/fetched"; then
   echo "module.exports = {hash: async () => '', verify: async () => false};" >"$work/node_modules/argon2/argon2.js"
   cp "$here/package-lock.json" "$work/fetched"
 fi
+
+# With a compiler and node's headers.
+pty="$work/node_modules/code-server/lib/vscode/node_modules/node-pty"
+node_folder=$(dirname "$(dirname "$(readlink -f "$(command -v node)")")")
+for gyp in "$(npm root -g)/npm/node_modules/node-gyp" /usr/share/nodejs/node-gyp; do
+  [ ! -e "$pty/build/Release/pty.node" ] && [ -e "$gyp/bin/node-gyp.js" ] && [ -e "$node_folder/include/node/node.h" ] || continue
+  (cd "$pty" && node "$gyp/bin/node-gyp.js" rebuild --nodedir="$node_folder") >"$work/node-pty.log" 2>&1 || true
+done
+[ ! -e "$pty/build/Release/pty.node" ] || export RIGOR_TERMINALS=1
 
 rm -rf "$work/root" "$work/extensions" "$work/user" "$work"/*.vsix
 mkdir -p "$work/root/bin"

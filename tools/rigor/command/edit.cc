@@ -1,8 +1,12 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `rigor edit VERB …`: changes that a model's author asks for, as byte edits. The verb is `rename`.
+// `rigor edit VERB …`: changes that a model's author asks for, as byte edits, with their proof. `rename` is here, the
+// other verbs are in edit_verbs.cc.
 
+#include "command/edit.h"
+
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -15,6 +19,7 @@
 #include <rigor/author/names/parameter_names.h>
 #include <rigor/author/names/rename.h>
 #include <rigor/read/workspace.h>
+#include <rigor/report/robot_diff/robot_diff.h>
 #include <rigor/report/terminal/printable.h>
 #include <rigor/report/terminal/summary.h>
 #include <rigor/rules/environment.h>
@@ -30,27 +35,159 @@
 namespace rigor::tool {
 namespace {
 
+constexpr std::string_view kRename = "rename";
+
+std::size_t count_of_words(std::string_view words) {
+  if (words.empty()) return 0;
+  return 1 + static_cast<std::size_t>(std::count(words.begin(), words.end(), ' '));
+}
+
 class EditCommand final : public Command {
  public:
   CLI::App* declare(CLI::App& program) override {
-    CLI::App* app =
-        add_command(program, "edit", "Change a model: another name for a link, joint or frame",
-                    {"rigor edit rename wheel left_wheel robot.urdf robot.srdf controllers.yaml",
-                     "rigor edit rename arm::hand palm worlds/*.sdf --write"});
-    app->add_option("verb", verb_, "rename")->type_name("VERB")->required();
-    app->add_option(
-           "words", words_,
-           "Of rename: OLD NEW FILE..., where the first file defines the name or refers to it")
+    CLI::App* app = add_command(
+        program, "edit", "Change a model by byte edits, with a proof that nothing else changes",
+        {"rigor edit rename wheel left_wheel robot.urdf robot.srdf controllers.yaml",
+         "rigor edit prefix left_ arm.urdf -o left_arm.urdf",
+         "rigor edit remove camera_link robot.urdf --subtree --write"});
+    for (const EditVerb& verb : edit_verbs()) names_.push_back(verb.name);
+    names_.push_back(kRename);
+    offer(app->add_option("verb", verb_, "What to do")->type_name("VERB")->required(), names_);
+    app->add_option("words", words_,
+                    "What the verb takes, then the files: the model's first, then others that "
+                    "refer to it by name (SRDF, controllers' YAML)")
         ->type_name("WORD");
     auto* write = app->add_flag("--write", write_, "Change the files");
-    app->add_flag("--diff", diff_, "Show what would change: the default")->excludes(write);
+    auto* diff = app->add_flag("--diff", diff_, "Show what would change: the default");
+    app->add_option("-o,--out", out_, "Where the changed model goes, of a change of one file")
+        ->type_name("FILE")
+        ->excludes(write)
+        ->excludes(diff);
+    diff->excludes(write);
+    app->add_option("--model", model_, "Name of one of several models in a file")
+        ->type_name("NAME");
+    declare_options(*app);
     search_.declare(*app);
     return app;
   }
 
   int run() override {
-    if (verb_ != "rename") throw UsageError("edit has no verb \"" + verb_ + "\"; it has rename");
+    const std::size_t index = choice("edit: verb", verb_, names_);
+    if (names_[index] == kRename) return rename();
+    const EditVerb& verb = edit_verbs()[index];
+    const std::size_t count = count_of_words(verb.words);
+    if (words_.size() <= count) {
+      throw UsageError("edit " + verb_ + " takes " + std::string(verb.words) +
+                       (verb.words.empty() ? "" : " ") + "FILE...");
+    }
+    refuse_other_options(verb);
+    EditRequest request;
+    const auto first_file = words_.begin() + static_cast<std::ptrdiff_t>(count);
+    request.words.assign(words_.begin(), first_file);
+    request.files.assign(first_file, words_.end());
+    request.options = options_;
+    return edit(verb, request);
+  }
+
+ private:
+  void declare_options(CLI::App& app) {
+    const auto text = [&app, this](const char* name, std::string& value, const char* what,
+                                   const char* type) {
+      given_.emplace_back(name, app.add_option(name, value, what)->type_name(type));
+    };
+    const auto flag = [&app, this](const char* name, bool& value, const char* what) {
+      given_.emplace_back(name, app.add_flag(name, value, what));
+    };
+    flag("--subtree", options_.subtree, "Of remove: what the link carries, too");
+    text("--to", options_.to,
+         "Of attach and add: the link that carries it; of move-frame: a pose, com or joint",
+         "LINK");
+    text("--pose", options_.pose,
+         "Of attach and add: where it is in that link, in m and rad; at its frame when absent",
+         "\"X Y Z R P Y\"");
+    text("--joint", options_.joint, "Of attach: fixed, or revolute about the gripper's z axis",
+         "TYPE");
+    text("--prefix", options_.prefix, "Of attach: for the names of the gripper", "PREFIX");
+    text("--plane", options_.plane,
+         "Of mirror: xz, yz or xy of the link that carries the part; xz when absent", "PLANE");
+    text("--rename", options_.rename,
+         "Of mirror: the image is a copy, with TO for FROM in its names", "FROM:TO");
+    text("--lower", options_.lower, "Of a revolute joint: the lower limit, rad", "RAD");
+    text("--upper", options_.upper, "Of a revolute joint: the upper limit, rad", "RAD");
+    text("--effort", options_.effort, "Of a revolute joint: N·m", "N");
+    text("--velocity", options_.velocity, "Of a revolute joint: rad/s", "V");
+  }
+
+  void refuse_other_options(const EditVerb& verb) const {
+    for (const auto& [name, option] : given_) {
+      if (option->count() > 0 &&
+          (' ' + std::string(verb.options) + ' ').find(' ' + name + ' ') == std::string::npos)
+        throw UsageError("edit " + verb_ + " has no option " + name);
+    }
+  }
+
+  int edit(const EditVerb& verb, const EditRequest& request) {
+    search_.config().open();
+    const GuardedDisk disk = search_.disk(words_);
+    Environment environment(disk, search_.paths());
+    search_.allow(environment.workers);
+    Sources sources;
+    author::ModelReader reader(environment, sources);
+    const author::OpenedModel opened = reader.open(request.files.front(), model_);
+    if (!opened.model) throw InputError(opened.problem);
+    const author::Change change = verb.change(request, reader, *opened.model);
+    const author::ProvenChange proven = prove(reader, *opened.model, change);
+    if (!proven.refused.empty())
+      throw InputError(request.files.front() + " is not changed: " + proven.refused);
+    for (const std::string& note : change.notes) say("rigor: " + report::printable(note));
+    if (!proven.unasked.empty()) {
+      tell({request.files.front(), change.expected}, proven, proven.unasked, sources);
+      say("rigor: nothing is changed: " + report::counted(proven.unasked.size(), "difference") +
+          " that nobody asked for");
+      return kFindings;
+    }
+    emit(request, proven, sources);
+    tell({request.files.front(), opened.model->robot}, proven, proven.asked, sources);
+    std::size_t places = 0;
+    for (const author::EditedFile& file : proven.files) places += file.edits.size();
+    say("rigor: " + report::counted(places, "place") + " in " +
+        report::counted(proven.files.size(), "file") +
+        (write_ || !out_.empty() ? " changed: " : " would be changed: ") +
+        report::counted(proven.asked.size(), "difference") + ", all as asked");
+    return kClean;
+  }
+
+  void emit(const EditRequest& request, const author::ProvenChange& proven,
+            const Sources& sources) const {
+    if (!out_.empty() && proven.files.size() != 1) {
+      throw UsageError("--out takes a change of one file: this is one of " +
+                       report::counted(proven.files.size(), "file"));
+    }
+    for (const author::EditedFile& file : proven.files) {
+      if (!out_.empty()) {
+        replace_file(out_, file.text);
+      } else if (write_) {
+        replace_found(request.files, file.path, file.text);
+      } else {
+        write({0, {}}, unified_diff(file.path, sources.bytes(file.source), file.edits));
+      }
+    }
+  }
+
+  static void tell(const report::DiffSide& before, const author::ProvenChange& proven,
+                   const std::vector<robot::Difference>& differences, const Sources& sources) {
+    std::string text = report::robot_diff_text(
+        {before, {before.path, proven.after->robot}, differences, sources, false});
+    while (text.ends_with('\n')) text.pop_back();
+    if (!text.empty()) say(text);
+  }
+
+  int rename() {
     if (words_.size() < 3) throw UsageError("edit rename takes OLD NEW FILE...");
+    for (const auto& [name, option] : given_) {
+      if (option->count() > 0) throw UsageError("edit rename has no option " + name);
+    }
+    if (!out_.empty()) throw UsageError("edit rename has no option --out");
     search_.config().open();
     const std::vector<std::string> files(words_.begin() + 2, words_.end());
     const GuardedDisk disk = search_.disk(files);
@@ -91,11 +228,15 @@ class EditCommand final : public Command {
     return kClean;
   }
 
- private:
+  std::vector<std::string_view> names_;
   std::string verb_;
   std::vector<std::string> words_;
   bool write_ = false;
   bool diff_ = false;
+  std::string out_;
+  std::string model_;
+  EditOptions options_;
+  std::vector<std::pair<std::string, CLI::Option*>> given_;
   SearchOptions search_;
 };
 

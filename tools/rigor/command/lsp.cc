@@ -77,23 +77,23 @@ constexpr std::chrono::milliseconds kKeyPause{60};
 /// Nobody types when no message has come for so long.
 constexpr std::chrono::milliseconds kTypingPause{400};
 
-/// Wakes the loop when meshes were opened. A client that sends it wakes the loop, too.
-constexpr std::string_view kMeshesOpened = "$/rigor/meshesOpened";
+/// Wakes the loop when a check in the background has come to its end. A client that sends it wakes the loop, too.
+constexpr std::string_view kChecked = "$/rigor/checked";
 
-/// One check of meshes at a time, on a thread of its own.
-class MeshThread {
+/// One check in the background at a time, on a thread of its own.
+class CheckThread {
  public:
-  explicit MeshThread(lsp::MessageQueue& queue) : queue_(queue) {}
-  MeshThread(const MeshThread&) = delete;
-  MeshThread& operator=(const MeshThread&) = delete;
-  ~MeshThread() {
+  explicit CheckThread(lsp::MessageQueue& queue) : queue_(queue) {}
+  CheckThread(const CheckThread&) = delete;
+  CheckThread& operator=(const CheckThread&) = delete;
+  ~CheckThread() {
     stop();
     if (thread_.joinable()) thread_.join();
   }
 
   bool idle() const { return !check_; }
 
-  void start(std::unique_ptr<lsp::MeshCheck> check) {
+  void start(std::unique_ptr<lsp::BackgroundCheck> check) {
     check_ = std::move(check);
     if (!check_) return;
     done_ = false;
@@ -102,10 +102,10 @@ class MeshThread {
       try {
         check_->run();
       } catch (const std::exception&) {
-        failed_ = true;  // out of memory: the findings without meshes stand
+        failed_ = true;  // out of memory: what was found before stands
       }
       done_ = true;
-      queue_.put({{"method", kMeshesOpened}});
+      queue_.put({{"method", kChecked}});
     });
   }
 
@@ -114,23 +114,23 @@ class MeshThread {
   }
 
   /// What has come to its end; else null.
-  std::unique_ptr<lsp::MeshCheck> taken() {
+  std::unique_ptr<lsp::BackgroundCheck> taken() {
     if (!check_ || !done_) return nullptr;
     thread_.join();
-    std::unique_ptr<lsp::MeshCheck> check = std::move(check_);
+    std::unique_ptr<lsp::BackgroundCheck> check = std::move(check_);
     return failed_ ? nullptr : std::move(check);
   }
 
  private:
   lsp::MessageQueue& queue_;
-  std::unique_ptr<lsp::MeshCheck> check_;
+  std::unique_ptr<lsp::BackgroundCheck> check_;
   std::atomic<bool> done_ = false;
   bool failed_ = false;
   std::thread thread_;
 };
 
-/// Whether a message makes what meshes show out of date.
-bool ends_mesh_check(const lsp::Json& message) {
+/// Whether a message makes what a check in the background finds out of date.
+bool ends_check(const lsp::Json& message) {
   const std::string method = lsp::text_at(message, "method");
   return method.starts_with("textDocument/did") || method.starts_with("workspace/did");
 }
@@ -146,25 +146,29 @@ int serve(int in, int out, read::SearchPaths paths) {
        .is_cancelled = [&queue](const lsp::Json& id) { return queue.is_cancelled(id); },
        .is_superseded = [&queue](const std::string& uri) { return queue.is_superseded(uri); }});
   std::thread reader([in, &queue] { read_messages(in, queue); });
-  MeshThread meshes(queue);
+  CheckThread background(queue);
   while (!session.exit_code()) {
-    const bool opens_meshes = meshes.idle() && session.wants_mesh_check();
-    std::optional<lsp::Json> message = session.has_work()        ? queue.take()
-                                       : session.has_idle_work() ? queue.wait_for(kKeyPause)
-                                       : opens_meshes            ? queue.wait_for(kTypingPause)
-                                                                 : queue.wait();
+    const bool checks_whole = background.idle() && session.wants_whole_check();
+    const bool opens_meshes = background.idle() && session.wants_mesh_check();
+    const bool has_more = session.has_idle_work() || opens_meshes;
+    std::optional<lsp::Json> message = session.has_work() ? queue.take()
+                                       : checks_whole     ? queue.wait_for(kKeyPause)
+                                       : has_more         ? queue.wait_for(kTypingPause)
+                                                          : queue.wait();
     if (message) {
-      if (ends_mesh_check(*message)) meshes.stop();
-      if (const auto done = meshes.taken()) session.finish(*done);
-      if (lsp::text_at(*message, "method") != kMeshesOpened) session.receive(*message);
+      if (ends_check(*message)) background.stop();
+      if (const auto done = background.taken()) session.finish(*done);
+      if (lsp::text_at(*message, "method") != kChecked) session.receive(*message);
     } else if (session.has_work()) {
       session.work();
     } else if (queue.ended()) {
       break;  // the stream has ended
+    } else if (checks_whole) {
+      background.start(session.take_whole_check());
     } else if (session.has_idle_work()) {
       session.idle_work();
-    } else if (meshes.idle()) {
-      meshes.start(session.take_mesh_check());
+    } else if (opens_meshes) {
+      background.start(session.take_mesh_check());
     }
   }
   reader.join();

@@ -25,6 +25,8 @@
 namespace rigor::tool {
 namespace {
 
+constexpr std::string_view kMjcfEnding = ".xml";
+
 /// Without what a reader of the pretty report needs not be told: infos on what is not lost.
 Diagnostics without_infos(const author::Conversion& result) {
   const convert::Notes& notes = result.account.notes;
@@ -76,6 +78,11 @@ void ConversionCommand::declare(CLI::App& app) {
   color_.declare(app);
   selection_.declare(app);
   search_.declare(app);
+}
+
+std::string ConversionCommand::stem() const {
+  const std::string_view name = file_name(out_);
+  return out_.empty() ? "robot" : std::string(name.substr(0, name.rfind('.')));
 }
 
 void ConversionCommand::refuse_stdout_twice() const {
@@ -179,7 +186,9 @@ int ConversionCommand::check(const Environment& environment, Sources& sources,
   names.placement = robot::Placement::kReported;
   std::vector<robot::Difference> differences = robot::compare(*a, *b, names);
   bool settings_left_out = true;
-  if (result.text) {
+  const bool has_settings =
+      ending_ != kMjcfEnding;  // of a simulator whose words another format has
+  if (result.text && has_settings) {
     const read::File& file =
         workspace.put(loaded.file->path + ".converted" + ending_, *result.text);
     const read::Loaded converted =

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What `sdf2urdf` and `urdf2sdf` share: the file they read, what they do with a result and with its
+// What conversions share: the file they read, what they do with a result and with its
 // losses.
 
 #pragma once
@@ -39,6 +39,8 @@ class ConversionCommand {
   /// Whether there is a folder that further files may be written to.
   bool writes_file() const { return !out_.empty(); }
   bool allows_loss() const { return allow_loss_; }
+  /// The result's name without folder and ending; "robot" where it goes to stdout.
+  std::string stem() const;
 
  private:
   int check(const Environment& environment, Sources& sources, read::Workspace& workspace,

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <set>
 #include <tuple>
 #include <utility>
 
@@ -35,17 +34,18 @@ constexpr std::uint64_t kMaxParameterBytes = std::uint64_t{1} << 20U;
 /// Renames in one file after another; `refused` ends it.
 class Renamer {
  public:
-  Renamer(const RenameContext& context, std::string_view name) : context_(context), name_(name) {}
+  Renamer(const RenameContext& context, const std::map<EntityId, std::string>& names)
+      : context_(context), targets_(names) {}
 
-  Renaming rename(const EntityId& target, std::vector<std::string> files) {
-    old_ = context_.graph.entity(target).name;
-    targets_.insert(target);
-    files.push_back(target.path);
+  Renaming rename(std::vector<std::string> files) {
+    const std::map<EntityId, std::string> asked = targets_;
+    for (const auto& [target, name] : asked) files.push_back(target.path);
     for (std::string& file : files) file = normalize_path(file);
     std::sort(files.begin(), files.end());
     files.erase(std::unique(files.begin(), files.end()), files.end());
-    const auto models = std::stable_partition(
-        files.begin(), files.end(), [](const std::string& file) { return !parameter_format(file); });
+    const auto models =
+        std::stable_partition(files.begin(), files.end(),
+                              [](const std::string& file) { return !parameter_format(file); });
     const std::vector<std::string> parameters(models, files.end());
     files.erase(models, files.end());
     for (std::size_t known = 0; known != targets_.size() && refused_.empty();) {
@@ -54,9 +54,12 @@ class Renamer {
     }
     for (const auto& [path, edits] : expanded_edits_) prove(path, edits);
     if (!refused_.empty()) return {{}, refused_};
-    const bool is_only = !parameters.empty() && is_only_one(context_.graph.entity(target), files);
-    for (const std::string& file : parameters)
-      rename_parameters(context_.graph.entity(target).kind, file, is_only);
+    for (const auto& [target, name] : asked) {
+      if (parameters.empty()) break;
+      const bool is_only = is_only_one(context_.graph.entity(target), files);
+      for (const std::string& file : parameters)
+        rename_parameters(context_.graph.entity(target), name, file, is_only);
+    }
     std::vector<Edit> edits;
     for (const auto& [key, edit] : edits_) edits.push_back(edit);
     std::sort(edits.begin(), edits.end(), before);
@@ -76,11 +79,12 @@ class Renamer {
     if (!file.document) return;
     for (const NameUse& use : context_.graph.uses(path)) {
       if (file.expanded && use.defines) take_shared(file, use);
-      if (!targets_.contains(use.target)) continue;
+      const auto target = targets_.find(use.target);
+      if (target == targets_.end()) continue;
       if (!file.expanded) {
-        add(use.where);
+        add(use.where, target->second);
       } else {
-        rename_expanded(path, file, use);
+        rename_expanded(path, file, use, target->second);
       }
     }
   }
@@ -88,28 +92,33 @@ class Renamer {
   /// A definition in a file of macros that another robot uses, too.
   void take_shared(const read::File& file, const NameUse& use) {
     const read::Origin origin = file.expanded->origin(*file.document, use.where, context_.sources);
-    if (origin.literal && edits_.contains(key_of(origin.where))) targets_.insert(use.target);
+    if (!origin.literal) return;
+    const auto edit = edits_.find(key_of(origin.where));
+    if (edit != edits_.end()) targets_.try_emplace(use.target, edit->second.text);
   }
 
-  void rename_expanded(const std::string& path, const read::File& file, const NameUse& use) {
+  void rename_expanded(const std::string& path, const read::File& file, const NameUse& use,
+                       const std::string& name) {
     const read::Origin origin = file.expanded->origin(*file.document, use.where, context_.sources);
     const auto reads_so = [&](Span span) {
       return !span.nowhere() && context_.sources.bytes(span) == context_.sources.bytes(use.where);
     };
     if (origin.literal && reads_so(origin.where)) {
-      add(origin.where);
+      add(origin.where, name);
     } else if (reads_so(origin.from)) {
-      add(origin.from);
+      add(origin.from, name);
     } else if (refused_.empty()) {
       refused_ = fmt::format("an expression composes the name at {}",
                              place_of(context_.sources, origin.where));
     }
     auto& edits = expanded_edits_[path];
-    const Edit edit{use.where, name_};
+    const Edit edit{use.where, name};
     if (std::find(edits.begin(), edits.end(), edit) == edits.end()) edits.push_back(edit);
   }
 
-  void add(Span where) { edits_.try_emplace(key_of(where), Edit{where, name_}); }
+  void add(Span where, const std::string& name) {
+    edits_.try_emplace(key_of(where), Edit{where, name});
+  }
 
   /// Whether no model of the files has something else of that kind and name.
   bool is_only_one(const NamedEntity& target, const std::vector<std::string>& files) {
@@ -124,15 +133,16 @@ class Renamer {
     return true;
   }
 
-  void rename_parameters(NameKind kind, const std::string& path, bool is_only) {
+  void rename_parameters(const NamedEntity& target, const std::string& name,
+                         const std::string& path, bool is_only) {
     const auto format = parameter_format(path);
     const ReadResult read = context_.resolver.disk().read(path, kMaxParameterBytes);
-    if (!format || !read.bytes || read.bytes->find(old_) == std::string::npos) return;
+    if (!format || !read.bytes || read.bytes->find(target.name) == std::string::npos) return;
     const SourceId source = context_.sources.add(path, *read.bytes);
     for (const ParameterName& use :
-         parameter_names(context_.sources.bytes(source), *format, source, old_)) {
-      if (is_only && use.is_of({kind})) {
-        add(use.where);
+         parameter_names(context_.sources.bytes(source), *format, source, target.name)) {
+      if (is_only && use.is_of({target.kind})) {
+        add(use.where, name);
       } else if (!edits_.contains(key_of(use.where))) {
         suspected_.push_back(use.where);
       }
@@ -161,9 +171,7 @@ class Renamer {
   }
 
   RenameContext context_;
-  std::string name_;
-  std::string old_;
-  std::set<EntityId> targets_;
+  std::map<EntityId, std::string> targets_;  ///< and what each will be called
   std::map<SpanKey, Edit> edits_;
   std::map<std::string, std::vector<Edit>> expanded_edits_;  // of expanded documents, by path
   std::vector<Span> suspected_;
@@ -184,16 +192,23 @@ std::string name_fault(std::string_view name) {
   return {};
 }
 
-Renaming renamed(const RenameContext& context, const EntityId& target, std::string_view name,
+Renaming renamed(const RenameContext& context, const std::map<EntityId, std::string>& names,
                  const std::vector<std::string>& files) {
-  if (std::string fault = name_fault(name); !fault.empty()) return {{}, std::move(fault)};
-  // A URDF's link of this name is the world itself.
-  if (context.graph.entity(target).name == "world") return {{}, "'world' is reserved"};
-  if (const auto taken = context.graph.taken(target, name)) {
+  for (const auto& [target, name] : names) {
+    if (std::string fault = name_fault(name); !fault.empty()) return {{}, std::move(fault)};
+    // A URDF's link of this name is the world itself.
+    if (context.graph.entity(target).name == "world") return {{}, "'world' is reserved"};
+    const auto taken = context.graph.taken(target, name);
+    if (!taken || names.contains(*taken)) continue;
     const NamedEntity& other = context.graph.entity(*taken);
     return {{}, fmt::format("a {} is named '{}' already", to_string(other.kind), name)};
   }
-  return Renamer(context, name).rename(target, files);
+  return Renamer(context, names).rename(files);
+}
+
+Renaming renamed(const RenameContext& context, const EntityId& target, std::string_view name,
+                 const std::vector<std::string>& files) {
+  return renamed(context, {{target, std::string(name)}}, files);
 }
 
 }  // namespace rigor::author

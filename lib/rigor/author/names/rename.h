@@ -16,6 +16,7 @@
 
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +44,10 @@ struct Renaming {
 /// Of the file that defines the name, and of `files`: models, templates and files of parameters of the workspace, or
 /// none for that file alone.
 Renaming renamed(const RenameContext& context, const EntityId& target, std::string_view name,
+                 const std::vector<std::string>& files);
+
+/// Several at once, each to its own name, so that names may change places.
+Renaming renamed(const RenameContext& context, const std::map<EntityId, std::string>& names,
                  const std::vector<std::string>& files);
 
 /// Why no model, link, joint or frame can have the name; empty when it can.

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -64,6 +66,10 @@ struct LensCommand {
 };
 constexpr std::array<LensCommand, 2> kLensCommands{
     {{"rigor.simulate", "simulate"}, {"rigor.view", "view"}}};
+
+std::string count_of(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
 
 struct HintList {
   const OpenDocument& document;
@@ -198,8 +204,9 @@ Json code_lenses(State& state, const Json& params) {
     if (where.nowhere() || model.include != 0xffffffffU) continue;
     double mass = 0;
     for (const model::Id<model::Link> link : model.links) mass += mass::resolve(root, link).mass;
-    const std::string title = fmt::format("{} links, {} joints, {} kg", model.links.size(),
-                                          model.joints.size(), report::number(mass, 4));
+    const std::string title =
+        fmt::format("{}, {}, {} kg", count_of(model.links.size(), "link"),
+                    count_of(model.joints.size(), "joint"), report::number(mass, 4));
     list.push_back({{"range", range_json(document.lines(), where)},
                     {"command", {{"title", title}, {"command", ""}}}});
     for (const auto& [command, text] : kLensCommands) {

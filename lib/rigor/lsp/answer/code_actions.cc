@@ -229,12 +229,14 @@ std::vector<Edit> limit_edits(Analysis& analysis, std::uint32_t index) {
 
 Json code_actions(State& state, const Json& params) {
   OpenDocument& document = state.document(params);
-  const CodeActionRequest request{state,
-                                  document,
-                                  state.checked(document),
-                                  offset_in(document, member(params, "range", "start")),
-                                  offset_in(document, member(params, "range", "end")),
-                                  WantedKinds(member(params, "context", "only"))};
+  const WantedKinds kinds(member(params, "context", "only"));
+  const CodeActionRequest request{
+      state,
+      document,
+      kinds.named(kFixAll) ? state.checked_whole(document) : state.checked(document),
+      offset_in(document, member(params, "range", "start")),
+      offset_in(document, member(params, "range", "end")),
+      kinds};
   Json actions = Json::array();
   if (request.kinds.has(kQuickFix)) add_finding_actions(request, actions);
   if (request.kinds.has(kRewrite)) add_rewrites(request, actions);

@@ -55,8 +55,10 @@ std::string message_of(const Diagnostic& finding) {
 Json related_of(const Diagnostic& finding, PlacesJson& places) {
   Json list = Json::array();
   const auto add = [&](Span where, const std::string& message) {
-    if (!where.nowhere())
-      list.push_back({{"location", places.location(where)}, {"message", message}});
+    if (where.nowhere()) return;
+    Json& related = list.emplace_back();
+    related["location"] = places.location(where);
+    related["message"] = message;
   };
   for (const Label& label : finding.related) add(label.where, label.message);
   for (const MacroCall& call : finding.origin)
@@ -68,12 +70,17 @@ Json related_of(const Diagnostic& finding, PlacesJson& places) {
 }  // namespace
 
 Json diagnostic_json(const State& state, const Diagnostic& finding, PlacesJson& places) {
-  const Json first_place{{"start", position_json({})}, {"end", position_json({})}};
-  Json json{{"range", finding.where.nowhere() ? first_place : places.range(finding.where)},
-            {"severity", severity_number(finding.severity)},
-            {"code", std::string(finding.rule)},
-            {"source", "rigor"},
-            {"message", message_of(finding)}};
+  Json json;
+  Json& range = json["range"];
+  if (finding.where.nowhere()) {
+    range["start"] = range["end"] = position_json({});
+  } else {
+    range = places.range(finding.where);
+  }
+  json["severity"] = severity_number(finding.severity);
+  json["code"] = finding.rule;
+  json["source"] = "rigor";
+  json["message"] = message_of(finding);
   if (!state.client.rule_pages.empty()) {
     json["codeDescription"] = {
         {"href", state.client.rule_pages + std::string(finding.rule) + ".html"}};
@@ -97,13 +104,19 @@ std::map<std::string, std::vector<Json>> diagnostics_by_uri(State& state, OpenDo
   by_uri[document.uri()] = companion_diagnostics(state, document);
   PlacesJson places(*checked.sources, state.client.encoding);
   std::unordered_map<std::string, Shown> shown;
+  std::map<SourceId, std::string> uris;  // that findings in a file are shown at
+  const auto uri_of = [&](const Diagnostic& finding) -> const std::string& {
+    const auto known = uris.find(finding.where.source);
+    if (known != uris.end()) return known->second;
+    std::string uri = stands_in(document, checked, finding)
+                          ? document.uri()
+                          : uri_of_file(state, checked.sources->path(finding.where.source));
+    return uris.emplace(finding.where.source, std::move(uri)).first->second;
+  };
   for (const Diagnostic& finding : checked.result.diagnostics.list()) {
     Shown& cause = shown[cause_of(finding)];
     if (++cause.places > kMaxPlaces) continue;
-    const bool is_own = stands_in(document, checked, finding);
-    std::vector<Json>& list =
-        by_uri[is_own ? document.uri()
-                      : uri_of_file(state, checked.sources->path(finding.where.source))];
+    std::vector<Json>& list = by_uri[uri_of(finding)];
     list.push_back(diagnostic_json(state, finding, places));
     cause.list = &list;
     cause.last = list.size() - 1;
@@ -118,8 +131,12 @@ std::map<std::string, std::vector<Json>> diagnostics_by_uri(State& state, OpenDo
 }
 
 std::string diagnostic_key(const Json& diagnostic) {
-  return json_text(member(diagnostic, "range")) + json_text(member(diagnostic, "code")) +
-         json_text(member(diagnostic, "message"));
+  const auto number = [&diagnostic](std::string_view end, std::string_view coordinate) {
+    return number_at(diagnostic, std::string_view("range"), end, coordinate);
+  };
+  return fmt::format("{}:{}-{}:{} {} {}", number("start", "line"), number("start", "character"),
+                     number("end", "line"), number("end", "character"), text_at(diagnostic, "code"),
+                     text_at(diagnostic, "message"));
 }
 
 }  // namespace rigor::lsp

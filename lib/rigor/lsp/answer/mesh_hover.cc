@@ -66,8 +66,9 @@ std::string mesh_text(const State& state, const std::string& path) {
   std::string text = fmt::format("**mesh** `{}`", file_name(path));
   const auto file = state.disk.open(path);
   if (!file) return text + ": cannot be read";
-  const std::string megabytes = report::number(static_cast<double>(file->size()) / 1e6, 3);
-  text += fmt::format(", {} MB", megabytes);
+  const auto bytes = static_cast<double>(file->size());
+  text += bytes < 1e6 ? fmt::format(", {} kB", report::number(bytes / 1e3, 3))
+                      : fmt::format(", {} MB", report::number(bytes / 1e6, 3));
   if (file->size() > kMaxShownBytes) return text;
   const mass::MeshSurvey survey =
       mass::survey_mesh(state.disk, {path}, state.environment().workers);

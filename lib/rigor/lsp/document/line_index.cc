@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 
 namespace rigor::lsp {
 namespace {
@@ -16,21 +17,34 @@ std::size_t character_bytes(std::string_view text) {
   return std::min(size, text.size());
 }
 
+/// Eight bytes at a time: a document has an index for each key.
+bool is_ascii(std::string_view text) {
+  std::uint64_t seen = 0;
+  std::size_t i = 0;
+  for (; i + sizeof(seen) <= text.size(); i += sizeof(seen)) {
+    std::uint64_t block = 0;
+    std::memcpy(&block, text.data() + i, sizeof(block));
+    seen |= block;
+  }
+  for (; i < text.size(); ++i) seen |= static_cast<unsigned char>(text[i]);
+  return (seen & 0x8080808080808080ULL) == 0;
+}
+
 /// Above U+FFFF UTF-16 takes two units.
 std::uint32_t utf16_units(std::size_t bytes) { return bytes == 4 ? 2 : 1; }
 
 }  // namespace
 
 LineIndex::LineIndex(std::string_view text, PositionEncoding encoding)
-    : text_(text), encoding_(encoding), starts_{0} {
-  unsigned char seen = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    seen |= static_cast<unsigned char>(text[i]);
-    const bool ends =
-        text[i] == '\n' || (text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n'));
-    if (ends) starts_.push_back(static_cast<std::uint32_t>(i + 1));
+    : text_(text), encoding_(encoding), starts_{0}, one_byte_each_(is_ascii(text)) {
+  const bool has_cr = text.find('\r') != std::string_view::npos;
+  const auto next_end = [&](std::size_t from) {
+    return has_cr ? text.find_first_of("\r\n", from) : text.find('\n', from);
+  };
+  for (std::size_t i = next_end(0); i != std::string_view::npos; i = next_end(i + 1)) {
+    const bool is_crlf = text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n';
+    if (!is_crlf) starts_.push_back(static_cast<std::uint32_t>(i + 1));
   }
-  one_byte_each_ = seen < 0x80U;
 }
 
 std::uint32_t LineIndex::line_end(std::uint32_t line) const {

@@ -43,8 +43,8 @@ class LineIndex {
  private:
   std::string_view text_;
   PositionEncoding encoding_;
-  bool one_byte_each_ = true;  // all characters are ASCII
   std::vector<std::uint32_t> starts_;
+  bool one_byte_each_;  // all characters are ASCII
 };
 
 }  // namespace rigor::lsp

@@ -63,6 +63,7 @@ OpenDocument::OpenDocument(std::string uri, std::int64_t version, std::string te
 
 void OpenDocument::keep_readable() {
   if (!analysis_ || !analysis_->written().complete()) return;
+  if (readable_ && takes_long() && !is_current_) return;  // it knows more than the tags
   readable_ = std::move(analysis_);
   readable_text_ = std::string(readable_->text());
 }
@@ -70,6 +71,7 @@ void OpenDocument::keep_readable() {
 TextChange OpenDocument::change(std::optional<TextRange> range, const std::string& text) {
   keep_readable();
   analysis_.reset();
+  is_current_ = false;
   TextChange change{0, static_cast<std::uint32_t>(text_.size()),
                     static_cast<std::uint32_t>(text.size())};
   if (range) {
@@ -90,25 +92,30 @@ Analysis& OpenDocument::analysis(const Environment& environment) {
   return *analysis_;
 }
 
+bool OpenDocument::takes_long() const {
+  return text_.size() > kReadAtOnceBytes || read::is_template(path_);
+}
+
 Analysis& OpenDocument::readable(const Environment& environment) {
-  const bool takes_long = text_.size() > kReadAtOnceBytes || read::is_template(path_);
-  if (!analysis_ && readable_ && takes_long) return *readable_;
-  Analysis& current = analysis(environment);
-  if (current.written().complete() || !readable_text_) return current;
-  if (!readable_) readable_ = std::make_unique<Analysis>(environment, path_, *readable_text_);
-  return *readable_;
+  if (readable_ && takes_long() && !is_current_) return *readable_;
+  return up_to_date(environment);
 }
 
 Analysis& OpenDocument::up_to_date(const Environment& environment) {
-  analysis(environment);
-  return readable(environment);
+  Analysis& current = analysis(environment);
+  is_current_ = current.written().complete();
+  if (is_current_ || !readable_text_) return current;
+  if (!readable_) readable_ = std::make_unique<Analysis>(environment, path_, *readable_text_);
+  return *readable_;
 }
 
 void OpenDocument::prepare(const Environment& environment) {
   Analysis& current = analysis(environment);
   if (!current.written().complete()) return;
   readable_.reset();
+  is_current_ = true;
   current.loaded();
+  current.frames();
   current.names().uses(path_);
 }
 
@@ -124,6 +131,7 @@ void OpenDocument::forget() {
   keep_readable();
   analysis_.reset();
   readable_.reset();
+  is_current_ = false;
 }
 
 }  // namespace rigor::lsp

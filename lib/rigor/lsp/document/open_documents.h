@@ -66,9 +66,9 @@ class OpenDocument {
  private:
   void keep_readable();
   /// Whether `readable` gives that of an earlier text.
-  bool reads_earlier() const {
-    return readable_ && !(analysis_ && analysis_->written().complete());
-  }
+  bool reads_earlier() const { return readable_ && !is_current_; }
+  /// Whether to read it takes longer than a person should wait for an answer.
+  bool takes_long() const;
 
   std::string uri_;
   std::string path_;
@@ -79,6 +79,7 @@ class OpenDocument {
   std::optional<std::string> readable_text_;  // the last that could be read to its end
   std::unique_ptr<Analysis> analysis_;        // of the text as it is
   std::unique_ptr<Analysis> readable_;        // of `readable_text_`
+  bool is_current_ = false;                   // whether `readable` gives that of the text as it is
 };
 
 }  // namespace rigor::lsp

@@ -47,17 +47,33 @@ rules::BaselinePlace baseline_place(const std::string& path) {
   return {std::string(parent_path(path)), "/"};
 }
 
-CheckedDocument check(const EditorDisk& disk, const Project& project, const std::string& path,
-                      rules::MeshPolicy meshes) {
+namespace {
+
+CheckedDocument check_with(const rules::ValidateOptions& options, const EditorDisk& disk,
+                           const Project& project, const std::string& path) {
   CheckedDocument checked;
   checked.sources = std::make_unique<Sources>();
   disk.take_asked();
-  const rules::ValidateOptions options = check_options(project, path, meshes);
   checked.result = rules::validate(project.environment(), options, *checked.sources);
   if (const auto baseline = project.settings().baseline(path))
     hide_known(disk, project, *baseline, options, checked.result);
   checked.asked_files = disk.take_asked();
   return checked;
+}
+
+}  // namespace
+
+CheckedDocument check(const EditorDisk& disk, const Project& project, const std::string& path,
+                      rules::MeshPolicy meshes) {
+  return check_with(check_options(project, path, meshes), disk, project, path);
+}
+
+CheckedDocument check_text(const EditorDisk& disk, const Project& project, const std::string& path,
+                           std::string text, rules::MeshPolicy meshes) {
+  rules::ValidateOptions options = check_options(project, path, meshes);
+  options.paths.clear();
+  options.buffer = {path, std::move(text)};
+  return check_with(options, disk, project, path);
 }
 
 bool is_checked(std::string_view path, std::string_view text) {

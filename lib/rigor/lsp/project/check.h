@@ -33,6 +33,10 @@ rules::BaselinePlace baseline_place(const std::string& path);
 CheckedDocument check(const EditorDisk& disk, const Project& project, const std::string& path,
                       rules::MeshPolicy meshes);
 
+/// The same of a text in place of that of the file at a path.
+CheckedDocument check_text(const EditorDisk& disk, const Project& project, const std::string& path,
+                           std::string text, rules::MeshPolicy meshes);
+
 /// Whether a file is one that `validate` knows, by its name or its root element.
 bool is_checked(std::string_view path, std::string_view text);
 

@@ -27,7 +27,8 @@ Span guarded(const xml::Document& document, Span where) {
 
 }  // namespace
 
-MeshFindings::MeshFindings(const State& state, OpenDocument& document, const MeshCheck& check) {
+MeshFindings::MeshFindings(const State& state, OpenDocument& document,
+                           const BackgroundCheck& check) {
   const xml::Document& written = document.analysis(state.environment()).written();
   PlacesJson places(check.sources(), state.client.encoding);
   const std::string own_path = normalize_path(document.path());

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <rigor/lsp/document/moving_place.h>
-#include <rigor/lsp/project/mesh_check.h>
+#include <rigor/lsp/project/background_check.h>
 #include <rigor/lsp/session/state.h>
 
 namespace rigor::lsp {
@@ -20,7 +20,7 @@ class MeshFindings {
  public:
   MeshFindings() = default;
   /// Of a check of the text that the document has now.
-  MeshFindings(const State& state, OpenDocument& document, const MeshCheck& check);
+  MeshFindings(const State& state, OpenDocument& document, const BackgroundCheck& check);
 
   /// The document was changed.
   void follow(const TextChange& change);

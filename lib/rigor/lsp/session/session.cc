@@ -162,13 +162,13 @@ void Session::did_change(const Json& params) {
       };
       range = TextRange{position("start"), position("end")};
     }
+    state_.keep_check(document);
     const TextChange changed = document.change(range, text_at(change, "text"));
     const auto kept = mesh_findings_.find(document.uri());
     if (kept != mesh_findings_.end()) kept->second.follow(changed);
   }
   for (auto& [uri, kept] : mesh_findings_) kept.forget(document.uri());
   document.set_version(number_at(params, "textDocument", "version"));
-  state_.checks[document.uri()].version = -1;
   state_.disk.open_in_editor(document.path(), document.text());
   check_later(document.uri());
   check_dependents(document.path());
@@ -184,6 +184,7 @@ void Session::did_close(const Json& params) {
   state_.checks.erase(uri);
   drop(to_check_, uri);
   drop(to_prepare_, uri);
+  drop(to_check_whole_, uri);
   drop(to_open_meshes_, uri);
   mesh_findings_.erase(uri);
   publish_of_root(uri, {});
@@ -207,7 +208,7 @@ void Session::check_dependents(const std::string& path) {
     if (document == state_.documents.end() || normalize_path(document->second->path()) == normal)
       continue;
     if (!check.checked.asked_files.contains(normal)) continue;
-    state_.checks[uri].version = -1;
+    state_.checks[uri].forget();
     document->second->forget();
     check_later(uri);
   }
@@ -237,6 +238,8 @@ void Session::work() {
   if (found == state_.documents.end()) return;
   OpenDocument& document = *found->second;
   state_.checked(document);
+  drop(to_check_whole_, uri);
+  if (!state_.checks[uri].is_whole) to_check_whole_.push_back(uri);
   if (peer_.is_superseded && peer_.is_superseded(uri)) return;
   publish(document);
 }
@@ -245,7 +248,9 @@ void Session::idle_work() {
   if (to_prepare_.empty()) return;
   const auto found = state_.documents.find(to_prepare_.back());
   to_prepare_.pop_back();
-  if (found != state_.documents.end()) found->second->prepare(state_.environment());
+  if (found == state_.documents.end()) return;
+  found->second->prepare(state_.environment());
+  state_.prepare_parts(*found->second);
 }
 
 void Session::open_meshes_later(const OpenDocument& document) {
@@ -254,24 +259,45 @@ void Session::open_meshes_later(const OpenDocument& document) {
   to_open_meshes_.push_back(document.uri());
 }
 
-std::unique_ptr<MeshCheck> Session::take_mesh_check() {
-  while (!to_open_meshes_.empty()) {
-    const std::string uri = std::move(to_open_meshes_.back());
-    to_open_meshes_.pop_back();
+std::unique_ptr<BackgroundCheck> Session::background_check(std::vector<std::string>& of,
+                                                           rules::MeshPolicy meshes) {
+  while (!of.empty()) {
+    const std::string uri = std::move(of.back());
+    of.pop_back();
     const auto found = state_.documents.find(uri);
     if (found == state_.documents.end()) continue;
-    return std::make_unique<MeshCheck>(state_.disk.below(), state_.disk.open_texts(), state_.paths,
-                                       state_.worker, uri, found->second->path());
+    const OpenDocument& document = *found->second;
+    return std::make_unique<BackgroundCheck>(
+        state_.disk.below(), state_.disk.open_texts(), state_.paths, state_.worker,
+        BackgroundDocument{uri, document.path(), document.version()}, meshes);
   }
   return nullptr;
 }
 
-void Session::finish(const MeshCheck& check) {
-  const auto found = state_.documents.find(check.uri());
+std::unique_ptr<BackgroundCheck> Session::take_whole_check() {
+  return background_check(to_check_whole_, rules::MeshPolicy::kDoNotOpen);
+}
+
+std::unique_ptr<BackgroundCheck> Session::take_mesh_check() {
+  return background_check(to_open_meshes_, rules::MeshPolicy::kOpen);
+}
+
+void Session::finish(BackgroundCheck& check) {
+  const std::string& uri = check.document().uri;
+  const auto found = state_.documents.find(uri);
   if (found == state_.documents.end()) return;
-  if (check.stopped()) return open_meshes_later(*found->second);
-  mesh_findings_[check.uri()] = MeshFindings(state_, *found->second, check);
-  check_later(check.uri());  // nothing is sent when nothing is new
+  OpenDocument& document = *found->second;
+  const bool is_outdated = check.stopped() || check.document().version != document.version();
+  if (is_outdated && check.opens_meshes()) return open_meshes_later(document);
+  if (is_outdated) return check_later(uri);
+  if (check.opens_meshes()) mesh_findings_[uri] = MeshFindings(state_, document, check);
+  State::LastCheck& last = state_.checks[uri];
+  if (!check.opens_meshes() && last.version == document.version() && !last.is_whole) {
+    last.checked = check.take_whole();
+    last.prepared = check.take_parts();
+    last.is_whole = true;
+  }
+  check_later(uri);  // nothing is sent when nothing is new
   ask_to_pull();
 }
 
@@ -316,21 +342,21 @@ void Session::publish_uri(const std::string& uri) {
       if (known.insert(diagnostic_key(diagnostic)).second) all.push_back(diagnostic);
     }
   }
-  Json params{{"uri", uri}, {"diagnostics", std::move(all)}};
+  Json params{{"uri", uri}};
+  params["diagnostics"] = std::move(all);
   const auto document = state_.documents.find(uri);
   if (document != state_.documents.end()) params["version"] = document->second->version();
-  if (Json& last = sent_[uri]; last != params) {
-    last = params;
-  } else {
-    return;
-  }
-  peer_.send({{"jsonrpc", "2.0"},
-              {"method", "textDocument/publishDiagnostics"},
-              {"params", std::move(params)}});
+  Json& last = sent_[uri];
+  if (last == params) return;
+  last = params;
+  Json message{{"jsonrpc", "2.0"}, {"method", "textDocument/publishDiagnostics"}};
+  message["params"] = std::move(params);
+  peer_.send(message);
 }
 
 Json Session::pulled_diagnostics(const Json& params) {
   OpenDocument& document = state_.document(params);
+  if (!state_.client.refreshes_diagnostics) state_.checked_whole(document);
   auto by_uri = findings_of(document);
   Json related = Json::object();
   for (const auto& [uri, list] : by_uri) {

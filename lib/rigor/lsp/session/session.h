@@ -8,14 +8,16 @@
 //   session.receive(message);
 //   while (session.has_work()) session.work();
 //   while (session.has_idle_work()) session.idle_work();
+//   if (auto check = session.take_whole_check()) { check->run(); session.finish(*check); }
 //   if (auto check = session.take_mesh_check()) { check->run(); session.finish(*check); }
 //   return session.exit_code();
 //
-// What a document says is published by `work`, when no message waits. What its meshes show is found by a check that
-// the owner runs on a thread of its own, when nobody types.
+// What a document says is published by `work`, when no message waits. Of a large one that is what a change shows in its
+// part; the rest, and what meshes show, is found by checks that the owner runs on a thread of its own, when nobody types.
 
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
@@ -24,7 +26,7 @@
 #include <string>
 #include <vector>
 
-#include <rigor/lsp/project/mesh_check.h>
+#include <rigor/lsp/project/background_check.h>
 #include <rigor/lsp/protocol/json.h>
 #include <rigor/lsp/session/mesh_findings.h>
 #include <rigor/lsp/session/state.h>
@@ -59,12 +61,21 @@ class Session {
   bool has_idle_work() const { return !to_prepare_.empty(); }
   void idle_work();
 
+  /// Whether large documents of which a part was checked wait for the rest.
+  bool wants_whole_check() const { return !to_check_whole_.empty(); }
+  /// That of one of them; null when none waits. To be stopped when a document is changed.
+  std::unique_ptr<BackgroundCheck> take_whole_check();
+
   /// Whether meshes of documents that were opened or saved wait to be opened.
   bool wants_mesh_check() const { return !to_open_meshes_.empty(); }
-  /// That of one of them; null when none waits. To be stopped when a document is changed.
-  std::unique_ptr<MeshCheck> take_mesh_check();
-  /// Publishes what it found; what was stopped is to be done again.
-  void finish(const MeshCheck& check);
+  /// The same of those.
+  std::unique_ptr<BackgroundCheck> take_mesh_check();
+
+  /// Publishes what it found; what was stopped, or is of an earlier text, is to be done again.
+  void finish(BackgroundCheck& check);
+
+  /// Documents of at least so many bytes are large.
+  void set_large(std::size_t bytes) { state_.large_bytes = bytes; }
 
   /// After `exit`: 0 when `shutdown` came before, else 1. Nothing before.
   std::optional<int> exit_code() const { return exit_code_; }
@@ -89,6 +100,8 @@ class Session {
   /// Of a client that pulls: something other than a key has changed what there is.
   void ask_to_pull();
   void open_meshes_later(const OpenDocument& document);
+  std::unique_ptr<BackgroundCheck> background_check(std::vector<std::string>& of,
+                                                    rules::MeshPolicy meshes);
   std::map<std::string, std::vector<Json>> findings_of(OpenDocument& document);
   void publish(OpenDocument& document);
   void publish_of_root(const std::string& root, std::map<std::string, std::vector<Json>> by_uri);
@@ -101,6 +114,7 @@ class Session {
   // URIs, what comes last first.
   std::vector<std::string> to_check_;
   std::vector<std::string> to_prepare_;
+  std::vector<std::string> to_check_whole_;
   std::vector<std::string> to_open_meshes_;
   std::map<std::string, MeshFindings> mesh_findings_;  // by URI
   /// What each checked document shows, by the URI that it is shown at.

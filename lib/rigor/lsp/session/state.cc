@@ -18,7 +18,7 @@ State::State(const Disk& below, read::SearchPaths search_paths, std::string work
 
 void State::renew_project() {
   for (auto& [uri, document] : documents) document->forget();
-  for (auto& [uri, check] : checks) check.version = -1;
+  for (auto& [uri, check] : checks) check.forget();
   forget_robots();
   project = std::make_unique<Project>(disk, paths, worker);
 }
@@ -74,16 +74,48 @@ OpenDocument* State::find_by_path(const std::string& path) {
 
 const CheckedDocument& State::checked(OpenDocument& document) {
   LastCheck& last = checks[document.uri()];
-  if (last.version != document.version()) {
-    last.checked = {};
-    if (is_checked(document.path(), document.text())) {
-      last.checked = check(disk, *project, document.path(), rules::MeshPolicy::kDoNotOpen);
-    } else {
-      last.checked.sources = std::make_unique<Sources>();
-    }
-    last.version = document.version();
-  }
+  if (last.version == document.version()) return last.checked;
+  std::optional<CheckedDocument> part;
+  if (last.parts && document.text().size() >= large_bytes)
+    part = last.parts->check(disk, *project, document.text());
+  if (!part) return checked_whole(document);
+  last.checked = *std::move(part);
+  last.is_whole = false;
+  last.version = document.version();
   return last.checked;
+}
+
+const CheckedDocument& State::checked_whole(OpenDocument& document) {
+  LastCheck& last = checks[document.uri()];
+  if (last.version == document.version() && last.is_whole) return last.checked;
+  last.checked = {};
+  if (is_checked(document.path(), document.text())) {
+    last.checked = check(disk, *project, document.path(), rules::MeshPolicy::kDoNotOpen);
+  } else {
+    last.checked.sources = std::make_unique<Sources>();
+  }
+  last.is_whole = true;
+  last.version = document.version();
+  return last.checked;
+}
+
+void State::prepare_parts(const OpenDocument& document) {
+  LastCheck& last = checks[document.uri()];
+  if (last.prepared || !last.is_whole || last.version != document.version()) return;
+  if (document.text().size() >= large_bytes)
+    last.prepared = PartCheck::of(document.path(), document.text());
+}
+
+/// A text that is not well-formed has no parts: those of the last that was are kept.
+void State::keep_check(const OpenDocument& document) {
+  prepare_parts(document);
+  LastCheck& last = checks[document.uri()];
+  if (last.prepared && last.is_whole && last.version == document.version()) {
+    last.prepared->take(std::move(last.checked));
+    last.parts = std::move(last.prepared);
+  }
+  last.prepared.reset();
+  last.version = -1;
 }
 
 std::uint32_t offset_in(const OpenDocument& document, const Json& position) {
@@ -95,13 +127,20 @@ std::uint32_t offset_in(const OpenDocument& document, const Json& position) {
   return document.lines().offset({coordinate("line"), coordinate("character")});
 }
 
+// Member by member: a list in braces makes each a list of its own first, and there are thousands for each key.
+
 Json position_json(TextPosition position) {
-  return {{"line", position.line}, {"character", position.character}};
+  Json json;
+  json["line"] = position.line;
+  json["character"] = position.character;
+  return json;
 }
 
 Json range_json(const LineIndex& lines, std::uint32_t begin, std::uint32_t end) {
-  return {{"start", position_json(lines.position(begin))},
-          {"end", position_json(lines.position(end))}};
+  Json json;
+  json["start"] = position_json(lines.position(begin));
+  json["end"] = position_json(lines.position(end));
+  return json;
 }
 
 const LineIndex& PlacesJson::lines(SourceId source) {
@@ -110,10 +149,18 @@ const LineIndex& PlacesJson::lines(SourceId source) {
   return lines_.emplace(source, LineIndex(sources_.bytes(source), encoding_)).first->second;
 }
 
-std::string PlacesJson::uri(Span span) const {
-  return uri_of_path(normalize_path(sources_.path(span.source)));
+const std::string& PlacesJson::uri(Span span) {
+  const auto found = uris_.find(span.source);
+  if (found != uris_.end()) return found->second;
+  std::string uri = uri_of_path(normalize_path(sources_.path(span.source)));
+  return uris_.emplace(span.source, std::move(uri)).first->second;
 }
 
-Json PlacesJson::location(Span span) { return {{"uri", uri(span)}, {"range", range(span)}}; }
+Json PlacesJson::location(Span span) {
+  Json json;
+  json["uri"] = uri(span);
+  json["range"] = range(span);
+  return json;
+}
 
 }  // namespace rigor::lsp

@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -20,6 +21,7 @@
 #include <rigor/lsp/document/editor_disk.h>
 #include <rigor/lsp/document/open_documents.h>
 #include <rigor/lsp/project/check.h>
+#include <rigor/lsp/project/part_check.h>
 #include <rigor/lsp/project/project.h>
 #include <rigor/lsp/protocol/json.h>
 #include <rigor/robot/semantic/srdf_check.h>
@@ -79,8 +81,17 @@ struct State {
   OpenDocument& document(const Json& params);
   OpenDocument* find_by_path(const std::string& path);
 
-  /// Of the document's text as it is now: checked anew unless the last check was of it.
+  /// Of the document's text as it is now: checked anew unless the last check was of it. A change of a large document
+  /// is checked in its part first (project/part_check.h); `is_whole` of the last check says so.
   const CheckedDocument& checked(OpenDocument& document);
+  /// The same of all of the document.
+  const CheckedDocument& checked_whole(OpenDocument& document);
+  /// What is checked in parts: documents of at least so many bytes.
+  std::size_t large_bytes = PartCheck::kLargeBytes;
+  /// Before a document is changed: its last check becomes what the change is seen against.
+  void keep_check(const OpenDocument& document);
+  /// Does what `keep_check` would have to do.
+  void prepare_parts(const OpenDocument& document);
 
   /// Robots that have the name, as the disk and the editor have them. `files` gives those of the workspace, and is
   /// asked once until files change.
@@ -100,6 +111,16 @@ struct State {
   struct LastCheck {
     std::int64_t version = -1;
     CheckedDocument checked;
+    bool is_whole = false;  ///< else with what is known of other parts than the changed one
+    std::optional<PartCheck> prepared;  ///< of the text that was checked, if all of it was
+    std::optional<PartCheck> parts;     ///< of an earlier text that was well-formed
+
+    /// Nothing that was found holds any more.
+    void forget() {
+      version = -1;
+      prepared.reset();
+      parts.reset();
+    }
   };
   std::map<std::string, LastCheck, std::less<>> checks;
 
@@ -125,7 +146,7 @@ class PlacesJson {
   Json range(Span span) { return range_json(lines(span.source), span); }
   /// With the URI of the file.
   Json location(Span span);
-  std::string uri(Span span) const;
+  const std::string& uri(Span span);
 
  private:
   const LineIndex& lines(SourceId source);
@@ -133,6 +154,7 @@ class PlacesJson {
   const Sources& sources_;
   PositionEncoding encoding_;
   std::map<SourceId, LineIndex> lines_;
+  std::map<SourceId, std::string> uris_;
 };
 
 }  // namespace rigor::lsp

@@ -134,7 +134,11 @@ std::unique_ptr<File> TemplateExpander::file_of(const std::string& path, xacro::
   std::string text = made.document != nullptr ? xacro::print(*made.document, path) : std::string();
   if (text.size() > kMaxModelBytes) text.clear();
   file->source = sources.add(path, std::move(text));
-  file->document = xml::parse(sources.bytes(file->source), file->source);
+  // Of what is printed here tinyxml2 refuses only what the scanner notes, and instructions that are not the first thing.
+  const std::string_view printed = sources.bytes(file->source);
+  file->document = xml::parse_own(printed, file->source);
+  if (!file->document->faults().empty() || printed.find("<?", 1) != std::string_view::npos)
+    file->document = xml::parse(sources.bytes(file->source), file->source);
   file->expanded = std::make_unique<ExpandedFile>(std::move(made));
   return file;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <variant>
 
 #include <rigor/robot/placed_collisions.h>
@@ -69,12 +70,39 @@ struct BoundsOfShape {
   }
 };
 
+/// Of the ball inside of a box, m.
+double inradius(const OrientedBox& box) {
+  return std::min({box.half[0], box.half[1], box.half[2]});
+}
+
 /// What is seen or touched: a shape that some consumer takes.
 bool counts(const model::Geometry& geometry) {
   const model::Shape& shape = geometry.shape;
   return !std::holds_alternative<model::NoShape>(shape) &&
          !std::holds_alternative<model::Plane>(shape) &&
          !std::holds_alternative<model::Heightmap>(shape);
+}
+
+/// Left and right of one list, model by model: those of the file itself.
+template <class Entity, class MembersOf>
+std::vector<Twins> twins_across(const std::vector<Entity>& all, const MembersOf& members_of,
+                                const model::Root& root) {
+  std::vector<Twins> result;
+  std::vector<std::string_view> names;
+  std::vector<std::uint32_t> own;
+  for (const model::Model& model : root.models) {
+    if (members_of(model).size() < 2) continue;
+    names.clear();
+    own.clear();
+    for (const auto id : members_of(model)) {
+      if (!root.own(all[id.value].site)) continue;
+      names.push_back(all[id.value].name.value);
+      own.push_back(id.value);
+    }
+    for (const Twins& pair : twins(names, Side::kAcross))
+      result.push_back({own[pair.a], own[pair.b]});
+  }
+  return result;
 }
 
 class Assembler {
@@ -101,6 +129,10 @@ class Assembler {
       if (!child.carrier) child.carrier = {j};
       if (ends.parent) result_.links[ends.parent.value].links_carried.push_back(ends.child.value);
     }
+    result_.link_twins = twins_across(
+        root_.links, [](const model::Model& model) -> const auto& { return model.links; }, root_);
+    result_.joint_twins = twins_across(
+        root_.joints, [](const model::Model& model) -> const auto& { return model.joints; }, root_);
     return std::move(result_);
   }
 
@@ -117,8 +149,9 @@ class Assembler {
       return;
     }
     to.shapes.push_back(static_cast<std::uint32_t>(result_.shapes.size()));
-    result_.shapes.push_back({role, id.value, link, *bounds_S,
-                              model::compose(model::inverse(*to.X_WL), *X_WS),
+    const model::Pose X_LS = model::compose(model::inverse(*to.X_WL), *X_WS);
+    result_.shapes.push_back({role, id.value, link, *bounds_S, X_LS,
+                              robot::bounds_of(box_around(*bounds_S, X_LS)),
                               box_around(*bounds_S, *X_WS), mesh::diagonal(*bounds_S) / 2});
   }
 
@@ -158,8 +191,7 @@ std::optional<mesh::Bounds> Assembled::bounds(std::uint32_t link, ShapeRole role
   std::optional<mesh::Bounds> all;
   for (const std::uint32_t s : links[link].shapes) {
     if (shapes[s].role != role) continue;
-    const mesh::Bounds one = robot::bounds_of(box_around(shapes[s].bounds_S, shapes[s].X_LS));
-    all = all ? joined(*all, one) : one;
+    all = all ? joined(*all, shapes[s].bounds_L) : shapes[s].bounds_L;
   }
   return all;
 }
@@ -193,8 +225,15 @@ std::optional<double> Assembled::gap(const Links& of, const Vector3& d_W, double
     if (links[outside].top != links[inside].top) return;
     for (const std::uint32_t s : links[inside].shapes) {
       const OrientedBox box = moved(shapes[s].box_W, d_W);
-      for (const std::uint32_t other : links[outside].shapes)
-        least = std::min(least, std::max(0.0, separation(box, shapes[other].box_W)));
+      for (const std::uint32_t other : links[outside].shapes) {
+        const OrientedBox& beside = shapes[other].box_W;
+        if (least <= enough) return;
+        // Most are near by the balls inside of them.
+        const double balls =
+            model::length(beside.center_W - box.center_W) - inradius(box) - inradius(beside);
+        least = std::min(
+            least, balls <= enough ? std::max(0.0, balls) : std::max(0.0, separation(box, beside)));
+      }
     }
   };
   for (std::uint32_t link = 0; link < links.size(); ++link) {

@@ -22,6 +22,7 @@
 #include <rigor/model/frames.h>
 #include <rigor/model/model.h>
 #include <rigor/robot/assembled/oriented_box.h>
+#include <rigor/robot/assembled/twins.h>
 
 namespace rigor::robot {
 
@@ -37,6 +38,7 @@ struct AssembledShape {
   std::uint32_t link = 0;   ///< in the root's links
   mesh::Bounds bounds_S;    ///< in the shape's own frame, scaled
   model::Pose X_LS;         ///< in the frame of the link
+  mesh::Bounds bounds_L;    ///< around it, in the frame of the link
   OrientedBox box_W;
   double radius = 0;  ///< m, of the ball around the box
 };
@@ -59,6 +61,9 @@ struct Assembled {
   std::vector<AssembledShape> shapes;
   std::vector<AssembledLink> links;  ///< by their index in the root
   std::size_t unknown = 0;           ///< shapes without a box, of all links
+  /// Left and right by name, of the same model and of the file itself: indices in the root's links and joints.
+  std::vector<Twins> link_twins;
+  std::vector<Twins> joint_twins;
 
   /// The link and all that it carries, once each.
   Links subtree(std::uint32_t link) const;

@@ -4,6 +4,7 @@
 #include <rigor/robot/assembled/oriented_box.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -63,24 +64,46 @@ OrientedBox moved(OrientedBox box, const Vector3& d_W) {
 double separation(const OrientedBox& a, const OrientedBox& b) {
   const Vector3 between = b.center_W - a.center_W;
   double most = -std::numeric_limits<double>::infinity();
-  const auto look_along = [&](const Vector3& d) {
-    most = std::max(most, std::abs(dot(between, d)) - half_shadow(a, d) - half_shadow(b, d));
-  };
-  for (const Vector3& axis : a.axes_W) look_along(axis);
-  for (const Vector3& axis : b.axes_W) look_along(axis);
+  // The axes of b, and the way to it, along those of a.
+  std::array<std::array<double, 3>, 3> R{}, absolute{};
+  std::array<double, 3> t{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    t[i] = dot(between, a.axes_W[i]);
+    for (std::size_t j = 0; j < 3; ++j) {
+      R[i][j] = dot(a.axes_W[i], b.axes_W[j]);
+      absolute[i][j] = std::abs(R[i][j]);
+    }
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double of_b =
+        b.half[0] * absolute[i][0] + b.half[1] * absolute[i][1] + b.half[2] * absolute[i][2];
+    most = std::max(most, std::abs(t[i]) - a.half[i] - of_b);
+  }
+  for (std::size_t j = 0; j < 3; ++j) {
+    const double apart = std::abs(t[0] * R[0][j] + t[1] * R[1][j] + t[2] * R[2][j]);
+    const double of_a =
+        a.half[0] * absolute[0][j] + a.half[1] * absolute[1][j] + a.half[2] * absolute[2][j];
+    most = std::max(most, apart - of_a - b.half[j]);
+  }
   // Nearly parallel edges have no common normal, and the faces have looked there already.
-  constexpr double kParallel = 1e-6;
-  for (const Vector3& p : a.axes_W) {
-    for (const Vector3& q : b.axes_W) {
-      const Vector3 normal = cross(p, q);
-      const double size = model::length(normal);
-      if (size > kParallel) look_along((1 / size) * normal);
+  constexpr double kParallel = 1e-5;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double sine2 = 1 - R[i][j] * R[i][j];  // squared length of the normal of both edges
+      if (sine2 < kParallel * kParallel) continue;
+      const std::size_t j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+      const double apart = std::abs(t[i2] * R[i1][j] - t[i1] * R[i2][j]);
+      const double shadows = a.half[i1] * absolute[i2][j] + a.half[i2] * absolute[i1][j] +
+                             b.half[j1] * absolute[i][j2] + b.half[j2] * absolute[i][j1];
+      most = std::max(most, (apart - shadows) / std::sqrt(sine2));
     }
   }
   // Two corners that face each other are farther apart than any of these axes shows.
   if (most > 0) {
     const double centers = model::length(between);
-    if (centers > 0) look_along((1 / centers) * between);
+    const Vector3 d = (1 / centers) * between;
+    if (centers > 0) most = std::max(most, centers - half_shadow(a, d) - half_shadow(b, d));
   }
   return most;
 }
@@ -95,11 +118,21 @@ double distance(const OrientedBox& box, const Vector3& p_W) {
   return std::sqrt(sum);
 }
 
+bool contains(const OrientedBox& box, const Vector3& p_W) {
+  const Vector3 arm = p_W - box.center_W;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (std::abs(dot(arm, box.axes_W[k])) > box.half[k]) return false;
+  }
+  return true;
+}
+
 double share_inside(const OrientedBox& box, const std::vector<OrientedBox>& others) {
   std::vector<const OrientedBox*> near;
+  const double size = diameter(box);
   for (const OrientedBox& other : others) {
-    const double apart = model::length(other.center_W - box.center_W);
-    if (2 * apart < diameter(box) + diameter(other)) near.push_back(&other);
+    const Vector3 between = other.center_W - box.center_W;
+    const double reach = (size + diameter(other)) / 2;
+    if (dot(between, between) < reach * reach) near.push_back(&other);
   }
   if (near.empty()) return 0;
   constexpr std::array<double, 4> kMiddles{-0.75, -0.25, 0.25, 0.75};
@@ -110,7 +143,7 @@ double share_inside(const OrientedBox& box, const std::vector<OrientedBox>& othe
         const Vector3 p = box.center_W + x * box.half[0] * box.axes_W[0] +
                           y * box.half[1] * box.axes_W[1] + z * box.half[2] * box.axes_W[2];
         inside += std::any_of(near.begin(), near.end(),
-                              [&p](const OrientedBox* other) { return distance(*other, p) == 0; });
+                              [&p](const OrientedBox* other) { return contains(*other, p); });
       }
     }
   }

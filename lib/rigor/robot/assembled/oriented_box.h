@@ -38,6 +38,8 @@ double separation(const OrientedBox& a, const OrientedBox& b);
 /// From a point to the box, m; zero inside.
 double distance(const OrientedBox& box, const model::Vector3& p_W);
 
+bool contains(const OrientedBox& box, const model::Vector3& p_W);
+
 /// How much of a box is inside any of the others: 0 to 1, by the middles of 64 equal parts of it.
 double share_inside(const OrientedBox& box, const std::vector<OrientedBox>& others);
 

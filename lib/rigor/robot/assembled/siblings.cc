@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <map>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
 namespace rigor::robot {
@@ -95,7 +95,7 @@ std::vector<std::vector<std::uint32_t>> siblings(const std::vector<std::string>&
   constexpr std::size_t kFewest = 2;
   std::vector<std::vector<std::uint32_t>> groups;
   if (names.size() < kFewest) return groups;
-  std::map<std::string, std::vector<std::uint32_t>> by_family;
+  std::unordered_map<std::string, std::vector<std::uint32_t>> by_family;
   for (std::uint32_t i = 0; i < names.size(); ++i) {
     for (std::string& family : family_names(names[i])) by_family[std::move(family)].push_back(i);
   }

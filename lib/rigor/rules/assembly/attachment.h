@@ -11,6 +11,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -72,9 +73,10 @@ inline double reach_of(const Attached& one, const model::Vector3& d_W) {
 
 /// How it would be joined if its pose were moved by `d_W`, m.
 inline Fit fit_of(const Attached& one, const model::Vector3& d_W) {
-  double gap = gap_to(one.parent, one, d_W, std::numeric_limits<double>::infinity());
-  if (gap > 0) gap = gap_to(one.others, one, d_W, gap);
-  return {gap, reach_of(one, d_W), share_inside(one, d_W, one.parent)};
+  const double of_parent = gap_to(one.parent, one, d_W, std::numeric_limits<double>::infinity());
+  const double gap = of_parent > 0 ? gap_to(one.others, one, d_W, of_parent) : 0;
+  const double inside = of_parent > 0 ? 0 : share_inside(one, d_W, one.parent);
+  return {gap, reach_of(one, d_W), inside};
 }
 
 /// Makes the list, for the models of the file that are not too large to compare each link with all others.
@@ -147,6 +149,9 @@ class AttachedLinks {
     for (const std::uint32_t i : one.unit.moved) moved[i] = true;
     if (moved[ends.parent.value] || !has_known_body(ends.parent.value)) return std::nullopt;
     const std::uint32_t parent = leaders_[ends.parent.value];
+    constexpr std::size_t kUsual = 8;
+    one.child.reserve(kUsual);
+    one.parent.reserve(kUsual);
     for (const robot::AssembledShape& shape : robot_.shapes) {
       if (moved[shape.link]) {
         if (is_fixed_to(shape.link, one.unit.link)) one.child.push_back(shape.box_W);
@@ -167,8 +172,11 @@ class AttachedLinks {
     if (reach_of(one, {}) > 0) return false;
     for (const robot::OrientedBox& box : one.child) {
       for (const robot::AssembledShape& shape : robot_.shapes) {
+        if (shape.link == one.unit.link ||
+            model::length(shape.box_W.center_W - box.center_W) > shape.radius)
+          continue;
         if (robot_.links[shape.link].top == robot_.links[one.unit.link].top &&
-            shape.link != one.unit.link && robot::distance(shape.box_W, box.center_W) == 0)
+            robot::contains(shape.box_W, box.center_W))
           return false;
       }
     }

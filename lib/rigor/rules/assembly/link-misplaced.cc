@@ -33,6 +33,7 @@ struct Misplaced {
   double gap = 0;   ///< m
   double size = 0;  ///< m, of the longest link
   Undone change;
+  bool exchanged = false;  ///< whether two coordinates exchanged do as well
 };
 
 /// Links of the same model.
@@ -60,6 +61,21 @@ bool can_be_zero(const model::Joint& joint) {
   return !axis.limit_written || (axis.lower.value <= 0 && axis.upper.value >= 0);
 }
 
+/// Whether it touches the others with two coordinates exchanged.
+bool touches_exchanged(const PlacedUnit& unit, const Company& company,
+                       const robot::Assembled& robot) {
+  const model::Vector3& written = unit.pose->pose.value.translation;
+  for (const auto& [i, j] : {std::pair<std::size_t, std::size_t>{0, 1}, {1, 2}, {0, 2}}) {
+    model::Vector3 value = written;
+    std::swap(value.*kCoordinates[i], value.*kCoordinates[j]);
+    if (value == written) continue;
+    const auto gap = robot.gap(unit.moved, shift_of(unit.pose->pose.value, unit.X_WL, value),
+                               kTouching * company.longest);
+    if (gap && *gap <= kTouching * company.longest) return true;
+  }
+  return false;
+}
+
 std::optional<Misplaced> look_at(const PlacedUnit& unit, const Company& company,
                                  const robot::Assembled& robot) {
   if (company.links < 2 || (unit.joint && !can_be_zero(*unit.joint))) return std::nullopt;
@@ -71,7 +87,8 @@ std::optional<Misplaced> look_at(const PlacedUnit& unit, const Company& company,
     const Vector3 shift = shift_of(unit.pose->pose.value, unit.X_WL, change.value);
     const auto then = robot.gap(unit.moved, shift, kTouching * company.longest);
     if (then && *then <= kTouching * company.longest)
-      return Misplaced{unit, *true_gap, company.longest, std::move(change)};
+      return Misplaced{unit, *true_gap, company.longest, std::move(change),
+                       touches_exchanged(unit, company, robot)};
   }
   return std::nullopt;
 }
@@ -119,7 +136,8 @@ void check(const model::Root& root, Context& context) {
          .subject = one.unit.joint ? context.subject(*one.unit.joint) : context.subject(link),
          .help = fmt::format("with {} it touches them: {}", written_as(one.change.value),
                              one.change.slip),
-         .fix = translation_fix(*one.unit.pose, one.change.value, context),
+         .fix = one.exchanged ? std::nullopt
+                              : translation_fix(*one.unit.pose, one.change.value, context),
          // A sensor on a mast that is not drawn is no farther away than the robot is long.
          .severity = one.gap < one.size ? Severity::kInfo : Severity::kWarning});
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,6 +15,7 @@
 
 #include <rigor/rules/assembly/attachment.h>
 #include <rigor/rules/assembly/placement_slips.h>
+#include <rigor/rules/assembly/written_places.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::link_off_its_parent {
@@ -62,7 +64,21 @@ bool carries(const PlacedUnit& unit, std::uint32_t link, Context& context) {
   return std::find(unit.moved.begin(), unit.moved.end(), ends.parent.value) != unit.moved.end();
 }
 
-Usual usual_beside(const Attached& one, const std::vector<Attached>& all, Context& context) {
+/// The longest link of each model, m.
+using Longest = std::map<model::Id<model::Model>, double>;
+
+Longest longest_links(Context& context) {
+  const robot::Assembled& robot = context.assembled();
+  Longest result;
+  for (std::uint32_t i = 0; i < robot.links.size(); ++i) {
+    double& longest = result[robot.links[i].top];
+    longest = std::max(longest, robot.longest({i}));
+  }
+  return result;
+}
+
+Usual usual_beside(const Attached& one, const std::vector<Attached>& all, const Longest& longest,
+                   Context& context) {
   const robot::Assembled& robot = context.assembled();
   Usual usual;
   std::vector<double> gaps, reaches, insides;
@@ -77,10 +93,7 @@ Usual usual_beside(const Attached& one, const std::vector<Attached>& all, Contex
     insides.push_back(other.fit.inside);
   }
   usual.most = {most_of(std::move(gaps)), most_of(std::move(reaches)), most_of(std::move(insides))};
-  for (std::uint32_t i = 0; i < robot.links.size(); ++i) {
-    if (robot.links[i].top == robot.links[one.unit.link].top)
-      usual.longest = std::max(usual.longest, robot.longest({i}));
-  }
+  usual.longest = longest.at(robot.links[one.unit.link].top);
   return usual;
 }
 
@@ -105,18 +118,52 @@ bool is_usual(const Fit& fit, const Fit& now, const Usual& usual) {
          fit.reach <= std::max(usual.most.reach, kJoined * usual.longest) && less_inside;
 }
 
-/// The change with which the link is joined as all others are, and best.
-std::optional<Undone> change_for(const Attached& one, const Usual& usual) {
-  std::optional<Undone> best;
-  double least = 0;
+/// Whether the slip leaves little doubt: the distance is that by which it moves the link. What is inside of
+/// others may be mounted there, and a joint outside of its parent on a bracket that is not drawn.
+bool is_explained(const Attached& one, Oddity oddity, const Undone& change) {
+  if (oddity == Oddity::kInside) return false;
+  const Vector3& written = one.unit.pose->pose.value.translation;
+  const double moved = length(change.value - written);
+  const bool same_length = std::abs(length(change.value) - length(written)) < 1e-9;
+  if (oddity == Oddity::kReach) return same_length && one.fit.reach > kBySign * moved;
+  return one.fit.gap > (same_length ? kBySign : kByFactor) * moved;
+}
+
+struct Change {
+  Undone undone;
+  bool clear =
+      false;  ///< whether it explains the distance, and the one with which it is joined best does
+  bool only = true;  ///< whether no other makes it so
+};
+
+/// The change with which the link is joined as all others are, and best; one that explains the distance first, and
+/// one that leaves what is written elsewhere.
+std::optional<Change> change_for(const Attached& one, const Usual& usual, Oddity oddity,
+                                 const model::Root& root) {
+  std::optional<Change> best;
+  std::size_t count = 0;
+  double least = 0, least_plain = 0;
+  bool clear = false;
   for (Undone& change : placement_slips(one.unit.pose->pose.value.translation)) {
     const Fit then = fit_of(one, shift_of(one.unit.pose->pose.value, one.unit.X_WL, change.value));
     if (!is_usual(then, one.fit, usual)) continue;
-    const double score = (then.gap + then.reach) / usual.longest + then.inside;
+    const bool explained = is_explained(one, oddity, change);
+    const double plain = (then.gap + then.reach) / usual.longest + then.inside;
+    if (count == 0 || plain < least_plain - kAsUsual) {
+      least_plain = plain;
+      clear = explained;
+    }
+    ++count;
+    constexpr double kKnown = 0.5;
+    const bool known = is_written_elsewhere(change.value, *one.unit.pose, root);
+    const double score = plain + (explained ? 0 : 1) - (known ? kKnown : 0);
     if (best && score >= least - kAsUsual) continue;
     least = score;
-    best = std::move(change);
+    best = Change{std::move(change), explained, true};
   }
+  if (!best) return best;
+  best->only = count == 1;
+  best->clear = best->clear && clear;
   return best;
 }
 
@@ -147,19 +194,8 @@ struct OddLink {
   const Attached* link = nullptr;
   Usual usual;
   Oddity oddity = Oddity::kNone;
-  std::optional<Undone> change;
+  std::optional<Change> change;
 };
-
-/// Whether the slip leaves little doubt: the distance is that by which it moves the link. What is inside of
-/// others may be mounted there, and a joint outside of its parent on a bracket that is not drawn.
-bool is_explained(const OddLink& odd) {
-  if (odd.oddity == Oddity::kInside) return false;
-  const Vector3& written = odd.link->unit.pose->pose.value.translation;
-  const double moved = length(odd.change->value - written);
-  const bool same_length = std::abs(length(odd.change->value) - length(written)) < 1e-9;
-  if (odd.oddity == Oddity::kReach) return same_length && odd.link->fit.reach > kBySign * moved;
-  return odd.link->fit.gap > (same_length ? kBySign : kByFactor) * moved;
-}
 
 bool moves(const model::Joint& joint) { return joint.type != model::JointType::kFixed; }
 
@@ -186,13 +222,13 @@ const model::Joint* only_one_at_zero(const model::Root& root, const Context& con
 }
 
 std::optional<OddLink> odd_link(const Attached& one, const std::vector<Attached>& all,
-                                Context& context) {
+                                const Longest& longest, Context& context) {
   if (one.fit.gap == 0 && one.fit.reach == 0 && one.fit.inside <= kWithin) return std::nullopt;
-  OddLink odd{&one, usual_beside(one, all, context), Oddity::kNone, {}};
+  OddLink odd{&one, usual_beside(one, all, longest, context), Oddity::kNone, {}};
   if (odd.usual.joints < kFewest || !(odd.usual.longest > 0)) return std::nullopt;
   odd.oddity = oddity_of(one.fit, odd.usual);
   if (odd.oddity == Oddity::kNone) return std::nullopt;
-  odd.change = change_for(one, odd.usual);
+  odd.change = change_for(one, odd.usual, odd.oddity, context.root());
   const model::Joint& joint = context.root()[context.assembled().links[one.unit.link].carrier];
   const bool left_out = odd.oddity == Oddity::kInside && moves(joint) &&
                         &joint != only_one_at_zero(context.root(), context) &&
@@ -208,10 +244,13 @@ void report(const OddLink& odd, Context& context) {
                   .subject = one.unit.joint ? context.subject(*one.unit.joint)
                                             : context.subject(context.root().links[one.unit.link])};
   if (odd.change) {
+    const auto& [undone, clear, only] = *odd.change;
     finding.help = fmt::format("with {} it is joined as the others are: {}",
-                               written_as(odd.change->value), odd.change->slip);
-    finding.fix = translation_fix(*one.unit.pose, odd.change->value, context);
-    if (!is_explained(odd)) finding.severity = Severity::kInfo;
+                               written_as(undone.value), undone.slip);
+    // One of several that explain little is a guess.
+    if (only || is_explained(one, odd.oddity, undone))
+      finding.fix = translation_fix(*one.unit.pose, undone.value, context);
+    if (!clear) finding.severity = Severity::kInfo;
   } else {
     finding.help = "its origin is that of its parent: write where the joint is";
     finding.severity = Severity::kInfo;
@@ -239,8 +278,9 @@ void check(const model::Root& root, Context& context) {
   const std::vector<Attached> all = AttachedLinks(context).find();
   if (all.size() <= kFewest) return;
   std::vector<OddLink> found;
+  const Longest longest = longest_links(context);
   for (const Attached& one : all) {
-    if (auto odd = odd_link(one, all, context)) found.push_back(*std::move(odd));
+    if (auto odd = odd_link(one, all, longest, context)) found.push_back(*std::move(odd));
   }
   const auto top = [&](const OddLink& odd) {
     return context.assembled().links[odd.link->unit.link].top;

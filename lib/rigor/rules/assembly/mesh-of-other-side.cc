@@ -58,7 +58,7 @@ class Check {
 
   void run() {
     const model::Root& root = context_.root();
-    for (const robot::Twins& pair : twins_of(root.links, robot::Side::kAcross, root)) {
+    for (const robot::Twins& pair : context_.assembled().link_twins) {
       compare(root.links[pair.a], root.links[pair.b], &model::Link::collisions);
       compare(root.links[pair.a], root.links[pair.b], &model::Link::visuals);
     }

@@ -210,7 +210,7 @@ void check(const model::Root& root, Context& context) {
   constexpr std::size_t kFewestLinks = 7;  // three pairs, of which two say what the third should be
   if (root.links.size() < kFewestLinks || !context.frames().problems().empty()) return;
   std::map<model::Id<model::Model>, std::vector<Twins>> by_model;
-  for (const Twins& pair : twins_of(root.links, robot::Side::kAcross, root))
+  for (const Twins& pair : context.assembled().link_twins)
     by_model[root.links[pair.a].model].push_back(pair);
   for (const auto& [model, pairs] : by_model) {
     const auto plane = robot::symmetry_plane(context.assembled(), pairs);

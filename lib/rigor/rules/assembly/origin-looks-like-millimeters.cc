@@ -14,6 +14,7 @@
 
 #include <rigor/robot/assembled/assembled.h>
 #include <rigor/rules/assembly/undone_slips.h>
+#include <rigor/rules/assembly/written_places.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::origin_looks_like_millimeters {
@@ -96,11 +97,12 @@ std::map<model::Id<model::Model>, Proportions> proportions(Context& context) {
 }
 
 /// The translation with a unit taken out, with which the part is no farther than others are.
-std::optional<Undone> in_meters(const model::PoseField& pose, double longest) {
-  for (Undone& change : undone_slips(pose.pose.value.translation)) {
-    if (model::length(change.value) <= longest) return std::move(change);
-  }
-  return std::nullopt;
+std::optional<Undone> in_meters(const model::PoseField& pose, double longest,
+                                const model::Root& root) {
+  std::vector<Undone> changes = undone_slips(pose.pose.value.translation);
+  std::erase_if(changes, [&](const Undone& one) { return model::length(one.value) > longest; });
+  if (changes.empty()) return std::nullopt;
+  return *likeliest(changes, pose, root);
 }
 
 void check(const model::Root& root, Context& context) {
@@ -113,7 +115,7 @@ void check(const model::Root& root, Context& context) {
       const double times = part.is_joint ? kTimesFartherOfJoint : kTimesFarther;
       if (!(longest > 0) || part.offset < times * longest || model.parts.size() < kFewestParts)
         continue;
-      const auto change = in_meters(*part.pose, longest);
+      const auto change = in_meters(*part.pose, longest, root);
       if (!change) continue;
       context.report(
           {.where = place_of(*part.pose, context),

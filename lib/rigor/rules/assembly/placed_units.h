@@ -38,6 +38,25 @@ inline robot::Links placed_from(const model::Root& root, std::uint32_t link) {
   return found;
 }
 
+/// Whether two links are all that a root without shapes carries, and one is at its origin: the arms of a duo, of which
+/// each may be anywhere.
+inline bool are_a_duo(std::uint32_t a, std::uint32_t b, Context& context) {
+  const robot::Assembled& robot = context.assembled();
+  const auto root_of = [&](std::uint32_t link) {
+    const auto carrier = robot.links[link].carrier;
+    return carrier ? context.frames().ends(carrier).parent : model::Id<model::Link>{};
+  };
+  const auto parent = root_of(a);
+  if (!parent || root_of(b) != parent || robot.links[parent.value].carrier) return false;
+  const robot::AssembledLink& root = robot.links[parent.value];
+  if (root.links_carried.size() != 2 || !root.shapes.empty() || !root.complete()) return false;
+  const auto at_root = [&](std::uint32_t link) {
+    return robot.links[link].X_WL && root.X_WL &&
+           robot.links[link].X_WL->translation == root.X_WL->translation;
+  };
+  return at_root(a) || at_root(b);
+}
+
 /// Of the file itself, in its order.
 inline std::vector<PlacedUnit> placed_units(Context& context) {
   const model::Root& root = context.root();

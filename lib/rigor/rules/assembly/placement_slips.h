@@ -26,7 +26,7 @@ inline std::size_t nonzero_coordinates(const model::Vector3& v) {
 
 /// A number of the file times a power of ten, with its digits kept.
 inline double multiplied(double value, double factor) {
-  return write::settled(value * factor, value, value * factor);
+  return with_digits_of_decimal(value * factor);
 }
 
 /// Simplest first: what changes all coordinates alike, then one, then two.

@@ -29,10 +29,10 @@ inline std::vector<SeenShape> seen_shapes(std::uint32_t link, Context& context) 
   const model::Root& root = context.root();
   const robot::Assembled& robot = context.assembled();
   std::vector<SeenShape> result;
+  result.reserve(robot.links[link].shapes.size());
   for (const std::uint32_t s : robot.links[link].shapes) {
     const robot::AssembledShape& shape = robot.shapes[s];
-    SeenShape seen{&shape, nullptr, nullptr,
-                   robot::bounds_of(robot::box_around(shape.bounds_S, shape.X_LS))};
+    SeenShape seen{&shape, nullptr, nullptr, shape.bounds_L};
     if (seen.is_collision()) {
       seen.geometry = &root.collisions[shape.index].geometry;
       seen.pose = &root.collisions[shape.index].pose;

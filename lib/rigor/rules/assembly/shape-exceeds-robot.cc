@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -29,7 +31,8 @@ constexpr double kTimes = 2.5;
 // Links of a robot; two bodies and a joint may be of any sizes.
 constexpr std::size_t kFewestLinks = 3;
 
-constexpr std::array<double, 4> kFactors{10, 25.4, 100, 1000};
+constexpr std::array<double, 3> kFactors{10, 100, 1000};
+constexpr double kInch = 25.4;  // of meshes, which may be drawn in any unit
 
 /// All shapes of a model, and the box around any but one of them.
 class BoundsWithout {
@@ -124,13 +127,44 @@ std::vector<Shrunk> shrunk_by(const model::Shape& shape, double factor, double l
   return result;
 }
 
-std::optional<Shrunk> change_for(const model::Shape& shape, double length, double rest) {
-  for (const double factor : kFactors) {
+/// Of the changes with which it is no longer than the rest of the robot the one that makes it most like
+/// `usual`, m: what else its link has, or the robot's other shapes.
+std::optional<Shrunk> change_for(const model::Shape& shape, double length, double rest,
+                                 double usual) {
+  std::vector<double> factors{kFactors.begin(), kFactors.end()};
+  if (std::holds_alternative<model::Mesh>(shape)) factors.push_back(kInch);
+  std::optional<Shrunk> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double factor : factors) {
     for (Shrunk& change : shrunk_by(shape, factor, length)) {
-      if (change.length > 0 && change.length <= rest) return std::move(change);
+      if (!(change.length > 0) || change.length > rest) continue;
+      // Robots are drawn in meters or millimeters, and decimal points slip by one place.
+      constexpr double kRare = 1;  // a factor of e
+      const double unlike = std::abs(std::log(change.length / usual)) + (factor == 100 ? kRare : 0);
+      // One number before all of them.
+      constexpr double kClearly = 0.1;
+      if (unlike >= least - kClearly) continue;
+      least = unlike;
+      best = std::move(change);
     }
   }
-  return std::nullopt;
+  return best;
+}
+
+/// The diagonal of the largest shape of the same link in the other role, or else the median of all others, m.
+double usual_length(std::size_t one, const std::vector<const robot::AssembledShape*>& shapes) {
+  double counterpart = 0;
+  std::vector<double> lengths;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (i == one) continue;
+    lengths.push_back(mesh::diagonal(shapes[i]->bounds_S));
+    if (shapes[i]->link == shapes[one]->link && shapes[i]->role != shapes[one]->role)
+      counterpart = std::max(counterpart, lengths.back());
+  }
+  if (counterpart > 0) return counterpart;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
 }
 
 /// Whether its link has other shapes that are known.
@@ -152,7 +186,7 @@ void check_model(const std::vector<const robot::AssembledShape*>& shapes, Contex
     const model::Geometry& geometry =
         collision ? root.collisions[shape.index].geometry : root.visuals[shape.index].geometry;
     if (!root.own(geometry.site)) continue;
-    const auto change = change_for(geometry.shape, length, rest);
+    const auto change = change_for(geometry.shape, length, rest, usual_length(i, shapes));
     if (!change) continue;
     context.report(
         {.where = geometry.site.name,

@@ -11,6 +11,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/rules/assembly/placement_slips.h>
 #include <rigor/rules/assembly/seen_shapes.h>
 #include <rigor/rules/assembly/undone_slips.h>
 #include <rigor/rules/rule.h>
@@ -67,7 +68,10 @@ struct Elsewhere {
   std::string help;
   Vector3 value;  ///< m, that brings it to the others
   const SeenShape* beside = nullptr;
+  bool decided = true;  ///< whether it is known that not the other shape is misplaced
 };
+
+bool is_in_frame_of_link(const SeenShape& one) { return one.pose->relative_to.value.empty(); }
 
 bool is_apart(const SeenShape& one, const std::vector<SeenShape>& all) {
   const double size = mesh::diagonal(one.shape->bounds_S);
@@ -113,6 +117,38 @@ std::optional<Elsewhere> apart(const SeenShape& one, const std::vector<SeenShape
   return std::nullopt;
 }
 
+Vector3 middle_in_link(const SeenShape& one) { return 0.5 * (one.bounds_L.min + one.bounds_L.max); }
+
+/// Of two shapes that are apart the one that is farther from the center of mass; null where that tells nothing.
+const SeenShape* off_mass(const std::vector<SeenShape>& two, const model::Link& link) {
+  if (!link.inertial.pose.pose.written) return nullptr;
+  const Vector3& com = link.inertial.pose.pose.value.translation;
+  const double first = length(com - middle_in_link(two[0]));
+  const double second = length(com - middle_in_link(two[1]));
+  constexpr double kClear = 2;
+  if (first > kClear * second) return &two[0];
+  return second > kClear * first ? &two[1] : nullptr;
+}
+
+/// Of a collision and a visual that are apart: that the one which is not about the center of mass lies on the
+/// other with the origin of that, as a decimal point or a sign explains.
+std::optional<Elsewhere> apart_from_mass(const SeenShape& wrong, const SeenShape& right) {
+  if (!wrong.pose->pose.written || !is_in_frame_of_link(wrong) || !is_in_frame_of_link(right))
+    return std::nullopt;
+  const Vector3& to = right.pose->pose.value.translation;
+  for (const Undone& change : placement_slips(wrong.pose->pose.value.translation)) {
+    if (length(change.value - to) > kTouching * length(to)) continue;
+    return Elsewhere{
+        &wrong,
+        fmt::format("the {} is {:.3g} m away from the {}, which is about the center of mass",
+                    role_name(wrong), length(middle_in_link(wrong) - middle_in_link(right)),
+                    role_name(right)),
+        fmt::format("with {} it is in one place with it: {}", written_as(to), change.slip), to,
+        &right};
+  }
+  return std::nullopt;
+}
+
 /// A collision and the visual of the same size, when there is one of each.
 std::optional<Elsewhere> beside_its_like(const std::vector<SeenShape>& all,
                                          const model::Link& link) {
@@ -131,14 +167,21 @@ std::optional<Elsewhere> beside_its_like(const std::vector<SeenShape>& all,
   const bool collision_fits =
       link.inertial.pose.pose.written &&
       length(com - middle(touched.bounds_L)) < 0.5 * length(com - middle(seen.bounds_L));
+  const bool visual_fits =
+      link.inertial.pose.pose.written &&
+      length(com - middle(seen.bounds_L)) < 0.5 * length(com - middle(touched.bounds_L));
   const SeenShape& wrong = collision_fits ? seen : touched;
   const Vector3 value = collision_fits ? from : to;
+  // Else it is known where one of the origins was left out.
+  const bool decided = collision_fits || visual_fits || from == Vector3{};
   return Elsewhere{&wrong,
                    fmt::format("the collision is {:.3g} m away from the visual of the same size",
                                length(middle(touched.bounds_L) - middle(seen.bounds_L))),
                    fmt::format("with {}, which is written of the {}, it lies on it",
                                written_as(value), collision_fits ? "collision" : "visual"),
-                   value, collision_fits ? &touched : &seen};
+                   value,
+                   collision_fits ? &touched : &seen,
+                   decided};
 }
 
 std::optional<Elsewhere> find(std::uint32_t link, const std::vector<SeenShape>& all,
@@ -151,12 +194,20 @@ std::optional<Elsewhere> find(std::uint32_t link, const std::vector<SeenShape>& 
   std::optional<Elsewhere> farthest;
   double most = -1;
   if (scattered.size() > 1 && all.size() > 2) return std::nullopt;
+  const bool two = scattered.size() == 2 && all[0].is_collision() != all[1].is_collision();
+  const SeenShape* off = two ? off_mass(all, root.links[link]) : nullptr;
+  if (off != nullptr) {
+    auto found = apart_from_mass(*off, off == &all[0] ? all[1] : all[0]);
+    if (found) return found;
+  }
   for (const SeenShape* one : scattered) {
     auto found = apart(*one, all);
     const double away = length(one->pose->pose.value.translation);
     if (!found || away <= most) continue;
     most = away;
     farthest = std::move(found);
+    // Either may be where it belongs; but a visual that is far off is seen.
+    farthest->decided = !two || off == one || (off == nullptr && one->is_collision());
   }
   return farthest ? std::move(farthest) : beside_its_like(all, root.links[link]);
 }
@@ -177,7 +228,7 @@ void check(const model::Root& root, Context& context) {
         .message = found->message,
         .subject = subject_of_shape(*found->shape, context),
         .help = found->help,
-        .fix = translation_fix(pose, found->value, context)};
+        .fix = found->decided ? translation_fix(pose, found->value, context) : std::nullopt};
     if (found->beside && root.own(found->beside->geometry->site))
       finding.related = {
           {found->beside->geometry->site.name, std::string("the ") + role_name(*found->beside)}};

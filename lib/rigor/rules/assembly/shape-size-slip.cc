@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -161,6 +162,52 @@ bool is_scaled(const SeenShape& a, const SeenShape& b) {
   return most < kEven * least && (most > 5 || least < 0.2);
 }
 
+double largest_side(const SeenShape& one) {
+  const model::Vector3 size = sides(one.bounds_L);
+  return std::max({size.x, size.y, size.z});
+}
+
+/// How often shapes of other links have these sides, m.
+std::size_t recurrences(const model::Vector3& size, std::uint32_t link,
+                        const robot::Assembled& robot) {
+  constexpr double kSameSides = 1e-3;
+  return static_cast<std::size_t>(
+      std::count_if(robot.shapes.begin(), robot.shapes.end(), [&](const auto& shape) {
+        return shape.link != link &&
+               length(sides(shape.bounds_L) - size) < kSameSides * length(size);
+      }));
+}
+
+/// How far the moments of the link are from those of a solid box of these sides, as a logarithm; nothing when it
+/// has none.
+std::optional<double> unlike_moments(const model::Inertial& inertial, const model::Vector3& size) {
+  const double trace = inertial.ixx.value + inertial.iyy.value + inertial.izz.value;
+  if (!inertial.mass.written || !inertial.ixx.written || !(trace > 0) || !(inertial.mass.value > 0))
+    return std::nullopt;
+  const double power = std::round(std::log10(inertial.ixx.value));
+  const bool placeholder = inertial.ixx.value == inertial.iyy.value &&
+                           std::abs(std::log10(inertial.ixx.value) - power) < 1e-9;
+  if (placeholder) return std::nullopt;
+  const double solid = inertial.mass.value * dot(size, size) / 6;
+  return std::abs(std::log(trace / solid));
+}
+
+/// Where either shape may be wrong: whether the visual is, by shapes of other links and by the moments; nothing
+/// where these do not tell.
+std::optional<bool> visual_is_wrong(const SeenShape& touched, const SeenShape& seen,
+                                    std::uint32_t link, Context& context) {
+  const model::Vector3 p = sides(touched.bounds_L), q = sides(seen.bounds_L);
+  const std::size_t of_collision = recurrences(p, link, context.assembled());
+  const std::size_t of_visual = recurrences(q, link, context.assembled());
+  if ((of_collision > 0) != (of_visual > 0)) return of_collision > 0;
+  constexpr double kNear = 1.4;     // a factor of 4
+  constexpr double kClearly = 1.1;  // a factor of 3
+  const model::Inertial& inertial = context.root().links[link].inertial;
+  const auto a = unlike_moments(inertial, p), b = unlike_moments(inertial, q);
+  if (!a || !b || std::min(*a, *b) > kNear || std::abs(*a - *b) < kClearly) return std::nullopt;
+  return *b > *a;
+}
+
 void check_link(std::uint32_t link, Context& context) {
   const model::Root& root = context.root();
   const std::vector<SeenShape> all = seen_shapes(link, context);
@@ -172,9 +219,19 @@ void check_link(std::uint32_t link, Context& context) {
     if (std::any_of(all.begin(), all.end(), fits)) continue;
     for (const SeenShape& seen : all) {
       if (seen.is_collision() || !in_one_place(touched, seen) || is_scaled(touched, seen)) continue;
-      const auto of_collision = change_of(touched, seen);
-      const auto change = of_collision ? of_collision : change_of(seen, touched);
-      if (!change) continue;
+      auto of_collision = change_of(touched, seen);
+      const auto of_visual = change_of(seen, touched);
+      if (!of_collision && !of_visual) continue;
+      bool decided = true;
+      if (of_collision && of_visual) {
+        const auto wrong = visual_is_wrong(touched, seen, link, context);
+        // A visual of twice the size would have been seen; which decimal point slipped is not known.
+        constexpr double kDecimal = 5;
+        const double larger = largest_side(touched) / largest_side(seen);
+        decided = wrong || std::max(larger, 1 / larger) < kDecimal;
+        if (wrong.value_or(false)) of_collision.reset();
+      }
+      const auto& change = of_collision ? of_collision : of_visual;
       const SeenShape& one = of_collision ? touched : seen;
       const model::Vector3 a = sides(touched.bounds_L), b = sides(seen.bounds_L);
       context.report(
@@ -187,7 +244,7 @@ void check_link(std::uint32_t link, Context& context) {
            .related = {{(of_collision ? seen : touched).geometry->site.name,
                         of_collision ? "the visual" : "the collision"}},
            .help = fmt::format("they are the same once undone: {}", change->slip),
-           .fix = root.own(one.geometry->site)
+           .fix = decided && root.own(one.geometry->site)
                       ? fix_of("make them the same", Applicability::kUnsafe, change->edits)
                       : std::nullopt});
       break;
@@ -209,11 +266,13 @@ Rule rule() {
       .severity = Severity::kWarning,
       .fix = FixGrade::kUnsafe,
       .summary = "a collision has another size than its visual, by a slip",
-      .why = "The robot touches what it does not reach, or reaches through what it touches; a "
-             "wheel of twice the radius drives twice as fast. The two shapes lie in one place and "
-             "are the same once a slip is undone: a diameter as the radius, radius and length "
-             "exchanged, half sides, a decimal point. The finding is at the collision where "
-             "either can be wrong.",
+      .why =
+          "The robot touches what it does not reach, or reaches through what it touches; a "
+          "wheel of twice the radius drives twice as fast. The two shapes lie in one place and "
+          "are the same once a slip is undone: a diameter as the radius, radius and length "
+          "exchanged, half sides, a decimal point. Where either can be wrong, it is the one that "
+          "no other link has and that the moments of inertia do not fit; without such evidence "
+          "the finding is at the collision, and has no fix.",
       .what_to_do = "Write the size of the wrong one as in the other. SDF and URDF take radii, "
                     "and full sides of boxes.",
       .checks = {on<model::Root>(check)},

@@ -22,6 +22,7 @@
 #include <rigor/rules/assembly/attachment.h>
 #include <rigor/rules/assembly/placement_slips.h>
 #include <rigor/rules/assembly/seen_shapes.h>
+#include <rigor/rules/assembly/written_places.h>
 #include <rigor/rules/rule.h>
 
 namespace rigor::rules::shape_origin_slip {
@@ -96,9 +97,10 @@ inline double gap_to_others(const SeenShape& one, const std::vector<SeenShape>& 
 
 /// A body of several shapes, of which one hangs in the air and touches the others with a slip undone.
 inline bool look_for_loose(std::uint32_t link, Context& context) {
-  const std::vector<SeenShape> all = seen_shapes(link, context);
   constexpr std::size_t kFewestShapes = 3;
-  if (all.size() < kFewestShapes || all.size() > kMaxInLink) return false;
+  const std::size_t count = context.assembled().links[link].shapes.size();
+  if (count < kFewestShapes || count > kMaxInLink) return false;
+  const std::vector<SeenShape> all = seen_shapes(link, context);
   const SeenShape* loose = nullptr;
   for (const SeenShape& one : all) {
     const double gap = gap_to_others(one, all, {});
@@ -110,24 +112,31 @@ inline bool look_for_loose(std::uint32_t link, Context& context) {
     return false;
   const double gap = gap_to_others(*loose, all, {});
   const Vector3& written = loose->pose->pose.value.translation;
-  for (const Undone& change : placement_slips(written)) {
+  std::vector<Undone> changes;
+  std::optional<Undone> explained;
+  for (Undone& change : placement_slips(written)) {
     if (gap_to_others(*loose, all, change.value - written) > 0) continue;
     const bool same_length = std::abs(length(change.value) - length(written)) < 1e-9;
-    const bool explained =
-        gap > (same_length ? kBySign : kByFactor) * length(change.value - written);
-    context.report(
-        {.where = place_of(*loose->pose, context),
-         .message =
-             fmt::format("the {} is {:.3g} m away from the link's {} other shapes, which all "
-                         "touch",
-                         role_name(*loose), gap, all.size() - 1),
-         .subject = subject_of_shape(*loose, context),
-         .help = fmt::format("with {} it touches them: {}", written_as(change.value), change.slip),
-         .fix = translation_fix(*loose->pose, change.value, context),
-         .severity = explained ? std::nullopt : std::optional(Severity::kInfo)});
-    return true;
+    const double share = same_length ? kBySign : kByFactor;
+    if (!explained && gap > share * length(change.value - written)) explained = change;
+    changes.push_back(std::move(change));
   }
-  return false;
+  if (changes.empty()) return false;
+  const auto likely = likeliest(changes, *loose->pose, context.root());
+  const bool known = is_written_elsewhere(likely->value, *loose->pose, context.root());
+  const Undone& change = explained && !known ? *explained : *likely;
+  // One that is not the only one, and moves it by more than it is off, is a guess.
+  const bool only = explained || known || changes.size() == 1;
+  context.report(
+      {.where = place_of(*loose->pose, context),
+       .message = fmt::format("the {} is {:.3g} m away from the link's {} other shapes, which all "
+                              "touch",
+                              role_name(*loose), gap, all.size() - 1),
+       .subject = subject_of_shape(*loose, context),
+       .help = fmt::format("with {} it touches them: {}", written_as(change.value), change.slip),
+       .fix = only ? translation_fix(*loose->pose, change.value, context) : std::nullopt,
+       .severity = explained ? std::nullopt : std::optional(Severity::kInfo)});
+  return true;
 }
 
 // Of the shape's own size: how far its middle is from the center of mass, as written and then.

@@ -15,7 +15,10 @@
 
 #include <fmt/core.h>
 
+#include <rigor/robot/assembled/assembled.h>
+#include <rigor/robot/assembled/oriented_box.h>
 #include <rigor/robot/assembled/siblings.h>
+#include <rigor/rules/assembly/placed_units.h>
 #include <rigor/rules/assembly/sibling_fields.h>
 #include <rigor/rules/rule.h>
 
@@ -59,7 +62,7 @@ std::optional<Comparison> compared_fields(const Fields& a, const Fields& b) {
   if (a.size() != b.size()) return std::nullopt;
   Comparison result;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a[i].name != b[i].name || a[i].part != b[i].part) return std::nullopt;
+    if (!same_text(a[i].name, b[i].name) || !same_text(a[i].part, b[i].part)) return std::nullopt;
     if (same_field(a[i], b[i])) {
       result.agreeing += is_empty(a[i]) ? 0 : 1;
     } else if (is_place(a[i])) {
@@ -77,6 +80,7 @@ struct Odd {
   std::uint32_t wrong = 0;
   std::size_t field = 0;
   std::vector<std::uint32_t> right;
+  bool decided = true;  ///< whether it is known that not the other one is wrong
 };
 
 std::optional<std::size_t> place_field(const Fields& fields) {
@@ -219,21 +223,67 @@ bool is_the_wrong_one(const SiblingField& one, const SiblingField& other) {
   return size(one) > size(other);
 }
 
+std::optional<std::uint32_t> link_of(const model::Link& link, std::uint32_t i,
+                                     Context& /*context*/) {
+  return link.site.span.nowhere() ? std::nullopt : std::optional(i);
+}
+std::optional<std::uint32_t> link_of(const model::Joint& /*joint*/, std::uint32_t i,
+                                     Context& context) {
+  const auto child = context.frames().ends({i}).child;
+  return child ? std::optional(child.value) : std::nullopt;
+}
+
+/// What speaks against a link in this field: how far it is from the rest of the robot, m, or how little its
+/// collisions and visuals have in common, 0 to 1. Nothing where that is not known.
+std::optional<double> oddity_of(std::uint32_t link, const SiblingField& field, Context& context) {
+  const robot::Assembled& robot = context.assembled();
+  if (is_place(field)) return robot.gap(robot.subtree(link));
+  if (field.part.empty()) return std::nullopt;
+  const auto touched = robot.bounds(link, robot::ShapeRole::kCollision);
+  const auto seen = robot.bounds(link, robot::ShapeRole::kVisual);
+  if (!touched || !seen) return std::nullopt;
+  return 1 - robot::likeness(*touched, *seen);
+}
+
+/// Whether the first of two parts is the odd one; nothing where neither is known to be.
+std::optional<bool> is_first_odd(std::uint32_t a, std::uint32_t b, const SiblingField& field,
+                                 Context& context) {
+  const auto of_a = oddity_of(a, field, context), of_b = oddity_of(b, field, context);
+  constexpr double kClear = 1.3;
+  constexpr double kLeast = 1e-3;
+  if (!of_a || !of_b || std::max(*of_a, *of_b) < kLeast) return std::nullopt;
+  if (*of_a > kClear * *of_b) return true;
+  if (*of_b > kClear * *of_a) return false;
+  return std::nullopt;
+}
+
+/// Whether two origins are apart by more than a calibration or a rounded number.
+bool is_elsewhere(const SiblingField& a, const SiblingField& b) {
+  constexpr double kApart = 1e-3;  // m
+  for (std::size_t k = 0; k < a.values.size(); ++k) {
+    if (std::abs(a.values[k] - b.values[k]) > kApart) return true;
+  }
+  return false;
+}
+
 /// Of two alone: where they are, where a shape is or how large, and that by a slip.
+template <class Support>
 std::vector<Odd> odd_of_pair(std::uint32_t a, std::uint32_t b, const std::vector<Fields>& all,
-                             std::size_t support, std::size_t enough) {
+                             const Support& support, std::size_t enough) {
   const auto found = compared_fields(all[a], all[b]);
-  if (!found || found->agreeing + support < enough) return {};
+  if (!found) return {};
   std::optional<std::size_t> field;
   if (found->different.size() == 1 && found->same_place) field = found->different.front();
   if (found->different.empty() && !found->same_place) field = place_field(all[a]);
-  if (!field) return {};
+  if (!field || (found->agreeing < enough && found->agreeing + support(a, b) < enough)) return {};
   const SiblingField& one = all[a][*field];
   const SiblingField& other = all[b][*field];
   if (one.kind != FieldKind::kOrigin && one.kind != FieldKind::kSize) return {};
+  if (one.kind == FieldKind::kOrigin && !is_elsewhere(one, other)) return {};
   if (slip_between(one, other).empty() && slip_between(other, one).empty()) return {};
-  if (is_the_wrong_one(one, other)) return {{a, *field, {b}}};
-  return {{b, *field, {a}}};
+  const bool decided = is_empty(one) || is_empty(other);
+  if (is_the_wrong_one(one, other)) return {{a, *field, {b}, decided}};
+  return {{b, *field, {a}, decided}};
 }
 
 /// Whether one of the names says left and the other right. Of two in a row each may be elsewhere.
@@ -242,12 +292,31 @@ bool are_sides(const std::string& a, const std::string& b) {
   return std::find(names.begin(), names.end(), b) != names.end();
 }
 
+/// Of two parts alone, exchanges which is wrong where the robot says so. False where nothing holds them in a
+/// place: then they may be anywhere.
+template <class Entity>
+bool settle(Odd& odd, const std::vector<Entity>& all, const std::vector<Fields>& fields,
+            Context& context) {
+  if (odd.right.size() > 1) return true;
+  const SiblingField& field = fields[odd.wrong][odd.field];
+  const auto a = link_of(all[odd.wrong], odd.wrong, context);
+  const auto b = link_of(all[odd.right.front()], odd.right.front(), context);
+  if (!a || !b) return true;
+  if (is_place(field) && are_a_duo(*a, *b, context)) return false;
+  if (odd.decided) return true;
+  const auto first = is_first_odd(*a, *b, field, context);
+  odd.decided = first.has_value();
+  if (first && !*first) std::swap(odd.wrong, odd.right.front());
+  return true;
+}
+
 template <class Entity>
 void report(const Odd& odd, const std::vector<Entity>& all, const std::vector<Fields>& fields,
             Context& context) {
   const SiblingField& wrong = fields[odd.wrong][odd.field];
   const SiblingField& right = fields[odd.right.front()][odd.field];
-  const std::string slip = slip_between(wrong, right);
+  std::string slip = slip_between(wrong, right);
+  if (slip.empty() && odd.right.size() == 1) slip = slip_between(right, wrong);
   const bool many = odd.right.size() >= kMany;
   const bool place = is_place(wrong);
   // What was left out is reported as such; but an origin of zero need not be written.
@@ -267,7 +336,7 @@ void report(const Odd& odd, const std::vector<Entity>& all, const std::vector<Fi
       .related = {{right.span.nowhere() ? all[odd.right.front()].site.name : right.span,
                    "as in the others"}},
       .help = "all their other values are the same: " + slip,
-      .fix = fix_for(wrong, right, context),
+      .fix = odd.decided ? fix_for(wrong, right, context) : std::nullopt,
       .cause = all[odd.wrong].name.value + name_of(wrong)};
   // One rudder among ailerons.
   const bool pair = odd.right.size() == 1 &&
@@ -278,11 +347,38 @@ void report(const Odd& odd, const std::vector<Entity>& all, const std::vector<Fi
   context.report(std::move(finding));
 }
 
-/// The larger groups first, which say more; then pairs, of which those of two sides are in larger ones, too.
-std::vector<std::vector<std::uint32_t>> family_groups(const std::vector<std::string>& names) {
+/// Whether a joint holds any of them: bodies that lie about are no parts of a robot.
+bool is_jointed(const std::vector<std::uint32_t>& links, const std::vector<model::Link>& /*all*/,
+                Context& context) {
+  const robot::Assembled& robot = context.assembled();
+  return std::any_of(links.begin(), links.end(), [&](std::uint32_t i) {
+    return robot.links[i].carrier || !robot.links[i].links_carried.empty();
+  });
+}
+bool is_jointed(const std::vector<std::uint32_t>& /*joints*/,
+                const std::vector<model::Joint>& /*all*/, Context& /*context*/) {
+  return true;
+}
+
+const std::vector<robot::Twins>& pairs_of(const std::vector<model::Link>& /*all*/,
+                                          const robot::Assembled& robot) {
+  return robot.link_twins;
+}
+const std::vector<robot::Twins>& pairs_of(const std::vector<model::Joint>& /*all*/,
+                                          const robot::Assembled& robot) {
+  return robot.joint_twins;
+}
+
+/// Of a model's members, by their index among all. The larger groups first, which say more; then pairs, of which
+/// those of two sides are in larger ones, too.
+std::vector<std::vector<std::uint32_t>> family_groups(const std::vector<std::uint32_t>& members,
+                                                      const std::vector<std::string>& names,
+                                                      const std::vector<robot::Twins>& pairs) {
   auto groups = robot::siblings(names);
-  for (const robot::Twins& pair : robot::twins({names.begin(), names.end()}, robot::Side::kAcross))
-    groups.push_back({pair.a, pair.b});
+  for (auto& group : groups) {
+    for (std::uint32_t& i : group) i = members[i];
+  }
+  for (const robot::Twins& pair : pairs) groups.push_back({pair.a, pair.b});
   std::stable_sort(groups.begin(), groups.end(),
                    [](const auto& a, const auto& b) { return a.size() > b.size(); });
   return groups;
@@ -297,26 +393,30 @@ void check_family(const std::vector<Entity>& all, const List& list, const Suppor
   for (std::uint32_t i = 0; i < all.size(); ++i) {
     if (root.own(all[i].site) && all[i].model) by_model[all[i].model.value].push_back(i);
   }
+  std::map<std::uint32_t, std::vector<robot::Twins>> pairs;
+  for (const robot::Twins& pair : pairs_of(all, context.assembled()))
+    pairs[all[pair.a].model.value].push_back(pair);
   std::set<std::pair<std::uint32_t, std::size_t>> reported;
   for (const auto& [model, members] : by_model) {
-    if (members.size() < kFewest) continue;
+    if (members.size() < kFewest || !is_jointed(members, all, context)) continue;
     std::vector<std::string> names;
     std::vector<Fields> fields;
     for (const std::uint32_t i : members) names.push_back(all[i].name.value);
-    const auto groups = family_groups(names);
+    const auto groups = family_groups(members, names, pairs[model]);
     if (groups.empty()) continue;
     std::vector<Fields> of_all(all.size());
-    for (const std::uint32_t i : members) of_all[i] = list(all[i]);
-    for (std::vector<std::uint32_t> group : groups) {
+    for (const std::vector<std::uint32_t>& group : groups) {
       if (group.size() > kMaxMembers) continue;
-      for (std::uint32_t& i : group) i = members[i];
-      const std::vector<Odd> found = [&] {
+      for (const std::uint32_t i : group) {
+        if (of_all[i].empty()) of_all[i] = list(all[i]);
+      }
+      std::vector<Odd> found = [&] {
         if (group.size() > kFewest) return odd_ones(group, of_all);
         const bool sides = are_sides(all[group[0]].name.value, all[group[1]].name.value);
-        return odd_of_pair(group[0], group[1], of_all, support(group[0], group[1]),
-                           sides ? kAgreeingSides : kAgreeing);
+        return odd_of_pair(group[0], group[1], of_all, support, sides ? kAgreeingSides : kAgreeing);
       }();
-      for (const Odd& odd : found) {
+      for (Odd& odd : found) {
+        if (!settle(odd, all, of_all, context)) continue;
         const bool known = std::any_of(group.begin(), group.end(), [&](std::uint32_t one) {
           return reported.contains({one, odd.field});
         });

@@ -67,7 +67,7 @@ class SiblingLister {
   explicit SiblingLister(const Context& context) : context_(context) {}
 
   std::vector<SiblingField> of_link(const model::Link& link) {
-    fields_.clear();
+    begin();
     const model::Root& root = context_.root();
     if (context_.is_sdf()) add_origin("pose", link.pose);
     add_number("mass", "kg", link.inertial.mass);
@@ -78,7 +78,7 @@ class SiblingLister {
   }
 
   std::vector<SiblingField> of_joint(const model::Joint& joint) {
-    fields_.clear();
+    begin();
     add_origin("origin", joint.pose);
     fields_.push_back({.name = "type",
                        .kind = FieldKind::kType,
@@ -101,6 +101,12 @@ class SiblingLister {
   }
 
  private:
+  void begin() {
+    constexpr std::size_t kUsual = 16;
+    fields_.clear();
+    fields_.reserve(kUsual);
+  }
+
   void add_number(std::string_view name, const char* unit, const model::Field<double>& field,
                   FieldKind kind = FieldKind::kNumber, std::string_view part = {}) {
     fields_.push_back({.part = part,

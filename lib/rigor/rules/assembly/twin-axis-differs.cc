@@ -91,7 +91,7 @@ bool first_is_wrong(const robot::Twins& pair, Context& context) {
 void check(const model::Root& root, Context& context) {
   if (root.joints.size() < 2) return;
   std::vector<AxisPair> pairs;
-  for (const robot::Twins& pair : twins_of(root.joints, robot::Side::kAcross, root)) {
+  for (const robot::Twins& pair : context.assembled().joint_twins) {
     if (const auto one = compared(pair, context)) pairs.push_back(*one);
   }
   const auto good = static_cast<std::size_t>(std::count_if(

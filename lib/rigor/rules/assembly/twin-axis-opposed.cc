@@ -160,7 +160,7 @@ void check(const model::Root& root, Context& context) {
   constexpr std::size_t kFewestJoints = 4;  // two pairs, of which one says what the other should be
   if (root.joints.size() < kFewestJoints || !context.frames().problems().empty()) return;
   std::vector<Relation> all;
-  for (const robot::Twins& pair : twins_of(root.joints, robot::Side::kAcross, root)) {
+  for (const robot::Twins& pair : context.assembled().joint_twins) {
     if (auto one = relation_of(pair, context)) all.push_back(std::move(*one));
   }
   const std::size_t best = convention_of(all);

@@ -17,6 +17,7 @@
 
 #include <fmt/core.h>
 
+#include <rigor/rules/assembly/placed_units.h>
 #include <rigor/rules/assembly/twin_numbers.h>
 #include <rigor/rules/inertia/solid_body.h>
 #include <rigor/rules/inertia/tensor_mistake.h>
@@ -182,7 +183,8 @@ void decide_by_shapes(Odd& odd, const model::Link& a, const model::Link& b, Cont
   const std::string_view name = (*odd.wrong)[odd.begin].value_name;
   if (odd.confirmed > 0 || (name != "mass" && name != "ixx")) return;
   const auto of_a = off_shapes(a, context), of_b = off_shapes(b, context);
-  if (!of_a || !of_b || *of_a == *of_b) return;
+  constexpr double kFits = 0.2;  // of the trace: a tensor that fits in neither tells nothing
+  if (!of_a || !of_b || *of_a == *of_b || std::min(*of_a, *of_b) > kFits) return;
   odd.by_shapes = true;
   if (odd.first != (*of_a > *of_b)) std::swap(odd.wrong, odd.right);
   odd.first = *of_a > *of_b;
@@ -195,6 +197,9 @@ std::optional<Fix> fix_for(const Odd& odd, const Context& context) {
   if (odd.factor == 0 && odd.confirmed == 0 && !odd.by_shapes) return std::nullopt;
   const std::vector<std::size_t> places = odd.places();
   const TwinNumber& number = (*odd.wrong)[odd.begin];
+  // A mass, or a moment, may be too small as well as too large.
+  if (odd.confirmed == 0 && !odd.by_shapes && (number.value_name == "mass" || is_moment(number)))
+    return std::nullopt;
   model::Vector3 translation;
   if (number.pose) translation = number.pose->pose.value.translation;
   Fix fix{{}, Applicability::kUnsafe, {}};
@@ -269,7 +274,7 @@ class TwinCheck {
       : all_(all), list_(list), context_(context) {}
 
   void run() {
-    for (const Twins& pair : twins_of(all_, Side::kAcross, context_.root())) check(pair, 0);
+    for (const Twins& pair : pairs()) check(pair, 0);
     for (const auto& [name, members] : numbered_families()) {
       // Two in a row are alike by chance; what all others have is what was meant.
       constexpr std::size_t kFewest = 2;
@@ -278,6 +283,28 @@ class TwinCheck {
   }
 
  private:
+  static bool is_where_it_stands(const TwinNumber& number) {
+    return number.value_name == "origin" || number.value_name == "pose";
+  }
+
+  /// The link itself, or the child of the joint; of a joint without one the first.
+  std::uint32_t link_of(std::uint32_t i) const {
+    if constexpr (std::is_same_v<Entity, model::Link>) {
+      return i;
+    } else {
+      const auto child = context_.frames().ends({i}).child;
+      return child ? child.value : 0;
+    }
+  }
+
+  const std::vector<Twins>& pairs() const {
+    if constexpr (std::is_same_v<Entity, model::Link>) {
+      return context_.assembled().link_twins;
+    } else {
+      return context_.assembled().joint_twins;
+    }
+  }
+
   using Families = std::map<std::pair<std::uint32_t, std::string>, std::vector<std::uint32_t>>;
 
   static constexpr std::size_t kSmallestFamily = 3;
@@ -350,6 +377,9 @@ class TwinCheck {
     if constexpr (std::is_same_v<Entity, model::Link>)
       decide_by_shapes(odd, all_[pair.a], all_[pair.b], context_);
     if (odd.confirmed < least_confirmed || odd.places().empty()) return;
+    if (is_where_it_stands(a.numbers[odd.begin]) &&
+        are_a_duo(link_of(pair.a), link_of(pair.b), context_))
+      return;
     // A thumb is no finger: what only numbers tell apart may differ by intent.
     const bool meant = least_confirmed > 0 && !is_slip(odd);
     report(odd, odd.first ? pair.a : pair.b, odd.first ? pair.b : pair.a,

@@ -25,6 +25,11 @@
 
 namespace rigor::rules {
 
+/// Of names that are literals, most of which are in one place.
+inline bool same_text(std::string_view a, std::string_view b) {
+  return (a.data() == b.data() && a.size() == b.size()) || a == b;
+}
+
 /// A number of the file: as one of its own, or as one of a pose, a size or a tensor.
 struct TwinNumber {
   std::string_view value_name;  ///< "mass", "origin"; static
@@ -43,7 +48,7 @@ struct TwinNumber {
     return result;
   }
   bool is_of_same_kind(const TwinNumber& other) const {
-    return value_name == other.value_name && coordinate == other.coordinate;
+    return coordinate == other.coordinate && same_text(value_name, other.value_name);
   }
 };
 

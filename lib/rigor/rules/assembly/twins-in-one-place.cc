@@ -93,7 +93,7 @@ void report(const robot::Twins& pair, const Placed& placed, Context& context) {
 
 void check(const model::Root& root, Context& context) {
   if (root.links.size() < 2) return;
-  for (const robot::Twins& pair : twins_of(root.links, robot::Side::kAcross, root)) {
+  for (const robot::Twins& pair : context.assembled().link_twins) {
     const auto placed = placed_alike(pair, context);
     if (!placed || !placed->a->pose.written || !placed->b->pose.written) continue;
     if (!in_one_place(pair, context.assembled()) && !frames_in_one_place(pair, context)) continue;

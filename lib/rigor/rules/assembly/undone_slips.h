@@ -48,9 +48,12 @@ inline std::string slip_name(double factor) {
   return "its decimal point slipped";
 }
 
-/// A number of the file divided by a power of ten, with its digits kept.
+/// A number of the file with its decimal point moved: its digits are kept.
+inline double with_digits_of_decimal(double product) {
+  return write::number_in(fmt::format("{:.15g}", product)).value_or(product);
+}
 inline double divided(double value, double factor) {
-  return write::settled(value / factor, value, value / factor);
+  return with_digits_of_decimal(value / factor);
 }
 
 /// Those that make it shorter, simplest first: one coordinate, then all.

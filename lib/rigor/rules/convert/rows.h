@@ -23,5 +23,6 @@ std::span<const Row> link_rows();
 std::span<const Row> shape_rows();
 std::span<const Row> carried_rows();
 std::span<const Row> proof_rows();
+std::span<const Row> mjcf_rows();
 
 }  // namespace rigor::rules::conversion

@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include <rigor/rules/assembly/undone_slips.h>
+#include <rigor/rules/assembly/written_places.h>
 #include <rigor/rules/inertia/outline.h>
 #include <rigor/rules/inertia/tensor.h>
 #include <rigor/rules/rule.h>
@@ -110,7 +111,10 @@ void check_link(const model::Link& link, LazyGroups& groups, Context& context) {
        .subject = context.subject(link),
        .help = slip ? fmt::format("with {} it is inside: {}", written_as(slip->value), slip->slip)
                     : "it is given in the link's own frame, from the link's origin, in meters",
-       .fix = slip ? translation_fix(inertial.pose, slip->value, context) : std::nullopt,
+       // Where a shape or a joint has the same numbers, it may not be the center of mass that is wrong.
+       .fix = slip && !is_written_elsewhere(com, inertial.pose, context.root(), Signs::kSame)
+                  ? translation_fix(inertial.pose, slip->value, context)
+                  : std::nullopt,
        .severity = grave ? Severity::kWarning : Severity::kInfo});
 }
 

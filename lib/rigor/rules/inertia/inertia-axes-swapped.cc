@@ -5,12 +5,16 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
+#include <rigor/robot/assembled/siblings.h>
 #include <rigor/rules/edits.h>
 #include <rigor/rules/inertia/outline.h>
 #include <rigor/rules/inertia/tensor_mistake.h>
@@ -119,6 +123,95 @@ void check(const model::Link& link, Context& context) {
            by_box && by_box->before < kClearly ? std::optional(Severity::kInfo) : std::nullopt});
 }
 
+/// Two moments exchanged between links that have the same mass and moments: their axes; nothing when they are the
+/// same, or otherwise another.
+std::optional<Order> exchange_between(const model::Inertial& a, const model::Inertial& b) {
+  constexpr double kDigits = 1e-5;
+  const auto same = [](double p, double q) {
+    return std::abs(p - q) <= kDigits * std::max(std::abs(p), std::abs(q));
+  };
+  if (!same(a.mass.value, b.mass.value)) return std::nullopt;
+  const std::array<double, 3> p{a.ixx.value, a.iyy.value, a.izz.value};
+  const std::array<double, 3> q{b.ixx.value, b.iyy.value, b.izz.value};
+  for (const Order& order : {Order{0, 1, 2}, Order{1, 0, 2}, Order{0, 2, 1}, Order{2, 1, 0}}) {
+    if (same(p[0], q[order[0]]) && same(p[1], q[order[1]]) && same(p[2], q[order[2]])) return order;
+  }
+  return std::nullopt;
+}
+
+/// One of several like parts, by their names, that has the moments of the others at other axes.
+void look_at_group(const std::vector<std::uint32_t>& group, Context& context) {
+  constexpr std::size_t kFewestOthers = 2;
+  constexpr std::size_t kMost = 30;  // a larger one is a table of parts
+  const model::Root& root = context.root();
+  if (group.size() > kMost) return;
+  for (const std::uint32_t one : group) {
+    const model::Inertial& inertial = root.links[one].inertial;
+    std::vector<std::uint32_t> others;
+    std::optional<Order> order;
+    for (const std::uint32_t other : group) {
+      if (other == one) continue;
+      const auto found = exchange_between(inertial, root.links[other].inertial);
+      if (!found || (order && *found != *order)) {
+        others.clear();
+        break;
+      }
+      order = found;
+      others.push_back(other);
+    }
+    if (others.size() < kFewestOthers || *order == Order{0, 1, 2}) continue;
+    const model::Link& link = root.links[one];
+    if (mistaken_tensor(link, context).mistake == TensorMistake::kAxesSwapped) continue;
+    const Moments moments{&inertial.ixx, &inertial.iyy, &inertial.izz};
+    context.report(
+        {.where = inertial.tensor_site.name,
+         .message = fmt::format("ixx, iyy and izz ({:.4g}, {:.4g} and {:.4g} kg·m²) are at other "
+                                "axes than in {} parts of the same kind, '{}' and others",
+                                moments[0]->value, moments[1]->value, moments[2]->value,
+                                others.size(), root.links[others.front()].name.value),
+         .subject = context.subject(link),
+         .related = {{root.links[others.front()].inertial.tensor_site.name, "as in the others"}},
+         .fix = put_where_they_belong(moments, *order, context)});
+  }
+}
+
+void check_siblings(const model::Root& root, Context& context) {
+  constexpr std::size_t kFewest = 3;
+  constexpr double kAlike = 1.3;
+  for (const model::Model& model : root.models) {
+    std::vector<std::uint32_t> links;
+    std::vector<std::string> names;
+    bool differ = false;
+    for (const auto id : model.links) {
+      const model::Inertial& inertial = root[id].inertial;
+      const auto [low, high] =
+          std::minmax({inertial.ixx.value, inertial.iyy.value, inertial.izz.value});
+      if (!(low > 0) || high < kAlike * low || !root.own(root[id].site)) continue;
+      links.push_back(id.value);
+    }
+    const auto key = [&](std::uint32_t i) {
+      const model::Inertial& inertial = root.links[i].inertial;
+      return std::pair(inertial.mass.value,
+                       inertial.ixx.value + inertial.iyy.value + inertial.izz.value);
+    };
+    std::vector<std::uint32_t> alike = links;
+    std::sort(alike.begin(), alike.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+    for (std::size_t i = 1; i < alike.size() && !differ; ++i) {
+      const auto order =
+          exchange_between(root.links[alike[i - 1]].inertial, root.links[alike[i]].inertial);
+      differ = order && *order != Order{0, 1, 2};
+    }
+    if (links.size() < kFewest || !differ) continue;
+    for (const std::uint32_t i : links) names.push_back(root.links[i].name.value);
+    for (std::vector<std::uint32_t> group : robot::siblings(names)) {
+      if (group.size() < kFewest) continue;
+      for (std::uint32_t& i : group) i = links[i];
+      look_at_group(group, context);
+    }
+  }
+}
+
 Rule rule() {
   return {
       .name = "inertia-axes-swapped",
@@ -129,9 +222,9 @@ Rule rule() {
           "The link rotates about each axis with the moment of another one. Formulas for a "
           "cylinder or a box assume its length along one axis; when the shape is rotated, or "
           "the formula has other axes, the moments must be permuted. Of shapes that are no solids "
-          "the box around them is compared.",
+          "the box around them is compared, and like parts (rotor_0, rotor_1, …) with each other.",
       .what_to_do = "Exchange the moments.",
-      .checks = {on<model::Link>(check)},
+      .checks = {on<model::Link>(check), on<model::Root>(check_siblings)},
   };
 }
 

@@ -24,7 +24,8 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kToken = 1e-5;       // kg
 constexpr double kMaybeToken = 1e-2;  // kg
 // A twelfth of air, and less than any frame of tubes.
-constexpr double kVoid = 0.1;  // kg/m³
+constexpr double kVoid = 0.1;      // kg/m³
+constexpr double kNothing = 1e-3;  // kg/m³
 
 // Links of robots, hollow and with motors in them, judged by their moments.
 constexpr double kLightLink = 100;   // kg/m³
@@ -66,6 +67,16 @@ const MomentSlip* slip_of(double mass, double trace) {
   return found;
 }
 
+/// Whether one digit is written for all three moments: somebody chose a number that lets the body turn slowly, as
+/// in tests. What is a million times too large is a unit all the same.
+bool is_made_up(const std::array<double, 3>& moments) {
+  constexpr double kSame = 1e-9;
+  const auto [low, high] = std::minmax({moments[0], moments[1], moments[2]});
+  if (high - low > kSame * high) return false;
+  const double digit = high / std::pow(10, std::floor(std::log10(high)));
+  return std::abs(digit - std::round(digit)) < kSame;
+}
+
 /// What is wrong, and how bad it is; nothing where a material could be found.
 struct Judgement {
   std::string message;
@@ -82,10 +93,11 @@ std::optional<Judgement> judged(double mass, const mass::Verdict& verdict) {
   }
   const Box box = box_of(mass, moments);
   if (box.density > kVoid) return std::nullopt;
+  const bool made_up = is_made_up(moments) && box.density > kNothing;
   return Judgement{fmt::format("{} kg with these moments are a solid of {:.3g} × {:.3g} × {:.3g} "
                                "m and {:.2g} kg/m³; air has 1.2",
                                mass, box.sides[0], box.sides[1], box.sides[2], box.density),
-                   mass <= kMaybeToken ? Severity::kInfo : Severity::kWarning};
+                   mass <= kMaybeToken || made_up ? Severity::kInfo : Severity::kWarning};
 }
 
 void check(const model::Root& root, Context& context) {
@@ -120,8 +132,9 @@ Rule rule() {
              "bodies of one density a ball has the smallest moments, so mass and moments alone "
              "say how dense a body is at least; and a solid box with these moments says how dense "
              "it is about. A thousandth in the moments is a factor of 30,000 in the density. "
-             "Shapes are not needed. Up to a mass of 10 g, "
-             "which may be a token, what is lighter than air is an info.",
+             "Shapes are not needed. What is lighter than air is an info up to a mass of 10 g, "
+             "which may be a token, and where the same digit is written for all three moments, "
+             "as tests have it.",
       .what_to_do = "Write the mass in kilograms and the moments in kg·m². `rigor inertia MODEL` "
                     "shows what the link's shapes have.",
       .checks = {on<model::Root>(check)},

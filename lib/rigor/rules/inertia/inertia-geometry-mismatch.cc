@@ -34,21 +34,19 @@ bool is_placeholder(const mass::Inertia& tensor) {
   return true;
 }
 
-/// Moments in another unit keep their digits; others are computed from the shapes.
-std::optional<Fix> fix_of_share(const model::Link& link, double share, Context& context) {
+/// The slip of a unit that explains the share; null without one.
+const MomentSlip* slip_of(const model::Link& link, double share, Context& context) {
+  if (is_placeholder(mass::tensor(link.inertial))) return nullptr;
   auto solid = solid_of_all(link, mass::From::kCollisions, context);
   if (!solid) solid = solid_of_all(link, mass::From::kVisuals, context);
-  const double density = solid ? link.inertial.mass.value / solid->mass : 0;
-  const MomentSlip* slip =
-      is_placeholder(mass::tensor(link.inertial)) ? nullptr : slip_of_share(share, density);
-  return slip ? undo(*slip, link.inertial) : fix_from_shapes(link, context);
+  return slip_of_share(share, solid ? link.inertial.mass.value / solid->mass : 0);
 }
 
-const char* help_for(const mass::Inertia& tensor, double share) {
+const char* help_for(const mass::Inertia& tensor, double share, const MomentSlip* slip) {
   if (is_placeholder(tensor)) {
     return "the moments look like a placeholder: compute them from the body's mass and size";
   }
-  return guess_slip(share);
+  return slip != nullptr ? slip->help : guess_slip(share);
 }
 
 void check(const model::Link& link, Context& context) {
@@ -63,14 +61,16 @@ void check(const model::Link& link, Context& context) {
   if (mistaken_tensor(link, context).mistake != TensorMistake::kNone) return;  // reported there
   const double solid = mass::trace(tensor) / *share;
   const double factor = std::max(*share, 1 / *share);
+  const MomentSlip* slip = slip_of(link, *share, context);
   context.report({.where = link.inertial.tensor_site.name,
                   .message = fmt::format(
                       "ixx + iyy + izz is {:.4g} kg·m², {:.4g} times {} than the {:.4g} "
                       "kg·m² of its shapes as solids of {} kg",
                       mass::trace(tensor), factor, *share > 1 ? "more" : "less", solid, mass),
                   .subject = context.subject(link),
-                  .help = help_for(tensor, *share),
-                  .fix = fix_of_share(link, *share, context),
+                  .help = help_for(tensor, *share, slip),
+                  // Moments in another unit keep their digits; others are computed from the shapes.
+                  .fix = slip ? undo(*slip, link.inertial) : fix_from_shapes(link, context),
                   .why = *share > 1 ? "The link rotates as sluggishly as a much larger or heavier "
                                       "body would."
                                     : "Joints with such small moments make a simulation unstable.",

@@ -51,8 +51,9 @@ inline const MomentSlip* slip_of_share(double share, double density) {
   for (const MomentSlip& slip : kMomentSlips) {
     const double meant = share * slip.moments / slip.mass;
     const double would_be = density * slip.mass;
-    if (meant > kNear || meant < 1 / kNear || would_be < kLightest || would_be > kHeaviest)
-      continue;
+    if (meant > kNear || meant < 1 / kNear) continue;
+    // A mass that is kept may be a token, but not one of what no body is made of.
+    if (would_be > kHeaviest || (slip.mass != 1 && would_be < kLightest)) continue;
     if (found != nullptr) return nullptr;
     found = &slip;
   }

@@ -1,6 +1,8 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -133,7 +135,7 @@ void check_twins(const model::Root& root, Context& context) {
   constexpr std::size_t kFewestLinks = 7;  // three pairs, of which two say what the third should be
   if (root.links.size() < kFewestLinks || !context.frames().problems().empty()) return;
   std::map<model::Id<model::Model>, std::vector<robot::Twins>> by_model;
-  for (const robot::Twins& pair : twins_of(root.links, robot::Side::kAcross, root)) {
+  for (const robot::Twins& pair : context.assembled().link_twins) {
     // A finger of the left hand is like that of the right hand on the same side, or on the other.
     constexpr std::size_t kOneSide = 2;
     const auto has = [&](std::uint32_t i) {
@@ -146,6 +148,67 @@ void check_twins(const model::Root& root, Context& context) {
   for (const auto& [model, pairs] : by_model) check_pairs(pairs, context);
 }
 
+/// A mirror image, as a part that is turned half around an axis, has two of three products negated or none:
+/// the sign of what they make multiplied stays. Zero where one of them is.
+double handedness(const model::Inertial& inertial) {
+  const double product = inertial.ixy.value * inertial.ixz.value * inertial.iyz.value;
+  return product > 0 ? 1 : (product < 0 ? -1 : 0);
+}
+
+bool same_but_for_signs(const model::Inertial& a, const model::Inertial& b) {
+  constexpr double kDigits = 1e-5;
+  const auto same = [](const model::Field<double>& p, const model::Field<double>& q) {
+    const double u = std::abs(p.value), v = std::abs(q.value);
+    return std::abs(u - v) <= kDigits * std::max(u, v);
+  };
+  return same(a.mass, b.mass) && same(a.ixx, b.ixx) && same(a.iyy, b.iyy) && same(a.izz, b.izz) &&
+         same(a.ixy, b.ixy) && same(a.ixz, b.ixz) && same(a.iyz, b.iyz);
+}
+
+/// Those of the model that are the same body by all their numbers, for each in turn.
+void check_same_bodies(const std::vector<std::uint32_t>& bodies, Context& context) {
+  const model::Root& root = context.root();
+  std::vector<bool> done(bodies.size(), false);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (done[i]) continue;
+    std::vector<std::uint32_t> right, left;
+    for (std::size_t k = i; k < bodies.size(); ++k) {
+      const model::Inertial& other = root.links[bodies[k]].inertial;
+      if (done[k] || !same_but_for_signs(root.links[bodies[i]].inertial, other)) continue;
+      done[k] = true;
+      (handedness(other) > 0 ? right : left).push_back(bodies[k]);
+    }
+    if (right.size() == left.size() && right.size() != 1) continue;
+    const auto& odd = right.size() < left.size() ? right : left;
+    const auto& most = &odd == &right ? left : right;
+    if (odd.size() != 1) continue;
+    const model::Link& wrong = root.links[odd.front()];
+    const model::Link& like = root.links[most.front()];
+    if (mistaken_tensor(wrong, context).mistake == TensorMistake::kProductsNegated) continue;
+    context.report(
+        {.where = wrong.inertial.tensor_site.name,
+         .message = fmt::format("ixy, ixz and iyz are those of '{}' with signs that no mirror "
+                                "image of its tensor has",
+                                like.name.value),
+         .subject = context.subject(wrong),
+         .related = {{like.inertial.tensor_site.name, "the same numbers"}},
+         .help = "mirrored in a plane, two of the three change their signs, or none",
+         .fix = most.size() > 1 ? std::optional(negate(wrong.inertial, context)) : std::nullopt});
+  }
+}
+
+void check_bodies(const model::Root& root, Context& context) {
+  for (const model::Model& model : root.models) {
+    std::vector<std::uint32_t> bodies;
+    for (const auto id : model.links) {
+      const model::Link& link = root[id];
+      if (handedness(link.inertial) == 0 || !root.own(link.site)) continue;
+      if (is_dynamic(link, context) && has_tensor(link, context)) bodies.push_back(id.value);
+    }
+    if (bodies.size() > 1) check_same_bodies(bodies, context);
+  }
+}
+
 Rule rule() {
   return {
       .name = "products-of-inertia-negated",
@@ -156,9 +219,12 @@ Rule rule() {
              "SDF and URDF want the entries of the tensor, ixy = -∫xy dm; some CAD programs and "
              "mesh tools print the products ∫xy dm. A link that was copied from the robot's other "
              "side has the same fault: where the shapes do not tell, its tensor is compared with "
-             "the mirror image of its twin's, as those of other pairs are.",
+             "the mirror image of its twin's, as those of other pairs are. Of bodies with the same "
+             "mass and moments one may be the mirror image of another, but then two of the three "
+             "products have the other sign, and never all.",
       .what_to_do = "Give ixy, ixz and iyz the other sign.",
-      .checks = {on<model::Link>(check), on<model::Root>(check_twins)},
+      .checks = {on<model::Link>(check), on<model::Root>(check_twins),
+                 on<model::Root>(check_bodies)},
   };
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 
 #include <fmt/core.h>
@@ -26,6 +27,31 @@ bool means_no_limits(const model::Joint& joint, const model::Axis& axis, const C
   });
 }
 
+/// Exchanged, as a rule. Where that would keep the joint from zero, which all others of the robot reach, the
+/// lower one lost its sign.
+Fix fix_for(const model::Joint& joint, const model::Axis& axis, const Context& context) {
+  const std::string lower(context.bytes(axis.lower.span));
+  const std::string upper(context.bytes(axis.upper.span));
+  std::size_t others = 0;
+  bool reach_zero = true;
+  for (const model::Joint& other : context.root().joints) {
+    if (&other == &joint || other.type != joint.type || other.axes.empty()) continue;
+    const model::Axis& range = other.axes.front();
+    if (!range.lower.written || !range.upper.written) continue;
+    ++others;
+    reach_zero = reach_zero && range.lower.value <= 0 && range.upper.value >= 0;
+  }
+  constexpr std::size_t kFewest = 3;
+  if (axis.upper.value > 0 && others >= kFewest && reach_zero) {
+    return {"write the lower limit as -" + lower,
+            Applicability::kUnsafe,
+            {{axis.lower.span, "-" + lower}}};
+  }
+  return {"swap the limits",
+          Applicability::kUnsafe,
+          {{axis.lower.span, upper}, {axis.upper.span, lower}}};
+}
+
 void check(const model::Joint& joint, Context& context) {
   if (joint.type == model::JointType::kFixed) return;
   for (const model::Axis& axis : joint.axes) {
@@ -33,17 +59,13 @@ void check(const model::Joint& joint, Context& context) {
     if (context.is_urdf() && joint.type == model::JointType::kContinuous) continue;
     if (!axis.lower.written || !axis.upper.written) continue;
     if (!(axis.lower.value > axis.upper.value)) continue;  // nan is reported as no number
-    const std::string lower(context.bytes(axis.lower.span));
-    const std::string upper(context.bytes(axis.upper.span));
     context.report(
         {.where = axis.lower.span,
          .message = fmt::format("the lower limit {0} {2} is above the upper {1} {2}",
                                 axis.lower.value, axis.upper.value, position_unit(joint.type)),
          .subject = context.subject(joint),
          .related = {{axis.upper.span, "the upper limit"}},
-         .fix = Fix{"swap the limits",
-                    Applicability::kUnsafe,
-                    {{axis.lower.span, upper}, {axis.upper.span, lower}}},
+         .fix = fix_for(joint, axis, context),
          .severity = means_no_limits(joint, axis, context) ? Severity::kInfo : Severity::kError});
   }
 }

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <string_view>
 
 #include <fmt/core.h>
 
@@ -41,9 +43,41 @@ bool look_like_degrees(const model::Field<double>& lower, const model::Field<dou
   return !is_count(wider);
 }
 
+std::size_t decimals_of(std::string_view number) {
+  const std::size_t point = number.find('.');
+  if (point == number.npos) return 0;
+  const std::size_t end = number.find_first_not_of("0123456789", point + 1);
+  return std::min(end, number.size()) - point - 1;
+}
+
+/// The angle in radians with the digits of the author: those of another limit of the robot that is the same to
+/// the tenth of a degree that was kept, else as many as the other limits have at most, where that is as exact.
+double radians_of(double degrees, const Context& context) {
+  constexpr double kSlack = 0.05 / 360 * kTurn;
+  const double exact = degrees / 360 * kTurn;
+  double decimals = 0;
+  for (const model::Joint& joint : context.root().joints) {
+    if (!turns(joint.type)) continue;
+    for (const model::Axis& axis : joint.axes) {
+      for (const model::Field<double>* limit : {&axis.lower, &axis.upper}) {
+        if (!limit->written || limit->span.nowhere()) continue;
+        if (std::abs(std::abs(limit->value) - std::abs(exact)) < kSlack)
+          return std::copysign(limit->value, exact);
+        if (std::abs(limit->value) > kTurn) continue;
+        const auto count = static_cast<double>(decimals_of(context.bytes(limit->span)));
+        decimals = std::max(decimals, count);
+      }
+    }
+  }
+  if (decimals == 0) return exact;
+  const double power = std::pow(10, decimals);
+  const double rounded = std::round(exact * power) / power;
+  return std::abs(rounded - exact) < kSlack ? rounded : exact;
+}
+
 /// Both limits are of the same unit, but one that is an angle already was turned into radians before. A
 /// small whole number may be either, and then there is no fix.
-std::optional<Fix> in_radians(const model::Axis& axis) {
+std::optional<Fix> in_radians(const model::Axis& axis, const Context& context) {
   Fix fix{"write radians", Applicability::kUnsafe, {}};
   for (const model::Field<double>* limit : {&axis.lower, &axis.upper}) {
     if (!limit->written || !std::isfinite(limit->value)) continue;
@@ -51,7 +85,7 @@ std::optional<Fix> in_radians(const model::Axis& axis) {
       if (limit->value != 0 && std::fmod(limit->value, 1) == 0) return std::nullopt;
       continue;
     }
-    fix.edits.push_back({limit->span, write::joined({limit->value / 360 * kTurn})});
+    fix.edits.push_back({limit->span, write::joined({radians_of(limit->value, context)})});
   }
   return fix;
 }
@@ -72,7 +106,7 @@ void check(const model::Joint& joint, Context& context) {
              "the limit {0} looks like degrees: limits are in radians, and {0}° is {1:.6g} rad",
              limit.value, limit.value / 360 * kTurn),
          .subject = context.subject(joint),
-         .fix = in_radians(axis)});
+         .fix = in_radians(axis, context)});
   }
 }
 

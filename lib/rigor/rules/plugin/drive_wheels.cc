@@ -7,7 +7,10 @@
 #include <cctype>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <variant>
+
+#include <fmt/core.h>
 
 #include <rigor/mass/mesh/survey.h>
 #include <rigor/rules/kinematics/leader.h>
@@ -62,13 +65,19 @@ std::optional<double> radius_about(const Vector3& axis_S, const model::Shape& sh
 
 template <class Part>
 void add_radii(const std::vector<model::Id<Part>>& parts, DrivenWheel& wheel, Context& context) {
+  std::vector<double> across;  // of cylinders that the joint does not turn about their axes
   for (const auto id : parts) {
     const auto X_WS = context.frames().pose(id);
     if (!X_WS) continue;
     const Vector3 axis_S = rotate(inverse(*X_WS).rotation, wheel.axis);
     const auto radius = radius_about(axis_S, context.root()[id].geometry.shape, context);
     if (radius && *radius > 0) wheel.radii.push_back(*radius);
+    const auto* cylinder = std::get_if<model::Cylinder>(&context.root()[id].geometry.shape);
+    if (!radius && cylinder != nullptr && cylinder->radius.value > 0)
+      across.push_back(cylinder->radius.value);
   }
+  // Its axis is wrong, and not the wheel.
+  if (wheel.radii.empty()) wheel.radii = std::move(across);
 }
 
 std::optional<DrivenWheel> wheel_of(const model::Parameter& named, model::Id<model::Model> scope,
@@ -101,6 +110,17 @@ std::optional<DrivenWheel> wheel_of(const model::Parameter& named, model::Id<mod
 std::optional<double> positive_number(const model::Parameter& parameter) {
   const auto number = write::number_in(parameter.value.value);
   return number && *number > 0 && std::isfinite(*number) ? number : std::nullopt;
+}
+
+std::string value_with_digits(double written, double actual) {
+  constexpr double kNear = 0.01;
+  for (const double factor : {2.0, 10.0, 100.0, 1000.0}) {
+    for (const double meant : {written / factor, written * factor}) {
+      if (std::abs(meant - actual) < kNear * actual)
+        return write::joined({write::settled(meant, written, meant)});
+    }
+  }
+  return fmt::format("{:.6g}", actual);
 }
 
 Span trimmed(const model::Parameter& parameter, const Context& context) {

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <rigor/model/model.h>
@@ -47,5 +48,9 @@ Span trimmed(const model::Parameter& parameter, const Context& context);
 
 /// The parameter's number; nothing when it is none or not positive.
 std::optional<double> positive_number(const model::Parameter& parameter);
+
+/// What should be written in place of `written`, m, where the wheels have `actual`: the author's digits where a
+/// factor of 2, 10, 100 or 1000 makes them it to one in a hundred, else what the wheels have.
+std::string value_with_digits(double written, double actual);
 
 }  // namespace rigor::rules

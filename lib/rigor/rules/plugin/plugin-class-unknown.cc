@@ -1,6 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -44,7 +45,14 @@ void check(const model::Plugin& plugin, Context& context) {
   std::string help = "it has " + classes.front();
   for (std::size_t i = 1; i < classes.size(); ++i) help += " and " + classes[i];
   std::optional<Fix> fix;
-  if (classes.size() == 1 && context.bytes(plugin.name.span) == name) {
+  // Beside plugins of classic the name is none of a class, and the library may be the slip.
+  const auto is_classic = [](const model::Plugin& other) {
+    return other.filename.value.starts_with("lib") && other.filename.value.ends_with(".so");
+  };
+  const auto& plugins = context.root().plugins;
+  const bool classic = name.find("::") == std::string_view::npos &&
+                       std::any_of(plugins.begin(), plugins.end(), is_classic);
+  if (!classic && classes.size() == 1 && context.bytes(plugin.name.span) == name) {
     fix = Fix{"name its class", Applicability::kUnsafe, {{plugin.name.span, classes.front()}}};
   }
   context.report({.where = plugin.name.span.size() > 0 ? plugin.name.span : plugin.site.name,

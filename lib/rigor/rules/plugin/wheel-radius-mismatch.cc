@@ -27,7 +27,7 @@ void check_against(const model::Parameter& parameter, double factor,
   if (fits) return;
   const char* name = factor == 1 ? "radius" : "diameter";
   const Span where = trimmed(parameter, context);
-  const std::string right = fmt::format("{:.6g}", factor * radii.front());
+  const std::string right = value_with_digits(*written, factor * radii.front());
   context.report(
       {.where = where,
        .message = fmt::format("the plugin's wheel {0} is {1:.6g} m, and the wheels have a "

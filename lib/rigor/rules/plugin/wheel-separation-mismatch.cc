@@ -27,9 +27,12 @@ Vector3 mean(const std::vector<DrivenWheel>& wheels, Vector3 DrivenWheel::*point
   return (1.0 / static_cast<double>(wheels.size())) * sum;
 }
 
-/// Along the axle, m.
+/// Along the axle, m; of wheels whose axes are wrong, as the finding about these says, from one to the other.
 double distance(const Drive& drive, Vector3 DrivenWheel::*point) {
-  return std::abs(dot(mean(drive.left, point) - mean(drive.right, point), drive.left.front().axis));
+  constexpr double kAlong = 0.1;
+  const Vector3 between = mean(drive.left, point) - mean(drive.right, point);
+  const double along = std::abs(dot(between, drive.left.front().axis));
+  return along > kAlong * length(between) ? along : length(between);
 }
 
 /// Whether the wheels of a side are behind one another; if not, one of them is in a wrong place, and the
@@ -53,7 +56,7 @@ void check_against(const model::Parameter& parameter, const Drive& drive,
     if (*written > actual * (1 - kMaxOff) && *written < actual * most) return;
   }
   const Span where = trimmed(parameter, context);
-  const std::string right = fmt::format("{:.6g}", of_wheels);
+  const std::string right = value_with_digits(*written, of_wheels);
   context.report({.where = where,
                   .message = fmt::format(
                       "the plugin's wheel separation is {:.6g} m, and the wheels are {} m apart",

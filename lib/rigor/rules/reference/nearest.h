@@ -6,6 +6,8 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -47,12 +49,41 @@ Finding with_nearest(Finding finding, std::string_view name, const Candidates& c
   return with_nearest(std::move(finding), name, names, context);
 }
 
+/// Where several joints name what does not exist, and none names the link that is near, the link's own name is the
+/// one that is wrong: its place. Nothing otherwise.
+inline std::optional<Span> misnamed_link(std::string_view missing, std::string_view near,
+                                         const Context& context) {
+  constexpr std::size_t kSeveral = 2;
+  const model::Root& root = context.root();
+  std::size_t of_missing = 0;
+  for (const model::Joint& joint : root.joints) {
+    for (const std::string* end : {&joint.parent.value, &joint.child.value}) {
+      if (*end == near) return std::nullopt;
+      of_missing += *end == missing ? 1 : 0;
+    }
+  }
+  if (of_missing < kSeveral) return std::nullopt;
+  for (const model::Link& link : root.links) {
+    if (link.name.value == near && root.own(link.site) && context.bytes(link.name.span) == near)
+      return link.name.span;
+  }
+  return std::nullopt;
+}
+
 /// Of a name that is undefined.
 inline Finding unresolved(const model::FrameProblem& problem, std::string message,
                           const Context& context) {
-  return with_nearest(
+  Finding finding = with_nearest(
       {.where = problem.where, .message = std::move(message), .subject = problem.subject},
       problem.name, problem.candidates, context);
+  if (!finding.fix) return finding;
+  const std::string& near = finding.fix->edits.front().text;
+  if (const auto link = misnamed_link(problem.name, near, context)) {
+    finding.help +=
+        " Several joints name '" + problem.name + "', and none the link '" + near + "'.";
+    finding.fix = Fix{"rename the link", Applicability::kUnsafe, {{*link, problem.name}}};
+  }
+  return finding;
 }
 
 /// The names of links, joints or whatever else has one.

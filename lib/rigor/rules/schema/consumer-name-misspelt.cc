@@ -113,10 +113,17 @@ class SectionNames {
   std::array<std::uint64_t, 256> lengths_{};
 };
 
+/// Those of a format are the same for all files.
+const SectionNames& sections_of(const Context& context) {
+  static const SectionNames urdf(schema::dialect_sections("urdf"));
+  static const SectionNames sdf(schema::dialect_sections("sdf"));
+  return context.is_urdf() ? urdf : sdf;
+}
+
 void check(const model::Root& /*root*/, Context& context) {
   if (!context.is_urdf() && !context.is_sdf()) return;
   const std::string_view format = dialect_format(context);
-  const SectionNames sections(schema::dialect_sections(format));
+  const SectionNames& sections = sections_of(context);
   const xml::Document& document = context.document();
   for (std::uint32_t i = 1; i < document.element_count(); ++i) {
     const xml::Element element = document.element(i);

@@ -34,13 +34,16 @@ void look_into(const std::vector<model::Noise>& noises, const model::Sensor& sen
   for (const model::Noise& noise : noises) look_at(noise.stddev, sensor, context);
 }
 
-/// The schema of SDF has a least value for the noise of all other sensors; in a URDF there is none.
+/// The schema of SDF has a least value for the noise of all other sensors, but not for an IMU's up to 1.4; in a
+/// URDF there is none.
 void check(const model::Sensor& sensor, Context& context) {
   for (const model::Camera& camera : sensor.cameras) {
     look_into(camera.noises, sensor, context);
   }
   if (sensor.lidar) look_into(sensor.lidar->noises, sensor, context);
-  if (context.is_urdf()) look_into(sensor.imu_noises, sensor, context);
+  constexpr int kOfAxes = 5;  // SDF 1.5, since when each axis has its own
+  if (context.is_urdf() || context.root().version < kOfAxes)
+    look_into(sensor.imu_noises, sensor, context);
 }
 
 Rule rule() {

@@ -50,7 +50,8 @@ void check_noise(const model::Noise& noise, const Measured& measured, const mode
 
 void check(const model::Sensor& sensor, Context& context) {
   for (const model::Noise& noise : sensor.imu_noises) {
-    const bool rotation = is_in(context.element(noise.site), "angular_velocity");
+    const xml::Element element = context.element(noise.site);
+    const bool rotation = is_in(element, "angular_velocity") || element.name() == "rate";
     check_noise(noise, rotation ? kGyroscope : kAccelerometer, sensor, context);
   }
   for (const model::Camera& camera : sensor.cameras) {

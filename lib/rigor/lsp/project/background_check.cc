@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <rigor/lsp/project/mesh_check.h>
+#include <rigor/lsp/project/background_check.h>
 
 #include <set>
 #include <tuple>
@@ -24,23 +24,29 @@ FindingKey key_of(const Diagnostic& finding, const Sources& sources) {
 
 }  // namespace
 
-MeshCheck::MeshCheck(const Disk& below, OpenTexts texts, read::SearchPaths paths,
-                     std::string worker, std::string uri, std::string path)
+BackgroundCheck::BackgroundCheck(const Disk& below, OpenTexts texts, read::SearchPaths paths,
+                                 std::string worker, BackgroundDocument document,
+                                 rules::MeshPolicy meshes)
     : disk_(below),
       texts_(std::move(texts)),
       paths_(std::move(paths)),
       worker_(std::move(worker)),
-      uri_(std::move(uri)),
-      path_(std::move(path)) {}
+      document_(std::move(document)),
+      meshes_(meshes) {}
 
-void MeshCheck::run() {
+void BackgroundCheck::run() {
   const EditorDisk disk(disk_, texts_);
   const Project project(disk, paths_, worker_);
-  checked_ = check(disk, project, path_, rules::MeshPolicy::kOpen);
-  const CheckedDocument without = check(disk, project, path_, rules::MeshPolicy::kDoNotOpen);
+  const std::string& path = document_.path;
+  whole_ = check(disk, project, path, rules::MeshPolicy::kDoNotOpen);
+  const auto text = texts_.find(normalize_path(path));
+  if (text != texts_.end() && text->second->size() >= PartCheck::kLargeBytes)
+    parts_ = PartCheck::of(path, *text->second);
+  if (!opens_meshes() || stopped()) return;
+  checked_ = check(disk, project, path, rules::MeshPolicy::kOpen);
   std::set<FindingKey> known;
-  for (const Diagnostic& finding : without.result.diagnostics.list())
-    known.insert(key_of(finding, *without.sources));
+  for (const Diagnostic& finding : whole_.result.diagnostics.list())
+    known.insert(key_of(finding, *whole_.sources));
   for (const Diagnostic& finding : checked_.result.diagnostics.list()) {
     if (!known.contains(key_of(finding, *checked_.sources))) findings_.push_back(finding);
   }

@@ -1,0 +1,344 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/author/verbs/attach.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+#include <variant>
+
+#include <fmt/core.h>
+
+#include <rigor/author/verbs/block.h>
+#include <rigor/author/verbs/prefix.h>
+#include <rigor/author/verbs/robot_laws.h>
+#include <rigor/schema/value.h>
+#include <rigor/text/path.h>
+#include <rigor/xml/edit.h>
+#include <rigor/xml/style.h>
+
+namespace rigor::author {
+namespace {
+
+using model::Pose;
+
+std::set<std::string> all_names(const robot::Robot& robot) {
+  std::set<std::string> names;
+  for (const robot::Body& body : robot.bodies) names.insert(body.name);
+  for (const robot::Joint& joint : robot.joints) names.insert(joint.name);
+  for (const robot::Frame& frame : robot.frames) names.insert(frame.name);
+  return names;
+}
+
+std::vector<std::uint32_t> roots_of(const robot::Robot& robot) {
+  std::vector<std::uint32_t> roots;
+  for (std::uint32_t i = 0; i < robot.bodies.size(); ++i) {
+    if (robot.bodies[i].carrier == robot::kNoIndex) roots.push_back(i);
+  }
+  return roots;
+}
+
+class Attacher {
+ public:
+  Attacher(ModelReader& reader, const EditedModel& arm, const EditedModel& gripper,
+           const AttachRequest& request)
+      : reader_(reader), arm_(arm), gripper_(&gripper), request_(request) {}
+
+  Change attach() {
+    if (std::string fault = fault_of_parts(); !fault.empty()) return refusal(std::move(fault));
+    if (std::string fault = make_unique(); !fault.empty()) return refusal(std::move(fault));
+    Change change;
+    change.steps.push_back({arm_.is_urdf() ? urdf_block() : sdf_block()});
+    change.expected = joined();
+    change.notes = std::move(notes_);
+    change.asks_for_setting = [](const robot::Difference& difference) {
+      return difference.a.empty() || difference.kind == robot::DifferenceKind::kAttachmentOnlyInB;
+    };
+    return change;
+  }
+
+ private:
+  std::string fault_of_parts() const {
+    if (arm_.body_index(request_.link) == robot::kNoIndex || !arm_.link(request_.link))
+      return fmt::format("no link is named '{}'", request_.link);
+    if (arm_.loaded.file->expanded)
+      return "it is a template: include the gripper's file and call its macro there";
+    if (arm_.is_urdf() != gripper_->is_urdf())
+      return "one is SDF and one URDF: convert one of them first";
+    const int version = arm_.root()[arm_.model].version;
+    if (!arm_.is_urdf() && gripper_->root()[gripper_->model].version != version) {
+      return fmt::format("one is SDF 1.{} and one 1.{}: bring them to one version first", version,
+                         gripper_->root()[gripper_->model].version);
+    }
+    const std::vector<std::uint32_t> roots = roots_of(gripper_->robot);
+    if (roots.size() != 1) return fmt::format("{} has {} roots", gripper_->path(), roots.size());
+    if (gripper_->robot.bodies[roots.front()].name == robot::kWorldBody)
+      return gripper_->path() + " is fixed to the world: extract its base link first";
+    if (!end_of_content(arm_.document(), holder())) return "it has no content";
+    return {};
+  }
+
+  xml::Element holder() const { return arm_.element(arm_.root()[arm_.model].site); }
+
+  /// Names that are taken, or asked to be, with a prefix. Nested models have names of their own.
+  std::string make_unique() {
+    joint_ = fmt::format("{}_to_{}", request_.link, gripper_->robot.name);
+    std::replace(joint_.begin(), joint_.end(), ':', '_');
+    const std::set<std::string> taken = all_names(arm_.robot);
+    std::string prefix = request_.prefix;
+    if (arm_.is_urdf()) {
+      const std::set<std::string> own = all_names(gripper_->robot);
+      const bool clash = std::any_of(own.begin(), own.end(),
+                                     [&](const std::string& name) { return taken.contains(name); });
+      if (clash && prefix.empty()) prefix = gripper_->robot.name + '_';
+    } else {
+      name_ = prefix + gripper_->robot.name;
+      for (int i = 2; taken.contains(name_) || is_model(name_); ++i)
+        name_ = fmt::format("{}{}_{}", prefix, gripper_->robot.name, i);
+      prefix.clear();
+    }
+    for (int i = 2; taken.contains(joint_); ++i)
+      joint_ = fmt::format("{}_to_{}_{}", request_.link, gripper_->robot.name, i);
+    if (prefix.empty()) return {};
+    ProvenChange renamed = prove(reader_, *gripper_, prefixed(*gripper_, prefix, {}));
+    if (!renamed.refused.empty() || !renamed.after) return renamed.refused;
+    own_ = std::move(renamed.after);
+    gripper_ = own_.get();
+    const std::set<std::string> own = all_names(gripper_->robot);
+    for (const std::string& name : own) {
+      if (taken.contains(name)) return fmt::format("'{}' is taken: choose another --prefix", name);
+    }
+    return {};
+  }
+
+  bool is_model(const std::string& name) const {
+    return std::any_of(arm_.root().models.begin(), arm_.root().models.end(),
+                       [&](const model::Model& model) {
+                         return model.parent == arm_.model && model.name.value == name;
+                       });
+  }
+
+  // --- Text ---
+
+  std::string child_name() const {
+    const std::string& root = gripper_->robot.bodies[roots_of(gripper_->robot).front()].name;
+    return arm_.is_urdf() ? root : name_ + "::" + root;
+  }
+
+  /// A relative path of the gripper's file as one of the arm's.
+  std::string moved_path(const std::string& uri) const {
+    const std::string from(parent_path(gripper_->path())), to(parent_path(arm_.path()));
+    if (uri.empty() || uri.find("://") != std::string::npos || is_absolute(uri) ||
+        normalize_path(from) == normalize_path(to))
+      return uri;
+    return relative_path(to, join_path(from, uri));
+  }
+
+  std::vector<Edit> moved_paths() const {
+    std::vector<Edit> edits;
+    const auto move = [&](const model::Geometry& geometry) {
+      const auto* mesh = std::get_if<model::Mesh>(&geometry.shape);
+      if (mesh == nullptr || !mesh->uri.written || mesh->uri.span.nowhere()) return;
+      const std::string path = moved_path(mesh->uri.value);
+      if (path != mesh->uri.value) edits.push_back({mesh->uri.span, path});
+    };
+    for (const model::Collision& each : gripper_->root().collisions) move(each.geometry);
+    for (const model::Visual& each : gripper_->root().visuals) move(each.geometry);
+    return edits;
+  }
+
+  /// Without the materials of the robot that the arm has already.
+  void merge_materials(std::vector<Edit>& edits) {
+    std::map<std::string, std::string> of_arm;
+    const auto look_of = [](const EditedModel& edited, const model::RobotMaterial& material) {
+      std::string look;
+      for (const xml::Element child : edited.element(material.site).children()) {
+        look += child.name();
+        for (const xml::Attribute attribute : child.attributes()) look += attribute.value();
+      }
+      return look;
+    };
+    for (const model::RobotMaterial& each : arm_.root().materials)
+      of_arm.emplace(each.name.value, look_of(arm_, each));
+    for (const model::RobotMaterial& each : gripper_->root().materials) {
+      const auto same = of_arm.find(each.name.value);
+      if (same == of_arm.end()) continue;
+      if (same->second != look_of(*gripper_, each)) {
+        rename_material(each.name.value, edits);
+      } else {
+        append(edits, xml::remove_element(gripper_->document(), gripper_->element(each.site)));
+      }
+    }
+  }
+
+  void rename_material(const std::string& name, std::vector<Edit>& edits) const {
+    for (std::uint32_t i = 0; i < gripper_->document().element_count(); ++i) {
+      const xml::Element element = gripper_->document().element(i);
+      const auto attribute = element.attribute("name");
+      if (element.name() != "material" || !attribute || attribute->value() != name) continue;
+      edits.push_back({attribute->value_span(), gripper_->robot.name + '_' + name});
+    }
+  }
+
+  Edit urdf_block() {
+    std::vector<Edit> edits = moved_paths();
+    merge_materials(edits);
+    const xml::Element root = gripper_->element(gripper_->root()[gripper_->model].site);
+    const auto end = end_of_content(gripper_->document(), root);
+    const std::uint32_t begin = root.tag_span().end;
+    const std::string unit = xml::indent_unit(arm_.document(), *arm_.document().root());
+    const std::string in = child_indentation(arm_.document(), holder());
+    const std::string line(xml::line_end(arm_.document(), 0));
+    std::string text = fmt::format("{}<joint name=\"{}\" type=\"{}\">{}", in, joint_,
+                                   is_fixed() ? "fixed" : "revolute", line);
+    const auto add = [&](const std::string& xml) { text += in + unit + xml + line; };
+    add(fmt::format("<origin xyz=\"{}\" rpy=\"{}\"/>", xyz_text(request_.X_LG),
+                    rpy_text(request_.X_LG)));
+    add(fmt::format("<parent link=\"{}\"/>", request_.link));
+    add(fmt::format("<child link=\"{}\"/>", child_name()));
+    if (!is_fixed()) {
+      add("<axis xyz=\"0 0 1\"/>");
+      add(fmt::format("<limit lower=\"{}\" upper=\"{}\" effort=\"{}\" velocity=\"{}\"/>",
+                      schema::to_shortest(request_.lower), schema::to_shortest(request_.upper),
+                      schema::to_shortest(request_.effort),
+                      schema::to_shortest(request_.velocity)));
+    }
+    text += in + "</joint>" + line;
+    if (end) text += trimmed_lines(part_after(gripper_->document(), begin, *end, std::move(edits)));
+    return *block_at_end(arm_.document(), holder(), std::move(text));
+  }
+
+  Edit sdf_block() {
+    const model::Model& model = gripper_->root()[gripper_->model];
+    const xml::Element element = gripper_->element(model.site);
+    std::vector<Edit> edits = moved_paths();
+    append(edits, xml::set_attribute(gripper_->document(), element, "name", name_));
+    if (const auto pose = element.child("pose"))
+      append(edits, xml::remove_element(gripper_->document(), *pose));
+    const bool frames = arm_.root()[arm_.model].version >= 7;
+    const Pose X_ML = compose(inverse(*arm_.frames.pose(arm_.model)),
+                              *arm_.frames.pose(arm_.link(request_.link)));
+    const Pose X = frames ? request_.X_LG : compose(X_ML, request_.X_LG);
+    const std::string attribute =
+        frames ? fmt::format(" relative_to=\"{}\"", request_.link) : std::string();
+    const std::string in = child_indentation(arm_.document(), holder());
+    const std::string line(xml::line_end(arm_.document(), 0));
+    const std::string unit = xml::indent_unit(arm_.document(), *arm_.document().root());
+    const std::uint32_t tag_end = element.tag_span().end;
+    edits.push_back({{gripper_->document().source(), tag_end, tag_end},
+                     fmt::format("{}{}<pose{}>{} {}</pose>", line, in + unit, attribute,
+                                 xyz_text(X), rpy_text(X))});
+    std::string text = in +
+                       part_after(gripper_->document(), element.span().begin, element.span().end,
+                                  std::move(edits)) +
+                       line;
+    text += fmt::format("{}<joint name=\"{}\" type=\"{}\">{}", in, joint_,
+                        is_fixed() ? "fixed" : "revolute", line);
+    const auto add = [&](const std::string& xml) { text += in + unit + xml + line; };
+    add(fmt::format("<parent>{}</parent>", request_.link));
+    add(fmt::format("<child>{}</child>", child_name()));
+    if (!is_fixed()) {
+      add(fmt::format(
+          "<axis><xyz{}>0 0 1</xyz><limit><lower>{}</lower><upper>{}</upper>"
+          "<effort>{}</effort><velocity>{}</velocity></limit></axis>",
+          frames ? fmt::format(" expressed_in=\"{}\"", name_) : std::string(),
+          schema::to_shortest(request_.lower), schema::to_shortest(request_.upper),
+          schema::to_shortest(request_.effort), schema::to_shortest(request_.velocity)));
+    }
+    return *block_at_end(arm_.document(), holder(), text + in + "</joint>");
+  }
+
+  bool is_fixed() const { return request_.joint == AttachJoint::kFixed; }
+
+  // --- The law ---
+
+  robot::Robot joined() const {
+    robot::Robot all = arm_.robot;
+    robot::Robot part = gripper_->robot;
+    const std::uint32_t root = roots_of(part).front();
+    const Pose X_GR = root_in_model(part.bodies[root]);
+    // The root hangs on a joint now, whose frame is the link's.
+    describe_in(part, root, compose(inverse(part.bodies[root].X_MB), X_GR));
+    robot::connect(part);
+    if (!arm_.is_urdf()) scope_names(part);
+    for (robot::Body& body : part.bodies) {
+      for (auto* parts : {&body.collisions, &body.visuals}) {
+        for (robot::Part& each : *parts) each.shape.uri = moved_path(each.shape.uri);
+      }
+    }
+    const auto offset = static_cast<std::uint32_t>(all.bodies.size());
+    robot::Joint joint;
+    joint.name = joint_;
+    joint.type = is_fixed() ? model::JointType::kFixed : model::JointType::kRevolute;
+    joint.parent = arm_.body_index(request_.link);
+    joint.child = offset + root;
+    const Pose X_ML = compose(inverse(*arm_.frames.pose(arm_.model)),
+                              *arm_.frames.pose(arm_.link(request_.link)));
+    const Pose X_BL = compose(inverse(all.bodies[joint.parent].X_MB), X_ML);
+    joint.X_PJ = compose(X_BL, compose(request_.X_LG, X_GR));
+    if (!is_fixed()) joint.axes.push_back(axis(X_GR));
+    for (robot::Body& body : part.bodies) all.bodies.push_back(std::move(body));
+    for (robot::Joint& each : part.joints) {
+      each.parent += offset;
+      each.child += offset;
+      all.joints.push_back(std::move(each));
+    }
+    all.joints.push_back(std::move(joint));
+    for (robot::Frame& frame : part.frames) {
+      frame.body += offset;
+      all.frames.push_back(std::move(frame));
+    }
+    robot::connect(all);
+    return all;
+  }
+
+  /// Of the root link in the gripper's model.
+  Pose root_in_model(const robot::Body& root) const {
+    return compose(inverse(*gripper_->frames.pose(gripper_->model)),
+                   *gripper_->frames.pose(gripper_->link(root.name)));
+  }
+
+  robot::Axis axis(const Pose& X_GR) const {
+    robot::Axis axis;
+    axis.direction = rotate(conjugate(X_GR.rotation), {0, 0, 1});
+    axis.lower = request_.lower;
+    axis.upper = request_.upper;
+    axis.effort = request_.effort;
+    axis.velocity = request_.velocity;
+    return axis;
+  }
+
+  void scope_names(robot::Robot& part) const {
+    const auto scope = [this](std::string& name) { name = name_ + "::" + name; };
+    for (robot::Body& body : part.bodies) scope(body.name);
+    for (robot::Joint& joint : part.joints) {
+      scope(joint.name);
+      for (robot::Axis& each : joint.axes) {
+        if (each.follow) scope(each.follow->joint);
+      }
+    }
+    for (robot::Frame& frame : part.frames) scope(frame.name);
+  }
+
+  ModelReader& reader_;
+  const EditedModel& arm_;
+  const EditedModel* gripper_;
+  std::unique_ptr<EditedModel> own_;  ///< the gripper with a prefix
+  const AttachRequest& request_;
+  std::string joint_;  ///< the new joint's name
+  std::string name_;   ///< of the nested model, in SDF
+  std::vector<std::string> notes_;
+};
+
+}  // namespace
+
+Change attached(ModelReader& reader, const EditedModel& arm, const EditedModel& gripper,
+                const AttachRequest& request) {
+  return Attacher(reader, arm, gripper, request).attach();
+}
+
+}  // namespace rigor::author

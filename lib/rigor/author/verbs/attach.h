@@ -1,0 +1,46 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A robot put on a link of another one: a gripper on an arm.
+//
+//   AttachRequest request;
+//   request.link = "tool0";
+//   request.X_LG = {{0, 0, 0.05}, {}};
+//   const Change change = attached(reader, *arm, *gripper, request);
+//
+// In URDF the gripper's elements are copied behind the arm's, in SDF its model is nested in the arm's, each with its
+// comments and layout. G is the gripper's model frame, which in URDF is its root link's. Where a name of the gripper is
+// taken in the arm, all names of the gripper get a prefix; materials of one name that look alike become one. Paths of
+// meshes that are relative lead on to the same files.
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <rigor/author/verbs/change.h>
+#include <rigor/model/pose.h>
+
+namespace rigor::author {
+
+enum class AttachJoint : std::uint8_t {
+  kFixed,
+  kRevolute,  ///< about the z axis of G
+};
+
+struct AttachRequest {
+  std::string link;  ///< of the arm
+  model::Pose X_LG;  ///< of the gripper in the link, m
+  AttachJoint joint = AttachJoint::kFixed;
+  double lower = 0, upper = 0;      ///< rad, of a revolute joint
+  double effort = 0, velocity = 0;  ///< N·m and rad/s, the same
+  std::string
+      prefix;  ///< for the gripper's names; empty: none, or its name and `_` where one is taken
+};
+
+/// Refused: models of two formats, or of two versions of SDF; a gripper that is fixed to the world or has several roots;
+/// templates as the arm, in which a macro is to be called.
+Change attached(ModelReader& reader, const EditedModel& arm, const EditedModel& gripper,
+                const AttachRequest& request);
+
+}  // namespace rigor::author

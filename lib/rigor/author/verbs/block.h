@@ -1,0 +1,45 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Elements copied from one place to another with their bytes: comments and layout are the author's.
+//
+//   std::string text = part_after(document, begin, end, edits);   // of the copy
+//   Edit edit = *block_at_end(document, holder, text);
+//
+// Private to the room.
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <rigor/model/pose.h>
+#include <rigor/text/edit.h>
+#include <rigor/xml/document.h>
+
+namespace rigor::author {
+
+/// Where an element's end tag begins, or its line where nothing else stands there; nothing in `<a/>`.
+std::optional<std::uint32_t> end_of_content(const xml::Document& document, xml::Element element);
+
+/// The bytes from one offset to another, after those of the edits that lie in between.
+std::string part_after(const xml::Document& document, std::uint32_t begin, std::uint32_t end,
+                       std::vector<Edit> edits);
+
+/// The text, whole lines with the indentation that it has, as the last content of an element; nothing in `<a/>`.
+std::optional<Edit> block_at_end(const xml::Document& document, xml::Element holder,
+                                 std::string text);
+
+/// What the children of an element begin with.
+std::string child_indentation(const xml::Document& document, xml::Element holder);
+
+/// Without white space at its end and empty lines at its beginning.
+std::string trimmed_lines(std::string text);
+
+/// Numbers of a pose, in m and rad: "x y z" and "roll pitch yaw".
+std::string xyz_text(const model::Pose& X);
+std::string rpy_text(const model::Pose& X);
+
+}  // namespace rigor::author

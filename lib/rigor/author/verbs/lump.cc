@@ -1,0 +1,387 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/author/verbs/lump.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include <rigor/author/verbs/block.h>
+#include <rigor/author/verbs/draft.h>
+#include <rigor/author/verbs/placed.h>
+#include <rigor/author/verbs/robot_laws.h>
+#include <rigor/robot/lumping.h>
+#include <rigor/schema/value.h>
+#include <rigor/xml/edit.h>
+#include <rigor/xml/style.h>
+
+namespace rigor::author {
+namespace {
+
+using model::Id;
+using model::JointType;
+using model::Pose;
+
+/// "collision arm/shell": a part by its kind, link and name.
+using PartKey = std::pair<std::string, std::string>;
+
+class Lumper {
+ public:
+  Lumper(const EditedModel& edited, const std::vector<std::string>& links)
+      : edited_(edited), root_(edited.root()), draft_(edited), links_(links) {}
+
+  Change lump() {
+    if (edited_.loaded.file->expanded) return refusal("it is a template");
+    if (const auto included = included_part(edited_))
+      return refusal("a part of it is in " + *included);
+    if (!edited_.is_urdf() && root_[edited_.model].version < 7)
+      return refusal("SDF has frames since 1.7: upgrade it first");
+    if (std::string fault = find_holders(); !fault.empty()) return refusal(std::move(fault));
+    rename_parts();
+    move_contents();
+    edited_.is_urdf() ? rewrite_urdf() : rewrite_sdf();
+    Change change;
+    change.steps = draft_.take();
+    change.expected = law();
+    for (const auto& [link, holder] : held_by_)
+      change.notes.push_back(fmt::format("link {} is part of {} now", link, holder));
+    change.asks_for_setting = [](const robot::Difference&) { return true; };
+    return change;
+  }
+
+ private:
+  std::string find_holders() {
+    const robot::Robot& robot = edited_.robot;
+    const auto is_asked = [&](const std::string& name) {
+      return links_.empty() || std::find(links_.begin(), links_.end(), name) != links_.end();
+    };
+    for (const std::string& name : links_) {
+      const std::uint32_t body = edited_.body_index(name);
+      if (body == robot::kNoIndex) return fmt::format("no link is named '{}'", name);
+      const std::uint32_t carrier = robot.bodies[body].carrier;
+      if (carrier == robot::kNoIndex || robot.joints[carrier].type != JointType::kFixed)
+        return fmt::format("link '{}' is on no fixed joint", name);
+    }
+    for (const std::uint32_t i : robot.order) {
+      const std::uint32_t carrier = robot.bodies[i].carrier;
+      if (carrier == robot::kNoIndex || robot.joints[carrier].type != JointType::kFixed ||
+          !is_asked(robot.bodies[i].name))
+        continue;
+      const std::string& parent = robot.bodies[robot.joints[carrier].parent].name;
+      if (!edited_.link(parent) || parent == robot::kWorldBody) continue;
+      // Frames of nested models would be theirs to write.
+      if ((robot.bodies[i].name + parent).find("::") != std::string::npos) continue;
+      const auto above = held_by_.find(parent);
+      held_by_[robot.bodies[i].name] = above == held_by_.end() ? parent : above->second;
+      joints_.insert(robot.joints[carrier].name);
+    }
+    for (const robot::Joint& joint : robot.joints) {
+      if (joint.closes_loop) return fmt::format("joint '{}' closes a loop", joint.name);
+    }
+    return held_by_.empty() ? "no link is on a fixed joint to another" : "";
+  }
+
+  Id<model::Link> holder_of(Id<model::Link> link) const {
+    const auto held = held_by_.find(edited_.name_of(link));
+    return held == held_by_.end() ? Id<model::Link>{} : edited_.link(held->second);
+  }
+
+  /// Of a link in the frame of its holder, at rest.
+  Pose in_holder(Id<model::Link> link) const {
+    return compose(inverse(*edited_.frames.pose(holder_of(link))), *edited_.frames.pose(link));
+  }
+
+  /// SDF: a collision or visual that its new link has by that name already gets its old link's in front.
+  void rename_parts() {
+    if (edited_.is_urdf()) return;
+    std::set<PartKey> taken;
+    const auto key = [](const std::string& link, const char* kind, const std::string& name) {
+      return PartKey{link + ' ' + kind, name};
+    };
+    const auto each_part = [&](bool held, const auto& use) {
+      for (const std::uint32_t i : edited_.robot.order) {
+        const robot::Body& body = edited_.robot.bodies[i];
+        if (held_by_.contains(body.name) != held) continue;
+        for (const robot::Part& part : body.collisions) use(body.name, "collision", part.name);
+        for (const robot::Part& part : body.visuals) use(body.name, "visual", part.name);
+      }
+    };
+    each_part(false, [&](const std::string& link, const char* kind, const std::string& name) {
+      taken.insert(key(link, kind, name));
+    });
+    each_part(true, [&](const std::string& link, const char* kind, const std::string& name) {
+      const std::string& holder = held_by_.at(link);
+      if (taken.insert(key(holder, kind, name)).second) return;
+      const std::string other = link + '_' + name;
+      taken.insert(key(holder, kind, other));
+      renamed_[key(link, kind, name)] = other;
+    });
+  }
+
+  // --- What links hold ---
+
+  /// In the order in which the law lists it: depth first, by the joints of the file.
+  std::vector<Id<model::Link>> held_downwards() const {
+    std::vector<Id<model::Link>> list;
+    std::vector<std::uint32_t> stack;
+    const robot::Robot& robot = edited_.robot;
+    for (std::uint32_t i = 0; i < robot.bodies.size(); ++i) {
+      if (robot.bodies[i].carrier == robot::kNoIndex) stack.push_back(i);
+    }
+    std::reverse(stack.begin(), stack.end());
+    while (!stack.empty()) {
+      const std::uint32_t i = stack.back();
+      stack.pop_back();
+      if (held_by_.contains(robot.bodies[i].name))
+        list.push_back(edited_.link(robot.bodies[i].name));
+      std::vector<std::uint32_t> carried;
+      for (std::uint32_t k = 0; k < robot.joints.size(); ++k) {
+        const robot::Joint& joint = robot.joints[k];
+        if (joint.parent == i && robot.bodies[joint.child].carrier == k)
+          carried.push_back(joint.child);
+      }
+      stack.insert(stack.end(), carried.rbegin(), carried.rend());
+    }
+    return list;
+  }
+
+  void move_contents() {
+    const std::vector<Id<model::Link>> held = held_downwards();
+    std::map<Id<model::Link>, std::string> blocks;
+    std::vector<Id<model::Link>> order;
+    const std::vector<Edit> edits = poses_in_holders();
+    const xml::Document& document = edited_.document();
+    const std::string line(xml::line_end(document, 0));
+    for (const Id<model::Link> link : held) {
+      const Id<model::Link> holder = holder_of(link);
+      if (!blocks.contains(holder)) order.push_back(holder);
+      std::string& block = blocks[holder];
+      for (const xml::Element child : edited_.element(root_[link].site).children()) {
+        const std::string_view name = child.name();
+        if (name != "collision" && name != "visual" && name != "sensor" && name != "light")
+          continue;
+        if (!block.empty()) block += line;
+        block += xml::indentation(document, child) +
+                 part_after(document, child.span().begin, child.span().end, edits);
+      }
+      draft_.remove(edited_.element(root_[link].site));
+    }
+    for (const Id<model::Link> holder : order) set_holder(holder, blocks[holder]);
+  }
+
+  /// Poses of what the held links hold, as they are in their holders; names, where they are taken.
+  std::vector<Edit> poses_in_holders() {
+    Draft moved(edited_);
+    for (const Placed& each : placed_in(edited_)) {
+      const bool part = each.kind == PlacedKind::kCollision || each.kind == PlacedKind::kVisual ||
+                        each.kind == PlacedKind::kSensor || each.kind == PlacedKind::kLight;
+      if (!part || !each.link || !holder_of(each.link)) continue;
+      const std::string name = edited_.name_of(each.link);
+      if (!edited_.is_urdf()) {
+        if (each.field->relative_to.value.empty())
+          moved.set_pose(*each.field, each.holder, each.field->pose.value, name);
+      } else if (each.kind == PlacedKind::kSensor || each.kind == PlacedKind::kLight) {
+        draft_.set_pose(*each.field, each.holder,
+                        compose(in_holder(each.link), each.field->pose.value));
+      } else {
+        moved.set_pose(*each.field, each.holder,
+                       compose(in_holder(each.link), each.field->pose.value));
+      }
+      const auto attribute = each.holder.attribute("name");
+      if (!attribute) continue;
+      const auto other = renamed_.find(
+          {name + ' ' + std::string(each.holder.name()), std::string(attribute->value())});
+      if (other != renamed_.end()) moved.add({{attribute->value_span(), other->second}});
+    }
+    std::vector<Edit> edits;
+    for (const std::vector<Edit>& step : moved.take()) append(edits, step);
+    return edits;
+  }
+
+  /// What it holds now, and the mass of all.
+  void set_holder(Id<model::Link> holder, const std::string& block) {
+    const xml::Document& document = edited_.document();
+    const xml::Element element = edited_.element(root_[holder].site);
+    const robot::Robot expected = law();
+    const auto body =
+        std::find_if(expected.bodies.begin(), expected.bodies.end(),
+                     [&](const robot::Body& each) { return each.name == edited_.name_of(holder); });
+    const Pose X_LB = compose(inverse(compose(inverse(*edited_.frames.pose(edited_.model)),
+                                              *edited_.frames.pose(holder))),
+                              edited_.robot.bodies[edited_.body_index(body->name)].X_MB);
+    const mass::MassProperties mass = mass::transformed(X_LB, body->mass);
+    const bool changed = !(body->mass == edited_.robot.bodies[edited_.body_index(body->name)].mass);
+    const std::string line(xml::line_end(document, 0));
+    if (xml::is_empty_tag(document, element)) {
+      const std::string in = xml::indentation(document, element);
+      const std::string unit = xml::indent_unit(document, element);
+      std::string text;
+      if (changed) text += indented(inertial(mass), in + unit, line) + line;
+      if (!block.empty()) text += block + line;
+      const Span tag = element.tag_span();
+      const auto slash = static_cast<std::uint32_t>(
+          document.bytes().substr(0, tag.end).find_last_not_of(" \t/>") + 1);
+      if (!text.empty())
+        draft_.add({{{tag.source, slash, tag.end},
+                     '>' + line + text + in + "</" + std::string(element.name()) + '>'}});
+      return;
+    }
+    if (changed) {
+      if (const auto old = element.child("inertial")) {
+        draft_.add(xml::replace_element(document, *old, inertial(mass)));
+      } else {
+        draft_.insert(element, element.child("pose"), inertial(mass));
+      }
+    }
+    if (block.empty()) return;
+    if (auto edit = block_at_end(document, element, block)) draft_.add({*std::move(edit)});
+  }
+
+  static std::string indented(const std::string& text, const std::string& by,
+                              const std::string& line) {
+    std::string result = by;
+    for (const char c : text) {
+      if (c == '\n') {
+        result += line + by;
+      } else {
+        result += c;
+      }
+    }
+    return result;
+  }
+
+  /// With all digits, since the proof compares it with the sum.
+  std::string inertial(const mass::MassProperties& body) const {
+    const auto text = [](double value) { return schema::to_shortest(value + 0.0); };
+    const std::string com =
+        fmt::format("{} {} {}", text(body.com.x), text(body.com.y), text(body.com.z));
+    const mass::Inertia& I = body.about_com;
+    const std::pair<const char*, double> entries[] = {{"ixx", I.ixx}, {"ixy", I.ixy},
+                                                      {"ixz", I.ixz}, {"iyy", I.iyy},
+                                                      {"iyz", I.iyz}, {"izz", I.izz}};
+    std::string tensor;
+    if (edited_.is_urdf()) {
+      for (const auto& [name, value] : entries)
+        tensor += fmt::format(" {}=\"{}\"", name, text(value));
+      return fmt::format(
+          "<inertial>\n  <origin xyz=\"{}\"/>\n  <mass value=\"{}\"/>\n  "
+          "<inertia{}/>\n</inertial>",
+          com, text(body.mass), tensor);
+    }
+    for (const auto& [name, value] : entries)
+      tensor += fmt::format("    <{0}>{1}</{0}>\n", name, text(value));
+    return fmt::format(
+        "<inertial>\n  <pose>{} 0 0 0</pose>\n  <mass>{}</mass>\n  <inertia>\n{}  "
+        "</inertia>\n</inertial>",
+        com, text(body.mass), tensor);
+  }
+
+  // --- What refers to them ---
+
+  void rewrite_urdf() {
+    for (const model::Joint& joint : root_.joints) {
+      if (joints_.contains(joint.name.value)) {
+        draft_.remove(edited_.element(joint.site));
+        continue;
+      }
+      const Id<model::Link> parent = edited_.link(joint.parent.value);
+      if (!parent || !holder_of(parent)) continue;
+      draft_.add({{joint.parent.span, edited_.name_of(holder_of(parent))}});
+      draft_.set_pose(joint.pose, edited_.element(joint.site),
+                      compose(in_holder(parent), joint.pose.pose.value));
+    }
+    for (const model::GazeboBlock& block : root_.gazebo_blocks) {
+      const std::string& name = block.reference.value;
+      if (const auto held = held_by_.find(name); held != held_by_.end()) {
+        draft_.add({{block.reference.span, held->second}});
+      } else if (joints_.contains(name)) {
+        draft_.remove(edited_.element(block.site));
+      }
+    }
+  }
+
+  /// The links and their joints stay as frames.
+  void rewrite_sdf() {
+    for (std::uint32_t i = 0; i < root_.links.size(); ++i) {
+      const model::Link& link = root_.links[i];
+      if (!edited_.inside(link.model) || !holder_of({i})) continue;
+      frame(link.site, link.name.value, edited_.name_of(holder_of({i})), link.pose, "__model__");
+    }
+    for (const model::Joint& joint : root_.joints) {
+      if (!joints_.contains(joint.name.value) || joint.model != edited_.model) continue;
+      const auto& child = edited_.frames.ends(edited_.joint(joint.name.value)).child;
+      draft_.remove(edited_.element(joint.site));
+      frame(joint.site, joint.name.value,
+            edited_.name_of(holder_of(child) ? holder_of(child) : child), joint.pose,
+            joint.child.value);
+    }
+    draft_.add(
+        {*block_at_end(edited_.document(), edited_.element(root_[edited_.model].site), frames_)});
+  }
+
+  void frame(const model::Site& site, const std::string& name, const std::string& holder,
+             const model::PoseField& pose, const std::string& in) {
+    const xml::Document& document = edited_.document();
+    const std::string line(xml::line_end(document, 0));
+    const std::string indent = xml::indentation(document, edited_.element(site));
+    const std::string& frame = pose.relative_to.value.empty() ? in : pose.relative_to.value;
+    if (!frames_.empty()) frames_ += line;
+    frames_ += fmt::format(
+        "{0}<frame name=\"{1}\" attached_to=\"{2}\">{3}{0}{4}<pose relative_to=\"{5}\">{6} {7}"
+        "</pose>{3}{0}</frame>",
+        indent, xml::escaped(name), xml::escaped(holder), line,
+        xml::indent_unit(document, edited_.element(site)), xml::escaped(frame),
+        xyz_text(pose.pose.value), rpy_text(pose.pose.value));
+  }
+
+  // --- The law ---
+
+  robot::Robot law() const {
+    robot::Robot before = edited_.robot;
+    for (robot::Body& body : before.bodies) {
+      const auto rename = [&](std::vector<robot::Part>& parts, const char* kind) {
+        for (robot::Part& part : parts) {
+          const auto other = renamed_.find({body.name + ' ' + kind, part.name});
+          if (other != renamed_.end()) part.name = other->second;
+        }
+      };
+      rename(body.collisions, "collision");
+      rename(body.visuals, "visual");
+    }
+    robot::Robot after = robot::with_embedded(before, held_by_);
+    if (edited_.is_urdf()) after.frames.clear();
+    // SDF: the body's frame was its joint's; what stays by its name is the link's.
+    for (robot::Frame& frame : after.frames) {
+      const Id<model::Link> link = edited_.link(frame.name);
+      frame.of_joint = false;
+      if (!link || !held_by_.contains(frame.name)) continue;
+      const robot::Body& body = edited_.robot.bodies[edited_.body_index(frame.name)];
+      const Pose X_ML =
+          compose(inverse(*edited_.frames.pose(edited_.model)), *edited_.frames.pose(link));
+      frame.X_BF = compose(frame.X_BF, compose(inverse(body.X_MB), X_ML));
+    }
+    return after;
+  }
+
+  const EditedModel& edited_;
+  const model::Root& root_;
+  Draft draft_;
+  const std::vector<std::string>& links_;
+  std::map<std::string, std::string> held_by_;  ///< links, by name, and the one each is part of
+  std::set<std::string> joints_;                ///< that go
+  std::map<PartKey, std::string> renamed_;
+  std::string frames_;
+};
+
+}  // namespace
+
+Change lumped(const EditedModel& edited, const std::vector<std::string>& links) {
+  return Lumper(edited, links).lump();
+}
+
+}  // namespace rigor::author

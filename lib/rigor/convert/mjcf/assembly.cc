@@ -1,0 +1,220 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/convert/mjcf/assembly.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <utility>
+
+#include <rigor/mass/nearest.h>
+#include <rigor/robot/lumping.h>
+
+namespace rigor::convert {
+namespace {
+
+using model::JointType;
+using model::Pose;
+using robot::kNoIndex;
+using robot::Robot;
+
+/// Makes a name that no other has by a number behind it.
+class UniqueNames {
+ public:
+  std::string add(const std::string& name) {
+    std::string result = name;
+    for (int n = 2; !taken_.insert(result).second; ++n) result = name + '_' + std::to_string(n);
+    return result;
+  }
+
+ private:
+  std::set<std::string> taken_;
+};
+
+/// Each link on fixed joints → the first body above it that moves, or that nothing carries.
+std::map<std::string, std::string> lumped(const Robot& robot) {
+  std::vector<std::uint32_t> holder(robot.bodies.size(), kNoIndex);
+  std::map<std::string, std::string> held_by;
+  for (const std::uint32_t i : robot.order) {
+    holder[i] = i;
+    const std::uint32_t carrier = robot.bodies[i].carrier;
+    if (carrier == kNoIndex || robot.joints[carrier].type != JointType::kFixed) continue;
+    const std::uint32_t parent = robot.joints[carrier].parent;
+    if (robot.bodies[parent].name == robot::kWorldBody) continue;
+    holder[i] = holder[parent];
+    held_by.emplace(robot.bodies[i].name, robot.bodies[holder[i]].name);
+  }
+  return held_by;
+}
+
+class MjcfAssembler {
+ public:
+  MjcfAssembler(const MjcfSource& source, const MjcfOptions& options)
+      : source_(source), options_(options) {}
+
+  MjcfAssembly assemble(const std::vector<model::Id<model::Model>>& models) {
+    for (std::uint32_t i = 0; i < models.size(); ++i) {
+      Robot robot =
+          robot_of(source_.source.root, source_.source.frames, models[i], source_.lookups);
+      const bool fixes = robot.is_static.value_or(false) || options_.base == MjcfBase::kWorld;
+      result_.any_static |= robot.is_static.value_or(false);
+      if (robot.is_static.value_or(false)) freeze(robot);
+      if (options_.fixed == MjcfFixed::kLump) lump(robot);
+      add(robot, i, models.size() > 1 ? robot.name + "::" : std::string(), fixes);
+    }
+    add_world();
+    robot::connect(result_.robot);
+    move_inertias();
+    return std::move(result_);
+  }
+
+ private:
+  /// Whatever its joints are, a static model does not move.
+  static void freeze(Robot& robot) {
+    for (robot::Joint& joint : robot.joints) {
+      if (joint.closes_loop) continue;
+      joint.type = JointType::kFixed;
+      joint.axes.clear();
+    }
+  }
+
+  void lump(Robot& robot) {
+    std::map<std::string, std::string> held_by = lumped(robot);
+    robot = robot::with_embedded(robot, held_by);
+    result_.held_by.merge(held_by);
+  }
+
+  void add(const Robot& robot, std::uint32_t model, const std::string& prefix, bool fixes) {
+    Robot& all = result_.robot;
+    if (all.name.empty()) all.name = robot.name;
+    const Pose X_WM = robot.X_WM.value_or(Pose{});
+    std::vector<std::uint32_t> index(robot.bodies.size(), kNoIndex);
+    std::vector<std::uint32_t> roots;
+    for (std::uint32_t i = 0; i < robot.bodies.size(); ++i) {
+      robot::Body body = robot.bodies[i];
+      const bool is_root = body.carrier == kNoIndex;
+      if (is_root && body.name == robot::kWorldBody) {
+        index[i] = kWorld;
+        world_parts(std::move(body));
+        continue;
+      }
+      index[i] = static_cast<std::uint32_t>(all.bodies.size());
+      body.name = body_names_.add(prefix + body.name);
+      body.X_MB = compose(X_WM, body.X_MB);
+      all.bodies.push_back(std::move(body));
+      result_.model_of.push_back(model);
+      if (is_root) roots.push_back(index[i]);
+    }
+    for (robot::Joint joint : robot.joints) {
+      joint.name = joint_names_.add(prefix + joint.name);
+      joint.parent = index[joint.parent];
+      joint.child = index[joint.child];
+      if (joint.parent == kWorld) joint.X_PJ = compose(X_WM, joint.X_PJ);
+      for (robot::Axis& axis : joint.axes) {
+        if (axis.follow) axis.follow->joint = prefix + axis.follow->joint;
+      }
+      all.joints.push_back(std::move(joint));
+    }
+    for (robot::Frame frame : robot.frames) {
+      if (frame.body == kNoIndex) continue;
+      frame.body = index[frame.body];
+      frame.name = prefix + frame.name;
+      if (frame.body == kWorld) frame.X_BF = compose(X_WM, frame.X_BF);
+      all.frames.push_back(std::move(frame));
+    }
+    for (const std::string& unknown : robot.unknown) all.unknown.push_back(prefix + unknown);
+    if (!fixes) return;
+    for (const std::uint32_t root : roots) fix_to_world(root);
+  }
+
+  void fix_to_world(std::uint32_t root) {
+    robot::Joint joint;
+    joint.type = JointType::kFixed;
+    joint.parent = kWorld;
+    joint.child = root;
+    joint.X_PJ = result_.robot.bodies[root].X_MB;
+    joint.name = joint_names_.add(result_.robot.bodies[root].name + "_to_world");
+    result_.robot.joints.push_back(std::move(joint));
+  }
+
+  /// A URDF's link of that name may have shapes.
+  void world_parts(robot::Body body) {
+    const auto move = [](std::vector<robot::Part>& from, std::vector<robot::Part>& to) {
+      std::move(from.begin(), from.end(), std::back_inserter(to));
+    };
+    move(body.collisions, world_.collisions);
+    move(body.visuals, world_.visuals);
+    if (world_.span.nowhere()) world_.span = body.span;
+  }
+
+  void add_world() {
+    Robot& all = result_.robot;
+    result_.world = static_cast<std::uint32_t>(all.bodies.size());
+    world_.name = robot::kWorldBody;
+    all.bodies.push_back(std::move(world_));
+    result_.model_of.push_back(kNoIndex);
+    for (robot::Joint& joint : all.joints) {
+      if (joint.parent == kWorld) joint.parent = result_.world;
+      if (joint.child == kWorld) joint.child = result_.world;
+    }
+    for (robot::Frame& frame : all.frames) {
+      if (frame.body == kWorld) frame.body = result_.world;
+    }
+  }
+
+  /// From the leaves up. A sensor's link that somebody gave a mass and a rough tensor is common, and what it
+  /// is fixed to moves with it.
+  void move_inertias() {
+    Robot& robot = result_.robot;
+    const std::vector<bool> fixed = fixed_to_world(robot, result_.world);
+    for (auto at = robot.order.rbegin(); at != robot.order.rend(); ++at) {
+      robot::Body& body = robot.bodies[*at];
+      if (*at == result_.world || mass::judge(body.mass).possible()) continue;
+      const auto moments = mass::principal_moments(body.mass.about_com);
+      if (fixed[*at]) {
+        const auto nearest = mass::nearest_possible(body.mass.about_com);
+        body.mass.about_com = nearest.value_or(mass::Inertia{});
+        body.mass.mass = std::max(body.mass.mass, 0.0);
+        result_.moved_inertias.push_back({*at, result_.world, moments});
+        continue;
+      }
+      if (body.carrier == kNoIndex) continue;
+      const robot::Joint& joint = robot.joints[body.carrier];
+      robot::Body& parent = robot.bodies[joint.parent];
+      if (joint.type != JointType::kFixed || !std::isfinite(moments[0])) continue;
+      parent.mass = mass::add(parent.mass, mass::transformed(joint.X_PJ, body.mass));
+      body.mass = {};
+      result_.moved_inertias.push_back({*at, joint.parent, moments});
+    }
+  }
+
+  static constexpr std::uint32_t kWorld = kNoIndex - 1;  // until its index is known
+
+  const MjcfSource& source_;
+  const MjcfOptions& options_;
+  MjcfAssembly result_;
+  robot::Body world_;
+  UniqueNames body_names_, joint_names_;
+};
+
+}  // namespace
+
+MjcfAssembly mjcf_assembly(const MjcfSource& source, const MjcfOptions& options,
+                           const std::vector<model::Id<model::Model>>& models) {
+  return MjcfAssembler(source, options).assemble(models);
+}
+
+std::vector<bool> fixed_to_world(const Robot& robot, std::uint32_t world) {
+  std::vector<bool> fixed(robot.bodies.size());
+  for (const std::uint32_t i : robot.order) {
+    const std::uint32_t carrier = robot.bodies[i].carrier;
+    fixed[i] =
+        i == world || (carrier != kNoIndex && robot.joints[carrier].type == JointType::kFixed &&
+                       fixed[robot.joints[carrier].parent]);
+  }
+  return fixed;
+}
+
+}  // namespace rigor::convert

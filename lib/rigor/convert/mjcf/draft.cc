@@ -1,0 +1,22 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/convert/mjcf/draft.h>
+
+namespace rigor::convert {
+
+MjcfEntities::MjcfEntities(const model::Root& root) {
+  for (const auto& link : root.links) links_.try_emplace(key(link.site.tag), &link);
+  for (const auto& joint : root.joints) joints_.try_emplace(key(joint.site.tag), &joint);
+  for (const auto& each : root.collisions) collisions_.try_emplace(key(each.site.tag), &each);
+  for (const auto& each : root.visuals) visuals_.try_emplace(key(each.site.tag), &each);
+}
+
+std::string MjcfDraft::name_for(std::string_view kind, const std::string& name) {
+  std::set<std::string>& taken = names[std::string(kind)];
+  std::string result = name;
+  for (int n = 2; !taken.insert(result).second; ++n) result = name + '_' + std::to_string(n);
+  return result;
+}
+
+}  // namespace rigor::convert

@@ -1,0 +1,125 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// An MJCF file in the making; private to the room. `to_mjcf` decides on models and tree; what a body and a
+// joint hold is converted here, part by part.
+
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include <rigor/convert/ledger.h>
+#include <rigor/convert/mjcf/assembly.h>
+#include <rigor/convert/mjcf/element.h>
+#include <rigor/convert/to_mjcf.h>
+
+namespace rigor::convert {
+
+/// Entities of the source by the start tag that a body, joint or part of a robot names. One that is
+/// included twice is there once: it is written once.
+class MjcfEntities {
+ public:
+  explicit MjcfEntities(const model::Root& root);
+
+  const model::Link* link(Span tag) const { return find(links_, tag); }
+  const model::Joint* joint(Span tag) const { return find(joints_, tag); }
+  const model::Collision* collision(Span tag) const { return find(collisions_, tag); }
+  const model::Visual* visual(Span tag) const { return find(visuals_, tag); }
+
+ private:
+  using Key = std::pair<SourceId, std::uint32_t>;
+  static Key key(Span tag) { return {tag.source, tag.begin}; }
+  template <class T>
+  static const T* find(const std::map<Key, const T*>& map, Span tag) {
+    const auto found = map.find(key(tag));
+    return tag.nowhere() || found == map.end() ? nullptr : found->second;
+  }
+
+  std::map<Key, const model::Link*> links_;
+  std::map<Key, const model::Joint*> joints_;
+  std::map<Key, const model::Collision*> collisions_;
+  std::map<Key, const model::Visual*> visuals_;
+};
+
+/// One MuJoCo joint: what of the robot it is, for what refers to it.
+struct MjcfDegree {
+  std::string name;
+  double home = 0;  ///< rad or m in the keyframe
+};
+
+struct MjcfDraft {
+  const MjcfSource& source;
+  const MjcfOptions& options;
+  Ledger& ledger;
+  const MjcfAssembly& assembly;
+  MjcfEntities entities;
+  std::vector<bool> fixed;  ///< bodies that never move
+
+  MjcfElement asset{"asset"}, equality{"equality"}, actuator{"actuator"}, sensor{"sensor"};
+  std::vector<SideFile> files;
+  /// Of each joint of the robot: a name for each of its axes; one of a ball or a free joint.
+  std::vector<std::vector<std::string>> joint_names;
+  double next_to_nothing = 0;  ///< kg
+
+  std::map<std::string, std::set<std::string>, std::less<>> names = {};  ///< by kind: "geom"
+  std::map<std::string, std::string> mesh_names = {};  ///< of what was written, by what it holds
+  std::map<std::string, std::string> material_names = {};  ///< by name and color
+
+  const model::Root& root() const { return source.source.root; }
+  const robot::Robot& robot() const { return assembly.robot; }
+  /// The name, or one with a number behind it where an element of that kind has it.
+  std::string name_for(std::string_view kind, const std::string& name);
+};
+
+// --- bodies ---
+
+/// Its inertial element; nothing for a body without mass that a parent carries.
+std::vector<MjcfElement> mjcf_inertial(MjcfDraft& draft, std::uint32_t body);
+
+/// What the assembly did to inertias.
+void tell_moved_inertias(MjcfDraft& draft);
+
+/// The joints by which it hangs on its parent.
+std::vector<MjcfElement> mjcf_joints(MjcfDraft& draft, std::uint32_t joint);
+
+/// Collisions and visuals.
+std::vector<MjcfElement> mjcf_geoms(MjcfDraft& draft, std::uint32_t body);
+
+/// Sites, cameras and the sensors on them: of the sensors of its link, and of the joint that carries it.
+std::vector<MjcfElement> mjcf_sensors(MjcfDraft& draft, std::uint32_t body);
+
+// --- what refers to joints ---
+
+/// Mimic joints, screws, joints that cannot move, and loops.
+void add_mjcf_equalities(MjcfDraft& draft);
+
+void add_mjcf_actuators(MjcfDraft& draft);
+
+/// Names of the joints' degrees, for all of them.
+std::vector<std::vector<std::string>> mjcf_joint_names(MjcfDraft& draft);
+
+/// rad or m: 0, or the limit that is next to it; what follows is where its leader puts it.
+robot::Positions home_positions(const robot::Robot& robot);
+
+// --- the account ---
+
+/// Takes what every model, link and joint says of itself in the words that MJCF has; what else they say is
+/// lost when the account is closed.
+void take_mjcf_model(MjcfDraft& draft, model::Id<model::Model> model);
+void take_mjcf_joint(MjcfDraft& draft, const model::Joint& joint);
+
+/// The note's kind for an element that no code took.
+NoteKind mjcf_kind_of(xml::Element element);
+
+/// The name of the asset that represents a shape which MuJoCo has as a mesh; empty when there is none, with
+/// a note. `use` is "visual" or "collision".
+std::string mjcf_mesh(MjcfDraft& draft, const robot::Part& part, std::string_view use,
+                      const std::string& subject, Span where);
+
+}  // namespace rigor::convert

@@ -1,0 +1,140 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// attach: the text that comes out, and poses composed by hand.
+
+#include <rigor/author/verbs/attach.h>
+
+#include <gtest/gtest.h>
+
+#include <rigor/author/verbs/remove.h>
+
+#include "author/verbs/verb_bench.h"
+
+namespace rigor::author {
+namespace {
+
+constexpr const char* kCarrierArm = R"(<robot name="arm">
+  <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
+  <link name="base"/>
+  <joint name="j" type="fixed">
+    <origin xyz="0 0 1"/><parent link="base"/><child link="tool"/>
+  </joint>
+  <link name="tool"/>
+</robot>
+)";
+
+constexpr const char* kJaws = R"(<robot name="jaws">
+	<!-- two fingers -->
+	<material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
+	<link name="base">
+		<visual><geometry><mesh filename="meshes/base.stl"/></geometry><material name="grey"/></visual>
+	</link>
+	<joint name="j" type="prismatic">
+		<origin xyz="0 0.1 0"/><parent link="base"/><child link="finger"/>
+		<axis xyz="0 1 0"/><limit lower="0" upper="0.1" effort="1" velocity="1"/>
+	</joint>
+	<link name="finger"/>
+</robot>
+)";
+
+TEST(Attach, AUrdfWithTakenNames) {
+  VerbBench bench({{"arm/arm.urdf", kCarrierArm}, {"jaws/jaws.urdf", kJaws}});
+  const EditedModel& arm = bench.open("arm/arm.urdf");
+  const EditedModel& jaws = bench.open("jaws/jaws.urdf");
+  AttachRequest request;
+  request.link = "tool";
+  request.X_LG = {{0, 0, 0.25}, {}};
+  const std::string text = bench.text(arm, attached(bench.reader(), arm, jaws, request));
+  const std::string source = kCarrierArm;
+  EXPECT_EQ(text, source.substr(0, source.find("</robot>")) +
+                      R"(  <joint name="tool_to_jaws" type="fixed">
+    <origin xyz="0 0 0.25" rpy="0 0 0"/>
+    <parent link="tool"/>
+    <child link="jaws_base"/>
+  </joint>
+	<!-- two fingers -->
+	<link name="jaws_base">
+		<visual><geometry><mesh filename="../jaws/meshes/base.stl"/></geometry><material name="grey"/></visual>
+	</link>
+	<joint name="jaws_j" type="prismatic">
+		<origin xyz="0 0.1 0"/><parent link="jaws_base"/><child link="jaws_finger"/>
+		<axis xyz="0 1 0"/><limit lower="0" upper="0.1" effort="1" velocity="1"/>
+	</joint>
+	<link name="jaws_finger"/>
+</robot>
+)");
+  const EditedModel& whole = bench.open_text("arm/arm.urdf", text);
+  const auto finger = whole.robot.bodies[whole.body_index("jaws_finger")].X_MB.translation;
+  EXPECT_EQ(finger, (model::Vector3{0, 0.1, 1.25}));
+  const std::string back = bench.text(whole, removed(whole, "jaws_base", Subtree::kRemoved, {}));
+  EXPECT_EQ(VerbBench::words(
+                differences_at_rounding(arm.robot, bench.open_text("arm/arm.urdf", back).robot)),
+            "");
+}
+
+TEST(Attach, MaterialsOfOneNameThatLookDifferent) {
+  std::string green = kJaws;
+  green.replace(green.find("0.5 0.5 0.5 1"), 13, "0 1 0 1");
+  VerbBench bench({{"arm.urdf", kCarrierArm}, {"jaws.urdf", green}});
+  const EditedModel& arm = bench.open("arm.urdf");
+  AttachRequest request;
+  request.link = "tool";
+  const std::string text =
+      bench.text(arm, attached(bench.reader(), arm, bench.open("jaws.urdf"), request));
+  EXPECT_NE(text.find(R"(<material name="jaws_grey"><color rgba="0 1 0 1"/>)"), std::string::npos);
+  EXPECT_NE(text.find(R"(<material name="jaws_grey"/></visual>)"), std::string::npos);
+}
+
+TEST(Attach, AnSdfModelIsNested) {
+  constexpr const char* kBase = R"(<sdf version="1.9"><model name="arm">
+  <link name="tool"><pose>0 0 1 0 0 0</pose></link>
+</model></sdf>
+)";
+  constexpr const char* kHand = R"(<sdf version="1.9">
+  <model name="hand">
+    <pose>7 7 7 0 0 0</pose>
+    <link name="palm"><pose>0 0 0.5 0 0 0</pose></link> <!-- palm -->
+  </model>
+</sdf>
+)";
+  VerbBench bench({{"arm.sdf", kBase}, {"hand.sdf", kHand}});
+  const EditedModel& arm = bench.open("arm.sdf");
+  AttachRequest request;
+  request.link = "tool";
+  request.X_LG = {{0.25, 0, 0}, {}};
+  request.joint = AttachJoint::kRevolute;
+  request.lower = -1, request.upper = 1, request.effort = 2, request.velocity = 3;
+  const std::string text =
+      bench.text(arm, attached(bench.reader(), arm, bench.open("hand.sdf"), request));
+  const robot::Robot& whole = bench.open_text("arm.sdf", text).robot;
+  ASSERT_EQ(whole.bodies.size(), 2U);
+  EXPECT_EQ(whole.bodies[1].name, "hand::palm");
+  const auto palm = whole.bodies[1].X_MB.translation;
+  EXPECT_EQ(palm, (model::Vector3{0.25, 0, 1.5})) << text;
+  EXPECT_NE(text.find("<!-- palm -->"), std::string::npos);
+  EXPECT_EQ(text.find("7 7 7"), std::string::npos);
+  ASSERT_EQ(whole.joints.size(), 1U);
+  EXPECT_EQ(whole.joints[0].axes[0].direction, (model::Vector3{0, 0, 1}));
+}
+
+TEST(Attach, WhatItRefuses) {
+  VerbBench bench(
+      {{"arm.urdf", kCarrierArm},
+       {"m.sdf", R"(<sdf version="1.9"><model name="m"><link name="a"/></model></sdf>)"},
+       {"w.urdf", R"(<robot name="w"><link name="world"/><link name="a"/>
+<joint name="j" type="fixed"><parent link="world"/><child link="a"/></joint></robot>)"}});
+  const EditedModel& arm = bench.open("arm.urdf");
+  AttachRequest request;
+  request.link = "tool";
+  const auto why = [&](const char* path) {
+    return attached(bench.reader(), arm, bench.open(path), request).refused;
+  };
+  EXPECT_EQ(why("m.sdf"), "one is SDF and one URDF: convert one of them first");
+  EXPECT_EQ(why("w.urdf"), "w.urdf is fixed to the world: extract its base link first");
+  request.link = "flange";
+  EXPECT_EQ(why("arm.urdf"), "no link is named 'flange'");
+}
+
+}  // namespace
+}  // namespace rigor::author

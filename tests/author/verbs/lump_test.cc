@@ -1,0 +1,105 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// lump: sums by hand, and where things end up.
+
+#include <rigor/author/verbs/lump.h>
+
+#include <gtest/gtest.h>
+
+#include "author/verbs/verb_bench.h"
+
+namespace rigor::author {
+namespace {
+
+TEST(Lump, AUrdfsFixedJoints) {
+  constexpr const char* kTower = R"(<robot name="tower">
+  <link name="base"/>
+  <joint name="plate_joint" type="fixed">
+    <origin xyz="0 0 1"/><parent link="base"/><child link="plate"/>
+  </joint>
+  <link name="plate">
+    <inertial>
+      <origin xyz="0 0 0.5"/>
+      <mass value="2"/>
+      <inertia ixx="0.5" iyy="0.5" izz="0.25" ixy="0" ixz="0" iyz="0"/>
+    </inertial>
+    <visual>
+      <!-- the plate -->
+      <geometry><box size="1 1 1"/></geometry>
+    </visual>
+  </link>
+  <joint name="turn" type="continuous">
+    <origin xyz="0 0 0.5"/><parent link="plate"/><child link="top"/><axis xyz="0 0 1"/>
+  </joint>
+  <link name="top"/>
+  <gazebo reference="plate"><mu1>0.5</mu1></gazebo>
+</robot>
+)";
+  VerbBench bench({{"tower.urdf", kTower}});
+  const EditedModel& tower = bench.open("tower.urdf");
+  EXPECT_EQ(bench.text(tower, lumped(tower, {})), R"(<robot name="tower">
+  <link name="base">
+    <inertial>
+      <origin xyz="0 0 1.5"/>
+      <mass value="2"/>
+      <inertia ixx="0.5" ixy="0" ixz="0" iyy="0.5" iyz="0" izz="0.25"/>
+    </inertial>
+    <visual>
+      <origin xyz="0 0 1" rpy="0 0 0"/>
+      <!-- the plate -->
+      <geometry><box size="1 1 1"/></geometry>
+    </visual>
+  </link>
+  <joint name="turn" type="continuous">
+    <origin xyz="0 0 1.5"/><parent link="base"/><child link="top"/><axis xyz="0 0 1"/>
+  </joint>
+  <link name="top"/>
+  <gazebo reference="base"><mu1>0.5</mu1></gazebo>
+</robot>
+)");
+}
+
+TEST(Lump, InSdfAFrameStaysWhereTheLinkWas) {
+  constexpr const char* kSdf = R"(<sdf version="1.9"><model name="m">
+  <link name="a">
+    <inertial><mass>1</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>
+    <visual name="v"><geometry><box><size>1 1 1</size></box></geometry></visual>
+  </link>
+  <link name="b">
+    <pose>2 0 0 0 0 0</pose>
+    <inertial><mass>1</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>
+    <visual name="v"><geometry><sphere><radius>1</radius></sphere></geometry></visual>
+  </link>
+  <link name="c"><pose relative_to="b">0 0 1 0 0 0</pose></link>
+  <joint name="j" type="fixed"><parent>a</parent><child>b</child></joint>
+  <joint name="k" type="ball"><parent>b</parent><child>c</child></joint>
+</model></sdf>
+)";
+  VerbBench bench({{"m.sdf", kSdf}});
+  const EditedModel& model = bench.open("m.sdf");
+  const std::string text = bench.text(model, lumped(model, {}));
+  const robot::Robot& robot = bench.open_text("m.sdf", text).robot;
+  ASSERT_EQ(robot.bodies.size(), 2U);
+  // Two masses of 1 kg, 2 m apart.
+  EXPECT_EQ(robot.bodies[0].mass.mass, 2);
+  EXPECT_EQ(robot.bodies[0].mass.com, (model::Vector3{1, 0, 0}));
+  EXPECT_EQ(robot.bodies[0].mass.about_com, (mass::Inertia{2, 0, 0, 4, 0, 4}));
+  ASSERT_EQ(robot.bodies[0].visuals.size(), 2U);
+  EXPECT_EQ(robot.bodies[0].visuals[1].name, "b_v");
+  EXPECT_EQ(robot.bodies[0].visuals[1].X_BS.translation, (model::Vector3{2, 0, 0}));
+  EXPECT_NE(text.find("<frame name=\"b\" attached_to=\"a\">"), std::string::npos) << text;
+  EXPECT_NE(text.find("<parent>b</parent><child>c</child>"), std::string::npos) << text;
+}
+
+TEST(Lump, WhatItRefuses) {
+  VerbBench bench(
+      {{"m.sdf", R"(<sdf version="1.6"><model name="m"><link name="a"/></model></sdf>)"},
+       {"r.urdf", R"(<robot name="r"><link name="a"/></robot>)"}});
+  EXPECT_EQ(lumped(bench.open("m.sdf"), {}).refused, "SDF has frames since 1.7: upgrade it first");
+  EXPECT_EQ(lumped(bench.open("r.urdf"), {}).refused, "no link is on a fixed joint to another");
+  EXPECT_EQ(lumped(bench.open("r.urdf"), {"a"}).refused, "link 'a' is on no fixed joint");
+}
+
+}  // namespace
+}  // namespace rigor::author

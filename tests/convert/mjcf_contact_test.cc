@@ -1,0 +1,108 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+#include "convert/mjcf_converted.h"
+
+namespace rigor::test {
+namespace {
+
+struct ContactBits {
+  std::uint32_t type, affinity;
+};
+
+/// MuJoCo's rule (documentation, "Collision detection").
+bool collide(ContactBits a, ContactBits b) {
+  return (a.type & b.affinity) != 0 || (b.type & a.affinity) != 0;
+}
+
+constexpr ContactBits kGround{1, 1};  // of what a scene adds
+
+/// Of a geom, with what its class says.
+ContactBits bits_of(const MjcfConverted& robot, const std::string& geom) {
+  const xml::Element element = robot.named("geom", geom);
+  xml::Element of_class = element;
+  for (const xml::Element each : robot.all("default")) {
+    if (MjcfConverted::attribute(each, "class") == MjcfConverted::attribute(element, "class")) {
+      of_class = *each.child("geom");
+    }
+  }
+  const auto bits = [&](const char* name) {
+    const auto own = element.attribute(name);
+    const auto text = own ? own->value() : of_class.attribute(name)->value();
+    return static_cast<std::uint32_t>(std::stoul(std::string(text)));
+  };
+  return {bits("contype"), bits("conaffinity")};
+}
+
+std::string ball(const std::string& name, const std::string& surface = {}) {
+  return "<collision name='" + name +
+         "'><geometry><sphere><radius>0.1</radius></sphere></geometry>" + surface + "</collision>";
+}
+
+std::string self(bool collides) {
+  return std::string("<self_collide>") + (collides ? "true" : "false") + "</self_collide>";
+}
+
+TEST(MjcfContact, LinksOfOneModelCollideWhereBothMay) {
+  const MjcfConverted robot("<self_collide>true</self_collide>" + mjcf_link("a", ball("a1")) +
+                            mjcf_link("b", ball("b1")) + mjcf_link("c", self(false) + ball("c1")));
+  const ContactBits a = bits_of(robot, "a1"), b = bits_of(robot, "b1"), c = bits_of(robot, "c1");
+  EXPECT_TRUE(collide(a, b));
+  EXPECT_FALSE(collide(a, c));
+  for (const ContactBits each : {a, b, c}) EXPECT_TRUE(collide(each, kGround));
+}
+
+TEST(MjcfContact, SelfCollisionIsOffWhereTheFileSaysNothing) {
+  const std::string links = mjcf_link("a", ball("a1")) + mjcf_link("b", ball("b1"));
+  const MjcfConverted quiet(links);
+  EXPECT_FALSE(collide(bits_of(quiet, "a1"), bits_of(quiet, "b1")));
+  const MjcfConverted all(links, {.self_collision = convert::MjcfSelfCollision::kAll});
+  EXPECT_TRUE(collide(bits_of(all, "a1"), bits_of(all, "b1")));
+}
+
+TEST(MjcfContact, ModelsOfAWorldCollideWithEachOther) {
+  std::string models;
+  for (const char* name : {"p", "q", "r"}) {
+    const std::string n = name;
+    models += "<model name='" + n + "'>" + mjcf_link("x", ball(n + "x")) +
+              mjcf_link("y", ball(n + "y")) + "</model>";
+  }
+  const MjcfConverted world("<sdf version='1.9'><world name='w'>" + models + "</world></sdf>");
+  for (const char* m : {"p", "q", "r"}) {
+    const ContactBits x = bits_of(world, m + std::string("x"));
+    EXPECT_TRUE(collide(x, kGround)) << m;
+    for (const char* n : {"p", "q", "r"}) {
+      EXPECT_EQ(collide(x, bits_of(world, n + std::string("y"))), std::string(m) != n) << m << n;
+    }
+  }
+}
+
+TEST(MjcfContact, VisualsTouchNothing) {
+  const MjcfConverted robot(mjcf_link(
+      "a", "<visual name='v'><geometry><box><size>1 1 1</size></box></geometry></visual>"));
+  EXPECT_FALSE(collide(bits_of(robot, "v"), kGround));
+}
+
+TEST(MjcfContact, WrittenFrictionHoldsAgainstTheGround) {
+  const MjcfConverted robot(mjcf_link(
+      "a",
+      ball("a1", "<surface><friction><ode><mu>0.3</mu><mu2>0.3</mu2></ode></friction></surface>")));
+  EXPECT_EQ(robot.attribute("geom", "a1", "friction"), "0.3 0.005 0.0001");
+  EXPECT_EQ(robot.attribute("geom", "a1", "priority"), "1");
+  const MjcfConverted plain(mjcf_link("a", ball("a1")));
+  EXPECT_EQ(plain.attribute("geom", "a1", "friction"), "(none)");
+}
+
+TEST(MjcfContact, BitmaskOfZeroTouchesNothing) {
+  const MjcfConverted robot(mjcf_link(
+      "a",
+      ball("a1", "<surface><contact><collide_bitmask>0</collide_bitmask></contact></surface>")));
+  EXPECT_FALSE(collide(bits_of(robot, "a1"), kGround));
+}
+
+}  // namespace
+}  // namespace rigor::test

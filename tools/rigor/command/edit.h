@@ -1,0 +1,48 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the verbs of `rigor edit` are asked for on the command line; private to the command.
+
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <rigor/author/verbs/change.h>
+
+namespace rigor::tool {
+
+/// The options of all verbs, as they are written; empty where they are not.
+struct EditOptions {
+  std::string to;
+  std::string pose;
+  std::string frame;
+  std::string joint;
+  std::string plane;
+  std::string rename;
+  std::string prefix;
+  std::string lower, upper, effort, velocity;
+  bool subtree = false;
+};
+
+struct EditRequest {
+  std::vector<std::string> words;  ///< before the files
+  std::vector<std::string> files;  ///< the model's first
+  EditOptions options;
+};
+
+struct EditVerb {
+  std::string_view name;
+  std::string_view words;  ///< "OLD NEW"; separated by a blank, empty for none
+  /// Options that it takes, by their names on the command line, separated by blanks.
+  std::string_view options;
+  author::Change (*change)(const EditRequest& request, author::ModelReader& reader,
+                           const author::EditedModel& edited);
+};
+
+/// All but `rename`.
+std::span<const EditVerb> edit_verbs();
+
+}  // namespace rigor::tool

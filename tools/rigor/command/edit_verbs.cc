@@ -1,0 +1,180 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The verbs of `rigor edit`: words and options → one library call.
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <rigor/author/verbs/add.h>
+#include <rigor/author/verbs/attach.h>
+#include <rigor/author/verbs/lump.h>
+#include <rigor/author/verbs/mirror.h>
+#include <rigor/author/verbs/move_frame.h>
+#include <rigor/author/verbs/prefix.h>
+#include <rigor/author/verbs/remove.h>
+#include <rigor/author/verbs/reroot.h>
+#include <rigor/author/verbs/scale.h>
+#include <rigor/author/verbs/set_value.h>
+
+#include "command/command.h"
+#include "command/edit.h"
+#include "option/numbers.h"
+
+namespace rigor::tool {
+namespace {
+
+using author::Change;
+using author::EditedModel;
+using author::ModelReader;
+
+Change prefix(const EditRequest& request, ModelReader&, const EditedModel& edited) {
+  return author::prefixed(edited, request.words[0], request.files);
+}
+
+Change unprefix(const EditRequest& request, ModelReader&, const EditedModel& edited) {
+  return author::unprefixed(edited, request.words[0], request.files);
+}
+
+Change remove(const EditRequest& request, ModelReader&, const EditedModel& edited) {
+  const auto subtree =
+      request.options.subtree ? author::Subtree::kRemoved : author::Subtree::kRefused;
+  return author::removed(edited, request.words[0], subtree, request.files);
+}
+
+Change extract(const EditRequest& request, ModelReader&, const EditedModel& edited) {
+  return author::extracted(edited, request.words[0], request.files);
+}
+
+Change reroot(const EditRequest& request, ModelReader&, const EditedModel& edited) {
+  return author::rerooted(edited, request.words[0]);
+}
+
+Change scale(const EditRequest& request, ModelReader&, const EditedModel& edited) {
+  return author::scaled(edited, positive_number("edit scale: FACTOR", request.words[0], ""));
+}
+
+/// "x y z" or "x y z roll pitch yaw", m and rad.
+model::Pose pose_of(const std::string& option, const std::string& text) {
+  const std::vector<double> n = finite_numbers(option, {text});
+  if (n.size() != 3 && n.size() != 6)
+    throw UsageError(option + " \"" + text + "\": takes x y z, or x y z roll pitch yaw");
+  model::Pose X{{n[0], n[1], n[2]}, {}};
+  if (n.size() == 6) X.rotation = model::from_rpy(n[3], n[4], n[5]);
+  return X;
+}
+
+/// What an option asks for, or zero.
+double number_of(const std::string& option, const std::string& text) {
+  return text.empty() ? 0 : finite_number(option, text);
+}
+
+Change attach(const EditRequest& request, ModelReader& reader, const EditedModel& arm) {
+  const EditOptions& options = request.options;
+  if (options.to.empty()) throw UsageError("edit attach needs --to LINK");
+  constexpr std::array<std::string_view, 2> kJoints{"fixed", "revolute"};
+  author::AttachRequest asked;
+  asked.link = options.to;
+  asked.prefix = options.prefix;
+  if (!options.pose.empty()) asked.X_LG = pose_of("--pose", options.pose);
+  if (!options.joint.empty() && choice("--joint", options.joint, kJoints) == 1) {
+    asked.joint = author::AttachJoint::kRevolute;
+    for (const std::string* given :
+         {&options.lower, &options.upper, &options.effort, &options.velocity}) {
+      if (given->empty())
+        throw UsageError("a revolute joint needs --lower, --upper, --effort and --velocity");
+    }
+    asked.lower = number_of("--lower", options.lower);
+    asked.upper = number_of("--upper", options.upper);
+    asked.effort = number_of("--effort", options.effort);
+    asked.velocity = number_of("--velocity", options.velocity);
+  }
+  const author::OpenedModel gripper = reader.open(request.words[0]);
+  if (!gripper.model) throw InputError(gripper.problem);
+  return author::attached(reader, arm, *gripper.model, asked);
+}
+
+Change mirror(const EditRequest& request, ModelReader&, const EditedModel& edited) {
+  constexpr std::array<std::string_view, 3> kPlanes{"yz", "xz", "xy"};
+  author::MirrorRequest asked;
+  if (!request.options.plane.empty())
+    asked.plane =
+        static_cast<author::MirrorPlane>(choice("--plane", request.options.plane, kPlanes));
+  if (const std::string& rename = request.options.rename; !rename.empty()) {
+    const std::size_t colon = rename.find(':');
+    if (colon == std::string::npos || colon == 0)
+      throw UsageError("--rename " + rename + ": takes FROM:TO");
+    asked.from = rename.substr(0, colon);
+    asked.to = rename.substr(colon + 1);
+  }
+  return author::mirrored(edited, request.words[0], asked);
+}
+
+Change lump(const EditRequest&, ModelReader&, const EditedModel& edited) {
+  return author::lumped(edited, {});
+}
+
+Change add(const EditRequest& request, ModelReader&, const EditedModel& edited) {
+  constexpr std::array<std::string_view, 4> kWhat{"camera", "imu", "lidar", "ros2_control"};
+  const EditOptions& options = request.options;
+  const std::size_t what = choice("edit add: WHAT", request.words[0], kWhat);
+  if (what == 3) return author::with_ros2_control(edited);
+  if (options.to.empty()) throw UsageError("edit add " + request.words[0] + " needs --to LINK");
+  const model::Pose X_LS = options.pose.empty() ? model::Pose{} : pose_of("--pose", options.pose);
+  return author::with_sensor(edited, static_cast<author::SensorTemplate>(what), options.to, X_LS);
+}
+
+std::optional<double> given_number(const std::string& option, const std::string& text) {
+  return text.empty() ? std::nullopt : std::optional(finite_number(option, text));
+}
+
+Change set_pose(const EditRequest& request, ModelReader&, const EditedModel& edited) {
+  return author::with_pose(edited, request.words[0],
+                           pose_of("edit set-pose: POSE", request.words[1]));
+}
+
+Change set_limit(const EditRequest& request, ModelReader&, const EditedModel& edited) {
+  const EditOptions& options = request.options;
+  const author::NewLimits limits{
+      given_number("--lower", options.lower), given_number("--upper", options.upper),
+      given_number("--effort", options.effort), given_number("--velocity", options.velocity)};
+  if (!limits.lower && !limits.upper && !limits.effort && !limits.velocity)
+    throw UsageError("edit set-limit needs --lower, --upper, --effort or --velocity");
+  return author::with_limits(edited, request.words[0], limits);
+}
+
+Change move_frame(const EditRequest& request, ModelReader&, const EditedModel& edited) {
+  const std::string& link = request.words[0];
+  const std::string& to = request.options.to;
+  if (to.empty()) throw UsageError("edit move-frame needs --to \"X Y Z R P Y\", com or joint");
+  if (to != "com" && to != "joint") return author::with_frame(edited, link, pose_of("--to", to));
+  const auto place = to == "com" ? author::FramePlace::kCenterOfMass : author::FramePlace::kJoint;
+  const auto X_LN = author::frame_at(edited, link, place);
+  if (!X_LN) return author::refusal("'" + link + "' is no link with a " + to);
+  return author::with_frame(edited, link, *X_LN);
+}
+
+constexpr EditVerb kEditVerbs[] = {
+    {"prefix", "PREFIX", "", prefix},
+    {"unprefix", "PREFIX", "", unprefix},
+    {"remove", "LINK", "--subtree", remove},
+    {"extract", "LINK", "", extract},
+    {"reroot", "LINK", "", reroot},
+    {"scale", "FACTOR", "", scale},
+    {"mirror", "LINK", "--plane --rename", mirror},
+    {"attach", "GRIPPER", "--to --pose --joint --lower --upper --effort --velocity --prefix",
+     attach},
+    {"set-pose", "NAME POSE", "", set_pose},
+    {"set-limit", "JOINT", "--lower --upper --effort --velocity", set_limit},
+    {"move-frame", "LINK", "--to", move_frame},
+    {"lump", "", "", lump},
+    {"add", "WHAT", "--to --pose", add},
+};
+
+}  // namespace
+
+std::span<const EditVerb> edit_verbs() { return kEditVerbs; }
+
+}  // namespace rigor::tool
