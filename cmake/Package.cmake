@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # What a release holds beside the program, and how CPack makes Debian packages of it: `rigor` (the program, its
-# worker, pages and completions) and `librigor-dev` (the library, its headers, its CMake package). The component of
-# a file is the default one of the folder that installs it (see the top CMakeLists.txt).
+# worker and modules, pages and completions) and `librigor-dev` (the library, its headers, its CMake package). The
+# component of a file is the default one of the folder that installs it (see the top CMakeLists.txt).
 
 # Pages and completions come from the program itself, so that they say what it does.
 set(rigor_share ${PROJECT_BINARY_DIR}/share)
@@ -67,7 +67,7 @@ set(CPACK_DEBIAN_DEV_PACKAGE_NAME librigor-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 # The library runs importers and engines in the worker, which is in the program's package.
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-    "rigor (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), libboost-dev, libconsole-bridge-dev, libeigen3-dev, libfcl-dev, libfmt-dev, libmeshoptimizer-dev, libode-dev, libpng-dev, libqhull-dev, \
+    "rigor (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), libboost-dev, libconsole-bridge-dev, libeigen3-dev, libfmt-dev, libmeshoptimizer-dev, libode-dev, libpng-dev, libqhull-dev, \
 libsqlite3-dev, libtinyxml2-dev, libturbojpeg0-dev, liburdfdom-dev, libxxhash-dev, libyaml-cpp-dev, zlib1g-dev")
 set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "${rigor_assimp_package}, libembree3-3")
 set(CPACK_COMPONENT_DEV_DESCRIPTION

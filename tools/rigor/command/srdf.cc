@@ -77,7 +77,8 @@ class SrdfCommand final : public Command {
   }
 
   int run() override {
-    if (!mesh::can_collide()) refuse_without("FCL", "rigor srdf");
+    if (const std::string problem = mesh::collider_problem(); !problem.empty())
+      throw UsageError("rigor srdf needs FCL, in " + problem);
     std::vector<std::string> named{model_};
     if (!update_.empty()) named.push_back(update_);
     const GuardedDisk disk = search_.disk(named);

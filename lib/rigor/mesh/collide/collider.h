@@ -3,8 +3,10 @@
 //
 // Rigid shapes that are held against each other: whether two of them touch at given poses. Boxes, spheres
 // and the like are what their numbers say; a mesh is its triangles, a surface without an inside, as motion
-// planners take it. Answered by FCL (https://github.com/flexible-collision-library/fcl).
+// planners take it. Answered by FCL (https://github.com/flexible-collision-library/fcl), which is in a module
+// that is opened when a shape is first made (`collider_module.h`): who makes none does not load it.
 //
+//   if (const std::string problem = collider_problem(); !problem.empty()) return problem;
 //   const Collider arm = Collider::surface(loaded.mesh, {1, 1, 1});
 //   const Collider box = Collider::box({1, 1, 0.1});
 //   if (collide(arm, X_WA, box, X_WB)) …
@@ -15,14 +17,18 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include <rigor/mesh/triangle_mesh.h>
 #include <rigor/model/pose.h>
 
 namespace rigor::mesh {
 
-/// Whether rigor was built with FCL. Without, every shape throws std::logic_error when it is made.
-bool can_collide();
+class ColliderShape;
+
+/// Why no shape can be made: "…/rigor-collider.so: cannot open shared object file: …", as in a build without FCL.
+/// Empty where they can. With a problem, every shape throws std::logic_error when it is made.
+std::string collider_problem();
 
 /// A ball around a shape, in the shape's frame.
 struct Ball {
@@ -49,12 +55,11 @@ class Collider {
   const Ball& ball_S() const { return ball_S_; }
 
  private:
-  struct Geometry;
-  Collider(std::unique_ptr<const Geometry> geometry, const Ball& ball_S);
+  Collider(std::unique_ptr<const ColliderShape> shape, const Ball& ball_S);
   friend bool collide(const Collider& a, const model::Pose& X_WA, const Collider& b,
                       const model::Pose& X_WB);
 
-  std::unique_ptr<const Geometry> geometry_;
+  std::unique_ptr<const ColliderShape> shape_;
   Ball ball_S_;
 };
 
