@@ -283,7 +283,7 @@ TEST(Load, VersionsAreHeldAgainstTheKnownOnes) {
   EXPECT_EQ(kinds("sdf version='1.99'"), std::vector<FactKind>{FactKind::kVersionTooNew});
   EXPECT_EQ(Case(one("<gazebo version='1.0'/>")).kinds(),
             std::vector<FactKind>{FactKind::kOldRoot});
-  EXPECT_EQ(Case(one("<mujoco/>")).kinds(), std::vector<FactKind>{FactKind::kUnknownRoot});
+  EXPECT_EQ(Case(one("<skeleton/>")).kinds(), std::vector<FactKind>{FactKind::kUnknownRoot});
 }
 
 TEST(Load, SdfOneZeroHasItsValuesInAttributes) {

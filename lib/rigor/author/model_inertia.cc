@@ -182,7 +182,8 @@ class Table {
   }
 
   void write(const LinkInertia& row) {
-    if (!row.chosen) return;
+    // Bodies of MJCF may be in included files, and their inertials have another form.
+    if (!row.chosen || root_.format == model::Format::kMjcf) return;
     const write::BlockFormat format =
         root_.format == model::Format::kUrdf ? write::BlockFormat::kUrdf : write::BlockFormat::kSdf;
     const xml::Element element = document_.element(root_[row.link].site.element);

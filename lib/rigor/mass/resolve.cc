@@ -7,6 +7,8 @@
 #include <array>
 #include <optional>
 
+#include <rigor/mass/geom_mass.h>
+
 namespace rigor::mass {
 namespace {
 
@@ -43,6 +45,9 @@ Inertia tensor(const model::Inertial& i) {
 MassProperties resolve(const model::Root& root, model::Id<model::Link> id) {
   constexpr Inertia kIdentity{1, 0, 0, 1, 0, 1};
   const model::Inertial& inertial = root[id].inertial;
+  if (root[root[id].model].format == model::Format::kMjcf) {
+    return geom_mass(root, id, {}).value_or(MassProperties{});
+  }
   switch (taken(inertial, root[root[id].model].format)) {
     case Taken::kNothing: return {};
     case Taken::kDefaults: return {1, {}, kIdentity};
@@ -56,6 +61,11 @@ MassProperties resolve(const model::Root& root, model::Id<model::Link> id) {
 Resolved resolve(const model::Root& root, const model::Frames& frames, model::Id<model::Link> id,
                  const FindMesh& find_mesh) {
   const model::Link& link = root[id];
+  if (root[link.model].format == model::Format::kMjcf) {
+    const auto body = geom_mass(root, id, find_mesh);
+    if (!body) return {{}, Taken::kAutomaticUnknown};
+    return {*body, is_automatic(link) ? Taken::kAutomatic : Taken::kWritten};
+  }
   if (!is_automatic(link)) {
     return {resolve(root, id), taken(link.inertial, root[link.model].format)};
   }

@@ -11,7 +11,7 @@
 // the identity. URDF (urdfdom): no <inertial>, or one that lacks its mass or an entry of its tensor,
 // is no mass at all. The rotation of the inertial's pose turns the tensor into link axes. An automatic
 // inertial (SDF 1.11; libsdformat 14) is what the collisions are as solids: a collision's density, else
-// the link's, else 1000 kg/m³; scaled to the mass when one is written (libsdformat 15.2).
+// the link's, else 1000 kg/m³; scaled to the mass when one is written (libsdformat 15.2). MJCF: see geom_mass.h.
 
 #pragma once
 

@@ -6,6 +6,8 @@
 
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -54,6 +56,10 @@ struct Mesh {
   Field<Vector3> scale;
   Field<std::string> submesh;
   Field<bool> center;  ///< the submesh is moved so that the middle of its bounds is the origin
+  /// MJCF: vertices that the model's own file gives, before `scale`; then there is no `uri`. Without
+  /// faces the mesh is their convex hull.
+  std::vector<Vector3> vertices;
+  std::vector<std::array<std::uint32_t, 3>> faces;
 };
 
 struct Heightmap {

@@ -1,7 +1,7 @@
 // Copyright 2026 The rigor authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A robot model, or a world of them, read from SDF or URDF: plain structs, one per element that has
+// A robot model, or a world of them, read from SDF, URDF or MJCF: plain structs, one per element that has
 // meaning, each knowing where it was written.
 //
 // Everything lies in the flat vectors of a `Root`, in document order, linked by typed ids, so that
@@ -19,6 +19,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -86,6 +87,15 @@ struct Surface {
   bool chooses_contacts = false;  ///< by bitmasks, or as `<collide_without_contact>`
 };
 
+/// MJCF: what a geom adds to a body that has no `<inertial>`. Only of geoms that count, by their group.
+struct GeomWeight {
+  Field<double> mass;     ///< kg; when written, the density has no say
+  Field<double> density;  ///< kg/m³
+  bool shell = false;     ///< `shellinertia`: the mass is on the surface
+  enum class MeshLaw : std::uint8_t { kLegacy, kConvex, kExact, kShell };
+  MeshLaw mesh_law = MeshLaw::kLegacy;  ///< `inertia` of the mesh asset
+};
+
 struct Collision {
   Site site;
   Field<std::string> name;
@@ -93,7 +103,8 @@ struct Collision {
   PoseField pose;  ///< in the link frame
   Geometry geometry;
   Surface surface;
-  Field<double> density;  ///< kg/m³, for an automatic inertial; SDF 1.11
+  Field<double> density;             ///< kg/m³, for an automatic inertial; SDF 1.11
+  std::optional<GeomWeight> weight;  ///< MJCF
 };
 
 struct Material {
@@ -106,6 +117,8 @@ struct Material {
   Site script;                    ///< SDF: `<script>`, when written
   Field<std::string> script_uri;  ///< the first `<uri>` of it
   Site pbr;                       ///< SDF: `<pbr>`, when written
+  /// MJCF: red, green, blue and alpha of the geom, or of the material that it names; 0 to 1.
+  std::optional<std::array<double, 4>> rgba;
 };
 
 struct Visual {
@@ -115,7 +128,8 @@ struct Visual {
   PoseField pose;  ///< in the link frame
   Geometry geometry;
   Material material;
-  Field<double> transparency;  ///< from 0, opaque, to 1, invisible
+  Field<double> transparency;        ///< from 0, opaque, to 1, invisible
+  std::optional<GeomWeight> weight;  ///< MJCF: of a geom that touches nothing
 };
 
 /// `<noise>` of what a sensor measures, in the unit of that.
@@ -226,6 +240,10 @@ struct Axis {
   Field<double> friction;  ///< N·m
   Field<double> spring_reference;
   Field<double> spring_stiffness;
+  Field<double> armature;  ///< MJCF: kg·m² or kg, added along the axis
+  /// MJCF: what the file calls the position at rest (`ref`). Limits and the spring's reference above
+  /// are relative to it, so that zero is at rest as in other formats.
+  double position_at_rest = 0;
   std::optional<Mimic> mimic;
 };
 
@@ -279,6 +297,8 @@ struct Link {
   std::vector<Id<Collision>> collisions;
   std::vector<Id<Visual>> visuals;
   std::vector<Id<Sensor>> sensors;  ///< written in it; not those of a URDF's <gazebo> blocks
+  /// MJCF: no body of the file, but what is between two joints of one body. It has no mass.
+  bool between_joints = false;
 };
 
 struct Plugin {
@@ -309,7 +329,7 @@ struct Include {
   std::string path;  ///< of the file it led to, when it could be read
 };
 
-enum class Format : std::uint8_t { kUnknown, kSdf, kUrdf, kModelConfig };
+enum class Format : std::uint8_t { kUnknown, kSdf, kUrdf, kModelConfig, kMjcf };
 
 struct Model {
   Site site;
@@ -397,6 +417,14 @@ struct RobotMaterial {
   bool defines_color = false;  ///< or a texture
 };
 
+/// MJCF: what `<compiler>` makes of all bodies' masses and inertias, in this order.
+struct MassSettings {
+  bool balance_inertia = false;  ///< moments that break the triangle inequality become their mean
+  double bound_mass = 0;         ///< kg; the smallest mass of a body that moves
+  double bound_inertia = 0;      ///< kg·m²; the smallest principal moment
+  double total_mass = 0;         ///< kg; when above zero, all bodies are scaled to it
+};
+
 /// What a file holds, its includes followed.
 struct Root {
   Format format = Format::kUnknown;
@@ -420,9 +448,10 @@ struct Root {
   std::vector<Physics> physics;
   std::vector<GazeboBlock> gazebo_blocks;
   std::vector<ControlledJoint> controlled_joints;
-  Parameters ros2_controls;  ///< URDF: each `<ros2_control>`, with its hardware and components
-  Parameters transmissions;  ///< URDF: each `<transmission>`
-  Parameters mujoco;         ///< URDF: what MuJoCo is told, in `<mujoco>`
+  Parameters ros2_controls;    ///< URDF: each `<ros2_control>`, with its hardware and components
+  Parameters transmissions;    ///< URDF: each `<transmission>`
+  MassSettings mass_settings;  ///< MJCF
+  Parameters mujoco;           ///< URDF: what MuJoCo is told, in `<mujoco>`
   std::vector<RobotMaterial> materials;
 
   const World& operator[](Id<World> id) const { return worlds[id.value]; }

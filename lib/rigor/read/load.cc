@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include <rigor/read/mjcf/mjcf.h>
 #include <rigor/read/sdf_reader.h>
 #include <rigor/read/urdf.h>
 #include <rigor/read/values.h>
@@ -24,6 +25,7 @@ model::Format format_of(xml::Element root) {
   const std::string_view name = root.name();
   if (name == "sdf" || name == "gazebo") return model::Format::kSdf;
   if (name == "robot") return model::Format::kUrdf;
+  if (name == "mujoco") return model::Format::kMjcf;
   if (name == "model" && root.child("sdf")) return model::Format::kModelConfig;
   return model::Format::kUnknown;
 }
@@ -54,6 +56,7 @@ class FileLoader {
       case model::Format::kSdf: load_sdf(*top); break;
       case model::Format::kUrdf: load_urdf(*top); break;
       case model::Format::kModelConfig: load_config(); break;
+      case model::Format::kMjcf: load_mjcf(); break;
       case model::Format::kUnknown:
         if (file.document->complete()) {
           add(FactKind::kUnknownRoot, top->name_span(), std::string(top->name()));
@@ -94,6 +97,11 @@ class FileLoader {
       add(FactKind::kVersionUnknown, root.version_text.span, root.version_text.value);
     }
     read_urdf(root, top, {});
+  }
+
+  void load_mjcf() {
+    loaded_.root.version_text.value = "1.0";
+    read_mjcf(loaded_.root, reader_.workspace, *loaded_.file, loaded_.mjcf_facts);
   }
 
   void load_config() {

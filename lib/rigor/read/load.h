@@ -16,6 +16,7 @@
 #include <rigor/model/model.h>
 #include <rigor/read/conformance.h>
 #include <rigor/read/fact.h>
+#include <rigor/read/mjcf/mjcf_fact.h>
 #include <rigor/read/model_config.h>
 #include <rigor/read/resolver.h>
 #include <rigor/read/workspace.h>
@@ -29,6 +30,7 @@ struct Loaded {
   std::vector<Fact> facts;
   ModelConfig config;  ///< when `root.format` is kModelConfig
   std::vector<ConfigFact> config_facts;
+  std::vector<MjcfFact> mjcf_facts;  ///< when `root.format` is kMjcf
 };
 
 /// What a reader works with; all of it outlives the reading.

@@ -116,6 +116,8 @@ Springs springs_of(const model::Root& root) {
 
 std::optional<Color> color_of(const model::Root& root, read::Workspace& workspace,
                               const NamedColors& named, const model::Visual& visual) {
+  if (const auto& rgba = visual.material.rgba)
+    return Color{(*rgba)[0], (*rgba)[1], (*rgba)[2], (*rgba)[3]};
   if (!visual.material.written) return std::nullopt;
   const auto element = element_at(workspace, visual.material.site);
   if (!element) return std::nullopt;

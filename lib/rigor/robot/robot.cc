@@ -94,8 +94,9 @@ class RobotBuilder {
     robot_.name = root_[top_].name.value;
     prefix_ = scoped_name(root_, top_).size() + 2;
     const bool urdf = root_[top_].format == model::Format::kUrdf;
+    mjcf_ = root_[top_].format == model::Format::kMjcf;
     if (const auto X_WM = frames_.pose(top_)) X_MW_ = inverse(*X_WM);
-    if (!urdf) {
+    if (!urdf && !mjcf_) {
       robot_.X_WM = frames_.pose(top_).value_or(Pose{});
       robot_.is_static = model::is_static(root_, top_);
       if (!frames_.pose(top_)) robot_.unknown.push_back("the model has no pose");
@@ -103,7 +104,7 @@ class RobotBuilder {
     find_inside();
     add_bodies();
     add_joints();
-    if (!urdf) turn_joints();
+    if (!urdf && !mjcf_) turn_joints();
     robot::connect(robot_);
     place();
     fill();
@@ -146,6 +147,7 @@ class RobotBuilder {
       Body body;
       body.name = name_of(Id<model::Link>{i});
       body.span = root_.links[i].site.tag;
+      if (mjcf_ && body.name == kWorldBody) world_ = body_of_[i];
       robot_.bodies.push_back(std::move(body));
     }
   }
@@ -154,6 +156,8 @@ class RobotBuilder {
     for (std::uint32_t i = 0; i < root_.joints.size(); ++i) {
       const Id<model::Joint> id{i};
       if (!inside(root_[id].model)) continue;
+      // In MuJoCo a free body has a joint; elsewhere it has none.
+      if (mjcf_ && root_[id].type == JointType::kFloating) continue;
       const model::Frames::Ends& ends = frames_.ends(id);
       Joint joint;
       joint.name = name_of(id);
@@ -362,6 +366,7 @@ class RobotBuilder {
   std::vector<std::uint32_t> body_of_;    // of each link of the root
   std::vector<Pose> X_ML_;                // of each body but the world
   std::uint32_t world_ = kNoIndex;
+  bool mjcf_ = false;
 };
 
 }  // namespace

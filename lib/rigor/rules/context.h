@@ -124,6 +124,7 @@ class Context {
   /// Of SDF, whatever the file's format.
   const schema::Schema& sdf_schema() const { return inputs_.sdf; }
   bool is_urdf() const { return inputs_.root.format == model::Format::kUrdf; }
+  bool is_mjcf() const { return inputs_.root.format == model::Format::kMjcf; }
   bool is_sdf() const { return inputs_.root.format == model::Format::kSdf; }
 
   /// The bytes a span represents, as written.

@@ -26,12 +26,14 @@ Environment::Environment(const Disk& the_disk, read::SearchPaths paths)
     : disk(the_disk),
       sdf(embedded(schema::sdf_schema_text())),
       urdf(embedded(schema::urdf_schema_text())),
+      mjcf(embedded(schema::mjcf_schema_text())),
       resolver(the_disk, std::move(paths)) {}
 
 Environment::Environment(const Disk& the_disk, read::SearchPaths paths, std::string worker)
     : disk(the_disk),
       sdf(embedded(schema::sdf_schema_text())),
       urdf(embedded(schema::urdf_schema_text())),
+      mjcf(embedded(schema::mjcf_schema_text())),
       resolver(the_disk, std::move(paths)),
       workers(std::move(worker)) {}
 

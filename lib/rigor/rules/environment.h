@@ -34,6 +34,7 @@ struct Environment {
   const Disk& disk;
   schema::Schema sdf;
   schema::Schema urdf;
+  schema::Schema mjcf;
   rules::Registry registry;
   read::Resolver resolver;
   process::Workers workers;

@@ -35,6 +35,7 @@ std::string_view root_name(std::string_view bytes) {
 std::string default_name(std::string_view bytes) {
   const std::string_view root = root_name(bytes);
   if (root == "robot") return "robot.urdf";
+  if (root == "mujoco") return "model.xml";
   if (root == "model") return "model.config";
   return "model.sdf";
 }

@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <string_view>
 
+#include <rigor/rules/mjcf/also_for_mjcf.h>
 #include <rigor/rules/registry.h>
 
 namespace rigor::rules {
@@ -49,7 +50,8 @@ PageInBrief brief_of(const Rule& rule, model::Format format) {
 }  // namespace
 
 PagesInBrief pages_in_brief(const Rule& rule) {
-  return {brief_of(rule, model::Format::kSdf), brief_of(rule, model::Format::kUrdf)};
+  return {brief_of(rule, model::Format::kSdf), brief_of(rule, model::Format::kUrdf),
+          brief_for_mjcf(rule)};
 }
 
 }  // namespace rigor::rules

@@ -39,11 +39,12 @@ constexpr Renamed kRenamed[] = {
 }  // namespace
 
 std::string_view to_string(Category category) {
-  constexpr std::array<std::string_view, 19> kNames{
+  constexpr std::array<std::string_view, 20> kNames{
       "xml",      "schema",   "naming",      "reference", "frame",   "inertia", "kinematics",
       "geometry", "mesh",     "physics",     "world",     "plugin",  "sensor",  "package",
-      "convert",  "simulate", "suppression", "xacro",     "assembly"};
-  static_assert(kNames.size() == static_cast<std::size_t>(Category::kAssembly) + 1);
+      "convert",  "simulate", "suppression", "xacro",     "assembly",
+      "mjcf"};
+  static_assert(kNames.size() == static_cast<std::size_t>(Category::kMjcf) + 1);
   return kNames[static_cast<std::size_t>(category)];
 }
 

@@ -20,6 +20,7 @@ namespace rigor::rules {
 struct PagesInBrief {
   PageInBrief in_sdf;
   PageInBrief in_urdf;
+  PageInBrief in_mjcf;
 };
 
 PagesInBrief pages_in_brief(const Rule& rule);

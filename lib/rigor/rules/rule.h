@@ -49,6 +49,8 @@ struct Fact;
 enum class FactKind : std::uint8_t;
 struct ConfigFact;
 enum class ConfigFactKind : std::uint8_t;
+struct MjcfFact;
+enum class MjcfFactKind : std::uint8_t;
 }  // namespace rigor::read
 namespace rigor::xacro {
 struct Fact;
@@ -91,6 +93,7 @@ enum class Category : std::uint8_t {
   kSuppression,
   kXacro,
   kAssembly,
+  kMjcf,
 };
 
 /// Also the name of the rule's folder.
@@ -100,7 +103,7 @@ std::string_view to_string(Category category);
 enum class FixGrade : std::uint8_t { kNone, kSafe, kUnsafe };
 
 /// In which files a rule looks.
-enum class Formats : std::uint8_t { kAny, kSdf, kUrdf, kModelConfig };
+enum class Formats : std::uint8_t { kAny, kSdf, kUrdf, kModelConfig, kMjcf };
 
 /// A mesh used by a collision or visual.
 struct MeshUse {
@@ -139,7 +142,8 @@ using Check = std::variant<
     FactCheck<xml::Fault, xml::FaultKind>, FactCheck<xacro::Fact, xacro::FactKind>,
     FactCheck<read::SchemaFact, read::SchemaFactKind>, FactCheck<read::Fact, read::FactKind>,
     FactCheck<model::FrameProblem, model::FrameProblemKind>,
-    FactCheck<read::ConfigFact, read::ConfigFactKind>, FactCheck<convert::Note, convert::NoteKind>,
+    FactCheck<read::ConfigFact, read::ConfigFactKind>,
+    FactCheck<read::MjcfFact, read::MjcfFactKind>, FactCheck<convert::Note, convert::NoteKind>,
     FactCheck<simulate::Fact, simulate::FactKind>, FactCheck<SuppressionFact, SuppressionFactKind>,
     CheckOf<model::Root>, CheckOf<model::World>, CheckOf<model::Model>, CheckOf<model::Link>,
     CheckOf<model::Joint>, CheckOf<model::Frame>, CheckOf<model::Collision>, CheckOf<model::Visual>,
@@ -172,6 +176,9 @@ inline Check on_frames(std::vector<model::FrameProblemKind> kinds,
 }
 inline Check on_config(std::vector<read::ConfigFactKind> kinds, CheckOf<read::ConfigFact> check) {
   return FactCheck<read::ConfigFact, read::ConfigFactKind>{std::move(kinds), check};
+}
+inline Check on_mjcf(std::vector<read::MjcfFactKind> kinds, CheckOf<read::MjcfFact> check) {
+  return FactCheck<read::MjcfFact, read::MjcfFactKind>{std::move(kinds), check};
 }
 inline Check on_conversion(std::vector<convert::NoteKind> kinds, CheckOf<convert::Note> check) {
   return FactCheck<convert::Note, convert::NoteKind>{std::move(kinds), check};

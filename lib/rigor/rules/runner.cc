@@ -13,6 +13,7 @@
 #include <rigor/model/subject.h>
 #include <rigor/rules/consequences.h>
 #include <rigor/rules/context.h>
+#include <rigor/rules/mjcf/also_for_mjcf.h>
 #include <rigor/rules/registry.h>
 #include <rigor/rules/xacro/template_findings.h>
 
@@ -45,6 +46,7 @@ bool applies(Formats formats, model::Format format) {
     case Formats::kSdf: return format == model::Format::kSdf;
     case Formats::kUrdf: return format == model::Format::kUrdf;
     case Formats::kModelConfig: return format == model::Format::kModelConfig;
+    case Formats::kMjcf: return format == model::Format::kMjcf;
   }
   return false;
 }
@@ -58,6 +60,7 @@ Refusal refusal_in(const Refusals& refused, model::Format format) {
 const schema::Schema* schema_of(const Environment& environment, model::Format format) {
   if (format == model::Format::kSdf) return &environment.sdf;
   if (format == model::Format::kUrdf) return &environment.urdf;
+  if (format == model::Format::kMjcf) return &environment.mjcf;
   return nullptr;
 }
 
@@ -96,8 +99,8 @@ void Runner::add(const Rule& rule, const PagesInBrief& pages, Severity severity,
     std::visit(
         [&](const auto& one) {
           std::get<Slot<std::decay_t<decltype(one)>>>(slots_).push_back(
-              {{rule.name, to_string(rule.category), pages.in_sdf, pages.in_urdf, severity, compat,
-                grading, rule.formats, rule.refused},
+              {{rule.name, to_string(rule.category), pages.in_sdf, pages.in_urdf, pages.in_mjcf,
+                holds_for_mjcf(rule), severity, compat, grading, rule.formats, rule.refused},
                one});
         },
         check);
@@ -164,6 +167,7 @@ class Runner::Walk {
     if (!document) return;
     for (const xml::Fault& fault : document->faults()) facts(fault);
     for (const read::ConfigFact& fact : loaded_.config_facts) facts(fact);
+    for (const read::MjcfFact& fact : loaded_.mjcf_facts) facts(fact);
     check_schema();
     // What a cut file lacks is not the author's doing: only what is there is spoken of.
     if (document->complete()) check_model();
@@ -173,7 +177,10 @@ class Runner::Walk {
   bool begin(const Active& active) {
     const model::Format format = loaded_.root.format;
     if (!applies(active.formats, format)) return false;
-    const PageInBrief& page = format == model::Format::kUrdf ? active.in_urdf : active.in_sdf;
+    if (format == model::Format::kMjcf && !active.of_mjcf) return false;
+    const PageInBrief& page = format == model::Format::kUrdf   ? active.in_urdf
+                              : format == model::Format::kMjcf ? active.in_mjcf
+                                                               : active.in_sdf;
     context_.begin_rule(active.rule, active.category, active.severity, page);
     if (active.grading == Grading::kHeld) context_.hold_severity();
     if (active.compat == Compat::kSdformat) context_.judge_by(refusal_in(active.refused, format));

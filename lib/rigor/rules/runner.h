@@ -74,6 +74,8 @@ class Runner {
     std::string_view category;
     PageInBrief in_sdf;  ///< what the page says first of files of that format
     PageInBrief in_urdf;
+    PageInBrief in_mjcf;
+    bool of_mjcf;  ///< whether it holds for MJCF
     Severity severity;
     Compat compat;
     Grading grading;

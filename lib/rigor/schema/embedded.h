@@ -14,6 +14,7 @@ namespace rigor::schema {
 
 std::string_view sdf_schema_text();
 std::string_view urdf_schema_text();
+std::string_view mjcf_schema_text();
 
 // The colors of Gazebo's own material script, by name: schemas/gazebo.materials.
 std::string_view gazebo_materials_text();

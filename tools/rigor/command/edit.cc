@@ -72,7 +72,7 @@ class EditCommand final : public Command {
   }
 
   int run() override {
-    const std::size_t index = choice("edit: verb", verb_, names_);
+    const std::size_t index = choice("verb of edit", verb_, names_);
     if (names_[index] == kRename) return rename();
     const EditVerb& verb = edit_verbs()[index];
     const std::size_t count = count_of_words(verb.words);

@@ -119,7 +119,7 @@ Change lump(const EditRequest&, ModelReader&, const EditedModel& edited) {
 Change add(const EditRequest& request, ModelReader&, const EditedModel& edited) {
   constexpr std::array<std::string_view, 4> kWhat{"camera", "imu", "lidar", "ros2_control"};
   const EditOptions& options = request.options;
-  const std::size_t what = choice("edit add: WHAT", request.words[0], kWhat);
+  const std::size_t what = choice("template of edit add", request.words[0], kWhat);
   if (what == 3) return author::with_ros2_control(edited);
   if (options.to.empty()) throw UsageError("edit add " + request.words[0] + " needs --to LINK");
   const model::Pose X_LS = options.pose.empty() ? model::Pose{} : pose_of("--pose", options.pose);

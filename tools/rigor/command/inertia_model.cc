@@ -210,6 +210,9 @@ int run_model_inertia(const InertiaArguments& a) {
   if (loaded.file->expanded && (a.write || a.diff)) {
     throw UsageError(path + " is a template: its table can be shown, its inertials not be written");
   }
+  if (loaded.root.format == model::Format::kMjcf && (a.write || a.diff)) {
+    throw UsageError(path + " is MJCF: its table can be shown, its inertials not be written");
+  }
   if (const std::string why = problem(loaded); !why.empty()) {
     say("rigor: " + report::printable(path) + " " + why + "; run `rigor validate` for details");
     return kFindings;

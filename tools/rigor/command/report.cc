@@ -48,7 +48,10 @@ constexpr std::size_t kModelsAtATime = 64;
 /// Whether a file is informed of as a model: what is broken has no format, but a name.
 bool is_model(const rules::FileSummary& file) {
   if (!file.part_of.empty()) return false;
-  if (file.format == model::Format::kSdf || file.format == model::Format::kUrdf) return true;
+  if (file.format == model::Format::kSdf || file.format == model::Format::kUrdf ||
+      file.format == model::Format::kMjcf) {
+    return true;
+  }
   const std::string ending = extension(file.path);
   return file.format == model::Format::kUnknown &&
          (ending == ".sdf" || ending == ".urdf" || ending == ".world" || ending == ".xacro");

@@ -88,6 +88,9 @@ class Simulate final : public Command {
       if (is_of_another_shard(disk, path, grid)) continue;
       numbers_.push_back(number);
       loaded.push_back(read::load(reader, open_model(workspace, path)));
+      if (loaded.back().root.format == model::Format::kMjcf) {
+        throw UsageError(report::printable(path) + " is MJCF: simulate takes SDF and URDF");
+      }
       const auto positions = joint_positions(loaded.back().root, choices_.joints());
       models.push_back(simulator.prepare(loaded.back(), positions));
     }

@@ -118,7 +118,9 @@ MadePage make_page(const Disk& disk, const SearchOptions& search, const std::str
   const read::Reader reader{workspace, environment.resolver, environment.sdf, environment.urdf};
   const read::Loaded loaded = read::load(reader, open_model(workspace, path));
   MadePage made{.path = loaded.file->path, .data = {}, .facts = {}, .problem = {}};
-  if (loaded.root.format != model::Format::kSdf && loaded.root.format != model::Format::kUrdf) {
+  const model::Format format = loaded.root.format;
+  if (format != model::Format::kSdf && format != model::Format::kUrdf &&
+      format != model::Format::kMjcf) {
     made.problem = "this is no robot model";
     return made;
   }

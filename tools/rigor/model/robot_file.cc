@@ -37,7 +37,10 @@ std::string whole_path(const std::string& path) {
 std::string unreadable(const read::Loaded& loaded) {
   if (!loaded.file->document->complete()) return " is not well-formed";
   const model::Format format = loaded.root.format;
-  if (format != model::Format::kSdf && format != model::Format::kUrdf) return " is no robot model";
+  if (format != model::Format::kSdf && format != model::Format::kUrdf &&
+      format != model::Format::kMjcf) {
+    return " is no robot model";
+  }
   if (loaded.root.models.empty()) return " has no model";
   const std::size_t lost = lost_includes(loaded);
   if (lost == 0) return {};

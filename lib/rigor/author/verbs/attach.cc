@@ -42,6 +42,8 @@ std::vector<std::uint32_t> roots_of(const robot::Robot& robot) {
   return roots;
 }
 
+constexpr int kFirstWithNestedModels = 5;
+
 class Attacher {
  public:
   Attacher(ModelReader& reader, const EditedModel& arm, const EditedModel& gripper,
@@ -73,6 +75,13 @@ class Attacher {
     if (!arm_.is_urdf() && gripper_->root()[gripper_->model].version != version) {
       return fmt::format("one is SDF 1.{} and one 1.{}: bring them to one version first", version,
                          gripper_->root()[gripper_->model].version);
+    }
+    if (!arm_.is_urdf() && version < kFirstWithNestedModels)
+      return "SDF has nested models since 1.5: upgrade both first";
+    for (const robot::Robot* robot : {&arm_.robot, &gripper_->robot}) {
+      for (const robot::Joint& joint : robot->joints) {
+        if (joint.closes_loop) return fmt::format("joint '{}' closes a loop", joint.name);
+      }
     }
     const std::vector<std::uint32_t> roots = roots_of(gripper_->robot);
     if (roots.size() != 1) return fmt::format("{} has {} roots", gripper_->path(), roots.size());
@@ -140,11 +149,15 @@ class Attacher {
 
   std::vector<Edit> moved_paths() const {
     std::vector<Edit> edits;
+    const auto move_uri = [&](const model::Field<std::string>& uri) {
+      if (!uri.written || uri.span.nowhere()) return;
+      const std::string path = moved_path(uri.value);
+      if (path != uri.value) edits.push_back({uri.span, path});
+    };
     const auto move = [&](const model::Geometry& geometry) {
-      const auto* mesh = std::get_if<model::Mesh>(&geometry.shape);
-      if (mesh == nullptr || !mesh->uri.written || mesh->uri.span.nowhere()) return;
-      const std::string path = moved_path(mesh->uri.value);
-      if (path != mesh->uri.value) edits.push_back({mesh->uri.span, path});
+      if (const auto* mesh = std::get_if<model::Mesh>(&geometry.shape)) move_uri(mesh->uri);
+      if (const auto* map = std::get_if<model::Heightmap>(&geometry.shape)) move_uri(map->uri);
+      if (const auto* image = std::get_if<model::Image>(&geometry.shape)) move_uri(image->uri);
     };
     for (const model::Collision& each : gripper_->root().collisions) move(each.geometry);
     for (const model::Visual& each : gripper_->root().visuals) move(each.geometry);
@@ -164,15 +177,34 @@ class Attacher {
     };
     for (const model::RobotMaterial& each : arm_.root().materials)
       of_arm.emplace(each.name.value, look_of(arm_, each));
-    for (const model::RobotMaterial& each : gripper_->root().materials) {
-      const auto same = of_arm.find(each.name.value);
-      if (same == of_arm.end()) continue;
-      if (same->second != look_of(*gripper_, each)) {
-        rename_material(each.name.value, edits);
+    std::map<std::string, const model::RobotMaterial*> of_gripper;
+    for (const model::RobotMaterial& each : gripper_->root().materials)
+      of_gripper.emplace(each.name.value, &each);
+    const std::set<std::string> in_arm = material_names(arm_);
+    for (const std::string& name : material_names(*gripper_)) {
+      if (!in_arm.contains(name)) continue;
+      const auto arm = of_arm.find(name);
+      const auto gripper = of_gripper.find(name);
+      // A name without a look, or with one in a visual alone, would take the other's.
+      if (arm == of_arm.end() || gripper == of_gripper.end() ||
+          arm->second != look_of(*gripper_, *gripper->second)) {
+        rename_material(name, edits);
       } else {
-        append(edits, xml::remove_element(gripper_->document(), gripper_->element(each.site)));
+        append(edits,
+               xml::remove_element(gripper_->document(), gripper_->element(gripper->second->site)));
       }
     }
+  }
+
+  static std::set<std::string> material_names(const EditedModel& edited) {
+    std::set<std::string> names;
+    for (std::uint32_t i = 0; i < edited.document().element_count(); ++i) {
+      const xml::Element element = edited.document().element(i);
+      const auto attribute = element.attribute("name");
+      if (element.name() == "material" && attribute && !attribute->value().empty())
+        names.emplace(attribute->value());
+    }
+    return names;
   }
 
   void rename_material(const std::string& name, std::vector<Edit>& edits) const {

@@ -50,7 +50,7 @@ std::string collect(const EditedModel& edited, const std::vector<std::vector<Edi
       const Span where = step.front().span;
       const read::Origin origin =
           edited.loaded.file->expanded->origin(edited.document(), where, edited.sources);
-      return fmt::format("{}:{} is made by an expression or several times from one text",
+      return fmt::format("{}:{} is computed by an expression",
                          edited.sources.path(origin.where.source),
                          edited.sources.position(origin.where.source, origin.where.begin).line);
     }

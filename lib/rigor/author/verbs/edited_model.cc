@@ -4,6 +4,7 @@
 #include <rigor/author/verbs/edited_model.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include <rigor/read/template/template_expander.h>
@@ -58,6 +59,18 @@ std::vector<Id<model::Model>> outermost(const model::Root& root) {
     if (!root.models[i].parent && root.own(root.models[i].site)) models.push_back({i});
   }
   return models;
+}
+
+/// "two joints are named 'elbow'"; empty when names are unique.
+std::string name_used_twice(const robot::Robot& robot) {
+  std::set<std::string_view> links, joints;
+  for (const robot::Body& body : robot.bodies) {
+    if (!links.insert(body.name).second) return "two links are named '" + body.name + '\'';
+  }
+  for (const robot::Joint& joint : robot.joints) {
+    if (!joints.insert(joint.name).second) return "two joints are named '" + joint.name + '\'';
+  }
+  return {};
 }
 
 }  // namespace
@@ -162,6 +175,9 @@ OpenedModel ModelReader::opened(read::Workspace& workspace, const read::File& fi
                                     rules::mesh_finder(environment_.resolver, sources_, surveys_));
   const std::vector<std::string>& unknown = edited->robot.unknown;
   if (!unknown.empty()) return {nullptr, file.path + ": " + unknown.front()};
+  // What is asked of a name would be of both.
+  if (const std::string twice = name_used_twice(edited->robot); !twice.empty())
+    return {nullptr, file.path + ": " + twice};
   return {std::move(edited), {}};
 }
 

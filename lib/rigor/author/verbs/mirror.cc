@@ -125,6 +125,12 @@ class Mirrorer {
   Change mirror() {
     if (const auto included = included_part(edited_))
       return refusal("a part of it is in " + *included);
+    const std::uint32_t carrier = edited_.robot.bodies[body_].carrier;
+    for (std::uint32_t i = 0; i < edited_.robot.joints.size(); ++i) {
+      const robot::Joint& joint = edited_.robot.joints[i];
+      if (i != carrier && part_[joint.parent] != part_[joint.child])
+        return refusal(fmt::format("joint '{}' connects it with the rest, too", joint.name));
+    }
     mirror_poses();
     mirror_links();
     mirror_joints();
@@ -170,6 +176,7 @@ class Mirrorer {
 
   /// Whether the frame that the pose is in is the part's own.
   bool is_in_own_frame(const Placed& each) const {
+    if (each.kind == PlacedKind::kInertial) return true;  // whatever it names
     const std::string& name = each.field->relative_to.value;
     if (!name.empty()) return is_named_in_part(each.scope, name);
     switch (each.kind) {

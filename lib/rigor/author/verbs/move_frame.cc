@@ -75,6 +75,7 @@ class FrameMover {
   }
 
   bool is_in_link(const Placed& each) const {
+    if (each.kind == PlacedKind::kInertial) return each.link == link_;  // whatever it names
     const std::string& name = each.field->relative_to.value;
     if (!name.empty()) return is_link(each.scope, name);
     switch (each.kind) {

@@ -62,7 +62,9 @@ class Remover {
     change.notes = std::move(notes_);
     // Blocks of what is removed go; what they say is no link's any more.
     change.asks_for_setting = [](const robot::Difference& difference) {
-      return difference.b.empty() || difference.kind == robot::DifferenceKind::kAttachmentOnlyInA;
+      const bool is_gone = difference.to.text.empty() && difference.to.numbers.empty();
+      return difference.b.empty() || difference.kind == robot::DifferenceKind::kAttachmentOnlyInA ||
+             (difference.kind == robot::DifferenceKind::kSetting && is_gone);
     };
     return change;
   }

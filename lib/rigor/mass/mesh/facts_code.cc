@@ -169,8 +169,8 @@ void members(mesh::Winding& v, const Use& use) {
 
 template <class Use>
 void members(MeshSurvey& v, const Use& use) {
-  auto& [format, faults, triangles, bounds, moments, closed, winding, topology, hull] = v;
-  use(format, faults, triangles, bounds, moments, closed, winding, topology, hull);
+  auto& [format, faults, triangles, bounds, moments, closed, winding, topology, hull, pyramids] = v;
+  use(format, faults, triangles, bounds, moments, closed, winding, topology, hull, pyramids);
 }
 
 template <class Use>

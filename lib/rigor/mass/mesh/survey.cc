@@ -10,6 +10,7 @@
 #include <rigor/mass/mesh/cache.h>
 #include <rigor/mass/mesh/facet_stream.h>
 #include <rigor/mass/mesh/reads.h>
+#include <rigor/mass/pyramids.h>
 #include <rigor/mesh/convex/hull.h>
 #include <rigor/mesh/select.h>
 #include <rigor/mesh/stl/stl.h>
@@ -104,6 +105,7 @@ void add_hull(const TriangleMesh& mesh, MeshSurvey& survey) {
   if (!survey.closed) survey.topology = mesh::topology_of(mesh);
   if (const auto hull = mesh::convex_hull(mesh::used_positions(mesh)))
     survey.hull = moments_of(*hull);
+  survey.pyramids = pyramids_of(mesh);
 }
 
 /// Of a plain binary STL whose triangles say what they enclose.

@@ -51,6 +51,8 @@ struct MeshSurvey {
   std::optional<mesh::Topology> topology;
   /// Of the convex hull, where the mesh itself is no solid; nothing when it is flat as well.
   std::optional<PolyhedronMoments> hull;
+  /// Likewise, as MuJoCo weighs it (pyramids.h).
+  std::optional<PolyhedronMoments> pyramids;
 
   bool usable() const;  ///< no fault is fatal
 };

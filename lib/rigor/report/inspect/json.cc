@@ -32,6 +32,7 @@ std::string_view format_name(model::Format format) {
     case model::Format::kSdf: return "sdf";
     case model::Format::kUrdf: return "urdf";
     case model::Format::kModelConfig: return "model-config";
+    case model::Format::kMjcf: return "mjcf";
     case model::Format::kUnknown: break;
   }
   return "unknown";

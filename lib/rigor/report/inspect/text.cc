@@ -83,6 +83,7 @@ class Tree {
       case model::Format::kSdf: return "SDF " + printable(root_.version_text.value);
       case model::Format::kUrdf: return "URDF";
       case model::Format::kModelConfig: return "model.config";
+      case model::Format::kMjcf: return "MJCF";
       case model::Format::kUnknown: break;
     }
     return "unknown format";

@@ -43,6 +43,7 @@ std::string_view formats_name(rules::Formats formats) {
     case rules::Formats::kSdf: return "sdf";
     case rules::Formats::kUrdf: return "urdf";
     case rules::Formats::kModelConfig: return "model-config";
+    case rules::Formats::kMjcf: return "mjcf";
     case rules::Formats::kAny: break;
   }
   return "any";

@@ -173,6 +173,7 @@ std::string format_text(const rules::FileSummary& file) {
   switch (file.format) {
     case model::Format::kSdf: return "SDF " + printable(file.version, 8);
     case model::Format::kUrdf: return "URDF";
+    case model::Format::kMjcf: return "MJCF";
     default: return "?";
   }
 }

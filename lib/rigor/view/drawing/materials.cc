@@ -245,6 +245,11 @@ std::optional<Surface> Materials::of_block(const model::Visual& visual) {
 }
 
 std::optional<Surface> Materials::written(const model::Visual& visual) {
+  if (const auto& rgba = visual.material.rgba) {
+    Surface surface;
+    surface.color = color_of(*rgba);
+    return surface;
+  }
   if (is_urdf(visual)) {
     auto own = of_urdf(visual);
     return own ? own : of_block(visual);

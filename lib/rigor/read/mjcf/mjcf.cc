@@ -1,0 +1,463 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/read/mjcf/mjcf.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <deque>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <rigor/read/mjcf/mjcf_checks.h>
+#include <rigor/read/mjcf/mjcf_geom.h>
+#include <rigor/read/mjcf/mjcf_joint.h>
+#include <rigor/read/mjcf/mjcf_pose.h>
+#include <rigor/read/mjcf/mjcf_scope.h>
+#include <rigor/text/path.h>
+
+namespace rigor::read {
+namespace {
+
+using model::Id;
+
+/// Copies of copies multiply: a file of a line could bring a billion.
+constexpr std::size_t kMaxMjcfParts = 100'000;
+/// Files attach files that attach files.
+constexpr std::size_t kMaxAttached = 200;
+constexpr std::string_view kWorld = "world";
+
+/// Digits of a copy's number, as many as the count has.
+std::string copy_number(std::size_t index, std::size_t count) {
+  const std::string digits = std::to_string(index);
+  return std::string(std::to_string(count).size() - digits.size(), '0') + digits;
+}
+
+class MjcfReader {
+ public:
+  MjcfReader(model::Root& root, Workspace& workspace, MjcfFacts& facts, Id<model::Model> id)
+      : root_(root), workspace_(workspace), facts_(facts), model_(id) {}
+
+  void read(const File& file) {
+    MjcfScope& scope = scopes_.emplace_back(workspace_, file, "", facts_);
+    root_.mass_settings = scope.settings.masses;
+    std::vector<xml::Element> worlds;
+    for (const xml::Element section : scope.tree.children(scope.tree.root())) {
+      if (section.name() == "worldbody") worlds.push_back(section);
+    }
+    MjcfPlace place{.scope = &scope, .in_world = true};
+    const bool solid = std::any_of(worlds.begin(), worlds.end(), [&](xml::Element world) {
+      return has_parts(scope.tree, world);
+    });
+    if (solid) place.link = add_link(site_of(worlds.front()), std::string(kWorld));
+    for (const xml::Element world : worlds) read_parts(world, place);
+    for (const xml::Element world : worlds) read_bodies(world, place);
+    for (const MjcfScope& one : scopes_) read_mjcf_couplings(one, joints_, root_);
+    check(scope);
+  }
+
+ private:
+  void check(const MjcfScope& scope) {
+    const MjcfNames names = check_mjcf_names(scope, facts_);
+    check_mjcf_references(scope, names, facts_);
+    check_mjcf_numbers(scope, facts_);
+    check_mjcf_assets(scope, workspace_.disk(), facts_);
+    check_mjcf_bodies(scope, facts_);
+    check_mjcf_contacts(scope, facts_);
+    check_mjcf_actuators(scope, facts_);
+    check_mjcf_keyframes(scope, facts_);
+  }
+
+  static bool has_parts(const MjcfTree& tree, xml::Element parent) {
+    for (const xml::Element child : tree.children(parent)) {
+      const std::string_view tag = child.name();
+      if (tag == "geom" || tag == "site") return true;
+      if ((tag == "frame" || tag == "replicate") && has_parts(tree, child)) return true;
+    }
+    return false;
+  }
+
+  bool is_full() const {
+    return root_.links.size() + root_.collisions.size() + root_.visuals.size() > kMaxMjcfParts;
+  }
+
+  std::string name_of(xml::Element element, const MjcfPlace& place) const {
+    const std::string name = string_field(attribute_text(element, "name")).value;
+    return name.empty() ? name : place.scope->prefix + name + place.suffix;
+  }
+
+  std::size_t class_in(xml::Element element, std::string_view attribute, std::size_t around,
+                       const MjcfScope& scope) {
+    const auto name = string_field(attribute_text(element, attribute));
+    if (!name.written) return around;
+    return scope.defaults.find(name.value).value_or(around);
+  }
+
+  MjcfValues values_of(xml::Element element, const MjcfPlace& place) {
+    const std::size_t id = class_in(element, "class", place.class_id, *place.scope);
+    return place.scope->defaults.values(element, element.name(), id);
+  }
+
+  Id<model::Link> add_link(const model::Site& site, std::string name) {
+    const Id<model::Link> id = next_id(root_.links);
+    if (name.empty()) name = "body" + std::to_string(id.value);
+    for (int copy = 2; !link_names_.insert(name).second; ++copy) {
+      // Said elsewhere to be repeated; here each must be found by its name.
+      const std::string again = name + "_" + std::to_string(copy);
+      if (link_names_.insert(again).second) {
+        name = again;
+        break;
+      }
+    }
+    model::Link link;
+    link.site = site;
+    link.name = {std::move(name), site.name, true};
+    link.model = model_;
+    link.gravity.value = true;
+    root_.links.push_back(std::move(link));
+    root_.models[model_.value].links.push_back(id);
+    return id;
+  }
+
+  /// Calls `use` with each element in the body, with frames and copies around it resolved.
+  template <class Use>
+  void each(xml::Element parent, const MjcfPlace& place, const Use& use) {
+    for (const xml::Element child : place.scope->tree.children(parent)) {
+      if (is_full()) return;
+      const std::string_view tag = child.name();
+      if (tag == "frame") {
+        MjcfPlace inside = place;
+        const MjcfValues values(child, {});
+        inside.X_BF = compose(place.X_BF, mjcf_pose(values, place.scope->settings));
+        inside.class_id = class_in(child, "childclass", place.class_id, *place.scope);
+        each(child, inside, use);
+      } else if (tag == "replicate") {
+        replicate(child, place, use);
+      } else {
+        use(child, place);
+      }
+    }
+  }
+
+  template <class Use>
+  void replicate(xml::Element element, const MjcfPlace& place, const Use& use) {
+    const MjcfValues values(element, {});
+    const double written = values.number("count", 0).value;
+    if (!(written >= 1 && written <= static_cast<double>(kMaxMjcfParts))) return;
+    const auto count = static_cast<std::size_t>(written);
+    const std::string separator = string_field(attribute_text(element, "sep")).value;
+    const model::Pose step{values.vector("offset", {}).value,
+                           mjcf_orientation(values, place.scope->settings)};
+    model::Pose X;
+    for (std::size_t i = 0; i < count && !is_full(); ++i) {
+      MjcfPlace inside = place;
+      inside.X_BF = compose(place.X_BF, X);
+      inside.suffix = separator + copy_number(i, count) + place.suffix;
+      each(element, inside, use);
+      X = compose(X, step);
+    }
+  }
+
+  void read_parts(xml::Element body, const MjcfPlace& place) {
+    each(body, place, [this](xml::Element element, const MjcfPlace& at) {
+      const std::string_view tag = element.name();
+      if (tag == "geom") read_geom(element, at);
+      if (tag == "site") read_site(element, at);
+      if (tag == "composite" || tag == "flexcomp") {
+        facts_.push_back({MjcfFactKind::kNotExpanded, element.name_span(), {}, std::string(tag)});
+      }
+    });
+  }
+
+  void read_bodies(xml::Element body, const MjcfPlace& place) {
+    each(body, place, [this](xml::Element element, const MjcfPlace& at) {
+      if (element.name() == "body") read_body(element, at);
+      if (element.name() == "attach") attach(element, at);
+    });
+  }
+
+  void read_body(xml::Element element, const MjcfPlace& around) {
+    MjcfPlace place = around;
+    place.in_world = false;
+    place.X_BF = {};
+    place.class_id = class_in(element, "childclass", around.class_id, *around.scope);
+    const model::Pose X_PB =
+        compose(around.X_BF, mjcf_pose(MjcfValues(element, {}), around.scope->settings));
+    const std::string name = name_of(element, around);
+
+    std::vector<model::Joint> joints;
+    each(element, place, [&](xml::Element child, const MjcfPlace& at) {
+      if (child.name() != "joint" && child.name() != "freejoint") return;
+      // A free joint has no defaults.
+      const MjcfValues values =
+          child.name() == "joint" ? values_of(child, at) : MjcfValues(child, {});
+      joints.push_back(mjcf_joint(values, at));
+      joints.back().name = {name_of(child, at), joints.back().site.name, true};
+      if (const auto text = attribute_text(child, "name")) joints.back().name.span = text->span;
+    });
+    place.link = add_chain(element, name, around, X_PB, joints);
+    read_inertial(element, place);
+    read_parts(element, place);
+    mark_automatic(place.link);
+    read_bodies(element, place);
+  }
+
+  std::string link_name(const MjcfPlace& place) const {
+    return place.link ? root_[place.link].name.value : std::string(kWorld);
+  }
+
+  /// The body's link, behind one link for each joint but the last.
+  Id<model::Link> add_chain(xml::Element element, const std::string& name, const MjcfPlace& around,
+                            const model::Pose& X_PB, std::vector<model::Joint>& joints) {
+    const model::Site site = site_of(element);
+    const bool fixed = joints.empty();
+    if (fixed) {
+      model::Joint joint;
+      joint.site = site;
+      joint.type = model::JointType::kFixed;
+      joints.push_back(std::move(joint));
+    }
+    std::string parent = link_name(around);
+    // A pose in the world without a link is one in the model.
+    std::string above = around.link ? parent : std::string();
+    Id<model::Link> link;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const bool last = i + 1 == joints.size();
+      model::Joint& joint = joints[i];
+      const std::string number = joints.size() > 1 ? std::to_string(i + 1) : "";
+      if (last) {
+        link = add_link(site, name);
+      } else {
+        const std::string part = joint.name.value.empty() ? "joint" + number : joint.name.value;
+        link = add_link(joint.site, (name.empty() ? "body" : name) + "_" + part);
+        root_.links[link.value].between_joints = true;
+      }
+      model::Link& made = root_.links[link.value];
+      made.pose.pose.value = i == 0 ? X_PB : model::Pose{};
+      made.pose.pose.written = i == 0;
+      made.pose.relative_to.value = above;
+      if (joint.name.value.empty()) {
+        joint.name = {root_[link].name.value + (fixed ? "_fixed" : "_joint" + number), site.name,
+                      false};
+      }
+      joint.model = model_;
+      joint.parent.value = joint.type == model::JointType::kFloating ? std::string(kWorld) : parent;
+      joint.child.value = made.name.value;
+      parent = above = made.name.value;
+      const Id<model::Joint> id = next_id(root_.joints);
+      joints_.try_emplace(joint.name.value, id);
+      root_.models[model_.value].joints.push_back(id);
+      root_.joints.push_back(std::move(joint));
+    }
+    return link;
+  }
+
+  void read_inertial(xml::Element body, const MjcfPlace& place) {
+    using From = MjcfSettings::InertiaFromGeom;
+    const MjcfSettings& settings = place.scope->settings;
+    if (settings.inertia_from_geom == From::kTrue) return;
+    for (const xml::Element child : place.scope->tree.children(body)) {
+      if (child.name() != "inertial") continue;
+      const MjcfValues values(child, {});
+      model::Inertial& inertial = root_.links[place.link.value].inertial;
+      inertial.site = inertial.tensor_site = inertial.pose.site = site_of(child);
+      inertial.written = inertial.tensor_written = true;
+      inertial.mass = values.number("mass", 0);
+      inertial.pose.pose = {mjcf_pose(values, settings), child.tag_span(), true};
+      const auto tensor = [&](std::string_view name, std::size_t count) {
+        const std::vector<double> n = values.numbers(name);
+        if (n.size() != count) return false;
+        const Span span = values.text(name)->span;
+        const auto field = [span](double value) { return model::Field<double>{value, span, true}; };
+        inertial.ixx = field(n[0]);
+        inertial.iyy = field(n[1]);
+        inertial.izz = field(n[2]);
+        if (count == 3) return true;
+        inertial.ixy = field(n[3]);
+        inertial.ixz = field(n[4]);
+        inertial.iyz = field(n[5]);
+        return true;
+      };
+      if (!tensor("fullinertia", 6)) tensor("diaginertia", 3);
+      return;
+    }
+  }
+
+  /// Whether shapes decide what the body weighs.
+  void mark_automatic(Id<model::Link> id) {
+    model::Link& link = root_.links[id.value];
+    const auto weighs = [this](const auto part) { return root_[part].weight.has_value(); };
+    link.inertial.automatic.value =
+        std::any_of(link.collisions.begin(), link.collisions.end(), weighs) ||
+        std::any_of(link.visuals.begin(), link.visuals.end(), weighs);
+  }
+
+  void read_geom(xml::Element element, const MjcfPlace& place) {
+    if (!place.link) return;
+    const MjcfValues values = values_of(element, place);
+    MjcfScope& scope = *place.scope;
+    const std::string own = string_field(attribute_text(element, "name")).value;
+    const bool paired = !own.empty() && scope.in_pairs.contains(own);
+    MjcfGeom geom =
+        mjcf_geom(values, scope.settings, scope.assets, paired ? InPair::kYes : InPair::kNo);
+    if (geom.fitted) {
+      facts_.push_back({MjcfFactKind::kFitNotMade, element.tag_span(), {}, own});
+    }
+    model::Link& link = root_.links[place.link.value];
+    using From = MjcfSettings::InertiaFromGeom;
+    const bool explicit_mass =
+        link.inertial.written || scope.settings.inertia_from_geom == From::kFalse || place.in_world;
+    if (explicit_mass) geom.weight.reset();
+    model::PoseField pose;
+    pose.site = geom.geometry.site;
+    pose.pose = {compose(place.X_BF, geom.X_BG), element.tag_span(), true};
+    model::Field<std::string> name{name_of(element, place), element.name_span(), true};
+    if (const auto text = attribute_text(element, "name")) name.span = text->span;
+    if (geom.drawn) {
+      model::Visual visual;
+      visual.site = geom.geometry.site;
+      visual.name = name;
+      visual.link = place.link;
+      visual.pose = pose;
+      visual.geometry = geom.geometry;
+      visual.material.site = visual.site;
+      visual.material.rgba = geom.rgba;
+      visual.transparency.value = 1 - geom.rgba[3];
+      if (!geom.touches) visual.weight = geom.weight;
+      link.visuals.push_back(next_id(root_.visuals));
+      root_.visuals.push_back(std::move(visual));
+    }
+    if (!geom.touches) return;
+    model::Collision collision;
+    collision.site = geom.geometry.site;
+    collision.name = std::move(name);
+    collision.link = place.link;
+    collision.pose = std::move(pose);
+    collision.geometry = std::move(geom.geometry);
+    collision.weight = geom.weight;
+    const std::vector<double> friction = values.numbers("friction");
+    const double mu = friction.empty() ? 1 : friction.front();
+    collision.surface.mu = collision.surface.mu2 = {mu, element.tag_span(), !friction.empty()};
+    link.collisions.push_back(next_id(root_.collisions));
+    root_.collisions.push_back(std::move(collision));
+  }
+
+  void read_site(xml::Element element, const MjcfPlace& place) {
+    std::string name = name_of(element, place);
+    if (name.empty() || !place.link) return;
+    const MjcfValues values = values_of(element, place);
+    const auto segment = mjcf_segment(values);
+    const model::Pose X = segment ? segment->pose : mjcf_pose(values, place.scope->settings);
+    model::Frame frame;
+    frame.site = site_of(element);
+    frame.name = {std::move(name), element.name_span(), true};
+    frame.model = model_;
+    frame.attached_to.value = link_name(place);
+    frame.pose.site = frame.site;
+    frame.pose.pose = {compose(place.X_BF, X), element.tag_span(), true};
+    frames_.push_back(std::move(frame));
+  }
+
+  /// The file that an attach names; its own without a name.
+  const File* attached_file(xml::Element element, const MjcfScope& scope) {
+    const auto name = string_field(attribute_text(element, "model"));
+    if (!name.written) return &scope.tree.file();
+    const auto asset = scope.assets.models.find(name.value);
+    if (asset == scope.assets.models.end()) return nullptr;
+    const auto file = string_field(attribute_text(asset->second, "file"));
+    const std::string path = join_path(parent_path(scope.tree.file().path), file.value);
+    if (workspace_.disk().kind(path) != PathKind::kFile) return nullptr;
+    const File& inner = workspace_.open(path);
+    const bool whole = inner.document && inner.document->complete() && inner.document->root();
+    return whole ? &inner : nullptr;
+  }
+
+  void attach(xml::Element element, const MjcfPlace& place) {
+    const File* file = attached_file(element, *place.scope);
+    if (file == nullptr || scopes_.size() > kMaxAttached) return;
+    const std::string prefix = string_field(attribute_text(element, "prefix")).value;
+    MjcfFacts of_its_own;  // told when that file is checked
+    MjcfScope& scope =
+        scopes_.emplace_back(workspace_, *file, place.scope->prefix + prefix, of_its_own);
+    MjcfPlace inside = place;
+    inside.scope = &scope;
+    inside.class_id = MjcfDefaults::kMain;
+    const auto body = string_field(attribute_text(element, "body"));
+    const auto frame = string_field(attribute_text(element, "frame"));
+    const std::string& name = body.written ? body.value : frame.value;
+    for (const xml::Element section : scope.tree.children(scope.tree.root())) {
+      if (section.name() != "worldbody") continue;
+      if (!body.written && !frame.written) {
+        read_parts(section, inside);
+        read_bodies(section, inside);
+        continue;
+      }
+      const auto found = find_named(scope.tree, section, body.written ? "body" : "frame", name);
+      if (!found) continue;
+      if (body.written) {
+        read_body(*found, inside);
+      } else {
+        inside.X_BF = compose(inside.X_BF, mjcf_pose(MjcfValues(*found, {}), scope.settings));
+        inside.class_id = class_in(*found, "childclass", inside.class_id, scope);
+        read_parts(*found, inside);
+        read_bodies(*found, inside);
+      }
+    }
+  }
+
+  static std::optional<xml::Element> find_named(const MjcfTree& tree, xml::Element parent,
+                                                std::string_view tag, std::string_view name) {
+    for (const xml::Element child : tree.children(parent)) {
+      if (child.name() == tag) {
+        if (string_field(attribute_text(child, "name")).value == name) return child;
+      }
+      if (auto found = find_named(tree, child, tag, name)) return found;
+    }
+    return std::nullopt;
+  }
+
+ public:
+  /// Sites last: a name that a body or joint has is theirs.
+  void add_frames() {
+    for (model::Frame& frame : frames_) {
+      std::string& name = frame.name.value;
+      while (link_names_.contains(name) || joints_.contains(name)) name += "_site";
+      if (!link_names_.insert(name).second) continue;
+      root_.models[model_.value].frames.push_back(next_id(root_.frames));
+      root_.frames.push_back(std::move(frame));
+    }
+  }
+
+ private:
+  model::Root& root_;
+  Workspace& workspace_;
+  MjcfFacts& facts_;
+  Id<model::Model> model_;
+  std::deque<MjcfScope> scopes_;  // places point to them
+  std::set<std::string, std::less<>> link_names_;
+  MjcfJoints joints_;
+  std::vector<model::Frame> frames_;
+};
+
+}  // namespace
+
+Id<model::Model> read_mjcf(model::Root& root, Workspace& workspace, const File& file,
+                           MjcfFacts& facts) {
+  const Id<model::Model> id = next_id(root.models);
+  const xml::Element top = *file.document->root();
+  model::Model model;
+  model.site = site_of(top);
+  model.format = model::Format::kMjcf;
+  model.name = string_field(attribute_text(top, "model"), "MuJoCo Model");
+  root.models.push_back(std::move(model));
+  MjcfReader reader(root, workspace, facts, id);
+  reader.read(file);
+  reader.add_frames();
+  return id;
+}
+
+}  // namespace rigor::read

@@ -1,0 +1,285 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include <rigor/read/mjcf/mjcf_checks.h>
+
+namespace rigor::read {
+namespace {
+
+using MjcfKind = MjcfFactKind;
+
+/// MuJoCo's smallest mass and moment of what moves: mjMINVAL.
+constexpr double kSmallest = 1e-15;
+
+std::string subject_of_mjcf(xml::Element element) {
+  const std::string name = string_field(attribute_text(element, "name")).value;
+  return name.empty() ? std::string() : std::string(element.name()) + ' ' + name;
+}
+
+void check_orientation(xml::Element element, MjcfFacts& facts) {
+  std::size_t ways = 0;
+  Span second;
+  for (const char* way : {"quat", "axisangle", "xyaxes", "zaxis", "euler"}) {
+    const auto attribute = element.attribute(way);
+    if (!attribute) continue;
+    if (++ways == 2) second = attribute->span();
+    const auto numbers = mjcf_numbers(attribute->value());
+    if (!numbers || numbers->size() < 3) continue;
+    const std::size_t count = std::string_view(way) == "quat" ? 4 : 3;
+    const bool has_length = std::string_view(way) != "euler";
+    double size = 0;
+    for (std::size_t i = 0; i < count && i < numbers->size(); ++i) {
+      size = std::max(size, std::abs((*numbers)[i]));
+    }
+    if (has_length && size == 0) {
+      facts.push_back(
+          {MjcfKind::kOrientationZero, attribute->value_span(), subject_of_mjcf(element), way});
+    }
+  }
+  // MuJoCo counts quat apart: of the others only one may be there.
+  const bool quat = element.attribute("quat").has_value();
+  if (ways > (quat ? 2U : 1U))
+    facts.push_back({MjcfKind::kOrientationTwice, second, subject_of_mjcf(element)});
+}
+
+void check_range(const MjcfValues& values, const MjcfSettings& settings, std::string_view range,
+                 std::string_view limited, MjcfFacts& facts) {
+  const auto text = values.text(range);
+  const std::vector<double> n = values.numbers(range);
+  const auto mode = values.text(limited);
+  const std::string_view value = mode ? trimmed(mode->text) : "auto";
+  const std::string subject = subject_of_mjcf(values.element());
+  const bool on = value == "true" || (value == "auto" && settings.auto_limits && text);
+  if (value == "true" && !text) {
+    facts.push_back({MjcfKind::kLimitedWithoutRange, mode->span, subject, std::string(range)});
+  }
+  if (!text || n.size() != 2) return;
+  if (on && n[0] >= n[1]) {
+    facts.push_back({MjcfKind::kRangeInverted, text->span, subject, std::string(range),
+                     std::string(trimmed(values.text(range)->text))});
+  } else if (!on && values.own(range) && (n[0] != 0 || n[1] != 0)) {
+    facts.push_back(
+        {MjcfKind::kRangeIgnored, text->span, subject, std::string(range),
+         value == "false" ? std::string(limited) + "=\"false\"" : "autolimits=\"false\""});
+  }
+}
+
+void check_joint(const MjcfScope& scope, const MjcfValues& values, MjcfFacts& facts) {
+  const std::string type = values.string("type", "hinge").value;
+  if (type != "hinge" && type != "slide") return;
+  const auto axis = values.vector("axis", {0, 0, 1});
+  if (axis.written && length(axis.value) < 1e-10) {
+    facts.push_back({MjcfKind::kAxisZero, axis.span, subject_of_mjcf(values.element())});
+  }
+  check_range(values, scope.settings, "range", "limited", facts);
+  check_range(values, scope.settings, "actuatorfrcrange", "actuatorfrclimited", facts);
+}
+
+/// How many sizes a geom's type needs, and how many with `fromto`.
+std::array<std::size_t, 2> sizes_of(std::string_view type) {
+  if (type == "sphere") return {1, 1};
+  if (type == "capsule" || type == "cylinder") return {2, 1};
+  if (type == "box" || type == "ellipsoid") return {3, 1};
+  return {0, 0};
+}
+
+void check_geom(const MjcfValues& values, MjcfFacts& facts) {
+  const std::string type(trimmed(values.string("type", "sphere").value));
+  const xml::Element element = values.element();
+  if ((type == "mesh" || type == "sdf") && values.string("mesh").value.empty()) {
+    facts.push_back(
+        {MjcfKind::kMeshMissingName, element.tag_span(), subject_of_mjcf(element), type});
+    return;
+  }
+  if (values.text("mesh")) return;
+  const std::size_t needed = sizes_of(type)[values.text("fromto") ? 1 : 0];
+  const std::vector<double> size = values.numbers("size");
+  const std::size_t positive = static_cast<std::size_t>(
+      std::find_if(size.begin(), size.end(), [](double s) { return !(s > 0); }) - size.begin());
+  if (positive >= needed) return;
+  const auto text = values.text("size");
+  facts.push_back({MjcfKind::kSizeMissing, text ? text->span : element.tag_span(),
+                   subject_of_mjcf(element), type, std::to_string(needed)});
+}
+
+/// MuJoCo's tests: positive definite, and two moments together no less than the third.
+std::string why_rejected(const std::vector<double>& d, const MjcfSettings& settings) {
+  if (d.size() == 3) {
+    if (d[0] < 0 || d[1] < 0 || d[2] < 0) return "a moment is negative";
+    const bool triangle = d[0] + d[1] >= d[2] && d[0] + d[2] >= d[1] && d[1] + d[2] >= d[0];
+    if (!triangle && !settings.masses.balance_inertia) {
+      return "two moments together are less than the third";
+    }
+    return {};
+  }
+  if (d.size() != 6) return {};
+  const double minor = d[0] * d[1] - d[3] * d[3];
+  const double determinant = d[0] * (d[1] * d[2] - d[5] * d[5]) -
+                             d[3] * (d[3] * d[2] - d[5] * d[4]) +
+                             d[4] * (d[3] * d[5] - d[1] * d[4]);
+  if (d[0] <= 0 || minor <= 0 || determinant <= 0) return "the tensor is not positive definite";
+  const bool triangle = d[0] + d[1] >= d[2] && d[0] + d[2] >= d[1] && d[1] + d[2] >= d[0];
+  if (!triangle && !settings.masses.balance_inertia) {
+    return "two moments together are less than the third";
+  }
+  return {};
+}
+
+void check_inertial(const MjcfScope& scope, xml::Element element, MjcfFacts& facts) {
+  const MjcfValues values(element, {});
+  const std::vector<double> full = values.numbers("fullinertia");
+  const std::vector<double> diagonal = values.numbers("diaginertia");
+  const bool both = !full.empty() && !diagonal.empty();
+  const bool rotated = element.attribute("quat") || element.attribute("euler") ||
+                       element.attribute("axisangle") || element.attribute("xyaxes") ||
+                       element.attribute("zaxis");
+  if (both || (!full.empty() && rotated)) {
+    facts.push_back({MjcfKind::kInertialIncomplete,
+                     element.tag_span(),
+                     {},
+                     {},
+                     both ? "fullinertia and diaginertia are both written"
+                          : "fullinertia and an orientation are both written"});
+    return;
+  }
+  const std::vector<double>& given = full.empty() ? diagonal : full;
+  const std::string why = why_rejected(given, scope.settings);
+  if (!why.empty()) {
+    const char* name = full.empty() ? "diaginertia" : "fullinertia";
+    facts.push_back({MjcfKind::kInertiaRejected, values.text(name)->span, {}, name, why});
+  }
+  const auto mass = values.number("mass", 0);
+  if (mass.written && mass.value < 0) {
+    facts.push_back({MjcfKind::kInertiaRejected, mass.span, {}, "mass", "the mass is negative"});
+  }
+}
+
+struct Degrees {
+  std::size_t of_body = 0, joints = 0;
+  bool free = false;
+  Span free_at;
+};
+
+Degrees degrees_of_freedom(const MjcfScope& scope, xml::Element body, std::size_t class_id) {
+  Degrees found;
+  for (const xml::Element child : scope.tree.children(body)) {
+    const std::string_view tag = child.name();
+    if (tag != "joint" && tag != "freejoint") continue;
+    const MjcfValues values =
+        scope.defaults.values(child, "joint", mjcf_class_of(scope, child, class_id));
+    const std::string type = tag == "freejoint" ? "free" : values.string("type", "hinge").value;
+    ++found.joints;
+    found.of_body += type == "free" ? 6 : type == "ball" ? 3 : 1;
+    if (type == "free") {
+      found.free = true;
+      found.free_at = child.tag_span();
+    }
+  }
+  return found;
+}
+
+/// Whether anything may give the body mass: an inertial, or a geom that weighs.
+bool may_weigh(const MjcfScope& scope, xml::Element body, std::size_t class_id) {
+  using From = MjcfSettings::InertiaFromGeom;
+  for (const xml::Element child : scope.tree.children(body)) {
+    const std::string_view tag = child.name();
+    if (tag == "frame" || tag == "replicate" || tag == "attach" || tag == "composite" ||
+        tag == "flexcomp" || tag == "plugin") {
+      return true;
+    }
+    if (tag == "inertial" && scope.settings.inertia_from_geom != From::kTrue) {
+      const auto mass = MjcfValues(child, {}).number("mass", 0);
+      return mass.value >= kSmallest;
+    }
+  }
+  if (scope.settings.inertia_from_geom == From::kFalse) return false;
+  for (const xml::Element child : scope.tree.children(body)) {
+    if (child.name() != "geom") continue;
+    const MjcfValues values =
+        scope.defaults.values(child, "geom", mjcf_class_of(scope, child, class_id));
+    const std::string type = values.string("type", "sphere").value;
+    if (type == "plane" || type == "hfield") continue;
+    const auto mass = values.number("mass", 0);
+    if (mass.written ? mass.value > 0 : values.number("density", 1000).value > 0) return true;
+  }
+  return false;
+}
+
+bool has_child_with_mass(const MjcfScope& scope, xml::Element body, std::size_t class_id) {
+  for (const xml::Element child : scope.tree.children(body)) {
+    const std::string_view tag = child.name();
+    if (tag == "frame" || tag == "replicate" || tag == "attach") return true;
+    if (tag != "body") continue;
+    std::size_t inside = class_id;
+    const auto childclass = string_field(attribute_text(child, "childclass"));
+    if (childclass.written) inside = scope.defaults.find(childclass.value).value_or(class_id);
+    if (degrees_of_freedom(scope, child, inside).joints > 0) continue;  // it moves by itself
+    if (may_weigh(scope, child, inside) || has_child_with_mass(scope, child, inside)) return true;
+  }
+  return false;
+}
+
+void check_body(const MjcfScope& scope, xml::Element body, std::size_t class_id, MjcfFacts& facts) {
+  std::size_t inside = class_id;
+  const auto childclass = string_field(attribute_text(body, "childclass"));
+  if (childclass.written) inside = scope.defaults.find(childclass.value).value_or(class_id);
+  const Degrees found = degrees_of_freedom(scope, body, inside);
+  auto above = body.parent();
+  while (above && (above->name() == "frame" || above->name() == "replicate"))
+    above = above->parent();
+  const bool nested = above && above->name() == "body";
+  const std::string subject = subject_of_mjcf(body);
+  if (found.free && nested) facts.push_back({MjcfKind::kFreeJointNested, found.free_at, subject});
+  if (found.free && found.joints > 1)
+    facts.push_back({MjcfKind::kFreeJointNotAlone, found.free_at, subject});
+  if (!found.free && found.of_body > 6) {
+    facts.push_back(
+        {MjcfKind::kTooManyJoints, body.tag_span(), subject, {}, std::to_string(found.of_body)});
+  }
+  const auto mocap = attribute_text(body, "mocap");
+  if (mocap && trimmed(mocap->text) == "true" && (nested || found.joints > 0)) {
+    facts.push_back({MjcfKind::kMocapNotStatic,
+                     mocap->span,
+                     subject,
+                     {},
+                     nested ? "it is not a child of the world" : "it has a joint"});
+  }
+  const bool bounded =
+      scope.settings.masses.bound_mass > 0 && scope.settings.masses.bound_inertia > 0;
+  if (found.joints > 0 && !bounded && !may_weigh(scope, body, inside) &&
+      !has_child_with_mass(scope, body, inside)) {
+    facts.push_back({MjcfKind::kMassMissing, body.tag_span(), subject});
+  }
+}
+
+}  // namespace
+
+void check_mjcf_bodies(const MjcfScope& scope, MjcfFacts& facts) {
+  if (!scope.settings.global_coordinates.nowhere()) {
+    facts.push_back({MjcfKind::kGlobalCoordinates, scope.settings.global_coordinates});
+  }
+  for_each_in_bodies(scope, [&](xml::Element element, std::size_t class_id) {
+    const std::string_view tag = element.name();
+    const auto values = [&] { return scope.defaults.values(element, tag, class_id); };
+    if (tag == "joint") check_joint(scope, values(), facts);
+    if (tag == "geom") check_geom(values(), facts);
+    if (tag == "inertial") check_inertial(scope, element, facts);
+    if (tag == "body") check_body(scope, element, class_id, facts);
+    if (tag == "body" || tag == "geom" || tag == "site" || tag == "camera" || tag == "frame") {
+      check_orientation(element, facts);
+    }
+    if (tag == "replicate") {
+      const auto count = MjcfValues(element, {}).number("count", 0);
+      if (count.written && count.value < 1) {
+        facts.push_back({MjcfKind::kReplicateCount, count.span, {}, {}, "it is less than 1"});
+      }
+    }
+  });
+}
+
+}  // namespace rigor::read

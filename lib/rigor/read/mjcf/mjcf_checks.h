@@ -1,0 +1,67 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is wrong in an MJCF file beyond its schema: names, references, numbers, bodies, actuators. Each check walks
+// the file with its includes once; `read_mjcf` calls them all.
+
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <rigor/model/model.h>
+#include <rigor/read/mjcf/mjcf_fact.h>
+#include <rigor/read/mjcf/mjcf_scope.h>
+
+namespace rigor::read {
+
+/// Names by kind: "joint", "body", "geom", "site", "mesh", …
+using MjcfNames = std::map<std::string, std::set<std::string, std::less<>>, std::less<>>;
+
+/// Whether names come from other files or recipes, so that what is not here may be there.
+bool makes_names(const MjcfScope& scope);
+
+MjcfNames check_mjcf_names(const MjcfScope& scope, MjcfFacts& facts);
+void check_mjcf_references(const MjcfScope& scope, const MjcfNames& names, MjcfFacts& facts);
+void check_mjcf_numbers(const MjcfScope& scope, MjcfFacts& facts);
+void check_mjcf_assets(const MjcfScope& scope, const Disk& disk, MjcfFacts& facts);
+void check_mjcf_bodies(const MjcfScope& scope, MjcfFacts& facts);
+void check_mjcf_contacts(const MjcfScope& scope, MjcfFacts& facts);
+void check_mjcf_actuators(const MjcfScope& scope, MjcfFacts& facts);
+/// Against the positions, velocities and controls that the bodies and actuators have.
+void check_mjcf_keyframes(const MjcfScope& scope, MjcfFacts& facts);
+
+/// The class that an element has: its own, else that of the bodies and frames around it.
+std::size_t mjcf_class_of(const MjcfScope& scope, xml::Element element, std::size_t around);
+
+/// Calls `use(element, class_id)` for everything in the bodies, outermost first.
+template <class Use>
+void for_each_in_bodies(const MjcfScope& scope, xml::Element parent, std::size_t class_id,
+                        const Use& use) {
+  for (const xml::Element child : scope.tree.children(parent)) {
+    const std::string_view tag = child.name();
+    std::size_t inside = class_id;
+    if (const auto childclass = string_field(attribute_text(child, "childclass"));
+        childclass.written) {
+      inside = scope.defaults.find(childclass.value).value_or(class_id);
+    }
+    use(child, mjcf_class_of(scope, child, class_id));
+    if (tag == "body" || tag == "frame" || tag == "replicate") {
+      for_each_in_bodies(scope, child, inside, use);
+    }
+  }
+}
+
+template <class Use>
+void for_each_in_bodies(const MjcfScope& scope, const Use& use) {
+  for (const xml::Element section : scope.tree.children(scope.tree.root())) {
+    if (section.name() == "worldbody") {
+      for_each_in_bodies(scope, section, MjcfDefaults::kMain, use);
+    }
+  }
+}
+
+}  // namespace rigor::read

@@ -1,0 +1,69 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is found wrong in an MJCF file beyond its schema, as data; a rule of the category `mjcf` turns each
+// kind into words.
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <rigor/text/span.h>
+
+namespace rigor::read {
+
+enum class MjcfFactKind : std::uint8_t {
+  kIncludeMissing,       ///< `name` is the file
+  kIncludeRepeated,      ///< the file was included before; MuJoCo takes each once
+  kIncludeBroken,        ///< not well-formed, or without a root; `detail` says why
+  kClassMissing,         ///< no default class `name`
+  kClassRepeated,        ///< two default classes are called `name`
+  kNameRepeated,         ///< two of one `detail` (body, joint, geom, …) are called `name`
+  kReferenceMissing,     ///< no `detail` (joint, body, site, …) is called `name`
+  kAssetMissing,         ///< the file `name` of a mesh, height field or texture does not exist
+  kMeshEmpty,            ///< the mesh `name` has neither file, vertices nor shape
+  kMeshScaleZero,        ///< `name` is the mesh
+  kMeshMissingName,      ///< a geom of type mesh names no mesh
+  kNumbersMalformed,     ///< `name` is the attribute, `detail` its value
+  kNumbersCount,         ///< `name` is the attribute; `detail` what it takes: "3 numbers"
+  kRangeInverted,        ///< of the attribute `name`: the first number is not below the second
+  kRangeIgnored,         ///< limited="false", or autolimits is off: the range `name` has no effect
+  kLimitedWithoutRange,  ///< limited="true" and no range
+  kSizeMissing,          ///< a geom lacks a size, or one is not positive; `detail` says which
+  kOrientationTwice,     ///< more than one of quat, axisangle, xyaxes, zaxis and euler
+  kOrientationZero,      ///< the quaternion or axis `name` has no length
+  kAxisZero,             ///< of a hinge or slide
+  kInertialIncomplete,   ///< no inertia, or both diaginertia and fullinertia; `detail` says which
+  kInertiaRejected,      ///< `detail` says what MuJoCo rejects it for
+  kMassMissing,          ///< a body moves and has neither mass nor inertia
+  kFreeJointNested,      ///< a free joint of a body that is not a child of the world
+  kFreeJointNotAlone,    ///< a free joint beside another joint
+  kTooManyJoints,        ///< more than six degrees of freedom in a body
+  kMocapNotStatic,       ///< a mocap body with joints, or not a child of the world
+  kActuatorNoTarget,     ///< no joint, tendon, site or body
+  kActuatorTwoTargets,   ///< more than one
+  kActuatorNoEffect,     ///< `detail` says why: a gear or gain of zero, a range of no width
+  kNeverTouches,         ///< contype and conaffinity meet no other geom's
+  kKeyframeShort,        ///< the same, with too few: newer versions fill them up
+  kKeyframeSize,         ///< `name` is the attribute; `detail` "7 numbers, 9 expected"
+  kNotExpanded,          ///< composite or flexcomp: rigor does not make its bodies
+  kFitNotMade,           ///< a primitive that is fitted to a mesh: rigor takes the mesh itself
+  kGlobalCoordinates,    ///< coordinate="global", which MuJoCo dropped in 2.3.4
+  kReplicateCount,       ///< not a positive number, or too many copies
+};
+
+struct MjcfFact {
+  MjcfFactKind kind;
+  Span where;
+  std::string subject = {};  ///< "joint elbow"; empty when the place says it
+  std::string name = {};
+  std::string detail = {};
+  std::vector<std::string> candidates = {};  ///< names that there are, of a missing one
+  Span related = {};
+};
+
+using MjcfFacts = std::vector<MjcfFact>;
+
+}  // namespace rigor::read

@@ -1,0 +1,338 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <array>
+#include <functional>
+#include <utility>
+
+#include <rigor/read/mjcf/mjcf_checks.h>
+#include <rigor/text/path.h>
+
+namespace rigor::read {
+namespace {
+
+/// A reference: where it is, and what kind of name it holds. An empty section is any.
+struct MjcfReference {
+  std::string_view section, tag, attribute, kind;
+};
+
+constexpr std::array kMjcfReferences{
+    MjcfReference{"actuator", "", "joint", "joint"},
+    MjcfReference{"actuator", "", "jointinparent", "joint"},
+    MjcfReference{"actuator", "", "tendon", "tendon"},
+    MjcfReference{"actuator", "", "site", "site"},
+    MjcfReference{"actuator", "", "refsite", "site"},
+    MjcfReference{"actuator", "", "slidersite", "site"},
+    MjcfReference{"actuator", "", "cranksite", "site"},
+    MjcfReference{"actuator", "", "body", "body"},
+    MjcfReference{"equality", "", "body1", "body"},
+    MjcfReference{"equality", "", "body2", "body"},
+    MjcfReference{"equality", "", "site1", "site"},
+    MjcfReference{"equality", "", "site2", "site"},
+    MjcfReference{"equality", "joint", "joint1", "joint"},
+    MjcfReference{"equality", "joint", "joint2", "joint"},
+    MjcfReference{"equality", "tendon", "tendon1", "tendon"},
+    MjcfReference{"equality", "tendon", "tendon2", "tendon"},
+    MjcfReference{"contact", "", "geom1", "geom"},
+    MjcfReference{"contact", "", "geom2", "geom"},
+    MjcfReference{"contact", "", "body1", "body"},
+    MjcfReference{"contact", "", "body2", "body"},
+    MjcfReference{"tendon", "site", "site", "site"},
+    MjcfReference{"tendon", "geom", "geom", "geom"},
+    MjcfReference{"tendon", "geom", "sidesite", "site"},
+    MjcfReference{"tendon", "joint", "joint", "joint"},
+    MjcfReference{"tendon", "", "material", "material"},
+    MjcfReference{"sensor", "", "joint", "joint"},
+    MjcfReference{"sensor", "", "actuator", "actuator"},
+    MjcfReference{"sensor", "", "tendon", "tendon"},
+    MjcfReference{"sensor", "", "site", "site"},
+    MjcfReference{"sensor", "", "body", "body"},
+    MjcfReference{"worldbody", "geom", "mesh", "mesh"},
+    MjcfReference{"worldbody", "geom", "hfield", "hfield"},
+    MjcfReference{"worldbody", "geom", "material", "material"},
+    MjcfReference{"worldbody", "site", "material", "material"},
+    MjcfReference{"worldbody", "camera", "target", "body"},
+    MjcfReference{"worldbody", "light", "target", "body"},
+    MjcfReference{"worldbody", "attach", "model", "model"},
+    MjcfReference{"asset", "material", "texture", "texture"},
+};
+
+/// What kind of name an element of a section declares; empty for none.
+std::string_view declared_kind(std::string_view section, std::string_view tag) {
+  if (section == "worldbody") {
+    if (tag == "freejoint") return "joint";
+    for (const std::string_view kind : {"body", "joint", "geom", "site", "camera", "light"}) {
+      if (tag == kind) return kind;
+    }
+    return {};
+  }
+  if (section == "asset") return tag;
+  if (section == "actuator" || section == "sensor" || section == "equality") return section;
+  if (section == "tendon" && (tag == "spatial" || tag == "fixed")) return section;
+  if (section == "keyframe") return "key";
+  return {};
+}
+
+/// All elements below the root with the section that they are in, bounded by the depth of XML.
+void walk_elements(const MjcfTree& tree, xml::Element parent, std::string_view section,
+                   const std::function<void(std::string_view, xml::Element)>& use) {
+  for (const xml::Element child : tree.children(parent)) {
+    use(section, child);
+    walk_elements(tree, child, section, use);
+  }
+}
+
+void walk_elements(const MjcfTree& tree,
+                   const std::function<void(std::string_view, xml::Element)>& use) {
+  for (const xml::Element section : tree.children(tree.root())) {
+    // MuJoCo ignores a body that is no part of the world.
+    if (section.name() != "body") walk_elements(tree, section, section.name(), use);
+  }
+}
+
+std::vector<std::string> names_of_kind(const MjcfNames& names, std::string_view kind) {
+  const auto found = names.find(kind);
+  if (found == names.end()) return {};
+  return {found->second.begin(), found->second.end()};
+}
+
+std::string default_name(xml::Element element) {
+  const std::string file = string_field(attribute_text(element, "file")).value;
+  const std::size_t slash = file.find_last_of("/\\");
+  const std::string last = slash == file.npos ? file : file.substr(slash + 1);
+  return last.substr(0, last.rfind('.'));
+}
+
+/// Copies have names of their own.
+bool is_copied(xml::Element element) {
+  for (auto above = element.parent(); above; above = above->parent()) {
+    if (above->name() == "replicate") return true;
+  }
+  return false;
+}
+
+void check_class(const MjcfScope& scope, xml::Element element, const char* attribute,
+                 MjcfFacts& facts) {
+  const auto name = string_field(attribute_text(element, attribute));
+  if (!name.written || scope.defaults.find(name.value)) return;
+  facts.push_back({.kind = MjcfFactKind::kClassMissing,
+                   .where = name.span,
+                   .name = name.value,
+                   .candidates = scope.defaults.names()});
+}
+
+}  // namespace
+
+std::size_t mjcf_class_of(const MjcfScope& scope, xml::Element element, std::size_t around) {
+  const auto name = string_field(attribute_text(element, "class"));
+  if (!name.written) return around;
+  return scope.defaults.find(name.value).value_or(around);
+}
+
+bool makes_names(const MjcfScope& scope) {
+  bool makes = false;
+  walk_elements(scope.tree, [&makes](std::string_view section, xml::Element element) {
+    const std::string_view tag = element.name();
+    makes = makes || (section == "worldbody" && (tag == "attach" || tag == "composite" ||
+                                                 tag == "flexcomp" || tag == "replicate"));
+    makes = makes || (section == "asset" && tag == "model");
+  });
+  return makes;
+}
+
+MjcfNames check_mjcf_names(const MjcfScope& scope, MjcfFacts& facts) {
+  MjcfNames names;
+  std::map<std::pair<std::string, std::string>, Span> first;
+  names["body"].insert("world");
+  for (const auto& [name, element] : scope.assets.models) names["model"].insert(name);
+  walk_elements(scope.tree, [&](std::string_view section, xml::Element element) {
+    const std::string_view kind = declared_kind(section, element.name());
+    if (kind.empty()) return;
+    auto name = string_field(attribute_text(element, "name"));
+    // As MuJoCo takes it, with the spaces around it.
+    if (const auto written = element.attribute("name")) name.value = written->value();
+    const bool nested = section != "worldbody" && element.parent()->name() != section &&
+                        element.parent()->name() != "mujocoinclude" &&
+                        element.parent()->name() != "mujoco";
+    if (nested) return;
+    if (name.value.empty() && section == "asset") {
+      name.value = default_name(element);
+      name.span = element.tag_span();
+    }
+    if (name.value.empty() || is_copied(element)) return;
+    names[std::string(kind)].insert(name.value);
+    const auto [known, is_new] = first.try_emplace({std::string(kind), name.value}, name.span);
+    if (is_new) return;
+    facts.push_back({.kind = MjcfFactKind::kNameRepeated,
+                     .where = name.span,
+                     .name = name.value,
+                     .detail = std::string(kind),
+                     .related = known->second});
+  });
+  return names;
+}
+
+void check_mjcf_references(const MjcfScope& scope, const MjcfNames& names, MjcfFacts& facts) {
+  const bool partial = makes_names(scope);
+  walk_elements(scope.tree, [&](std::string_view section, xml::Element element) {
+    if (section != "default" || element.name() != "default") {
+      check_class(scope, element, "class", facts);
+    }
+    check_class(scope, element, "childclass", facts);
+    for (const MjcfReference& one : kMjcfReferences) {
+      if (one.section != section) continue;
+      if (!one.tag.empty() && one.tag != element.name()) continue;
+      const auto name = string_field(attribute_text(element, one.attribute));
+      if (!name.written || name.value.empty()) continue;
+      const auto kind = names.find(one.kind);
+      if (kind != names.end() && kind->second.contains(name.value)) continue;
+      const bool asset = one.kind == "mesh" || one.kind == "material" || one.kind == "texture" ||
+                         one.kind == "hfield" || one.kind == "model";
+      if (partial && !asset) continue;
+      facts.push_back({.kind = MjcfFactKind::kReferenceMissing,
+                       .where = name.span,
+                       .name = name.value,
+                       .detail = std::string(one.kind),
+                       .candidates = names_of_kind(names, one.kind)});
+    }
+    if (section != "sensor" || partial) return;
+    const std::string type = string_field(attribute_text(element, "objtype")).value;
+    const auto name = string_field(attribute_text(element, "objname"));
+    if (!name.written || type.empty()) return;
+    const std::string kind = type == "xbody" ? "body" : type;
+    const auto known = names.find(kind);
+    if (known != names.end() && known->second.contains(name.value)) return;
+    facts.push_back({.kind = MjcfFactKind::kReferenceMissing,
+                     .where = name.span,
+                     .name = name.value,
+                     .detail = kind,
+                     .candidates = names_of_kind(names, kind)});
+  });
+}
+
+namespace {
+
+struct NumberCount {
+  std::string_view attribute;
+  std::size_t least, most;
+};
+
+constexpr std::array kNumberCounts{NumberCount{"pos", 3, 3},
+                                   NumberCount{"quat", 4, 4},
+                                   NumberCount{"axisangle", 4, 4},
+                                   NumberCount{"xyaxes", 6, 6},
+                                   NumberCount{"zaxis", 3, 3},
+                                   NumberCount{"euler", 3, 3},
+                                   NumberCount{"fromto", 6, 6},
+                                   NumberCount{"rgba", 4, 4},
+                                   NumberCount{"friction", 1, 3},
+                                   NumberCount{"diaginertia", 3, 3},
+                                   NumberCount{"fullinertia", 6, 6},
+                                   NumberCount{"axis", 3, 3},
+                                   NumberCount{"ctrlrange", 2, 2},
+                                   NumberCount{"forcerange", 2, 2},
+                                   NumberCount{"actrange", 2, 2},
+                                   NumberCount{"gear", 1, 6},
+                                   NumberCount{"polycoef", 1, 5},
+                                   NumberCount{"refpos", 3, 3},
+                                   NumberCount{"refquat", 4, 4},
+                                   NumberCount{"offset", 3, 3},
+                                   NumberCount{"actuatorfrcrange", 2, 2},
+                                   NumberCount{"solref", 1, 2},
+                                   NumberCount{"solimp", 1, 5},
+                                   NumberCount{"mass", 1, 1},
+                                   NumberCount{"density", 1, 1}};
+
+/// The numbers that an attribute takes; `most` 0 when it takes others, or none are known.
+NumberCount count_of(std::string_view tag, std::string_view attribute) {
+  if (attribute == "size") {
+    if (tag == "geom" || tag == "site") return {attribute, 1, 3};
+    if (tag == "hfield") return {attribute, 4, 4};
+    return {attribute, 0, 0};
+  }
+  if (attribute == "range") {
+    return tag == "joint" ? NumberCount{attribute, 2, 2} : NumberCount{attribute, 0, 0};
+  }
+  if (attribute == "scale") return {attribute, tag == "mesh" ? 3U : 0U, tag == "mesh" ? 3U : 0U};
+  if (tag == "composite" || tag == "flexcomp" || tag == "plugin" || tag == "config" ||
+      tag == "key" || tag == "option") {
+    return {attribute, 0, 0};
+  }
+  for (const NumberCount& one : kNumberCounts) {
+    if (one.attribute == attribute) return one;
+  }
+  return {attribute, 0, 0};
+}
+
+std::string wanted_numbers(const NumberCount& count) {
+  const std::string most = std::to_string(count.most);
+  if (count.least == count.most) return most + (count.most == 1 ? " number" : " numbers");
+  return std::to_string(count.least) + " to " + most + " numbers";
+}
+
+}  // namespace
+
+void check_mjcf_numbers(const MjcfScope& scope, MjcfFacts& facts) {
+  walk_elements(scope.tree, [&](std::string_view section, xml::Element element) {
+    if (section == "custom" || section == "extension" || section == "deformable" ||
+        section == "visual") {
+      return;
+    }
+    for (const xml::Attribute attribute : element.attributes()) {
+      const NumberCount count = count_of(element.name(), attribute.name());
+      if (count.most == 0) continue;
+      const auto numbers = mjcf_numbers(attribute.value());
+      MjcfFact fact{.kind = MjcfFactKind::kNumbersMalformed,
+                    .where = attribute.value_span(),
+                    .name = std::string(attribute.name()),
+                    .detail = std::string(attribute.value())};
+      if (numbers && numbers->size() >= count.least && numbers->size() <= count.most) continue;
+      if (numbers) {
+        fact.kind = MjcfFactKind::kNumbersCount;
+        fact.detail = wanted_numbers(count) + ", not " + std::to_string(numbers->size());
+      }
+      facts.push_back(std::move(fact));
+    }
+  });
+}
+
+void check_mjcf_assets(const MjcfScope& scope, const Disk& disk, MjcfFacts& facts) {
+  const auto exists = [&](xml::Element element, std::string_view folder,
+                          const model::Field<std::string>& file) {
+    const std::string path =
+        mjcf_asset_path(scope.tree, scope.settings, element, folder, file.value);
+    const std::string_view here = parent_path(scope.tree.path_of(element));
+    return disk.kind(join_path(here, path)) == PathKind::kFile;
+  };
+  for (const xml::Element element : scope.tree.in_sections("asset")) {
+    const std::string_view tag = element.name();
+    const std::string& folder =
+        tag == "texture" ? scope.settings.texture_folder : scope.settings.mesh_folder;
+    for (const char* attribute :
+         {"file", "fileright", "fileleft", "fileup", "filedown", "filefront", "fileback"}) {
+      const auto file = string_field(attribute_text(element, attribute));
+      if (!file.written || file.value.empty()) continue;
+      if (exists(element, tag == "model" ? "" : folder, file)) continue;
+      facts.push_back({.kind = MjcfFactKind::kAssetMissing,
+                       .where = file.span,
+                       .name = file.value,
+                       .detail = std::string(tag)});
+    }
+    if (tag != "mesh") continue;
+    const bool has_shape = element.attribute("file") || element.attribute("vertex") ||
+                           element.attribute("builtin") || element.child("plugin");
+    if (!has_shape) {
+      facts.push_back({.kind = MjcfFactKind::kMeshEmpty,
+                       .where = element.tag_span(),
+                       .name = string_field(attribute_text(element, "name")).value});
+    }
+  }
+  for (const auto& [name, mesh] : scope.assets.meshes) {
+    const model::Vector3& s = mesh.mesh.scale.value;
+    if (s.x != 0 && s.y != 0 && s.z != 0) continue;
+    facts.push_back(
+        {.kind = MjcfFactKind::kMeshScaleZero, .where = mesh.mesh.scale.span, .name = name});
+  }
+}
+
+}  // namespace rigor::read

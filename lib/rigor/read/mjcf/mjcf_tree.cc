@@ -1,0 +1,81 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/read/mjcf/mjcf_tree.h>
+
+#include <rigor/read/values.h>
+#include <rigor/text/path.h>
+
+namespace rigor::read {
+
+MjcfTree::MjcfTree(Workspace& workspace, const File& file, MjcfFacts& facts)
+    : workspace_(workspace), file_(file) {
+  taken_.insert(normalize_path(file.path));
+  paths_.emplace(file.source, &file.path);
+  follow(root(), file, facts);
+}
+
+void MjcfTree::follow(xml::Element parent, const File& file, MjcfFacts& facts) {
+  for (const xml::Element child : parent.children()) {
+    if (child.name() != "include") {
+      follow(child, file, facts);
+      continue;
+    }
+    const auto name = string_field(attribute_text(child, "file"));
+    if (name.value.empty() || taken_.size() > kMaxMjcfIncludes) continue;
+    const Disk& disk = workspace_.disk();
+    std::string path = join_path(parent_path(file_.path), name.value);
+    if (disk.kind(path) != PathKind::kFile) {
+      const std::string beside = join_path(parent_path(file.path), name.value);
+      if (disk.kind(beside) != PathKind::kFile) {
+        facts.push_back({MjcfFactKind::kIncludeMissing, name.span, {}, name.value, path});
+        continue;
+      }
+      path = beside;
+    }
+    if (!taken_.insert(normalize_path(path)).second) {
+      facts.push_back({MjcfFactKind::kIncludeRepeated, name.span, {}, name.value});
+      continue;
+    }
+    const File& inner = workspace_.open(path);
+    if (!inner.document || !inner.document->complete() || !inner.document->root()) {
+      const std::string why = inner.document ? "is not well-formed XML" : inner.problem;
+      facts.push_back({MjcfFactKind::kIncludeBroken, name.span, {}, name.value, why});
+      continue;
+    }
+    included_.emplace(std::pair(child.tag_span().source, child.index()), &inner);
+    paths_.emplace(inner.source, &inner.path);
+    follow(*inner.document->root(), inner, facts);
+  }
+}
+
+void MjcfTree::collect(xml::Element parent, std::vector<xml::Element>& list) const {
+  for (const xml::Element child : parent.children()) {
+    if (child.name() != "include") {
+      list.push_back(child);
+      continue;
+    }
+    const auto found = included_.find({child.tag_span().source, child.index()});
+    if (found != included_.end()) collect(*found->second->document->root(), list);
+  }
+}
+
+std::vector<xml::Element> MjcfTree::children(xml::Element parent) const {
+  std::vector<xml::Element> list;
+  collect(parent, list);
+  return list;
+}
+
+std::vector<xml::Element> MjcfTree::in_sections(std::string_view name) const {
+  std::vector<xml::Element> list;
+  for (const xml::Element section : children(root())) {
+    if (section.name() == name) collect(section, list);
+  }
+  return list;
+}
+
+const std::string& MjcfTree::path_of(xml::Element element) const {
+  return *paths_.at(element.tag_span().source);
+}
+
+}  // namespace rigor::read
