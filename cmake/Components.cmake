@@ -58,6 +58,10 @@ rigor_component(HTTPLIB "rigor view --serve" "libcpp-httplib-dev pkg-config" htt
 find_package(SQLite3 QUIET)
 rigor_component(SQLITE "rigor merge -o results.sqlite, and its report" libsqlite3-dev SQLite3_FOUND)
 
+# Of a module that is opened when shapes are held against each other.
+find_package(fcl CONFIG QUIET)
+rigor_component(FCL "the collision matrix of rigor srdf" libfcl-dev fcl_FOUND)
+
 # rigor_choose(SOURCES HEADERS NAME STUB PATTERN): with a component, SOURCES lose its stub, STUB_absent.cc. Without,
 # they lose every file that includes what matches PATTERN, itself or by one of HEADERS.
 function(rigor_choose sources headers name stub pattern)

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # What a release holds beside the program, and how CPack makes Debian packages of it: `rigor` (the program, its
-# worker, pages and completions) and `librigor-dev` (the library, its headers, its CMake package). The component of
-# a file is the default one of the folder that installs it (see the top CMakeLists.txt).
+# worker and modules, pages and completions) and `librigor-dev` (the library, its headers, its CMake package). The
+# component of a file is the default one of the folder that installs it (see the top CMakeLists.txt).
 
 # Pages and completions come from the program itself, so that they say what it does.
 set(rigor_share ${PROJECT_BINARY_DIR}/share)

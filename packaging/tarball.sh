@@ -31,6 +31,7 @@ for pattern in 'libassimp\.so\.[0-9][0-9]*' 'libembree[0-9]\.so\.[0-9][0-9]*'; d
   [ -n "$path" ] || { echo "$name_in_program is not installed" >&2; exit 1; }
   opened+=("$name_in_program => $path")
 done
+modules=(rigor-page-server.so rigor-collider.so)
 loader_path=$(patchelf --print-interpreter "$root/libexec/rigor")
 loader=$(basename "$loader_path")
 
@@ -39,7 +40,7 @@ printf 'library\tpackage\tversion\n' >"$root/share/doc/licenses/libraries.tsv"
 {
   ldd "$build/rigor"
   ldd "$build/rigor-worker"
-  ldd "$build/rigor-page-server.so"
+  for module in "${modules[@]}"; do ldd "$build/$module"; done
   for library in "${opened[@]}"; do
     ldd "${library#* => }"
     echo "$library"
@@ -67,12 +68,12 @@ done
 chmod 755 "$root/lib/glibc/$loader"
 
 # Found without the launcher too. RPATH, unlike RUNPATH, counts for what is opened by name.
-for program in "$root/libexec/rigor" "$root/libexec/rigor-worker.program" "$root/libexec/rigor-page-server.so"; do
+for program in "$root/libexec/rigor" "$root/libexec/rigor-worker.program" "${modules[@]/#/$root/libexec/}"; do
   patchelf --force-rpath --set-rpath '$ORIGIN/../lib' "$program"
 done
 for library in "$root"/lib/*.so.*; do patchelf --force-rpath --set-rpath '$ORIGIN' "$library"; done
 
-needed=$(for file in "$root/libexec/rigor" "$root/libexec/rigor-worker.program" "$root/libexec/rigor-page-server.so" \
+needed=$(for file in "$root/libexec/rigor" "$root/libexec/rigor-worker.program" "${modules[@]/#/$root/libexec/}" \
              "$root"/lib/*.so.*; do
   objdump -T "$file" | grep -o 'GLIBC_[0-9.]*'
 done | sort -Vu | tail -n 1)

@@ -71,6 +71,7 @@ const std::map<std::string, Names>& third_parties() {
       {"toml++", {"config"}},
       {"assimp/", {"mesh"}},
       {"libqhull", {"mesh"}},
+      {"fcl/", {"mesh"}},
       {"meshoptimizer", {"mesh", "tools"}},
       {"urdf_parser/", {"convert"}},
       {"console_bridge/", {"convert"}},

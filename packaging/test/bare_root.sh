@@ -71,6 +71,18 @@ draws() {
   rm -f "$root/root/drawn.png"
 }
 
+# holds_links WHAT PROGRAM: against each other with FCL, which is in a module.
+holds_links() {
+  local said
+  if said=$(inside "rm -rf held && $2 new held --template arm && $2 srdf held/model.sdf --samples 100" 2>&1) &&
+      grep -q '<disable_collisions ' <<<"$said"; then
+    ok "$1 writes an SRDF"
+  else
+    bad "$1 writes no SRDF"
+    echo "$said"
+  fi
+}
+
 test_release() {
   local release=$1 mirror begin deb
   mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' | sed -n '\,/debian/$,{p;q}')
@@ -97,6 +109,7 @@ test_release() {
   echo "from the tarball to the first finding: $(since "$begin")"
   reads_a_scene 'the tarball' rigor-tarball
   draws 'the tarball' rigor-tarball
+  holds_links 'the tarball' rigor-tarball
   check_direct_start
 
   deb=$(basename "$packages"/rigor_*.deb)
@@ -111,6 +124,7 @@ test_release() {
     echo "from \`apt install\` to the first finding: $(since "$begin")"
     reads_a_scene "$deb" rigor
     draws "$deb" rigor
+    holds_links "$deb" rigor
     check_files
     check_development
   fi
@@ -136,8 +150,8 @@ check_direct_start() {
 check_files() {
   local listing
   listing=$(dpkg-deb -c "$packages"/rigor_*.deb)
-  for file in libexec/rigor-worker libexec/rigor-page-server.so share/man/man1/rigor-validate.1.gz \
-              share/bash-completion/completions/rigor \
+  for file in libexec/rigor-worker libexec/rigor-page-server.so libexec/rigor-collider.so \
+              share/man/man1/rigor-validate.1.gz share/bash-completion/completions/rigor \
               share/zsh/vendor-completions/_rigor share/fish/vendor_completions.d/rigor.fish; do
     if grep -q "$file\$" <<<"$listing"; then ok "it has $file"; else bad "no $file"; fi
   done
@@ -168,6 +182,7 @@ check_wheel() {
     finds_the_fault 'the wheel' /usr/local/bin/rigor
     reads_a_scene 'the wheel' 'python3 -m rigor'
     draws 'the wheel' 'python3 -m rigor'
+    holds_links 'the wheel' 'python3 -m rigor'
   else
     bad 'pip does not install the wheel'
     cat "$root/root/pip.log"
@@ -185,6 +200,7 @@ check_npm() {
     finds_the_fault 'the npm package' /opt/npm/bin/rigor
     reads_a_scene 'the npm package' /opt/npm/bin/rigor
     draws 'the npm package' /opt/npm/bin/rigor
+    holds_links 'the npm package' /opt/npm/bin/rigor
   else
     bad 'npm does not install the package'
     cat "$root/root/npm.log"

@@ -94,6 +94,7 @@ constexpr CommandEntry kCommands[] = {
     {"upgrade", upgrade_command},
     {"fmt", fmt_command},
     {"edit", edit_command},
+    {"srdf", srdf_command},
     {"init", init_command},
     {"lsp", lsp_command},
     {"rules", rules_command},

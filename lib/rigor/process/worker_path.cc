@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <system_error>
 
 #include <rigor/text/path.h>
 
@@ -75,6 +77,14 @@ WorkerProgram find_worker_from(const std::string& folder, std::string_view searc
                    [](const std::string& path) { return ::access(path.c_str(), X_OK) == 0; });
   if (known != candidates.end()) found.path = *known;
   return found;
+}
+
+std::string path_beside_worker(std::string_view name) {
+  const WorkerProgram worker = find_worker();
+  const std::filesystem::path found = worker.path.value_or(worker.looked_for.front());
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::canonical(found, error);
+  return ((error ? found : program).parent_path() / name).string();
 }
 
 }  // namespace rigor::process

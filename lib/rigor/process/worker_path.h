@@ -30,6 +30,10 @@ WorkerProgram find_worker();
 /// The same from the folder of a program, which may be empty, and the text of PATH.
 WorkerProgram find_worker_from(const std::string& folder, std::string_view search_path);
 
+/// A module of rigor's, which is installed beside the worker. In a build, programs may have a link to the worker
+/// alone: its place is where that leads. The file need not be there.
+std::string path_beside_worker(std::string_view name);
+
 /// From the text of /proc/self/maps (man 5 proc): the file that an address of this process is mapped from.
 /// Of a program that was started as an argument of the dynamic loader, /proc/self/exe names the loader.
 std::optional<std::string> file_mapped_at(std::string_view maps, std::uintptr_t address);

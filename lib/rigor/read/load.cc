@@ -15,6 +15,11 @@
 namespace rigor::read {
 namespace {
 
+/// An SRDF has a robot's name and refers to it, and is none.
+bool is_srdf(std::string_view path, xml::Element root) {
+  return extension(path) == ".srdf" && root.name() == "robot";
+}
+
 /// What a document's root element says it is.
 model::Format format_of(xml::Element root) {
   const std::string_view name = root.name();
@@ -42,6 +47,7 @@ class FileLoader {
     const auto top = file.document->root();
     if (!top) return std::move(loaded_);
     loaded_.root.site = site_of(*top);
+    if (is_srdf(file.path, *top)) return std::move(loaded_);
     loaded_.root.format = format_of(*top);
     if (file_name(file.path) == "model.config" && top->name() == "model") {
       loaded_.root.format = model::Format::kModelConfig;

@@ -11,6 +11,8 @@
 
 #include <rigor/robot/static_loads.h>
 
+#include <rigor/robot/random.h>
+
 namespace rigor::robot {
 namespace {
 
@@ -74,24 +76,6 @@ void pass_to_leaders(const Robot& robot, Efforts& efforts) {
     }
   }
 }
-
-/// SplitMix64, so that a seed means the same on every machine.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-
-  double between(double low, double high) {
-    state_ += 0x9e3779b97f4a7c15U;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-    z ^= z >> 31U;
-    return low + (high - low) * (static_cast<double>(z >> 11U) * 0x1p-53);
-  }
-
- private:
-  std::uint64_t state_;
-};
 
 struct Range {
   double lower = 0, upper = 0;

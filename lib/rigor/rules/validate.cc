@@ -117,6 +117,7 @@ class Run {
     read::Discovered found = read::discover(environment_.disk, options_.paths, options_.discover);
     result_.unusable = std::move(found.unusable);
     std::move(found.files.begin(), found.files.end(), std::back_inserter(paths));
+    std::move(found.semantic.begin(), found.semantic.end(), std::back_inserter(paths));
     std::vector<read::LeftOut> left_out;
     add_templates(found.left_out, paths, left_out);
     result_.all_files = paths.size();

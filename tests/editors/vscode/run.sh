@@ -54,7 +54,9 @@ done
 
 rm -rf "$work/root" "$work/extensions" "$work/user" "$work"/*.vsix
 mkdir -p "$work/root/bin"
-for program in rigor rigor-worker rigor-page-server.so; do strip -o "$work/root/bin/$program" "$build/$program"; done
+for program in rigor rigor-worker rigor-page-server.so rigor-collider.so; do
+  strip -o "$work/root/bin/$program" "$build/$program"
+done
 vsix=$("$source_tree/packaging/vsix.py" "$work/root" "$work" "$work/extension")
 code=(node "$work/node_modules/code-server/out/node/entry.js" --config "$work/config.yaml"
       --user-data-dir "$work/user" --extensions-dir "$work/extensions")

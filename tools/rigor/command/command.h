@@ -68,6 +68,7 @@ std::unique_ptr<Command> merge_command();
 std::unique_ptr<Command> upgrade_command();
 std::unique_ptr<Command> fmt_command();
 std::unique_ptr<Command> edit_command();
+std::unique_ptr<Command> srdf_command();
 std::unique_ptr<Command> init_command();
 std::unique_ptr<Command> lsp_command();
 std::unique_ptr<Command> rules_command();

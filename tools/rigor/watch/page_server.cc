@@ -5,7 +5,6 @@
 
 #include <dlfcn.h>
 
-#include <filesystem>
 #include <system_error>
 #include <utility>
 
@@ -17,16 +16,8 @@
 namespace rigor::tool {
 namespace {
 
-/// The module is installed beside the worker; in a build, tests have links to the worker alone.
-std::string page_module() {
-  const process::WorkerProgram worker = process::find_worker();
-  std::error_code error;
-  const std::filesystem::path program = std::filesystem::canonical(worker.path.value_or(""), error);
-  return (program.parent_path() / kPageModule).string();
-}
-
 std::unique_ptr<PageSite> open_site(std::uint16_t port) {
-  const std::string module = page_module();
+  const std::string module = process::path_beside_worker(kPageModule);
   // Never closed: its threads may outlast the server by a moment.
   void* handle = ::dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);
   void* found = handle == nullptr ? nullptr : ::dlsym(handle, kOpenPageSite);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <rigor/lsp/protocol/uri.h>
+#include <rigor/read/srdf/robot_name.h>
 #include <rigor/text/path.h>
 
 namespace rigor::lsp {
@@ -31,24 +32,24 @@ void State::forget_robots(const std::string& path) {
   robots_.clear();
 }
 
-std::vector<const RobotNames*> State::robots_named(
+std::vector<const robot::SemanticTarget*> State::robots_named(
     const std::string& name, const std::function<std::vector<std::string>()>& files) {
   if (!robot_paths_) {
     robot_paths_.emplace();
     for (const std::string& path : files()) {
       if (extension(path) != ".urdf" && extension(path) != ".xacro") continue;
-      const ReadResult read = disk.read(path, read::kMaxModelBytes);
-      if (read.bytes) robot_paths_->emplace(robot_name_in(*read.bytes), normalize_path(path));
+      const ReadResult file = disk.read(path, read::kMaxModelBytes);
+      if (file.bytes) robot_paths_->emplace(read::robot_name_in(*file.bytes), normalize_path(path));
     }
   }
-  std::vector<const RobotNames*> robots;
+  std::vector<const robot::SemanticTarget*> robots;
   const auto [begin, end] = robot_paths_->equal_range(name);
   for (auto each = begin; each != end; ++each) {
     auto known = robots_.find(each->second);
     if (known == robots_.end()) {
       const ReadResult read = disk.read(each->second, read::kMaxModelBytes);
       Analysis analysis(environment(), each->second, read.bytes.value_or(std::string()));
-      known = robots_.emplace(each->second, robot_names(analysis)).first;
+      known = robots_.emplace(each->second, robot::semantic_target(analysis.loaded().root)).first;
     }
     if (!known->second.links.empty()) robots.push_back(&known->second);
   }

@@ -23,8 +23,8 @@
 #include <rigor/lsp/project/check.h>
 #include <rigor/lsp/project/part_check.h>
 #include <rigor/lsp/project/project.h>
-#include <rigor/lsp/project/robot_names.h>
 #include <rigor/lsp/protocol/json.h>
+#include <rigor/robot/semantic/srdf_check.h>
 
 namespace rigor::lsp {
 
@@ -95,7 +95,7 @@ struct State {
 
   /// Robots that have the name, as the disk and the editor have them. `files` gives those of the workspace, and is
   /// asked once until files change.
-  std::vector<const RobotNames*> robots_named(
+  std::vector<const robot::SemanticTarget*> robots_named(
       const std::string& name, const std::function<std::vector<std::string>()>& files);
   /// Forgets what is known of the robot in a file; of all, and where they are, when the path is empty.
   void forget_robots(const std::string& path = {});
@@ -126,7 +126,7 @@ struct State {
 
  private:
   std::optional<std::multimap<std::string, std::string>> robot_paths_;  // by robot's name
-  std::map<std::string, RobotNames> robots_;                            // by path
+  std::map<std::string, robot::SemanticTarget> robots_;                 // by path
 };
 
 /// `position` of a request as a byte offset in the document.

@@ -8,9 +8,11 @@
 
 namespace rigor::rules::duplicate_name {
 
-/// URDF tells links, joints and materials by name, and nothing below them.
+/// URDF tells links, joints and materials by name, and nothing below them. An SRDF has a state of one name for each
+/// group.
 bool counts(const NameScope& scope, const Named& named, const Context& context) {
-  if (!context.is_urdf()) return true;
+  const bool is_srdf = context.root().format == model::Format::kUnknown;
+  if (!context.is_urdf() && !is_srdf) return true;
   return scope.of == "robot" &&
          (named.kind == "link" || named.kind == "joint" || named.kind == "material");
 }

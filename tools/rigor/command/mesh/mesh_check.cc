@@ -3,7 +3,7 @@
 //
 // `rigor mesh-check`: the checks, and which of the things that change files is asked for.
 
-#include "command/mesh_check.h"
+#include "command/mesh/mesh_check.h"
 
 #include <algorithm>
 #include <string>

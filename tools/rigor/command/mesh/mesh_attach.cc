@@ -20,7 +20,7 @@
 #include <rigor/text/path.h>
 
 #include "command/command.h"
-#include "command/mesh_check.h"
+#include "command/mesh/mesh_check.h"
 #include "model/model_file.h"
 #include "output/atomic_file.h"
 
