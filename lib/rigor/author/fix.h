@@ -41,7 +41,7 @@ inline constexpr int kMaxFixPasses = 10;
 /// Times a file is checked while its fixes are tried. Of a round that makes
 /// something worse, halves are tried, and halves of those: one bad fix among a
 /// thousand takes twenty.
-inline constexpr int kMaxFixTrials = 100;
+inline constexpr int kMaxFixTrials = 200;
 
 /// Why a fix was not kept.
 enum class HeldBack : std::uint8_t {
