@@ -167,5 +167,19 @@ TEST(AssemblySlips, ArmsOfADuoMayBeAnywhere) {
   EXPECT_EQ(said("sibling-value-differs", duo("<link name='table'/>")), kQuiet);
 }
 
+TEST(AssemblySlips, FramesOfAPairMayBeAnywhere) {
+  const std::string box = "<box size='0.1 0.2 0.3'/>";
+  const auto camera = [](const std::string& side, const std::string& origin) {
+    return "<link name='" + side +
+           "_camera'><inertial><mass value='0.01'/><inertia ixx='0.001' ixy='0' ixz='0' "
+           "iyy='0.001' iyz='0' izz='0.001'/></inertial></link>" +
+           joint(side + "_camera", "head", origin);
+  };
+  const std::string stereo =
+      link("head", box, "0 0 0.2") + camera("left", "0 0 0") + camera("right", "0 0.09 0");
+  EXPECT_EQ(said("twin-value-differs", stereo), kQuiet);
+  EXPECT_EQ(said("sibling-value-differs", stereo), kQuiet);
+}
+
 }  // namespace
 }  // namespace rigor::rules::assembly_slips

@@ -38,6 +38,18 @@ inline robot::Links placed_from(const model::Root& root, std::uint32_t link) {
   return found;
 }
 
+/// Whether a link that nothing shows and nothing touches, a frame, is where its parent is.
+inline bool is_frame_of_parent(std::uint32_t link, Context& context) {
+  const model::Link& frame = context.root().links[link];
+  if (!frame.visuals.empty() || !frame.collisions.empty()) return false;
+  const robot::Assembled& robot = context.assembled();
+  const auto carrier = robot.links[link].carrier;
+  if (!carrier) return false;
+  const auto& X_WP = robot.links[context.frames().ends(carrier).parent.value].X_WL;
+  const auto& X_WL = robot.links[link].X_WL;
+  return X_WP && X_WL && X_WL->translation == X_WP->translation;
+}
+
 /// Whether two links are all that a root without shapes carries, and one is at its origin: the arms of a duo, of which
 /// each may be anywhere.
 inline bool are_a_duo(std::uint32_t a, std::uint32_t b, Context& context) {
@@ -55,6 +67,13 @@ inline bool are_a_duo(std::uint32_t a, std::uint32_t b, Context& context) {
            robot.links[link].X_WL->translation == root.X_WL->translation;
   };
   return at_root(a) || at_root(b);
+}
+
+/// Whether nothing tells where the two belong: the arms of a duo, or frames of which one is where its parent is, as
+/// that of one camera of two.
+inline bool may_be_anywhere(std::uint32_t a, std::uint32_t b, Context& context) {
+  return is_frame_of_parent(a, context) || is_frame_of_parent(b, context) ||
+         are_a_duo(a, b, context);
 }
 
 /// Of the file itself, in its order.

@@ -292,12 +292,6 @@ bool are_sides(const std::string& a, const std::string& b) {
   return std::find(names.begin(), names.end(), b) != names.end();
 }
 
-/// A frame, such as that of one camera of two, may well be where its parent is.
-bool is_bare(std::uint32_t link, const Context& context) {
-  const model::Link& bare = context.root().links[link];
-  return bare.visuals.empty() && bare.collisions.empty();
-}
-
 /// Of two parts alone, exchanges which is wrong where the robot says so. False where nothing holds them in a
 /// place: then they may be anywhere.
 template <class Entity>
@@ -308,9 +302,7 @@ bool settle(Odd& odd, const std::vector<Entity>& all, const std::vector<Fields>&
   const auto a = link_of(all[odd.wrong], odd.wrong, context);
   const auto b = link_of(all[odd.right.front()], odd.right.front(), context);
   if (!a || !b) return true;
-  if (is_place(field) &&
-      (are_a_duo(*a, *b, context) || (is_bare(*a, context) && is_bare(*b, context))))
-    return false;
+  if (is_place(field) && may_be_anywhere(*a, *b, context)) return false;
   if (odd.decided) return true;
   const auto first = is_first_odd(*a, *b, field, context);
   odd.decided = first.has_value();

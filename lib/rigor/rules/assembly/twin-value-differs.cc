@@ -378,7 +378,7 @@ class TwinCheck {
       decide_by_shapes(odd, all_[pair.a], all_[pair.b], context_);
     if (odd.confirmed < least_confirmed || odd.places().empty()) return;
     if (is_where_it_stands(a.numbers[odd.begin]) &&
-        are_a_duo(link_of(pair.a), link_of(pair.b), context_))
+        may_be_anywhere(link_of(pair.a), link_of(pair.b), context_))
       return;
     // A thumb is no finger: what only numbers tell apart may differ by intent.
     const bool meant = least_confirmed > 0 && !is_slip(odd);
