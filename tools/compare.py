@@ -117,6 +117,8 @@ def main():
     categories, rules, total = {}, {}, Counts()
     bases = {}
     for file, rule, _, base, _ in rows():
+        if file.startswith("mjcf/"):
+            continue  # neither reads MJCF
         path, base = os.path.join(FAULTS, file), os.path.join(SANE, base)
         counts = [categories.setdefault(file.split("/")[0], Counts()),
                   rules.setdefault(rule, Counts()), total]
