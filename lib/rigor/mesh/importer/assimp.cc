@@ -34,9 +34,20 @@ struct Library {
   std::string problem;  ///< why there is none
 };
 
+/// Whether it is there, but does not fit into the memory that is left: glibc tells these apart in words only.
+bool lacks_memory(std::string_view problem) {
+  return problem.find("failed to map segment") != std::string_view::npos ||
+         problem.find("annot allocate") != std::string_view::npos;
+}
+
 Library open_library() {
   Library library;
   void* handle = ::dlopen(RIGOR_ASSIMP_SONAME, RTLD_NOW | RTLD_LOCAL);
+  if (!handle) {
+    const char* problem = ::dlerror();
+    library.problem = problem ? problem : RIGOR_ASSIMP_SONAME;
+    if (lacks_memory(library.problem)) throw std::bad_alloc();
+  }
   const auto find = [&]<class Function>(const char* name, Function& function) {
     if (handle) function = reinterpret_cast<Function>(::dlsym(handle, name));
     if (function || !library.problem.empty()) return;
