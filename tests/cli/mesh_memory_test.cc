@@ -4,6 +4,7 @@
 // The memory that the import of a mesh may take, and the option that changes it.
 
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -40,12 +41,13 @@ TEST(MeshMemory, IsBoundedAndTheFindingNamesTheOption) {
   EXPECT_EQ(enough.out.find("--mesh-memory"), std::string::npos) << enough.out;
 
   // assimp itself does not fit into 8 MiB; into 20 it does, the mesh does not.
-  for (const int mebibytes : {8, 20}) {
+  for (const auto& [gibibytes, told] :
+       {std::pair("0.0078125", "8 MiB"), {"0.01953125", "20 MiB"}}) {
     const Ran little = folder.rigor("mesh-check strip.ply --format json --no-cache --mesh-memory " +
-                                    std::to_string(mebibytes / 1024.0));
+                                    std::string(gibibytes));
     EXPECT_EQ(little.exit, 1) << little.err;
-    EXPECT_NE(little.out.find("needed more than " + std::to_string(mebibytes) +
-                              " MiB of memory (--mesh-memory allows more)"),
+    EXPECT_NE(little.out.find("needed more than " + std::string(told) +
+                              " of memory (--mesh-memory allows more)"),
               std::string::npos)
         << little.out;
   }
