@@ -1,0 +1,169 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <rigor/mesh/substitute/substitute.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <rigor/mesh/convex/hull.h>
+#include <rigor/mesh/convex/pieces.h>
+#include <rigor/mesh/reduce.h>
+#include <rigor/mesh/select.h>
+#include <rigor/mesh/spatial/distance.h>
+#include <rigor/mesh/topology/topology.h>
+
+namespace rigor::mesh {
+namespace {
+
+/// On each surface, its corners aside: at a hundredth of the mesh's size, well below any bound that is asked for.
+constexpr std::size_t kSamples = 20'000;
+
+/// More triangles are reduced, by a quarter of the bound, before they are cut into pieces.
+constexpr std::size_t kMaxCut = 4000;
+
+/// Of the bound, what reducing may take by the library's estimate, which is no bound itself.
+constexpr double kEstimates[] = {0.5, 0.2, 0.05};
+
+/// Six times the signed volume: the sum of the triangles' tetrahedra with one point.
+double volume(const TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) return 0;
+  const Vector3 o = mesh.positions[mesh.triangles.front()[0]];
+  double sum = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Facet f = facet(mesh, t);
+    sum += dot(f[0] - o, cross(f[1] - o, f[2] - o));
+  }
+  return sum / 6;
+}
+
+class SubstituteFinder {
+ public:
+  SubstituteFinder(const TriangleMesh& mesh, const SubstituteLimits& limits)
+      : mesh_(mesh), limits_(limits), hull_(convex_hull(mesh.positions)) {}
+
+  std::optional<Substitute> find() {
+    if (!hull_ || !(limits_.max_error > 0)) return std::nullopt;
+    const double own = std::abs(volume(mesh_));
+    of_hull_ = !(own > 0) || !topology_of(mesh_).closed();
+    old_volume_ = of_hull_ ? volume(*hull_) : own;
+    using Try = void (SubstituteFinder::*)();
+    constexpr std::pair<SubstituteKind, Try> kTries[] = {
+        {SubstituteKind::kPrimitive, &SubstituteFinder::try_primitives},
+        {SubstituteKind::kHull, &SubstituteFinder::try_hull},
+        {SubstituteKind::kPieces, &SubstituteFinder::try_pieces},
+        {SubstituteKind::kReduced, &SubstituteFinder::try_reduced}};
+    for (const auto& [kind, attempt] : kTries) {
+      if (kind < limits_.first) continue;
+      (this->*attempt)();
+      if (best_) return std::move(best_);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  double error_of(const TriangleMesh& other) const {
+    return deviation(mesh_, other, kSamples).hausdorff();
+  }
+
+  void take(SubstituteKind kind, std::vector<TriangleMesh> meshes, double error) {
+    Substitute found;
+    found.kind = kind;
+    double sum = 0;
+    for (const TriangleMesh& mesh : meshes) {
+      found.triangles += mesh.triangles.size();
+      sum += std::abs(volume(mesh));
+    }
+    found.meshes = std::move(meshes);
+    finish(std::move(found), error, sum);
+  }
+
+  void finish(Substitute found, double error, double new_volume) {
+    found.hausdorff = error;
+    found.volume_error = (new_volume - old_volume_) / old_volume_;
+    found.of_hull = of_hull_;
+    best_ = std::move(found);
+  }
+
+  /// The one that is nearest.
+  void try_primitives() {
+    for (const FitKind kind :
+         {FitKind::kBox, FitKind::kSphere, FitKind::kCylinder, FitKind::kCapsule}) {
+      if (kind == FitKind::kCapsule && limits_.capsules == Capsules::kRefused) continue;
+      auto fit = fit_primitive(mesh_, kind);
+      if (!fit || fit->deepest > limits_.max_error) continue;
+      TriangleMesh drawn = mesh_of(fit->shape);
+      for (Vector3& p : drawn.positions) p = model::transform(fit->pose, p);
+      // The sides of a long box would hide in its corners alone.
+      const double error = error_of(drawn);
+      if (error > limits_.max_error || (best_ && best_->hausdorff <= error)) continue;
+      Substitute found;
+      found.kind = SubstituteKind::kPrimitive;
+      const double fitted = fit->volume;
+      found.primitive = std::move(fit);
+      finish(std::move(found), error, fitted);
+    }
+  }
+
+  void try_hull() {
+    const double error = error_of(*hull_);
+    if (error > limits_.max_error) return;
+    // Most corners of the hull of a rounded part are not needed.
+    Reduced fewer = reduce(*hull_, {.triangles = 4, .max_error = limits_.max_error / 4});
+    if (auto hull = convex_hull(fewer.mesh.positions)) {
+      const double error_of_fewer = error_of(*hull);
+      if (error_of_fewer <= limits_.max_error &&
+          hull->triangles.size() < std::min(hull_->triangles.size(), mesh_.triangles.size()))
+        return take(SubstituteKind::kHull, {std::move(*hull)}, error_of_fewer);
+    }
+    if (hull_->triangles.size() < mesh_.triangles.size())
+      take(SubstituteKind::kHull, {*hull_}, error);
+  }
+
+  void try_pieces() {
+    const TriangleMesh* source = &mesh_;
+    Reduced reduced;
+    if (mesh_.triangles.size() > kMaxCut) {
+      reduced = reduce(mesh_, {.triangles = kMaxCut, .max_error = limits_.max_error / 4});
+      source = &reduced.mesh;
+    }
+    if (source->triangles.size() > 2 * kMaxCut) return;
+    Pieces pieces = convex_pieces(*source, {.count = std::min(limits_.pieces, kMaxPieces)});
+    if (pieces.hulls.size() < 2) return;
+    std::size_t triangles = 0;
+    for (const TriangleMesh& piece : pieces.hulls) triangles += piece.triangles.size();
+    if (triangles >= mesh_.triangles.size()) return;
+    const double step = std::max(2 * limits_.max_error, diagonal(bounds_of(mesh_.positions)) / 100);
+    const double error = error_of(outer_skin(pieces.hulls, step));
+    if (error <= limits_.max_error) take(SubstituteKind::kPieces, std::move(pieces.hulls), error);
+  }
+
+  void try_reduced() {
+    for (const double share : kEstimates) {
+      Reduced reduced = reduce(
+          mesh_, {.triangles = 4, .max_error = share * limits_.max_error, .seams = Seams::kIgnore});
+      if (2 * reduced.mesh.triangles.size() > mesh_.triangles.size()) return;
+      if (reduced.mesh.triangles.empty() || reduced.flaws.any()) continue;
+      const double error = error_of(reduced.mesh);
+      if (error > limits_.max_error) continue;
+      return take(SubstituteKind::kReduced, {std::move(reduced.mesh)}, error);
+    }
+  }
+
+  const TriangleMesh& mesh_;
+  const SubstituteLimits& limits_;
+  std::optional<TriangleMesh> hull_;
+  bool of_hull_ = false;
+  double old_volume_ = 0;
+  std::optional<Substitute> best_;
+};
+
+}  // namespace
+
+std::optional<Substitute> find_substitute(const TriangleMesh& mesh,
+                                          const SubstituteLimits& limits) {
+  return SubstituteFinder(mesh, limits).find();
+}
+
+}  // namespace rigor::mesh
