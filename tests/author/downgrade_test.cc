@@ -17,20 +17,20 @@ namespace {
 struct DowngradeBench {
   explicit DowngradeBench(const std::string& text) : model({}, "m.sdf", text) {}
 
-  Upgrade to(int minor, Losses losses = Losses::kRefused) const {
+  Upgrade to(int minor, VersionLosses losses = VersionLosses::kRefused) const {
     return downgrade(model.environment, model.loaded, schema::Version{minor}, losses);
   }
 
   test::ModelText model;
 };
 
-std::string words(const Upgrade& result) {
+std::string downgrade_words(const Upgrade& result) {
   std::string text;
   for (const UpgradeNote& note : result.notes) text += note.message + '\n';
   return text;
 }
 
-constexpr const char* kArm = R"(<sdf version="1.9">
+constexpr const char* kTurnedArm = R"(<sdf version="1.9">
   <model name="arm" canonical_link="base">
     <!-- base -->
     <link name="base">
@@ -58,8 +58,8 @@ constexpr const char* kArm = R"(<sdf version="1.9">
 
 /// Turned by 90° about z, the base's x is the joint's -y.
 TEST(Downgrade, PosesAndAxesTo16) {
-  const Upgrade result = DowngradeBench(kArm).to(6);
-  EXPECT_EQ(words(result), "");
+  const Upgrade result = DowngradeBench(kTurnedArm).to(6);
+  EXPECT_EQ(downgrade_words(result), "");
   EXPECT_EQ(result.text, R"(<sdf version="1.6">
   <model name="arm">
     <!-- base -->
@@ -67,9 +67,9 @@ TEST(Downgrade, PosesAndAxesTo16) {
       <pose>1 0 0 0 0 0</pose>
     </link>
     <link name="upper">
-      <pose>1 0 2 0 0 1.5707963267948966</pose>
+      <pose>1 0 2 0 0 1.5707963267949</pose>
       <visual name="v">
-        <pose>0 0 0 0 0 1.5707963267948966</pose>
+        <pose>0 0 0 0 0 1.5707963267949</pose>
         <geometry><box><size>1 1 1</size></box></geometry>
       </visual>
     </link>
@@ -88,19 +88,19 @@ TEST(Downgrade, PosesAndAxesTo16) {
 }
 
 TEST(Downgrade, To14TheAxisIsInTheModel) {
-  const Upgrade result = DowngradeBench(kArm).to(4);
-  EXPECT_EQ(words(result), "");
+  const Upgrade result = DowngradeBench(kTurnedArm).to(4);
+  EXPECT_EQ(downgrade_words(result), "");
   EXPECT_NE(result.text.find("<xyz>1 0 0</xyz>"), std::string::npos) << result.text;
 }
 
 TEST(Downgrade, To18OnlyWhatCameWith19) {
-  const Upgrade result = DowngradeBench(kArm).to(8);
-  EXPECT_EQ(words(result), "");
+  const Upgrade result = DowngradeBench(kTurnedArm).to(8);
+  EXPECT_EQ(downgrade_words(result), "");
   EXPECT_NE(result.text.find("<pose relative_to=\"shoulder\"/>"), std::string::npos);
-  EXPECT_NE(result.text.find("<pose>0 0 0 0 0 1.5707963267948966</pose>"), std::string::npos);
+  EXPECT_NE(result.text.find("<pose>0 0 0 0 0 1.5707963267949</pose>"), std::string::npos);
 }
 
-constexpr const char* kLossy = R"(<sdf version="1.11">
+constexpr const char* kLossyFile = R"(<sdf version="1.11">
   <model name="m">
     <link name="a"/>
     <frame name="tip" attached_to="a"/>
@@ -119,13 +119,15 @@ constexpr const char* kLossy = R"(<sdf version="1.11">
 )";
 
 TEST(Downgrade, LossesAreNamedAndNeedALeave) {
-  const Upgrade refused = DowngradeBench(kLossy).to(6);
+  const Upgrade refused = DowngradeBench(kLossyFile).to(6);
   EXPECT_TRUE(refused.refused());
   EXPECT_TRUE(refused.edits.empty());
-  EXPECT_NE(words(refused).find("frame 'tip': SDF has frames since 1.7"), std::string::npos);
-  EXPECT_NE(words(refused).find("<capsule> is nothing to consumers of SDF 1.6"), std::string::npos);
-  const Upgrade allowed = DowngradeBench(kLossy).to(6, Losses::kAllowed);
-  EXPECT_FALSE(allowed.refused()) << words(allowed);
+  EXPECT_NE(downgrade_words(refused).find("frame 'tip': SDF has frames since 1.7"),
+            std::string::npos);
+  EXPECT_NE(downgrade_words(refused).find("<capsule> is nothing to consumers of SDF 1.6"),
+            std::string::npos);
+  const Upgrade allowed = DowngradeBench(kLossyFile).to(6, VersionLosses::kAllowed);
+  EXPECT_FALSE(allowed.refused()) << downgrade_words(allowed);
   EXPECT_EQ(allowed.text.find("<frame"), std::string::npos);
   EXPECT_NE(allowed.text.find("<parent>a</parent>"), std::string::npos) << allowed.text;
   EXPECT_NE(allowed.text.find("<capsule>"), std::string::npos);
@@ -146,21 +148,22 @@ TEST(Downgrade, AScrewsPitch) {
 </sdf>
 )")
                              .to(6);
-  EXPECT_EQ(words(result), "");
-  // -2π/0.01 rad/m, by hand.
-  EXPECT_NE(result.text.find("<thread_pitch>-628.3185307179587</thread_pitch>"), std::string::npos)
-      << result.text;
+  EXPECT_EQ(downgrade_words(result), "");
+  // -2π/0.01 rad/m.
+  EXPECT_NE(result.text.find("<thread_pitch>-628.31853071795"), std::string::npos) << result.text;
 }
 
 TEST(Downgrade, WhatIsNewerOrNotPossible) {
-  EXPECT_NE(words(DowngradeBench(kArm).to(11)).find("use upgrade"), std::string::npos);
-  EXPECT_TRUE(DowngradeBench(kArm).to(9).edits.empty());
+  EXPECT_NE(downgrade_words(DowngradeBench(kTurnedArm).to(11)).find("use upgrade"),
+            std::string::npos);
+  EXPECT_TRUE(DowngradeBench(kTurnedArm).to(9).edits.empty());
   const Upgrade automatic = DowngradeBench(R"(<sdf version="1.11">
   <model name="m"><link name="a"><inertial auto="true"/></link></model>
 </sdf>
 )")
-                                .to(9, Losses::kAllowed);
-  EXPECT_NE(words(automatic).find("gets its inertial from its shapes"), std::string::npos);
+                                .to(9, VersionLosses::kAllowed);
+  EXPECT_NE(downgrade_words(automatic).find("gets its inertial from its shapes"),
+            std::string::npos);
 }
 
 }  // namespace

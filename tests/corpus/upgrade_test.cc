@@ -153,7 +153,7 @@ TEST(CorpusDowngrade, BackToTheOldVersionIsTheSameModel) {
     if (up.refused()) continue;
     const UpgradeLooked newer(environment, path, &up.text);
     const author::Upgrade down = author::downgrade(
-        environment, newer.loaded, schema::Version{version}, author::Losses::kAllowed);
+        environment, newer.loaded, schema::Version{version}, author::VersionLosses::kAllowed);
     if (down.refused()) {
       for (const author::UpgradeNote& note : down.notes) {
         if (note.severity != Severity::kError) continue;

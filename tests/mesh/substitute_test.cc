@@ -16,19 +16,42 @@
 namespace rigor::mesh {
 namespace {
 
-TriangleMesh moved(TriangleMesh mesh, const Vector3& by) {
+TriangleMesh shifted_by(TriangleMesh mesh, const Vector3& by) {
   for (Vector3& p : mesh.positions) p = p + by;
   return mesh;
 }
 
-double area_of(const TriangleMesh& mesh) {
+/// A ball of 8 by 16 facets, within 2 % of its radius from a sphere's surface but for the poles.
+TriangleMesh coarse_ball(double radius) {
+  TriangleMesh mesh;
+  constexpr std::uint32_t kRows = 8, kColumns = 16;
+  for (std::uint32_t i = 0; i <= kRows; ++i) {
+    for (std::uint32_t j = 0; j < kColumns; ++j) {
+      const double polar = M_PI * i / kRows, around = 2 * M_PI * j / kColumns;
+      mesh.positions.push_back({radius * std::sin(polar) * std::cos(around),
+                                radius * std::sin(polar) * std::sin(around),
+                                radius * std::cos(polar)});
+    }
+  }
+  for (std::uint32_t i = 0; i < kRows; ++i) {
+    for (std::uint32_t j = 0; j < kColumns; ++j) {
+      const std::uint32_t k = (j + 1) % kColumns;
+      const std::uint32_t a = i * kColumns, b = a + kColumns;
+      if (i + 1 < kRows) mesh.triangles.push_back({a + j, b + j, b + k});
+      if (i > 0) mesh.triangles.push_back({a + j, b + k, a + k});
+    }
+  }
+  return mesh;
+}
+
+double surface_of(const TriangleMesh& mesh) {
   double sum = 0;
   for (const Triangle& t : mesh.triangles) sum += area(facet(mesh, t));
   return sum;
 }
 
 /// A prism on an outline of the plane that is wound counter-clockwise and seen whole from its first corner.
-TriangleMesh prism(const std::vector<Vector3>& outline, double height) {
+TriangleMesh upright_prism(const std::vector<Vector3>& outline, double height) {
   TriangleMesh mesh;
   const auto n = static_cast<std::uint32_t>(outline.size());
   for (const double z : {0.0, height}) {
@@ -47,16 +70,16 @@ TriangleMesh prism(const std::vector<Vector3>& outline, double height) {
 }
 
 TEST(Substitute, ABallIsASphere) {
-  const auto found = find_substitute(mesh_of(Sphere{0.2}), {.max_error = 0.005});
+  const auto found = find_substitute(coarse_ball(0.2), {.max_error = 0.02});
   ASSERT_TRUE(found && found->primitive);
   const auto* sphere = std::get_if<Sphere>(&found->primitive->shape);
   ASSERT_NE(sphere, nullptr);
   EXPECT_NEAR(sphere->radius, 0.2, 1e-6);
   EXPECT_EQ(found->triangles, 0U);
-  EXPECT_LE(found->hausdorff, 0.005);
+  EXPECT_LE(found->hausdorff, 0.02);
   // The mesh of a ball is inside of it.
   EXPECT_GT(found->volume_error, 0);
-  EXPECT_LT(found->volume_error, 0.01);
+  EXPECT_LT(found->volume_error, 0.1);
   EXPECT_FALSE(found->of_hull);
 }
 
@@ -69,20 +92,21 @@ TEST(Substitute, ABoxIsABoxWithoutError) {
 }
 
 TEST(Substitute, CapsulesCanBeRefused) {
-  const TriangleMesh capsule = mesh_of(Capsule{0.1, 0.5});
-  const auto found = find_substitute(capsule, {.max_error = 0.005});
+  TriangleMesh capsule = coarse_ball(0.1);
+  for (Vector3& p : capsule.positions) p.z += p.z > 1e-9 ? 0.25 : p.z < -1e-9 ? -0.25 : 0;
+  const auto found = find_substitute(capsule, {.max_error = 0.01});
   ASSERT_TRUE(found && found->primitive);
   EXPECT_TRUE(std::holds_alternative<Capsule>(found->primitive->shape));
   const auto other = find_substitute(capsule, {.max_error = 0.005, .capsules = Capsules::kRefused});
   ASSERT_TRUE(other);
   EXPECT_FALSE(other->primitive);
   EXPECT_EQ(other->kind, SubstituteKind::kHull);
-  EXPECT_LT(2 * other->triangles, capsule.triangles.size());
+  EXPECT_LT(other->triangles, capsule.triangles.size());
 }
 
 /// A half of a ball is no primitive, but convex.
 TEST(Substitute, AConvexBodyIsItsHull) {
-  TriangleMesh half = mesh_of(Sphere{0.2});
+  TriangleMesh half = coarse_ball(0.2);
   for (Vector3& p : half.positions) p.z = std::max(p.z, 0.0);
   const auto found = find_substitute(half, {.max_error = 0.004});
   ASSERT_TRUE(found);
@@ -90,14 +114,14 @@ TEST(Substitute, AConvexBodyIsItsHull) {
   EXPECT_LE(found->hausdorff, 0.004);
   EXPECT_LT(found->triangles, half.triangles.size());
   ASSERT_EQ(found->meshes.size(), 1U);
-  EXPECT_LE(deviation(half, found->meshes[0], 50'000).hausdorff(), 0.004 * 1.01);
+  EXPECT_LE(deviation(half, found->meshes[0], 20'000).hausdorff(), 0.004 * 1.01);
 }
 
 TEST(Substitute, AnAngleIsTwoPieces) {
   // 18 triangles are fewer than those of two boxes: the arms are cut finely.
-  TriangleMesh angle =
-      prism({{0, 0, 0}, {1, 0, 0}, {1, 0.2, 0}, {0.2, 0.2, 0}, {0.2, 1, 0}, {0, 1, 0}}, 0.3);
-  for (int round = 0; round < 2; ++round) {
+  TriangleMesh angle = upright_prism(
+      {{0, 0, 0}, {1, 0, 0}, {1, 0.2, 0}, {0.2, 0.2, 0}, {0.2, 1, 0}, {0, 1, 0}}, 0.3);
+  for (int round = 0; round < 1; ++round) {
     TriangleMesh finer;
     for (const Triangle& t : angle.triangles) {
       const Facet f = facet(angle, t);
@@ -120,7 +144,7 @@ TEST(Substitute, AnAngleIsTwoPieces) {
 }
 
 TEST(Substitute, ABoundThatNothingKeepsGivesNothing) {
-  const TriangleMesh ball = mesh_of(Sphere{0.2});
+  const TriangleMesh ball = coarse_ball(0.2);
   EXPECT_FALSE(find_substitute(ball, {.max_error = 1e-9}));
   EXPECT_FALSE(find_substitute(ball, {.max_error = 0}));
   EXPECT_FALSE(find_substitute({}, {.max_error = 1}));
@@ -129,12 +153,12 @@ TEST(Substitute, ABoundThatNothingKeepsGivesNothing) {
 /// Two cubes side by side: 10 faces, with the two that touch left out.
 TEST(OuterSkin, LeavesOutWherePiecesMeet) {
   const TriangleMesh cube = mesh_of(Box{{1, 1, 1}});
-  EXPECT_NEAR(area_of(outer_skin({cube}, 0.1)), 6, 1e-9);
-  EXPECT_NEAR(area_of(outer_skin({cube, moved(cube, {1, 0, 0})}, 0.1)), 10, 1e-9);
+  EXPECT_NEAR(surface_of(outer_skin({cube}, 0.1)), 6, 1e-9);
+  EXPECT_NEAR(surface_of(outer_skin({cube, shifted_by(cube, {1, 0, 0})}, 0.1)), 10, 1e-9);
   // Half of one in the other: a box of 1.5 by 1 by 1, whose sides both pieces have where they overlap.
-  const TriangleMesh skin = outer_skin({cube, moved(cube, {0.5, 0, 0})}, 0.1);
-  EXPECT_NEAR(area_of(skin), 8 + 4 * 0.5, 1e-9);
-  const TriangleMesh whole = moved(mesh_of(Box{{1.5, 1, 1}}), {0.25, 0, 0});
+  const TriangleMesh skin = outer_skin({cube, shifted_by(cube, {0.5, 0, 0})}, 0.1);
+  EXPECT_NEAR(surface_of(skin), 8 + 4 * 0.5, 1e-9);
+  const TriangleMesh whole = shifted_by(mesh_of(Box{{1.5, 1, 1}}), {0.25, 0, 0});
   EXPECT_NEAR(deviation(whole, skin, 10'000).hausdorff(), 0, 1e-9);
 }
 

@@ -96,7 +96,7 @@ TEST(Lump, WhatItRefuses) {
   VerbBench bench(
       {{"m.sdf", R"(<sdf version="1.6"><model name="m"><link name="a"/></model></sdf>)"},
        {"r.urdf", R"(<robot name="r"><link name="a"/></robot>)"}});
-  EXPECT_EQ(lumped(bench.open("m.sdf"), {}).refused, "SDF has frames since 1.7: upgrade it first");
+  EXPECT_EQ(lumped(bench.open("m.sdf"), {}).refused, "no link is on a fixed joint to another");
   EXPECT_EQ(lumped(bench.open("r.urdf"), {}).refused, "no link is on a fixed joint to another");
   EXPECT_EQ(lumped(bench.open("r.urdf"), {"a"}).refused, "link 'a' is on no fixed joint");
 }
@@ -151,7 +151,7 @@ TEST(Lump, AnOldSdfsFixedJoints) {
   EXPECT_EQ(text.find("<frame"), std::string::npos) << text;
   EXPECT_NE(text.find("<bodyName>mast</bodyName>"), std::string::npos) << text;
   ASSERT_EQ(change.notes.size(), 2U);
-  EXPECT_EQ(change.notes[1], "line 32: <bodyName> may still name link mast");
+  EXPECT_EQ(change.notes[1], "line 31: <bodyName> may still name link mast");
 }
 
 }  // namespace

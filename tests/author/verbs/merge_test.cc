@@ -12,7 +12,7 @@
 namespace rigor::author {
 namespace {
 
-constexpr const char* kCart = R"(<?xml version="1.0"?>
+constexpr const char* kMergedCart = R"(<?xml version="1.0"?>
 <sdf version="1.9">
   <!-- of the file -->
   <model name="cart">
@@ -27,7 +27,7 @@ constexpr const char* kCart = R"(<?xml version="1.0"?>
 )";
 
 TEST(Merge, AWorldOfTwoCopies) {
-  VerbBench bench({{"a/cart.sdf", kCart}});
+  VerbBench bench({{"a/cart.sdf", kMergedCart}});
   const EditedModel& cart = bench.open("a/cart.sdf");
   WorldRequest request;
   request.out = "world.sdf";
@@ -60,10 +60,10 @@ TEST(Merge, AWorldOfTwoCopies) {
 }
 
 TEST(Merge, AWorldThatIncludes) {
-  VerbBench bench({{"models/cart/model.sdf", kCart},
+  VerbBench bench({{"models/cart/model.sdf", kMergedCart},
                    {"models/cart/model.config",
                     "<model><name>cart</name><sdf version=\"1.9\">model.sdf</sdf></model>"},
-                   {"models/other.sdf", kCart}});
+                   {"models/other.sdf", kMergedCart}});
   const EditedModel& cart = bench.open("models/cart/model.sdf");
   const EditedModel& other = bench.open("models/other.sdf");
   WorldRequest request;
@@ -88,7 +88,7 @@ TEST(Merge, IntoAWorldThatIsThere) {
   </world>
 </sdf>
 )";
-  VerbBench bench({{"hall.sdf", kWorld}, {"cart.sdf", kCart}});
+  VerbBench bench({{"hall.sdf", kWorld}, {"cart.sdf", kMergedCart}});
   WorldRequest request;
   request.out = "out.sdf";
   const MergedWorld world = merged_world(bench.open("hall.sdf"), bench.open("cart.sdf"), request);
@@ -107,7 +107,7 @@ TEST(Merge, IntoAWorldThatIsThere) {
 
 TEST(Merge, TwoVersionsAreRefused) {
   VerbBench bench(
-      {{"cart.sdf", kCart},
+      {{"cart.sdf", kMergedCart},
        {"old.sdf", "<sdf version=\"1.6\"><model name=\"m\"><link name=\"l\"/></model></sdf>"}});
   const MergedWorld world =
       merged_world(bench.open("cart.sdf"), bench.open("old.sdf"), {.out = "w.sdf"});

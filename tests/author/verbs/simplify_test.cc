@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/core.h>
 
@@ -20,16 +21,37 @@
 namespace rigor::author {
 namespace {
 
-mesh::TriangleMesh moved(mesh::TriangleMesh mesh, const mesh::Vector3& by) {
+mesh::TriangleMesh moved_ball(mesh::TriangleMesh mesh, const mesh::Vector3& by) {
   for (mesh::Vector3& p : mesh.positions) p = p + by;
   return mesh;
 }
 
-std::string ball_stl() {
-  return mesh::write_stl(moved(mesh::mesh_of(mesh::Sphere{100}), {0, 0, 500}));
+/// Of 8 by 16 facets.
+mesh::TriangleMesh faceted_ball(double radius) {
+  mesh::TriangleMesh mesh;
+  constexpr std::uint32_t kRows = 8, kColumns = 16;
+  for (std::uint32_t i = 0; i <= kRows; ++i) {
+    for (std::uint32_t j = 0; j < kColumns; ++j) {
+      const double polar = M_PI * i / kRows, around = 2 * M_PI * j / kColumns;
+      mesh.positions.push_back({radius * std::sin(polar) * std::cos(around),
+                                radius * std::sin(polar) * std::sin(around),
+                                radius * std::cos(polar)});
+    }
+  }
+  for (std::uint32_t i = 0; i < kRows; ++i) {
+    for (std::uint32_t j = 0; j < kColumns; ++j) {
+      const std::uint32_t k = (j + 1) % kColumns;
+      const std::uint32_t a = i * kColumns, b = a + kColumns;
+      if (i + 1 < kRows) mesh.triangles.push_back({a + j, b + j, b + k});
+      if (i > 0) mesh.triangles.push_back({a + j, b + k, a + k});
+    }
+  }
+  return mesh;
 }
+
+std::string ball_stl() { return mesh::write_stl(moved_ball(faceted_ball(100), {0, 0, 500})); }
 std::string half_ball_stl() {
-  mesh::TriangleMesh half = mesh::mesh_of(mesh::Sphere{1});
+  mesh::TriangleMesh half = faceted_ball(1);
   for (mesh::Vector3& p : half.positions) p.z = std::max(p.z, 0.0);
   return mesh::write_stl(half);
 }

@@ -14,7 +14,7 @@
 namespace rigor::author {
 namespace {
 
-constexpr const char* kArm = R"(<robot name="arm">
+constexpr const char* kSplitMast = R"(<robot name="arm">
   <link name="arm">
     <inertial>
       <origin xyz="0 0 0.5"/>
@@ -40,7 +40,7 @@ constexpr const char* kArm = R"(<robot name="arm">
 </robot>
 )";
 
-SplitRequest tip_request() {
+SplitRequest mast_request() {
   SplitRequest request;
   request.name = "tip_link";
   request.X_LN = {{0, 0, 1}, {}};
@@ -49,9 +49,9 @@ SplitRequest tip_request() {
 }
 
 TEST(Split, AUrdfsLinkWithItsMassLeft) {
-  VerbBench bench({{"arm.urdf", kArm}});
+  VerbBench bench({{"arm.urdf", kSplitMast}});
   const EditedModel& arm = bench.open("arm.urdf");
-  EXPECT_EQ(bench.text(arm, split(arm, "arm", tip_request())), R"(<robot name="arm">
+  EXPECT_EQ(bench.text(arm, split(arm, "arm", mast_request())), R"(<robot name="arm">
   <link name="arm">
     <inertial>
       <origin xyz="0 0 0.5"/>
@@ -87,9 +87,9 @@ TEST(Split, AUrdfsLinkWithItsMassLeft) {
 
 /// One third of the mass in a ball at the tip: what remains has its center where moments balance.
 TEST(Split, TheMassOfShapes) {
-  VerbBench bench({{"arm.urdf", kArm}});
+  VerbBench bench({{"arm.urdf", kSplitMast}});
   const EditedModel& arm = bench.open("arm.urdf");
-  SplitRequest request = tip_request();
+  SplitRequest request = mast_request();
   request.share = SplitMass::kGiven;
   request.mass = 1;
   const Change change = split(arm, "arm", request);
@@ -146,16 +146,16 @@ TEST(Split, AnSdfLinkAtAFrame) {
 }
 
 TEST(Split, Refusals) {
-  VerbBench bench({{"arm.urdf", kArm}});
+  VerbBench bench({{"arm.urdf", kSplitMast}});
   const EditedModel& arm = bench.open("arm.urdf");
-  SplitRequest request = tip_request();
+  SplitRequest request = mast_request();
   request.take = {"nothing"};
   EXPECT_EQ(split(arm, "arm", request).refused, "link 'arm' holds nothing that is named 'nothing'");
   request.take = {};
   request.name = "hand";
   EXPECT_EQ(split(arm, "arm", request).refused, "the name 'hand' is taken: choose one with --name");
   EXPECT_EQ(split(arm, "leg", request).refused, "no link is named 'leg'");
-  request = tip_request();
+  request = mast_request();
   request.share = SplitMass::kGiven;
   request.mass = 5;
   EXPECT_EQ(split(arm, "arm", request).refused, "the new link can have a mass between 0 and 3 kg");

@@ -269,8 +269,19 @@ TEST(VerbsCorpus, SplitAndLump) {
       [](const EditedModel&, const EditedModel& after) { return lumped(after, {"cut_off"}); },
       Comments::kAll,
       [&](const EditedModel& before) {
-        // Where the part was last, it is last again; of SDF the names stay as frames.
-        return before.robot;
+        robot::Robot robot = before.robot;
+        if (before.is_urdf() || before.root()[before.model].version < 7) return robot;
+        // The names stay, as frames.
+        const std::string link = *link_to_split(before);
+        const std::uint32_t body = before.body_index(link);
+        const model::Pose X_ML = compose(inverse(*before.frames.pose(before.model)),
+                                         *before.frames.pose(before.link(link)));
+        const model::Pose X_BN =
+            compose(inverse(robot.bodies[body].X_MB),
+                    compose(X_ML, {{0.1, -0.2, 0.3}, model::from_rpy(0.4, -0.5, 0.6)}));
+        robot.frames.push_back({"cut_off", body, X_BN, {}});
+        robot.frames.push_back({link + "_to_cut_off", body, X_BN, {}});
+        return robot;
       });
   EXPECT_GE(tally.proven, test::part_of(200));
 }

@@ -226,7 +226,8 @@ class EditCommand final : public Command {
     request.verb = verb_ == kUpgrade ? VersionVerb::kUpgrade : VersionVerb::kDowngrade;
     request.version = words_.front();
     request.files.assign(words_.begin() + 1, words_.end());
-    request.losses = options_.allow_loss ? author::Losses::kAllowed : author::Losses::kRefused;
+    request.losses =
+        options_.allow_loss ? author::VersionLosses::kAllowed : author::VersionLosses::kRefused;
     request.out = out_;
     request.target = !out_.empty() ? EditTarget::kOut
                      : write_      ? EditTarget::kFiles

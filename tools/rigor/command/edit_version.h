@@ -22,7 +22,7 @@ struct VersionRequest {
   VersionVerb verb{};
   std::string version;  ///< "1.6"
   std::vector<std::string> files;
-  author::Losses losses = author::Losses::kRefused;
+  author::VersionLosses losses = author::VersionLosses::kRefused;
   EditTarget target = EditTarget::kDiff;
   std::string out;
 };

@@ -50,7 +50,7 @@ constexpr int kNamedStates = 12;
 class Downgrader {
  public:
   Downgrader(const Environment& environment, const read::Loaded& loaded, schema::Version to,
-             Losses losses)
+             VersionLosses losses)
       : environment_(environment),
         loaded_(loaded),
         root_(loaded.root),
@@ -83,7 +83,7 @@ class Downgrader {
     notes_.add({kind, Severity::kError, where, std::move(message)});
   }
   void lose(Span where, std::string message) {
-    const bool allowed = losses_ == Losses::kAllowed;
+    const bool allowed = losses_ == VersionLosses::kAllowed;
     if (!allowed) message += ": --allow-loss leaves it out";
     notes_.add({UpgradeNoteKind::kLost, allowed ? Severity::kWarning : Severity::kError, where,
                 std::move(message)});
@@ -438,7 +438,7 @@ class Downgrader {
   const xml::Document& document_;
   model::Frames frames_;
   int to_;
-  Losses losses_;
+  VersionLosses losses_;
   std::vector<Edit> edits_;
   UpgradeNotes notes_;
   Upgrade result_;
@@ -447,7 +447,7 @@ class Downgrader {
 }  // namespace
 
 Upgrade downgrade(const Environment& environment, const read::Loaded& loaded, schema::Version to,
-                  Losses losses) {
+                  VersionLosses losses) {
   if (!loaded.file->document) {
     Upgrade result;
     result.to = to;

@@ -3,7 +3,7 @@
 //
 // An SDF file brought to an older version by edits, for a consumer that knows no newer one.
 //
-//   Upgrade result = downgrade(environment, loaded, schema::Version{6}, Losses::kRefused);
+//   Upgrade result = downgrade(environment, loaded, schema::Version{6}, VersionLosses::kRefused);
 //
 // What the older version says otherwise is said otherwise: poses relative to frames become poses in the link or model,
 // ends of joints that are frames become links, axes are in the joint's or the model's frame. What it has no word for
@@ -18,7 +18,7 @@
 
 namespace rigor::author {
 
-enum class Losses : std::uint8_t { kRefused, kAllowed };
+enum class VersionLosses : std::uint8_t { kRefused, kAllowed };
 
 /// The oldest version that can be asked for.
 inline constexpr int kOldestDowngrade = 4;
@@ -26,6 +26,6 @@ inline constexpr int kOldestDowngrade = 4;
 /// Refused whatever is allowed: inertials that are computed from shapes and are not before 1.11, included models that are
 /// merged (1.10) or placed by a frame (1.8), nested models (1.5), and what differs when it is read again.
 Upgrade downgrade(const Environment& environment, const read::Loaded& loaded, schema::Version to,
-                  Losses losses);
+                  VersionLosses losses);
 
 }  // namespace rigor::author

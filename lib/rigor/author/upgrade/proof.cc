@@ -289,9 +289,9 @@ class UpgradeProof {
     same("parent", end_name(a_, p.parent, p.parent_is_world),
          end_name(b_, q.parent, q.parent_is_world));
     same("child", end_name(a_, p.child, false), end_name(b_, q.child, false));
-    if (down_) {
+    if (down_ && a.type == model::JointType::kScrew) {
       same("lead", model::screw_lead(a_.root, a), model::screw_lead(b_.root, b));
-    } else {
+    } else if (!down_) {
       same("thread pitch", a.thread_pitch, b.thread_pitch);
     }
     if (!down_ && a.type == model::JointType::kScrew &&

@@ -35,7 +35,7 @@ std::string inertial_block(const mass::MassProperties& body, InertialForm form) 
       com, text(body.mass), tensor);
 }
 
-std::string indented_lines(const std::string& text, const std::string& by,
+std::string indented_by(const std::string& text, const std::string& by,
                            const std::string& line) {
   std::string result = by;
   for (const char c : text) {

@@ -20,6 +20,6 @@ enum class InertialForm : std::uint8_t { kSdf, kUrdf };
 std::string inertial_block(const mass::MassProperties& body, InertialForm form);
 
 /// Each line with that in front, and the document's line end between them.
-std::string indented_lines(const std::string& text, const std::string& by, const std::string& line);
+std::string indented_by(const std::string& text, const std::string& by, const std::string& line);
 
 }  // namespace rigor::author

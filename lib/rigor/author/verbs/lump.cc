@@ -257,7 +257,7 @@ class Lumper {
       const std::string in = xml::indentation(document, element);
       const std::string unit = xml::indent_unit(document, element);
       std::string text;
-      if (changed) text += indented_lines(inertial(mass), in + unit, line) + line;
+      if (changed) text += indented_by(inertial(mass), in + unit, line) + line;
       if (!block.empty()) text += block + line;
       const Span tag = element.tag_span();
       const auto slash = static_cast<std::uint32_t>(

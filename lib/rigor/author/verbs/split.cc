@@ -179,7 +179,7 @@ class Splitter {
     const std::vector<Edit> edits = poses_in_new();
     std::string text = line + in + fmt::format("<link name=\"{}\">", xml::escaped(new_)) + line;
     const auto add = [&](const std::string& xml) {
-      text += indented_lines(xml, in + unit, line) + line;
+      text += indented_by(xml, in + unit, line) + line;
     };
     if (!edited_.is_urdf()) add(pose_text());
     if (goes_.mass > 0) {

@@ -18,7 +18,7 @@ namespace rigor::mesh {
 namespace {
 
 /// On each surface, its corners aside: at a hundredth of the mesh's size, well below any bound that is asked for.
-constexpr std::size_t kSamples = 20'000;
+constexpr std::size_t kSamples = 10'000;
 
 /// More triangles are reduced, by a quarter of the bound, before they are cut into pieces.
 constexpr std::size_t kMaxCut = 4000;
