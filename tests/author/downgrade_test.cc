@@ -124,7 +124,7 @@ TEST(Downgrade, LossesAreNamedAndNeedALeave) {
   EXPECT_TRUE(refused.edits.empty());
   EXPECT_NE(downgrade_words(refused).find("frame 'tip': SDF has frames since 1.7"),
             std::string::npos);
-  EXPECT_NE(downgrade_words(refused).find("<capsule> is nothing to consumers of SDF 1.6"),
+  EXPECT_NE(downgrade_words(refused).find("<capsule>: consumers of SDF 1.6 ignore it"),
             std::string::npos);
   const Upgrade allowed = DowngradeBench(kLossyFile).to(6, VersionLosses::kAllowed);
   EXPECT_FALSE(allowed.refused()) << downgrade_words(allowed);

@@ -423,7 +423,7 @@ class Downgrader {
               ? fmt::format("attribute {} of <{}>", fact.attribute->name(), fact.element.name())
               : fmt::format("<{}>", fact.element.name());
       lose(places.of(fact.where),
-           fmt::format("{} is nothing to consumers of SDF {}", what, to_string(result_.to)));
+           fmt::format("{}: consumers of SDF {} ignore it", what, to_string(result_.to)));
     });
   }
 

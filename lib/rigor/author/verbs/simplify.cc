@@ -374,9 +374,6 @@ class Simplifier {
 
   // --- The file ---
 
-  /// Of the primitive in the frame of the mesh, with the digits that are written.
-  static Pose pose_of(const mesh::Fit& fit) { return fit.pose; }
-
   std::string primitive_text(const mesh::Fit& fit) const {
     const robot::Shape of = shape_of(rounded(fit.shape));
     const auto number = [&](std::size_t i) { return write::joined({of.numbers[i]}); };
@@ -420,7 +417,7 @@ class Simplifier {
       const mesh::Fit& fit = *part.found->primitive;
       draft_.add(xml::replace_element(document, edited_.element(part.geometry->site),
                                       primitive_text(fit)));
-      draft_.set_pose(*part.pose, element, compose(part.pose->pose.value, pose_of(fit)));
+      draft_.set_pose(*part.pose, element, compose(part.pose->pose.value, fit.pose));
       return;
     }
     draft_.add({{part.mesh().uri.span, xml::escaped(part.uris.front())}});
@@ -456,7 +453,7 @@ class Simplifier {
     const xml::Element link = *edited_.element(part.site).parent();
     const bool urdf = edited_.is_urdf();
     Pose X = part.pose->pose.value;
-    if (part.found->primitive) X = compose(X, pose_of(*part.found->primitive));
+    if (part.found->primitive) X = compose(X, part.found->primitive->pose);
     std::string pose;
     const std::string& frame = part.pose->relative_to.value;
     if (urdf && !(X == Pose{})) {
@@ -512,7 +509,7 @@ class Simplifier {
     for (const Simplification& part : parts_) {
       const Id<model::Link> link = edited_.link(edited_.robot.bodies[part.body].name);
       if (!part.found || root_[link].inertial.written || !said.insert(part.body).second) continue;
-      notes_.push_back(fmt::format("link {} has no inertial, which is not of its shapes' doing: {}",
+      notes_.push_back(fmt::format("link {} has no inertial, as before: {}",
                                    edited_.robot.bodies[part.body].name,
                                    edited_.is_urdf() ? "it has no mass" : "it weighs 1 kg"));
     }
@@ -535,7 +532,7 @@ class Simplifier {
         each.name = piece_name(*part, i);
         if (part->found->primitive) {
           each.shape = shape_of(rounded(part->found->primitive->shape));
-          each.X_BS = compose(old.X_BS, pose_of(*part->found->primitive));
+          each.X_BS = compose(old.X_BS, part->found->primitive->pose);
         } else {
           each.shape.uri = part->uris[i];
           each.shape.path.clear();

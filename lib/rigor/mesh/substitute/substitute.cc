@@ -23,8 +23,8 @@ constexpr std::size_t kSamples = 10'000;
 /// More triangles are reduced, by a quarter of the bound, before they are cut into pieces.
 constexpr std::size_t kMaxCut = 4000;
 
-/// Of the bound, what reducing may take by the library's estimate, which is no bound itself.
-constexpr double kEstimates[] = {0.5, 0.2, 0.05};
+/// Of the bound, what reducing may take by the library's estimate, which is an average and no bound itself.
+constexpr double kEstimates[] = {2, 1, 0.5, 0.2, 0.05};
 
 /// Six times the signed volume: the sum of the triangles' tetrahedra with one point.
 double volume(const TriangleMesh& mesh) {
@@ -45,9 +45,8 @@ class SubstituteFinder {
 
   std::optional<Substitute> find() {
     if (!hull_ || !(limits_.max_error > 0)) return std::nullopt;
-    const double own = std::abs(volume(mesh_));
-    of_hull_ = !(own > 0) || !topology_of(mesh_).closed();
-    old_volume_ = of_hull_ ? volume(*hull_) : own;
+    own_volume_ = std::abs(volume(mesh_));
+    is_open_ = !(own_volume_ > 0) || !topology_of(mesh_).closed();
     using Try = void (SubstituteFinder::*)();
     constexpr std::pair<SubstituteKind, Try> kTries[] = {
         {SubstituteKind::kPrimitive, &SubstituteFinder::try_primitives},
@@ -81,8 +80,10 @@ class SubstituteFinder {
 
   void finish(Substitute found, double error, double new_volume) {
     found.hausdorff = error;
-    found.volume_error = (new_volume - old_volume_) / old_volume_;
-    found.of_hull = of_hull_;
+    // What an open surface encloses is a number that only one much like it has too.
+    found.of_hull = is_open_ && found.kind != SubstituteKind::kReduced;
+    const double old_volume = found.of_hull ? volume(*hull_) : own_volume_;
+    found.volume_error = old_volume > 0 ? (new_volume - old_volume) / old_volume : 0;
     best_ = std::move(found);
   }
 
@@ -144,7 +145,7 @@ class SubstituteFinder {
       Reduced reduced = reduce(
           mesh_, {.triangles = 4, .max_error = share * limits_.max_error, .seams = Seams::kIgnore});
       if (2 * reduced.mesh.triangles.size() > mesh_.triangles.size()) return;
-      if (reduced.mesh.triangles.empty() || reduced.flaws.any()) continue;
+      if (reduced.mesh.triangles.empty() || (reduced.flaws.any() && !is_open_)) continue;
       const double error = error_of(reduced.mesh);
       if (error > limits_.max_error) continue;
       return take(SubstituteKind::kReduced, {std::move(reduced.mesh)}, error);
@@ -154,8 +155,8 @@ class SubstituteFinder {
   const TriangleMesh& mesh_;
   const SubstituteLimits& limits_;
   std::optional<TriangleMesh> hull_;
-  bool of_hull_ = false;
-  double old_volume_ = 0;
+  bool is_open_ = false;
+  double own_volume_ = 0;
   std::optional<Substitute> best_;
 };
 

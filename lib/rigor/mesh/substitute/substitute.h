@@ -42,9 +42,9 @@ struct Substitute {
   std::vector<TriangleMesh> meshes;  ///< of the others; several are convex pieces
   std::size_t triangles = 0;         ///< of all meshes; 0 of a primitive
   double hausdorff = 0;              ///< in the mesh's unit
-  /// (new - old) / old, where the old volume is that of the closed mesh, else of its hull.
+  /// (new - old) / old, where the old volume is that of the mesh; of an open one its hull's, but for kReduced.
   double volume_error = 0;
-  bool of_hull = false;  ///< the mesh is not closed
+  bool of_hull = false;  ///< it is the hull's
 };
 
 /// Nothing where none keeps within the bound with fewer triangles: of kReduced, half of them.
