@@ -27,10 +27,11 @@ TriangleMesh coarse_ball(double radius) {
   constexpr std::uint32_t kRows = 8, kColumns = 16;
   for (std::uint32_t i = 0; i <= kRows; ++i) {
     for (std::uint32_t j = 0; j < kColumns; ++j) {
-      const double polar = M_PI * i / kRows, around = 2 * M_PI * j / kColumns;
-      mesh.positions.push_back({radius * std::sin(polar) * std::cos(around),
-                                radius * std::sin(polar) * std::sin(around),
-                                radius * std::cos(polar)});
+      const double around = 2 * M_PI * j / kColumns,
+                   across = i % kRows == 0 ? 0 : std::sin(M_PI * i / kRows);
+      mesh.positions.push_back({radius * across * std::cos(around),
+                                radius * across * std::sin(around),
+                                radius * std::cos(M_PI * i / kRows)});
     }
   }
   for (std::uint32_t i = 0; i < kRows; ++i) {
@@ -70,7 +71,8 @@ TriangleMesh upright_prism(const std::vector<Vector3>& outline, double height) {
 }
 
 TEST(Substitute, ABallIsASphere) {
-  const auto found = find_substitute(coarse_ball(0.2), {.max_error = 0.02});
+  const auto found =
+      find_substitute(coarse_ball(0.2), {.max_error = 0.02, .capsules = Capsules::kRefused});
   ASSERT_TRUE(found && found->primitive);
   const auto* sphere = std::get_if<Sphere>(&found->primitive->shape);
   ASSERT_NE(sphere, nullptr);

@@ -32,10 +32,11 @@ mesh::TriangleMesh faceted_ball(double radius) {
   constexpr std::uint32_t kRows = 8, kColumns = 16;
   for (std::uint32_t i = 0; i <= kRows; ++i) {
     for (std::uint32_t j = 0; j < kColumns; ++j) {
-      const double polar = M_PI * i / kRows, around = 2 * M_PI * j / kColumns;
-      mesh.positions.push_back({radius * std::sin(polar) * std::cos(around),
-                                radius * std::sin(polar) * std::sin(around),
-                                radius * std::cos(polar)});
+      const double around = 2 * M_PI * j / kColumns,
+                   across = i % kRows == 0 ? 0 : std::sin(M_PI * i / kRows);
+      mesh.positions.push_back({radius * across * std::cos(around),
+                                radius * across * std::sin(around),
+                                radius * std::cos(M_PI * i / kRows)});
     }
   }
   for (std::uint32_t i = 0; i < kRows; ++i) {

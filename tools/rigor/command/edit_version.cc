@@ -70,9 +70,10 @@ bool change_version(const Environment& environment, const VersionRequest& reques
       diff += unified_diff(config->path, config->before, config->edits);
     write({0, {}}, diff);
   }
-  say(fmt::format("rigor: {} {} SDF {}, from {}: {}, the same model", report::printable(path),
-                  writes ? "is" : "would be", to_string(to), to_string(result.from),
-                  report::counted(result.edits.size(), "change")));
+  const std::string& result_path = request.target == EditTarget::kOut ? request.out : path;
+  say(fmt::format("rigor: {} {} SDF {}, from {}: {}, the same model",
+                  report::printable(result_path), writes ? "is" : "would be", to_string(to),
+                  to_string(result.from), report::counted(result.edits.size(), "change")));
   return true;
 }
 

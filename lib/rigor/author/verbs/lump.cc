@@ -131,7 +131,7 @@ class Lumper {
     return compose(inverse(*edited_.frames.pose(holder_of(link))), *edited_.frames.pose(link));
   }
 
-  /// SDF: a collision or visual that its new link has by that name already gets its old link's in front.
+  /// SDF: what its new link has by that name already gets its old link's in front.
   void rename_parts() {
     if (edited_.is_urdf()) return;
     std::set<PartKey> taken;
@@ -144,6 +144,14 @@ class Lumper {
         if (held_by_.contains(body.name) != held) continue;
         for (const robot::Part& part : body.collisions) use(body.name, "collision", part.name);
         for (const robot::Part& part : body.visuals) use(body.name, "visual", part.name);
+        const Id<model::Link> link = edited_.link(body.name);
+        if (!link) continue;
+        for (const xml::Element child : edited_.element(root_[link].site).children()) {
+          const auto name = child.attribute("name");
+          for (const char* kind : {"sensor", "light"}) {
+            if (name && child.name() == kind) use(body.name, kind, std::string(name->value()));
+          }
+        }
       }
     };
     each_part(false, [&](const std::string& link, const char* kind, const std::string& name) {

@@ -350,6 +350,7 @@ class Simplifier {
         }
       }
     }
+    if (pairs_ == 0) return;
     notes_.push_back(fmt::format(
         "no new self-collision at rest in {} pairs of links that no joint connects", pairs_));
   }

@@ -23,10 +23,14 @@ constexpr std::size_t kSamples = 10'000;
 /// More triangles are reduced, by a quarter of the bound, before they are cut into pieces.
 constexpr std::size_t kMaxCut = 4000;
 
-/// Of the bound, what reducing may take by the library's estimate, which is an average and no bound itself.
-constexpr double kEstimates[] = {2, 1, 0.5, 0.2, 0.05};
+/// How many triangles of the mesh one is to stand for, the most first.
+constexpr std::size_t kShares[] = {50, 20, 10, 5, 3, 2};
 
-/// Six times the signed volume: the sum of the triangles' tetrahedra with one point.
+/// Of the error: a cylinder must be nearer by so much than a box or sphere, and a capsule than all, as a faceted ball is
+/// a little nearer to a capsule.
+constexpr double kNearer = 0.75;
+
+/// Signed: the sum of the triangles' tetrahedra with one point.
 double volume(const TriangleMesh& mesh) {
   if (mesh.triangles.empty()) return 0;
   const Vector3 o = mesh.positions[mesh.triangles.front()[0]];
@@ -87,7 +91,7 @@ class SubstituteFinder {
     best_ = std::move(found);
   }
 
-  /// The one that is nearest.
+  /// The one that is nearest, where one with more numbers must be so by much.
   void try_primitives() {
     for (const FitKind kind :
          {FitKind::kBox, FitKind::kSphere, FitKind::kCylinder, FitKind::kCapsule}) {
@@ -96,9 +100,8 @@ class SubstituteFinder {
       if (!fit || fit->deepest > limits_.max_error) continue;
       TriangleMesh drawn = mesh_of(fit->shape);
       for (Vector3& p : drawn.positions) p = model::transform(fit->pose, p);
-      // The sides of a long box would hide in its corners alone.
       const double error = error_of(drawn);
-      if (error > limits_.max_error || (best_ && best_->hausdorff <= error)) continue;
+      if (error > limits_.max_error || (best_ && error > kNearer * best_->hausdorff)) continue;
       Substitute found;
       found.kind = SubstituteKind::kPrimitive;
       const double fitted = fit->volume;
@@ -111,13 +114,8 @@ class SubstituteFinder {
     const double error = error_of(*hull_);
     if (error > limits_.max_error) return;
     // Most corners of the hull of a rounded part are not needed.
-    Reduced fewer = reduce(*hull_, {.triangles = 4, .max_error = limits_.max_error / 4});
-    if (auto hull = convex_hull(fewer.mesh.positions)) {
-      const double error_of_fewer = error_of(*hull);
-      if (error_of_fewer <= limits_.max_error &&
-          hull->triangles.size() < std::min(hull_->triangles.size(), mesh_.triangles.size()))
-        return take(SubstituteKind::kHull, {std::move(*hull)}, error_of_fewer);
-    }
+    const auto hull_of = [](Reduced fewer) { return convex_hull(fewer.mesh.positions); };
+    if (take_fewest(SubstituteKind::kHull, *hull_, hull_of)) return;
     if (hull_->triangles.size() < mesh_.triangles.size())
       take(SubstituteKind::kHull, {*hull_}, error);
   }
@@ -141,15 +139,27 @@ class SubstituteFinder {
   }
 
   void try_reduced() {
-    for (const double share : kEstimates) {
-      Reduced reduced = reduce(
-          mesh_, {.triangles = 4, .max_error = share * limits_.max_error, .seams = Seams::kIgnore});
-      if (2 * reduced.mesh.triangles.size() > mesh_.triangles.size()) return;
-      if (reduced.mesh.triangles.empty() || (reduced.flaws.any() && !is_open_)) continue;
-      const double error = error_of(reduced.mesh);
+    take_fewest(SubstituteKind::kReduced, mesh_, [this](Reduced fewer) {
+      const bool good = !fewer.mesh.triangles.empty() && (is_open_ || !fewer.flaws.any());
+      return good ? std::optional(std::move(fewer.mesh)) : std::nullopt;
+    });
+  }
+
+  /// What is made of the source with as few triangles as the bound allows.
+  template <class Make>
+  bool take_fewest(SubstituteKind kind, const TriangleMesh& source, const Make& make) {
+    constexpr std::size_t kFewest = 8;
+    for (const std::size_t share : kShares) {
+      const std::size_t target = std::max(kFewest, mesh_.triangles.size() / share);
+      if (target >= source.triangles.size()) continue;
+      auto made = make(reduce(source, {.triangles = target, .seams = Seams::kIgnore}));
+      if (!made || 2 * made->triangles.size() > mesh_.triangles.size()) continue;
+      const double error = error_of(*made);
       if (error > limits_.max_error) continue;
-      return take(SubstituteKind::kReduced, {std::move(reduced.mesh)}, error);
+      take(kind, {*std::move(made)}, error);
+      return true;
     }
+    return false;
   }
 
   const TriangleMesh& mesh_;
