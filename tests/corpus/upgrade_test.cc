@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include <rigor/author/upgrade/downgrade.h>
 #include <rigor/author/upgrade/upgrade.h>
 #include <rigor/read/load.h>
 #include <rigor/report/inspect/inspect.h>
@@ -133,6 +134,43 @@ TEST(CorpusUpgrade, TwoStepsComeToTheSameAsOne) {
   }
   std::printf("%d files upgraded in two steps\n", compared);
   EXPECT_GT(compared, static_cast<int>(test::part_of(600)));
+}
+
+/// To 1.9 and back to what the file was: the same model by another text.
+TEST(CorpusDowngrade, BackToTheOldVersionIsTheSameModel) {
+  RIGOR_NEEDS_CORPUS();
+  const RealDisk disk;
+  const Environment environment(disk, {});
+  std::map<std::string, int> refused;
+  int back = 0, same_bytes = 0;
+  for (const std::string& path : test::corpus_part()) {
+    if (path.ends_with(".urdf") || path.ends_with(".config")) continue;
+    const UpgradeLooked before(environment, path, nullptr);
+    const int version = is_whole_sdf(before.loaded) ? minor_of(before.loaded) : 0;
+    if (version < author::kOldestDowngrade || version >= 9) continue;
+    SCOPED_TRACE(path);
+    const author::Upgrade up = author::upgrade(environment, before.loaded, schema::Version{9});
+    if (up.refused()) continue;
+    const UpgradeLooked newer(environment, path, &up.text);
+    const author::Upgrade down = author::downgrade(
+        environment, newer.loaded, schema::Version{version}, author::VersionLosses::kAllowed);
+    if (down.refused()) {
+      for (const author::UpgradeNote& note : down.notes) {
+        if (note.severity != Severity::kError) continue;
+        ++refused[std::string(to_string(note.kind)) + ' ' + note.message.substr(0, 60)];
+        break;
+      }
+      continue;
+    }
+    const UpgradeLooked after(environment, path, &down.text);
+    EXPECT_EQ(minor_of(after.loaded), version);
+    EXPECT_TRUE(same_rows(before.rows(), after.rows()));
+    ++back;
+    if (down.text == before.loaded.file->document->bytes()) ++same_bytes;
+  }
+  std::printf("%d files brought to 1.9 and back, %d with the same bytes\n", back, same_bytes);
+  for (const auto& [why, count] : refused) std::printf("  refused %d: %s\n", count, why.c_str());
+  EXPECT_GT(back, static_cast<int>(test::part_of(600)));
 }
 
 }  // namespace

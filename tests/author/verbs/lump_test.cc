@@ -96,9 +96,62 @@ TEST(Lump, WhatItRefuses) {
   VerbBench bench(
       {{"m.sdf", R"(<sdf version="1.6"><model name="m"><link name="a"/></model></sdf>)"},
        {"r.urdf", R"(<robot name="r"><link name="a"/></robot>)"}});
-  EXPECT_EQ(lumped(bench.open("m.sdf"), {}).refused, "SDF has frames since 1.7: upgrade it first");
+  EXPECT_EQ(lumped(bench.open("m.sdf"), {}).refused, "no link is on a fixed joint to another");
   EXPECT_EQ(lumped(bench.open("r.urdf"), {}).refused, "no link is on a fixed joint to another");
   EXPECT_EQ(lumped(bench.open("r.urdf"), {"a"}).refused, "link 'a' is on no fixed joint");
+}
+
+/// Before 1.7 there are no frames: joints name the holder, and poses are numbers in it.
+TEST(Lump, AnOldSdfsFixedJoints) {
+  constexpr const char* kOld = R"(<sdf version="1.5">
+  <model name="m">
+    <link name="base">
+      <inertial>
+        <mass>1</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+    </link>
+    <link name="mast">
+      <pose>0 0 2 0 0 0</pose>
+      <inertial>
+        <mass>1</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+      <collision name="c">
+        <geometry><sphere><radius>1</radius></sphere></geometry>
+      </collision>
+    </link>
+    <link name="arm">
+      <pose>0 0 3 0 0 0</pose>
+    </link>
+    <joint name="fix" type="fixed">
+      <parent>base</parent>
+      <child>mast</child>
+    </joint>
+    <joint name="turn" type="revolute">
+      <parent>mast</parent>
+      <child>arm</child>
+      <axis><xyz>0 0 1</xyz></axis>
+    </joint>
+    <plugin name="p" filename="p.so"><bodyName>mast</bodyName></plugin>
+  </model>
+</sdf>
+)";
+  VerbBench bench({{"m.sdf", kOld}});
+  const EditedModel& m = bench.open("m.sdf");
+  const Change change = lumped(m, {});
+  const std::string text = bench.text(m, change);
+  EXPECT_NE(text.find("<pose>0 0 2 0 0 0</pose>\n        <geometry><sphere>"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("<parent>base</parent>\n      <child>arm</child>"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("<mass>2</mass>"), std::string::npos) << text;
+  // Steiner: 2 · (1 + 1 · 1²) about the middle, at z = 1.
+  EXPECT_NE(text.find("<ixx>4</ixx>"), std::string::npos) << text;
+  EXPECT_EQ(text.find("<frame"), std::string::npos) << text;
+  EXPECT_NE(text.find("<bodyName>mast</bodyName>"), std::string::npos) << text;
+  ASSERT_EQ(change.notes.size(), 2U);
+  EXPECT_EQ(change.notes[1], "line 31: <bodyName> may still name link mast");
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 
 #include <rigor/author/verbs/attach.h>
 #include <rigor/author/verbs/lump.h>
+#include <rigor/author/verbs/merge.h>
 #include <rigor/author/verbs/mirror.h>
 #include <rigor/author/verbs/move_frame.h>
 #include <rigor/author/verbs/prefix.h>
@@ -21,6 +22,8 @@
 #include <rigor/author/verbs/reroot.h>
 #include <rigor/author/verbs/robot_laws.h>
 #include <rigor/author/verbs/scale.h>
+#include <rigor/author/verbs/simplify.h>
+#include <rigor/author/verbs/split.h>
 #include <rigor/text/path.h>
 
 #include "author/verbs/verb_bench.h"
@@ -235,6 +238,105 @@ TEST(VerbsCorpus, LumpFixedJoints) {
   const VerbTally tally = try_on_corpus(
       [](const EditedModel& edited) { return lumped(edited, {}); }, {}, Comments::kSome);
   EXPECT_GE(tally.proven, test::part_of(100));
+}
+
+/// The first link with two shapes or more loses the last one, with a third of its mass; lumped, it is the old one.
+TEST(VerbsCorpus, SplitAndLump) {
+  RIGOR_NEEDS_CORPUS();
+  const auto link_to_split = [](const EditedModel& edited) -> std::optional<std::string> {
+    for (const robot::Body& body : edited.robot.bodies) {
+      if (!edited.link(body.name) || body.name.find("::") != std::string::npos) continue;
+      if (body.visuals.size() + body.collisions.size() > 1 && body.mass.mass > 0) return body.name;
+    }
+    return std::nullopt;
+  };
+  const VerbTally tally = try_on_corpus(
+      [&](const EditedModel& edited) {
+        const auto link = link_to_split(edited);
+        if (!link) return refusal("no link with two shapes");
+        const robot::Body& body = edited.robot.bodies[edited.body_index(*link)];
+        SplitRequest request;
+        request.name = "cut_off";
+        request.X_LN = {{0.1, -0.2, 0.3}, model::from_rpy(0.4, -0.5, 0.6)};
+        const std::vector<robot::Part>& parts =
+            body.visuals.empty() ? body.collisions : body.visuals;
+        request.take = {(body.visuals.empty() ? "collision/" : "visual/") +
+                        std::to_string(parts.size())};
+        request.share = SplitMass::kGiven;
+        request.mass = body.mass.mass / 3;
+        return split(edited, *link, request);
+      },
+      [](const EditedModel&, const EditedModel& after) { return lumped(after, {"cut_off"}); },
+      Comments::kAll,
+      [&](const EditedModel& before) {
+        robot::Robot robot = before.robot;
+        if (before.is_urdf() || before.root()[before.model].version < 7) return robot;
+        // The names stay, as frames.
+        const std::string link = *link_to_split(before);
+        const std::uint32_t body = before.body_index(link);
+        const model::Pose X_ML = compose(inverse(*before.frames.pose(before.model)),
+                                         *before.frames.pose(before.link(link)));
+        const model::Pose X_BN =
+            compose(inverse(robot.bodies[body].X_MB),
+                    compose(X_ML, {{0.1, -0.2, 0.3}, model::from_rpy(0.4, -0.5, 0.6)}));
+        robot.frames.push_back({"cut_off", body, X_BN, {}});
+        robot.frames.push_back({link + "_to_cut_off", body, X_BN, {}});
+        return robot;
+      });
+  EXPECT_GE(tally.proven, test::part_of(200));
+}
+
+/// Each model beside the one before it of the same version.
+TEST(VerbsCorpus, MergeAWorld) {
+  RIGOR_NEEDS_CORPUS();
+  const RealDisk disk;
+  std::map<int, std::string> last;  // by version
+  VerbTally tally;
+  for (const std::string& path : test::corpus_part()) {
+    if (file_name(path) == "model.config" || path.ends_with(".urdf") ||
+        std::filesystem::file_size(path) > 100'000)
+      continue;
+    VerbBench bench(disk);
+    const EditedModel* a = bench.try_open(path);
+    if (a == nullptr || a->is_urdf() || a->robot.bodies.empty()) continue;
+    const auto [other, is_first] = last.try_emplace(a->root()[a->model].version, path);
+    const EditedModel* b = bench.try_open(other->second);
+    other->second = path;
+    if (b == nullptr || !differences_at_rounding(a->robot, a->robot).empty() ||
+        !differences_at_rounding(b->robot, b->robot).empty())
+      continue;
+    WorldRequest request;
+    request.out = std::string(parent_path(path)) + "/rigor_merged_world.sdf";
+    request.X_WB = model::Pose{{1, 2, 3}, model::from_rpy(0.1, 0.2, 0.3)};
+    const MergedWorld world = merged_world(*a, *b, request);
+    if (!world.refused.empty()) {
+      ++tally.refused[kind_of(world.refused)];
+      continue;
+    }
+    EXPECT_EQ(VerbBench::words(world.unasked).substr(0, 600), "") << path << " + " << b->path();
+    if (world.holds()) ++tally.proven;
+  }
+  tally.print();
+  EXPECT_GE(tally.proven, test::part_of(200));
+}
+
+/// Of small meshes, as a fit of a large one takes seconds in a build without optimization.
+TEST(VerbsCorpus, SimplifyCollisions) {
+  RIGOR_NEEDS_CORPUS();
+  const VerbTally tally = try_on_corpus(
+      [](const EditedModel& edited) {
+        std::uintmax_t bytes = 0;
+        for (const robot::Body& body : edited.robot.bodies) {
+          for (const robot::Part& part : body.collisions) {
+            if (part.shape.kind == "mesh" && !part.shape.path.empty())
+              bytes += std::filesystem::file_size(part.shape.path);
+          }
+        }
+        if (bytes == 0 || bytes > 150'000) return refusal("no small meshes");
+        return simplified(edited, {});
+      },
+      {}, Comments::kSome);
+  EXPECT_GE(tally.proven, test::part_of(30));
 }
 
 /// Each robot on the one before it of the same format, by its last link; taken away again.

@@ -29,6 +29,7 @@
 #include <rigor/text/path.h>
 
 #include "command/command.h"
+#include "command/edit_version.h"
 #include "option/search.h"
 #include "output/atomic_file.h"
 #include "output/output.h"
@@ -38,6 +39,8 @@ namespace rigor::tool {
 namespace {
 
 constexpr std::string_view kRename = "rename";
+constexpr std::string_view kUpgrade = "upgrade";
+constexpr std::string_view kDowngrade = "downgrade";
 
 std::size_t count_of_words(std::string_view words) {
   if (words.empty()) return 0;
@@ -52,9 +55,11 @@ class EditCommand final : public Command {
         {"rigor edit rename wheel left_wheel robot.urdf robot.srdf controllers.yaml",
          "rigor edit prefix left_ arm.urdf -o left_arm.urdf",
          "rigor edit attach arm.urdf gripper.urdf --to flange -o robot.urdf",
-         "rigor edit remove camera_link robot.urdf --subtree --write"});
+         "rigor edit remove camera_link robot.urdf --subtree --write",
+         "rigor edit merge left.sdf right.sdf --pose '0 1 0 0 0 0' -o cell.sdf",
+         "rigor edit simplify-collisions robot.urdf --max-error 0.01 --write"});
     for (const EditVerb& verb : edit_verbs()) names_.push_back(verb.name);
-    names_.push_back(kRename);
+    names_.insert(names_.end(), {kRename, kUpgrade, kDowngrade});
     offer(
         app->add_option("verb", verb_, "What to do: " + fmt::format("{}", fmt::join(names_, ", ")))
             ->type_name("VERB")
@@ -81,6 +86,7 @@ class EditCommand final : public Command {
   int run() override {
     const std::size_t index = choice("verb of edit", verb_, names_);
     if (names_[index] == kRename) return rename();
+    if (names_[index] == kUpgrade || names_[index] == kDowngrade) return change_version();
     const EditVerb& verb = edit_verbs()[index];
     const std::size_t count = count_of_words(verb.words);
     if (words_.size() <= count + (verb.takes_tool ? 1 : 0)) {
@@ -97,6 +103,7 @@ class EditCommand final : public Command {
       request.tool = request.files[1];
       request.files.erase(request.files.begin() + 1);
     }
+    request.out = out_;
     request.options = options_;
     return edit(verb, request);
   }
@@ -124,6 +131,21 @@ class EditCommand final : public Command {
          "Of mirror: xz, yz or xy of the link that carries the part; xz when absent", "PLANE");
     text("--rename", options_.rename,
          "Of mirror: the image is a copy, with TO for FROM in its names", "FROM:TO");
+    text("--take", options_.take,
+         "Of split: what goes with the new link, as name,name or visual/2,collision/1", "NAMES");
+    text("--mass", options_.mass,
+         "Of split: of the new link, in kg, or shapes: as its shapes' volumes are", "KG");
+    text("--name", options_.name, "Of split: of the new link; of merge: of the world", "NAME");
+    text("--at", options_.frame,
+         "Of split: where the new link is: a link, joint or frame, or a pose in the link", "FRAME");
+    text("--max-error", options_.max_error,
+         "Of simplify-collisions: two-sided distance, as a share of the link's size; default 0.02",
+         "E");
+    text("--from", options_.from,
+         "Of simplify-collisions: visual gives links without a collision one", "PART");
+    flag("--include", options_.include, "Of merge: the world includes the models' files");
+    flag("--allow-loss", options_.allow_loss,
+         "Of downgrade: also what the older version has no word for");
     text("--lower", options_.lower, "Of a revolute joint: the lower limit, rad", "RAD");
     text("--upper", options_.upper, "Of a revolute joint: the upper limit, rad", "RAD");
     text("--effort", options_.effort, "Of a revolute joint: N·m", "N");
@@ -152,12 +174,14 @@ class EditCommand final : public Command {
     if (!proven.refused.empty())
       throw InputError(request.files.front() + " is not changed: " + proven.refused);
     for (const std::string& note : change.notes) say("rigor: " + report::printable(note));
+    if (!change.product.empty()) return put_product(change.product);
     if (!proven.unasked.empty()) {
       tell({request.files.front(), change.expected}, proven, proven.unasked, sources);
       say("rigor: nothing is changed: " + report::counted(proven.unasked.size(), "difference") +
           " that nobody asked for");
       return kFindings;
     }
+    emit_new(change.new_files, disk.reach());
     emit(request, proven, sources);
     tell({request.files.front(), opened.model->robot}, proven, proven.asked, sources);
     std::size_t places = 0;
@@ -167,6 +191,52 @@ class EditCommand final : public Command {
         (write_ || !out_.empty() ? " changed: " : " would be changed: ") +
         report::counted(proven.asked.size(), "difference") + ", all as asked");
     return kClean;
+  }
+
+  /// What is no edit of a file.
+  int put_product(const std::string& text) const {
+    if (write_) throw UsageError("edit " + verb_ + " makes a new file: name it with -o");
+    if (out_.empty())
+      write({0, {}}, text);
+    else
+      replace_file(out_, text);
+    return kClean;
+  }
+
+  void emit_new(const std::vector<author::NewFile>& files, const Reach& reach) const {
+    for (const author::NewFile& file : files) {
+      if (!write_ && out_.empty()) {
+        say("rigor: " + report::printable(file.path) + " would be written");
+        continue;
+      }
+      if (!reach.holds(file.path)) {
+        throw UsageError(file.path +
+                         " is out of reach: name its package with --package or its folder "
+                         "with --model-path");
+      }
+      put_file(std::string(parent_path(file.path)), file_name(file.path), file.bytes);
+      say("rigor: " + report::printable(file.path) + " is written");
+    }
+  }
+
+  int change_version() {
+    if (words_.size() < 2) throw UsageError("edit " + verb_ + " takes VERSION FILE...");
+    refuse_other_options({verb_, "", verb_ == kDowngrade ? "--allow-loss" : "", nullptr});
+    VersionRequest request;
+    request.verb = verb_ == kUpgrade ? VersionVerb::kUpgrade : VersionVerb::kDowngrade;
+    request.version = words_.front();
+    request.files.assign(words_.begin() + 1, words_.end());
+    request.losses =
+        options_.allow_loss ? author::VersionLosses::kAllowed : author::VersionLosses::kRefused;
+    request.out = out_;
+    request.target = !out_.empty() ? EditTarget::kOut
+                     : write_      ? EditTarget::kFiles
+                                   : EditTarget::kDiff;
+    search_.config().open();
+    const GuardedDisk disk = search_.disk(request.files);
+    Environment environment(disk, search_.paths());
+    search_.allow(environment.workers);
+    return rigor::tool::change_version(environment, request);
   }
 
   void emit(const EditRequest& request, const author::ProvenChange& proven,

@@ -24,13 +24,18 @@ struct EditOptions {
   std::string rename;
   std::string prefix;
   std::string lower, upper, effort, velocity;
+  std::string take, mass, name;  ///< of split; name of merge, too
+  std::string max_error, from;   ///< of simplify-collisions
   bool subtree = false;
+  bool include = false;     ///< of merge
+  bool allow_loss = false;  ///< of downgrade
 };
 
 struct EditRequest {
   std::vector<std::string> words;  ///< before the files
   std::vector<std::string> files;  ///< the model's first
   std::string tool;                ///< the file behind the model's of a verb that `takes_tool`
+  std::string out;                 ///< where the result goes; empty when that is not said
   EditOptions options;
 };
 
@@ -45,7 +50,7 @@ struct EditVerb {
   bool takes_tool = false;
 };
 
-/// All but `rename`.
+/// All but `rename`, `upgrade` and `downgrade`.
 std::span<const EditVerb> edit_verbs();
 
 }  // namespace rigor::tool

@@ -3,6 +3,7 @@
 //
 // The verbs of `rigor edit`: words and options → one library call.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <rigor/author/verbs/add.h>
 #include <rigor/author/verbs/attach.h>
 #include <rigor/author/verbs/lump.h>
+#include <rigor/author/verbs/merge.h>
 #include <rigor/author/verbs/mirror.h>
 #include <rigor/author/verbs/move_frame.h>
 #include <rigor/author/verbs/prefix.h>
@@ -18,6 +20,8 @@
 #include <rigor/author/verbs/reroot.h>
 #include <rigor/author/verbs/scale.h>
 #include <rigor/author/verbs/set_value.h>
+#include <rigor/author/verbs/simplify.h>
+#include <rigor/author/verbs/split.h>
 
 #include "command/command.h"
 #include "command/edit.h"
@@ -71,9 +75,8 @@ double number_of(const std::string& option, const std::string& text) {
   return text.empty() ? 0 : finite_number(option, text);
 }
 
-Change attach(const EditRequest& request, ModelReader& reader, const EditedModel& arm) {
-  const EditOptions& options = request.options;
-  if (options.to.empty()) throw UsageError("edit attach needs --to LINK");
+/// The options of attach and merge, but for the link.
+author::AttachRequest attach_request(const EditOptions& options) {
   constexpr std::array<std::string_view, 2> kJoints{"fixed", "revolute"};
   author::AttachRequest asked;
   asked.link = options.to;
@@ -91,9 +94,89 @@ Change attach(const EditRequest& request, ModelReader& reader, const EditedModel
     asked.effort = number_of("--effort", options.effort);
     asked.velocity = number_of("--velocity", options.velocity);
   }
+  return asked;
+}
+
+Change attach(const EditRequest& request, ModelReader& reader, const EditedModel& arm) {
+  if (request.options.to.empty()) throw UsageError("edit attach needs --to LINK");
+  const author::AttachRequest asked = attach_request(request.options);
   const author::OpenedModel gripper = reader.open(request.tool);
   if (!gripper.model) throw InputError(gripper.problem);
   return author::attached(reader, arm, *gripper.model, asked);
+}
+
+Change merge(const EditRequest& request, ModelReader& reader, const EditedModel& first) {
+  const EditOptions& options = request.options;
+  const author::OpenedModel second = reader.open(request.tool);
+  if (!second.model) throw InputError(second.problem);
+  if (!options.to.empty()) {
+    if (!first.is_urdf())
+      return author::refusal("it is SDF: use attach, or leave out --to for a world of both");
+    return author::merged_robot(reader, first, *second.model, attach_request(options));
+  }
+  if (!options.include && first.is_urdf() && second.model->is_urdf()) {
+    return author::refusal(
+        "URDF has one robot a file: name a new root for both with --to, use attach to put one on a "
+        "link of the other, or --include for a world");
+  }
+  author::WorldRequest asked;
+  asked.out = request.out.empty() ? "world.sdf" : request.out;
+  asked.name = options.name;
+  if (!options.pose.empty()) asked.X_WB = pose_of("--pose", options.pose);
+  if (options.include) asked.parts = author::WorldParts::kIncluded;
+  author::MergedWorld world = author::merged_world(first, *second.model, asked);
+  if (!world.refused.empty()) return author::refusal(world.refused);
+  if (!world.holds()) {
+    const robot::Difference& one = world.unasked.front();
+    return author::refusal("the world would have other models: " +
+                           std::string(robot::to_string(one.kind)) + ' ' + one.a + one.b);
+  }
+  Change change;
+  change.expected = first.robot;
+  change.product = std::move(world.text);
+  change.notes.push_back("a world with the models " + world.names[0] + " and " + world.names[1] +
+                         ", each as in its file");
+  return change;
+}
+
+/// "a,b" as a and b.
+std::vector<std::string> names_in(const std::string& list) {
+  std::vector<std::string> names;
+  for (std::size_t begin = 0; begin < list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    if (end > begin) names.push_back(list.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return names;
+}
+
+Change split(const EditRequest& request, ModelReader&, const EditedModel& edited) {
+  const EditOptions& options = request.options;
+  const std::string& link = request.words[0];
+  if (options.frame.empty())
+    throw UsageError("edit split needs --at FRAME or --at \"X Y Z R P Y\"");
+  author::SplitRequest asked;
+  asked.name = options.name;
+  asked.take = names_in(options.take);
+  const auto place = author::place_in_link(edited, link, options.frame);
+  asked.X_LN = place ? *place : pose_of("--at", options.frame);
+  if (options.mass == "shapes") {
+    asked.share = author::SplitMass::kShapes;
+  } else if (!options.mass.empty()) {
+    asked.share = author::SplitMass::kGiven;
+    asked.mass = positive_number("--mass", options.mass, "kg");
+  }
+  return author::split(edited, link, asked);
+}
+
+Change simplify(const EditRequest& request, ModelReader&, const EditedModel& edited) {
+  constexpr std::array<std::string_view, 2> kFrom{"collision", "visual"};
+  author::SimplifyRequest asked;
+  if (!request.options.max_error.empty())
+    asked.max_error = positive_number("--max-error", request.options.max_error, "");
+  if (!request.options.from.empty() && choice("--from", request.options.from, kFrom) == 1)
+    asked.missing = author::MissingCollisions::kFromVisuals;
+  return author::simplified(edited, asked);
 }
 
 Change mirror(const EditRequest& request, ModelReader&, const EditedModel& edited) {
@@ -171,6 +254,11 @@ constexpr EditVerb kEditVerbs[] = {
     {"move-frame", "LINK", "--to", move_frame},
     {"lump", "", "", lump},
     {"add", "WHAT", "--to --pose", add},
+    {"merge", "",
+     "--to --pose --joint --lower --upper --effort --velocity --prefix --include --name", merge,
+     true},
+    {"split", "LINK", "--at --take --mass --name", split},
+    {"simplify-collisions", "", "--max-error --from", simplify},
 };
 
 }  // namespace

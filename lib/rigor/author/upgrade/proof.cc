@@ -19,6 +19,7 @@
 
 #include <rigor/author/upgrade/step.h>
 #include <rigor/model/frames.h>
+#include <rigor/model/motion.h>
 #include <rigor/model/subject.h>
 #include <rigor/read/values.h>
 #include <rigor/schema/value.h>
@@ -53,7 +54,10 @@ struct UpgradeSide {
 
 class UpgradeProof {
  public:
-  UpgradeProof(const read::Loaded& before, const read::Loaded& after) : a_(before), b_(after) {}
+  enum class Direction : std::uint8_t { kUp, kDown };
+
+  UpgradeProof(const read::Loaded& before, const read::Loaded& after, Direction direction)
+      : a_(before), b_(after), down_(direction == Direction::kDown) {}
 
   UpgradeNotes differences() {
     each("world", a_.root.worlds, b_.root.worlds, &UpgradeProof::world);
@@ -61,7 +65,8 @@ class UpgradeProof {
     each("model", a_.root.models, b_.root.models, &UpgradeProof::model);
     each("link", a_.root.links, b_.root.links, &UpgradeProof::link);
     each("joint", a_.root.joints, b_.root.joints, &UpgradeProof::joint);
-    each("frame", a_.root.frames, b_.root.frames, &UpgradeProof::frame);
+    if (!has_no(kFirstWithFrames))
+      each("frame", a_.root.frames, b_.root.frames, &UpgradeProof::frame);
     each("collision", a_.root.collisions, b_.root.collisions, &UpgradeProof::collision);
     each("visual", a_.root.visuals, b_.root.visuals, &UpgradeProof::visual);
     each("sensor", a_.root.sensors, b_.root.sensors, &UpgradeProof::sensor);
@@ -73,6 +78,11 @@ class UpgradeProof {
   }
 
  private:
+  static constexpr int kFirstWithFrames = 7, kFirstWithMimics = 11;
+
+  /// Whether that is a downgrade to a version before this one.
+  bool has_no(int first_version) const { return down_ && b_.root.version < first_version; }
+
   template <class T>
   void each(std::string_view kind, const std::vector<T>& a, const std::vector<T>& b,
             void (UpgradeProof::*compare)(std::uint32_t, const T&, const T&)) {
@@ -210,6 +220,7 @@ class UpgradeProof {
          scoped_name(b_.root, id_of<model::Model>(i)));
     same("static", a.is_static, b.is_static);
     same("pose", a_.frames.pose(id_of<model::Model>(i)), b_.frames.pose(id_of<model::Model>(i)));
+    if (has_no(kFirstWithFrames)) return;
     same("canonical link", link_name(a_, a_.frames.canonical_link(id_of<model::Model>(i))),
          link_name(b_, b_.frames.canonical_link(id_of<model::Model>(i))));
   }
@@ -278,9 +289,13 @@ class UpgradeProof {
     same("parent", end_name(a_, p.parent, p.parent_is_world),
          end_name(b_, q.parent, q.parent_is_world));
     same("child", end_name(a_, p.child, false), end_name(b_, q.child, false));
-    same("thread pitch", a.thread_pitch, b.thread_pitch);
-    if (a.type == model::JointType::kScrew && a.thread_pitch.written != b.thread_pitch.written &&
-        b_.root.version < 10) {
+    if (down_ && a.type == model::JointType::kScrew) {
+      same("lead", model::screw_lead(a_.root, a), model::screw_lead(b_.root, b));
+    } else if (!down_) {
+      same("thread pitch", a.thread_pitch, b.thread_pitch);
+    }
+    if (!down_ && a.type == model::JointType::kScrew &&
+        a.thread_pitch.written != b.thread_pitch.written && b_.root.version < 10) {
       same("written thread pitch", a.thread_pitch.written, b.thread_pitch.written);
     }
     same("gearbox ratio", a.gearbox_ratio, b.gearbox_ratio);
@@ -304,6 +319,7 @@ class UpgradeProof {
     same("friction", a.friction, b.friction);
     same("spring reference", a.spring_reference, b.spring_reference);
     same("spring stiffness", a.spring_stiffness, b.spring_stiffness);
+    if (has_no(kFirstWithMimics)) return;
     same("mimic", a.mimic.has_value(), b.mimic.has_value());
     if (!a.mimic || !b.mimic) return;
     same("joint that is mimicked", a.mimic->joint, b.mimic->joint);
@@ -343,6 +359,7 @@ class UpgradeProof {
   }
 
   void geometry(const model::Geometry& a, const model::Geometry& b) {
+    if (down_ && std::holds_alternative<model::NoShape>(b.shape)) return;
     if (a.shape.index() != b.shape.index()) {
       return differ("shape", std::string(shape_name(a.shape)), std::string(shape_name(b.shape)));
     }
@@ -443,6 +460,7 @@ class UpgradeProof {
 
   UpgradeSide a_;
   UpgradeSide b_;
+  bool down_;
   Span where_;
   std::string subject_;
   std::function<std::string()> current_;
@@ -452,7 +470,11 @@ class UpgradeProof {
 }  // namespace
 
 UpgradeNotes differences_after_upgrade(const read::Loaded& before, const read::Loaded& after) {
-  return UpgradeProof(before, after).differences();
+  return UpgradeProof(before, after, UpgradeProof::Direction::kUp).differences();
+}
+
+UpgradeNotes differences_after_downgrade(const read::Loaded& before, const read::Loaded& after) {
+  return UpgradeProof(before, after, UpgradeProof::Direction::kDown).differences();
 }
 
 }  // namespace rigor::author

@@ -140,4 +140,8 @@ UpgradeNotes notes_on_defaults(const xml::Document& before, const schema::Schema
 /// (proof.cc).
 UpgradeNotes differences_after_upgrade(const read::Loaded& before, const read::Loaded& after);
 
+/// The same without what the older version has no word for, which the downgrade itself reports: frames, canonical links,
+/// mimics, shapes that are none to it.
+UpgradeNotes differences_after_downgrade(const read::Loaded& before, const read::Loaded& after);
+
 }  // namespace rigor::author

@@ -211,6 +211,7 @@ std::string_view to_string(UpgradeNoteKind kind) {
     case UpgradeNoteKind::kNewer: return "newer";
     case UpgradeNoteKind::kScopedName: return "scoped-name";
     case UpgradeNoteKind::kNotTheSame: return "not-the-same";
+    case UpgradeNoteKind::kLost: return "lost";
     case UpgradeNoteKind::kRemoved: return "removed";
     case UpgradeNoteKind::kCommentLost: return "comment-lost";
     case UpgradeNoteKind::kIncludeNewer: return "include-newer";

@@ -37,6 +37,7 @@ enum class UpgradeNoteKind : std::uint8_t {
   kNewer,           ///< the file is newer than what is asked for
   kScopedName,      ///< `::` in a name, which 1.8 reserves
   kNotTheSame,      ///< the result, read again, is another model
+  kLost,  ///< an older version has no word for it (downgrade.h); a warning where that is allowed
 
   // Warnings: what the newer version has no place for stays as it is.
   kRemoved,

@@ -31,6 +31,12 @@ namespace rigor::author {
 /// Whether what files say by name must mean as much after the change as before.
 enum class References : std::uint8_t { kMayGo, kKept };
 
+/// A file that the edited ones name and that is not there yet.
+struct NewFile {
+  std::string path;
+  std::string bytes;
+};
+
 struct Change {
   /// Each to be done whole. In the sources of the model's file, or of others of the workspace.
   std::vector<std::vector<Edit>> steps;
@@ -38,8 +44,11 @@ struct Change {
   /// Of the settings (convert/settings.h) that differ, those that were asked for; when empty, none.
   std::function<bool(const robot::Difference&)> asks_for_setting = {};
   References references = References::kMayGo;
-  std::vector<std::string> notes;  ///< what is left to the author, a line each
-  std::string refused;             ///< why there is no change, as the end of a sentence
+  std::vector<std::string> notes;       ///< what is left to the author, a line each
+  std::string refused;                  ///< why there is no change, as the end of a sentence
+  std::vector<NewFile> new_files = {};  ///< to be written before those that change
+  std::string product =
+      {};  ///< a text of its own, which its verb has proven; then there are no steps
 };
 
 /// Whether a setting that differs is where something is: of verbs that move frames.

@@ -13,10 +13,11 @@
 
 #include <rigor/author/verbs/block.h>
 #include <rigor/author/verbs/draft.h>
+#include <rigor/author/verbs/inertial_block.h>
 #include <rigor/author/verbs/placed.h>
 #include <rigor/author/verbs/robot_laws.h>
+#include <rigor/read/values.h>
 #include <rigor/robot/lumping.h>
-#include <rigor/schema/value.h>
 #include <rigor/xml/edit.h>
 #include <rigor/xml/style.h>
 
@@ -26,6 +27,8 @@ namespace {
 using model::Id;
 using model::JointType;
 using model::Pose;
+
+constexpr int kFirstWithFrames = 7;
 
 /// "collision arm/shell": a part by its kind, link and name.
 using PartKey = std::pair<std::string, std::string>;
@@ -39,17 +42,21 @@ class Lumper {
     if (edited_.loaded.file->expanded) return refusal("it is a template");
     if (const auto included = included_part(edited_))
       return refusal("a part of it is in " + *included);
-    if (!edited_.is_urdf() && root_[edited_.model].version < 7)
-      return refusal("SDF has frames since 1.7: upgrade it first");
     if (std::string fault = find_holders(); !fault.empty()) return refusal(std::move(fault));
+    if (std::string fault = fault_of_old_file(); !fault.empty()) return refusal(std::move(fault));
     rename_parts();
     move_contents();
-    edited_.is_urdf() ? rewrite_urdf() : rewrite_sdf();
+    if (edited_.is_urdf()) {
+      rewrite_urdf();
+    } else {
+      has_frames() ? rewrite_sdf() : rewrite_old_sdf();
+    }
     Change change;
     change.steps = draft_.take();
     change.expected = law();
     for (const auto& [link, holder] : held_by_)
       change.notes.push_back(fmt::format("link {} is part of {} now", link, holder));
+    change.notes.insert(change.notes.end(), notes_.begin(), notes_.end());
     change.asks_for_setting = [](const robot::Difference&) { return true; };
     return change;
   }
@@ -86,6 +93,34 @@ class Lumper {
     return held_by_.empty() ? "no link is on a fixed joint to another" : "";
   }
 
+  /// Whether names of links can stay as those of frames.
+  bool has_frames() const {
+    return !edited_.is_urdf() && root_[edited_.model].version >= kFirstWithFrames;
+  }
+
+  /// Of SDF before 1.7, what would go on naming a link that is gone, and poses in frames that only 1.5 and 1.6 knew.
+  std::string fault_of_old_file() const {
+    if (edited_.is_urdf() || has_frames()) return {};
+    if (root_[edited_.model].version == 0) return "it is SDF 1.0: upgrade it first";
+    const auto line = [&](Span span) {
+      return edited_.sources.position(span.source, span.begin).line;
+    };
+    for (const Placed& each : placed_in(edited_)) {
+      if (!each.field->relative_to.value.empty())
+        return fmt::format("line {}: the pose names a frame, which 1.7 defines: upgrade it first",
+                           line(each.holder.tag_span()));
+    }
+    for (std::uint32_t i = 0; i < edited_.document().element_count(); ++i) {
+      const xml::Element element = edited_.document().element(i);
+      const std::string_view name = element.name();
+      if (name == "palm_link" || name == "gripper_link") {
+        if (held_by_.contains(std::string(read::trimmed(element.text()))))
+          return fmt::format("line {}: a gripper names it", line(element.tag_span()));
+      }
+    }
+    return {};
+  }
+
   Id<model::Link> holder_of(Id<model::Link> link) const {
     const auto held = held_by_.find(edited_.name_of(link));
     return held == held_by_.end() ? Id<model::Link>{} : edited_.link(held->second);
@@ -96,7 +131,7 @@ class Lumper {
     return compose(inverse(*edited_.frames.pose(holder_of(link))), *edited_.frames.pose(link));
   }
 
-  /// SDF: a collision or visual that its new link has by that name already gets its old link's in front.
+  /// SDF: what its new link has by that name already gets its old link's in front.
   void rename_parts() {
     if (edited_.is_urdf()) return;
     std::set<PartKey> taken;
@@ -109,6 +144,14 @@ class Lumper {
         if (held_by_.contains(body.name) != held) continue;
         for (const robot::Part& part : body.collisions) use(body.name, "collision", part.name);
         for (const robot::Part& part : body.visuals) use(body.name, "visual", part.name);
+        const Id<model::Link> link = edited_.link(body.name);
+        if (!link) continue;
+        for (const xml::Element child : edited_.element(root_[link].site).children()) {
+          const auto name = child.attribute("name");
+          for (const char* kind : {"sensor", "light"}) {
+            if (name && child.name() == kind) use(body.name, kind, std::string(name->value()));
+          }
+        }
       }
     };
     each_part(false, [&](const std::string& link, const char* kind, const std::string& name) {
@@ -182,10 +225,11 @@ class Lumper {
                         each.kind == PlacedKind::kSensor || each.kind == PlacedKind::kLight;
       if (!part || !each.link || !holder_of(each.link)) continue;
       const std::string name = edited_.name_of(each.link);
-      if (!edited_.is_urdf()) {
+      if (has_frames()) {
         if (each.field->relative_to.value.empty())
           moved.set_pose(*each.field, each.holder, each.field->pose.value, name);
-      } else if (each.kind == PlacedKind::kSensor || each.kind == PlacedKind::kLight) {
+      } else if (edited_.is_urdf() &&
+                 (each.kind == PlacedKind::kSensor || each.kind == PlacedKind::kLight)) {
         draft_.set_pose(*each.field, each.holder,
                         compose(in_holder(each.link), each.field->pose.value));
       } else {
@@ -221,7 +265,7 @@ class Lumper {
       const std::string in = xml::indentation(document, element);
       const std::string unit = xml::indent_unit(document, element);
       std::string text;
-      if (changed) text += indented(inertial(mass), in + unit, line) + line;
+      if (changed) text += indented_by(inertial(mass), in + unit, line) + line;
       if (!block.empty()) text += block + line;
       const Span tag = element.tag_span();
       const auto slash = static_cast<std::uint32_t>(
@@ -242,43 +286,8 @@ class Lumper {
     if (auto edit = block_at_end(document, element, block)) draft_.add({*std::move(edit)});
   }
 
-  static std::string indented(const std::string& text, const std::string& by,
-                              const std::string& line) {
-    std::string result = by;
-    for (const char c : text) {
-      if (c == '\n') {
-        result += line + by;
-      } else {
-        result += c;
-      }
-    }
-    return result;
-  }
-
-  /// With all digits, since the proof compares it with the sum.
   std::string inertial(const mass::MassProperties& body) const {
-    const auto text = [](double value) { return schema::to_shortest(value + 0.0); };
-    const std::string com =
-        fmt::format("{} {} {}", text(body.com.x), text(body.com.y), text(body.com.z));
-    const mass::Inertia& I = body.about_com;
-    const std::pair<const char*, double> entries[] = {{"ixx", I.ixx}, {"ixy", I.ixy},
-                                                      {"ixz", I.ixz}, {"iyy", I.iyy},
-                                                      {"iyz", I.iyz}, {"izz", I.izz}};
-    std::string tensor;
-    if (edited_.is_urdf()) {
-      for (const auto& [name, value] : entries)
-        tensor += fmt::format(" {}=\"{}\"", name, text(value));
-      return fmt::format(
-          "<inertial>\n  <origin xyz=\"{}\"/>\n  <mass value=\"{}\"/>\n  "
-          "<inertia{}/>\n</inertial>",
-          com, text(body.mass), tensor);
-    }
-    for (const auto& [name, value] : entries)
-      tensor += fmt::format("    <{0}>{1}</{0}>\n", name, text(value));
-    return fmt::format(
-        "<inertial>\n  <pose>{} 0 0 0</pose>\n  <mass>{}</mass>\n  <inertia>\n{}  "
-        "</inertia>\n</inertial>",
-        com, text(body.mass), tensor);
+    return inertial_block(body, edited_.is_urdf() ? InertialForm::kUrdf : InertialForm::kSdf);
   }
 
   // --- What refers to them ---
@@ -302,6 +311,37 @@ class Lumper {
       } else if (joints_.contains(name)) {
         draft_.remove(edited_.element(block.site));
       }
+    }
+  }
+
+  /// Joints name the holder; the pose of one is in its child, which may be what is held where the parent is the child
+  /// in the robot. What else names a link that is gone is listed.
+  void rewrite_old_sdf() {
+    for (const model::Joint& joint : root_.joints) {
+      if (joint.model != edited_.model) continue;
+      const xml::Element element = edited_.element(joint.site);
+      if (joints_.contains(joint.name.value)) {
+        draft_.remove(element);
+        continue;
+      }
+      const Id<model::Link> parent = edited_.link(joint.parent.value);
+      const Id<model::Link> child = edited_.link(joint.child.value);
+      if (parent && holder_of(parent))
+        draft_.add({{joint.parent.span, xml::escaped(edited_.name_of(holder_of(parent)))}});
+      if (child && holder_of(child)) {
+        draft_.add({{joint.child.span, xml::escaped(edited_.name_of(holder_of(child)))}});
+        draft_.set_pose(joint.pose, element, compose(in_holder(child), joint.pose.pose.value));
+      }
+    }
+    for (std::uint32_t i = 0; i < edited_.document().element_count(); ++i) {
+      const xml::Element element = edited_.document().element(i);
+      const auto held = held_by_.find(std::string(read::trimmed(element.text())));
+      if (held == held_by_.end() || element.name() == "parent" || element.name() == "child")
+        continue;
+      const Span span = element.tag_span();
+      notes_.push_back(fmt::format("line {}: <{}> may still name link {}",
+                                   edited_.sources.position(span.source, span.begin).line,
+                                   element.name(), held->first));
     }
   }
 
@@ -354,7 +394,7 @@ class Lumper {
       rename(body.visuals, "visual");
     }
     robot::Robot after = robot::with_embedded(before, held_by_);
-    if (edited_.is_urdf()) after.frames.clear();
+    if (!has_frames()) after.frames.clear();
     // SDF: the body's frame was its joint's; what stays by its name is the link's.
     for (robot::Frame& frame : after.frames) {
       const Id<model::Link> link = edited_.link(frame.name);
@@ -376,6 +416,7 @@ class Lumper {
   std::set<std::string> joints_;                ///< that go
   std::map<PartKey, std::string> renamed_;
   std::string frames_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace

@@ -1,0 +1,149 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// merge: a world of two models, and one robot of two.
+
+#include <rigor/author/verbs/merge.h>
+
+#include <gtest/gtest.h>
+
+#include "author/verbs/verb_bench.h"
+
+namespace rigor::author {
+namespace {
+
+constexpr const char* kMergedCart = R"(<?xml version="1.0"?>
+<sdf version="1.9">
+  <!-- of the file -->
+  <model name="cart">
+    <pose>0 0 1 0 0 0</pose>
+    <link name="base">  <!-- kept -->
+      <visual name="v">
+        <geometry><mesh><uri>meshes/cart.stl</uri></mesh></geometry>
+      </visual>
+    </link>
+  </model>
+</sdf>
+)";
+
+TEST(Merge, AWorldOfTwoCopies) {
+  VerbBench bench({{"a/cart.sdf", kMergedCart}});
+  const EditedModel& cart = bench.open("a/cart.sdf");
+  WorldRequest request;
+  request.out = "world.sdf";
+  request.X_WB = model::Pose{{2, 0, 0}, {}};
+  const MergedWorld world = merged_world(cart, cart, request);
+  EXPECT_EQ(world.refused, "");
+  EXPECT_EQ(VerbBench::words(world.unasked), "");
+  EXPECT_EQ(world.text, R"(<?xml version="1.0"?>
+<sdf version="1.9">
+  <world name="cart_and_cart_2">
+    <model name="cart">
+    <pose>0 0 1 0 0 0</pose>
+    <link name="base">  <!-- kept -->
+      <visual name="v">
+        <geometry><mesh><uri>a/meshes/cart.stl</uri></mesh></geometry>
+      </visual>
+    </link>
+  </model>
+    <model name="cart_2">
+    <pose>2 0 0 0 0 0</pose>
+    <link name="base">  <!-- kept -->
+      <visual name="v">
+        <geometry><mesh><uri>a/meshes/cart.stl</uri></mesh></geometry>
+      </visual>
+    </link>
+  </model>
+  </world>
+</sdf>
+)");
+}
+
+TEST(Merge, AWorldThatIncludes) {
+  VerbBench bench({{"models/cart/model.sdf", kMergedCart},
+                   {"models/cart/model.config",
+                    "<model><name>cart</name><sdf version=\"1.9\">model.sdf</sdf></model>"},
+                   {"models/other.sdf", kMergedCart}});
+  const EditedModel& cart = bench.open("models/cart/model.sdf");
+  const EditedModel& other = bench.open("models/other.sdf");
+  WorldRequest request;
+  request.out = "models/world.sdf";
+  request.parts = WorldParts::kIncluded;
+  const MergedWorld world = merged_world(cart, other, request);
+  EXPECT_EQ(world.refused, "");
+  EXPECT_EQ(VerbBench::words(world.unasked), "");
+  EXPECT_NE(world.text.find("<uri>model://cart</uri>\n      <name>cart</name>"), std::string::npos)
+      << world.text;
+  EXPECT_NE(world.text.find("<uri>other.sdf</uri>\n      <name>cart_2</name>"), std::string::npos)
+      << world.text;
+}
+
+TEST(Merge, IntoAWorldThatIsThere) {
+  constexpr const char* kWorld = R"(<sdf version="1.9">
+  <world name="hall">
+    <gravity>0 0 -1</gravity>
+    <model name="box">
+      <link name="l"/>
+    </model>
+  </world>
+</sdf>
+)";
+  VerbBench bench({{"hall.sdf", kWorld}, {"cart.sdf", kMergedCart}});
+  WorldRequest request;
+  request.out = "out.sdf";
+  const MergedWorld world = merged_world(bench.open("hall.sdf"), bench.open("cart.sdf"), request);
+  EXPECT_EQ(world.refused, "");
+  EXPECT_EQ(VerbBench::words(world.unasked), "");
+  EXPECT_EQ(world.text.find(R"(<sdf version="1.9">
+  <world name="hall">
+    <gravity>0 0 -1</gravity>
+    <model name="box">
+      <link name="l"/>
+    </model>
+    <model name="cart">)"),
+            0U)
+      << world.text;
+}
+
+TEST(Merge, TwoVersionsAreRefused) {
+  VerbBench bench(
+      {{"cart.sdf", kMergedCart},
+       {"old.sdf", "<sdf version=\"1.6\"><model name=\"m\"><link name=\"l\"/></model></sdf>"}});
+  const MergedWorld world =
+      merged_world(bench.open("cart.sdf"), bench.open("old.sdf"), {.out = "w.sdf"});
+  EXPECT_EQ(world.refused, "one is SDF 1.9 and one 1.6: upgrade the older one first");
+}
+
+TEST(Merge, TwoRobotsWithACommonRoot) {
+  constexpr const char* kLamp = R"(<robot name="lamp">
+  <link name="foot"/>
+</robot>
+)";
+  VerbBench bench({{"lamp.urdf", kLamp}});
+  const EditedModel& lamp = bench.open("lamp.urdf");
+  AttachRequest request;
+  request.link = "table";
+  request.X_LG = {{0, 1, 0}, {}};
+  EXPECT_EQ(bench.text(lamp, merged_robot(bench.reader(), lamp, lamp, request)),
+            R"(<robot name="lamp">
+  <link name="foot"/>
+  <link name="table"/>
+  <joint name="table_to_lamp" type="fixed">
+    <parent link="table"/>
+    <child link="foot"/>
+  </joint>
+  <joint name="table_to_lamp_2" type="fixed">
+    <origin xyz="0 1 0" rpy="0 0 0"/>
+    <parent link="table"/>
+    <child link="lamp_foot"/>
+  </joint>
+  <link name="lamp_foot"/>
+</robot>
+)");
+  request.link = "foot";
+  EXPECT_NE(merged_robot(bench.reader(), lamp, lamp, request).refused.find("attach"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace rigor::author

@@ -1,0 +1,165 @@
+// Copyright 2026 The rigor authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// split: where things end up, sums by hand, and lumped again.
+
+#include <rigor/author/verbs/split.h>
+
+#include <gtest/gtest.h>
+
+#include <rigor/author/verbs/lump.h>
+
+#include "author/verbs/verb_bench.h"
+
+namespace rigor::author {
+namespace {
+
+constexpr const char* kSplitMast = R"(<robot name="arm">
+  <link name="arm">
+    <inertial>
+      <origin xyz="0 0 0.5"/>
+      <mass value="3"/>
+      <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="0.5"/>
+    </inertial>
+    <visual>
+      <geometry><box size="0.1 0.1 1"/></geometry>
+    </visual>
+    <!-- the tip -->
+    <visual name="tip">
+      <origin xyz="0 0 1"/>
+      <geometry><sphere radius="0.1"/></geometry>
+    </visual>
+  </link>
+  <joint name="turn" type="continuous">
+    <origin xyz="0 0 1.25"/>
+    <parent link="arm"/>
+    <child link="hand"/>
+    <axis xyz="0 0 1"/>
+  </joint>
+  <link name="hand"/>
+</robot>
+)";
+
+SplitRequest mast_request() {
+  SplitRequest request;
+  request.name = "tip_link";
+  request.X_LN = {{0, 0, 1}, {}};
+  request.take = {"tip", "turn"};
+  return request;
+}
+
+TEST(Split, AUrdfsLinkWithItsMassLeft) {
+  VerbBench bench({{"arm.urdf", kSplitMast}});
+  const EditedModel& arm = bench.open("arm.urdf");
+  EXPECT_EQ(bench.text(arm, split(arm, "arm", mast_request())), R"(<robot name="arm">
+  <link name="arm">
+    <inertial>
+      <origin xyz="0 0 0.5"/>
+      <mass value="3"/>
+      <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="0.5"/>
+    </inertial>
+    <visual>
+      <geometry><box size="0.1 0.1 1"/></geometry>
+    </visual>
+    <!-- the tip -->
+  </link>
+  <link name="tip_link">
+    <visual name="tip">
+      <origin xyz="0 0 0"/>
+      <geometry><sphere radius="0.1"/></geometry>
+    </visual>
+  </link>
+  <joint name="arm_to_tip_link" type="fixed">
+    <origin xyz="0 0 1" rpy="0 0 0"/>
+    <parent link="arm"/>
+    <child link="tip_link"/>
+  </joint>
+  <joint name="turn" type="continuous">
+    <origin xyz="0 0 0.25"/>
+    <parent link="tip_link"/>
+    <child link="hand"/>
+    <axis xyz="0 0 1"/>
+  </joint>
+  <link name="hand"/>
+</robot>
+)");
+}
+
+/// One third of the mass in a ball at the tip: what remains has its center where moments balance.
+TEST(Split, TheMassOfShapes) {
+  VerbBench bench({{"arm.urdf", kSplitMast}});
+  const EditedModel& arm = bench.open("arm.urdf");
+  SplitRequest request = mast_request();
+  request.share = SplitMass::kGiven;
+  request.mass = 1;
+  const Change change = split(arm, "arm", request);
+  const ProvenChange proven = bench.prove(arm, change);
+  ASSERT_TRUE(proven.holds()) << proven.refused << VerbBench::words(proven.unasked);
+  const robot::Body& left = proven.after->robot.bodies[proven.after->body_index("arm")];
+  const robot::Body& tip = proven.after->robot.bodies[proven.after->body_index("tip_link")];
+  EXPECT_NEAR(tip.mass.mass, 1, 1e-12);
+  EXPECT_NEAR(tip.mass.about_com.ixx, 0.4 * 0.01, 1e-12);  // 2/5 m r²
+  EXPECT_NEAR(left.mass.mass, 2, 1e-12);
+  EXPECT_NEAR(left.mass.com.z, (3 * 0.5 - 1 * 1.0) / 2, 1e-12);
+  const ProvenChange lumped_again = bench.prove(*proven.after, lumped(*proven.after, {"tip_link"}));
+  ASSERT_TRUE(lumped_again.holds());
+  EXPECT_EQ(VerbBench::words(differences_at_rounding(arm.robot, lumped_again.after->robot)), "");
+}
+
+TEST(Split, AnSdfLinkAtAFrame) {
+  constexpr const char* kSdf = R"(<sdf version="1.7">
+  <model name="m">
+    <link name="base">
+      <inertial>
+        <mass>4</mass>
+        <inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>
+      </inertial>
+      <collision name="box">
+        <pose>0.5 0 0 0 0 0</pose>
+        <geometry><box><size>1 1 1</size></box></geometry>
+      </collision>
+      <collision name="other">
+        <geometry><box><size>1 1 1</size></box></geometry>
+      </collision>
+    </link>
+    <frame name="cut" attached_to="base">
+      <pose>0.5 0 0 0 0 0</pose>
+    </frame>
+  </model>
+</sdf>
+)";
+  VerbBench bench({{"m.sdf", kSdf}});
+  const EditedModel& before = bench.open("m.sdf");
+  SplitRequest request;
+  request.X_LN = *place_in_link(before, "base", "cut");
+  EXPECT_EQ(request.X_LN.translation.x, 0.5);
+  request.take = {"collision/1"};
+  EXPECT_NE(split(before, "base", request).refused.find("--mass"), std::string::npos);
+  request.share = SplitMass::kShapes;
+  const std::string text = bench.text(before, split(before, "base", request));
+  EXPECT_NE(text.find(R"(    <link name="base_part">
+      <pose relative_to="base">0.5 0 0 0 0 0</pose>
+      <inertial>)"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("<mass>2</mass>"), std::string::npos) << text;
+}
+
+TEST(Split, Refusals) {
+  VerbBench bench({{"arm.urdf", kSplitMast}});
+  const EditedModel& arm = bench.open("arm.urdf");
+  SplitRequest request = mast_request();
+  request.take = {"nothing"};
+  EXPECT_EQ(split(arm, "arm", request).refused, "link 'arm' holds nothing that is named 'nothing'");
+  request.take = {};
+  request.name = "hand";
+  EXPECT_EQ(split(arm, "arm", request).refused, "the name 'hand' is taken: choose one with --name");
+  EXPECT_EQ(split(arm, "leg", request).refused, "no link is named 'leg'");
+  request = mast_request();
+  request.share = SplitMass::kGiven;
+  request.mass = 5;
+  EXPECT_EQ(split(arm, "arm", request).refused, "the new link can have a mass between 0 and 3 kg");
+}
+
+}  // namespace
+}  // namespace rigor::author
