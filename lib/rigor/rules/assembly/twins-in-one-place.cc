@@ -65,6 +65,16 @@ bool frames_in_one_place(const robot::Twins& pair, Context& context) {
   return !axis_a || !axis_b || dot(*axis_a, *axis_b) > 0;
 }
 
+/// Two bodies without any shape, as those between a suspension and its wheel.
+bool masses_in_one_place(const robot::Twins& pair, const Placed& placed, Context& context) {
+  const auto is_mass = [&](std::uint32_t i) {
+    const model::Link& link = context.root().links[i];
+    return link.visuals.empty() && link.collisions.empty() && link.inertial.mass.value > 0;
+  };
+  return is_mass(pair.a) && is_mass(pair.b) &&
+         placed.a->pose.value.translation == placed.b->pose.value.translation;
+}
+
 /// y, to the left in ROS and SDF. Fingers that move along another axis may begin in one place.
 constexpr std::size_t kLateral = 1;
 
@@ -96,7 +106,9 @@ void check(const model::Root& root, Context& context) {
   for (const robot::Twins& pair : context.assembled().link_twins) {
     const auto placed = placed_alike(pair, context);
     if (!placed || !placed->a->pose.written || !placed->b->pose.written) continue;
-    if (!in_one_place(pair, context.assembled()) && !frames_in_one_place(pair, context)) continue;
+    if (!in_one_place(pair, context.assembled()) && !frames_in_one_place(pair, context) &&
+        !masses_in_one_place(pair, *placed, context))
+      continue;
     if (placed->b->pose.value.translation.y != 0) report(pair, *placed, context);
   }
 }
